@@ -26,6 +26,8 @@
 # apt: chromium
 # tools/api_pages.sh makes the pages of the public headers with this program and installs it; nothing else needs it:
 # apt-for-api-pages: doxygen
+# ./test.sh --thorough runs these programs and installs them:
+# apt-for-thorough: clang-format clang-tidy
 # A file system in user space for the test of a journal on one:
 # apt: bindfs
 find_package(fmt REQUIRED)

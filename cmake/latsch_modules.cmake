@@ -11,6 +11,8 @@ include(GoogleTest)
 
 option(LATSCH_TESTS "Build the tests" ON)
 option(LATSCH_SANITIZE "Address and undefined-behavior sanitizers" OFF)
+option(LATSCH_WERROR "Warnings of the compiler are errors: for our own builds, not for other compilers" OFF)
+option(LATSCH_UNITY "Compile small files eight at a time; OFF finds files that lack an include of their own" ON)
 
 find_program(LATSCH_CCACHE ccache)
 if(LATSCH_CCACHE)
@@ -18,6 +20,10 @@ if(LATSCH_CCACHE)
 endif()
 
 add_compile_options(-Wall -Wextra -Wno-psabi -ffp-contract=off)
+if(LATSCH_WERROR)
+  # GCC 12 also warns of "x" + std::string, inside of its own header, where nothing overlaps.
+  add_compile_options(-Werror -Wno-error=restrict)
+endif()
 
 # GCC copies structs of registers in pieces of sixteen bytes; reading them back in pieces of 32 then
 # waits for the stores.
@@ -27,9 +33,18 @@ if(LATSCH_HAS_MOVE_MAX)
   set(LATSCH_LANES_IN_REGISTERS -mmove-max=256 -mstore-max=256 --param=sra-max-scalarization-size-Ospeed=2048)
 endif()
 if(LATSCH_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_compile_options(-fsanitize=address,undefined,float-cast-overflow -fno-omit-frame-pointer)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS _GLIBCXX_SANITIZE_VECTOR)
   add_link_options(-fsanitize=address,undefined)
 endif()
+
+# Sets `limit` to the seconds after which a test is ended that takes less than `seconds` in an optimized build.
+function(latsch_limit seconds)
+  if(LATSCH_SANITIZE)
+    math(EXPR seconds "5 * ${seconds}")
+  endif()
+  set(limit ${seconds} PARENT_SCOPE)
+endfunction()
 
 # Limits the sanitizers for files of kernels. Checking each of their thousands of inlined vector
 # operations would take the compiler a quarter of an hour for each file, so only memory beyond the
@@ -55,6 +70,9 @@ endfunction()
 # anonymous namespaces must differ from file to file. Not for inner loops that run a million times,
 # where each file has its own options.
 function(latsch_compile_together)
+  if(NOT LATSCH_UNITY)
+    return()
+  endif()
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON)
   foreach(target ${ARGN})  # a unit file is no header: members may have anonymous types
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
@@ -77,8 +95,9 @@ function(latsch_tests folder name library)
     target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)
     target_compile_definitions(${name}_test PRIVATE LATSCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     latsch_optimize_little(${name}_test)
+    latsch_limit(600)
     gtest_discover_tests(${name}_test TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
-                         PROPERTIES TIMEOUT 600)
+                         PROPERTIES TIMEOUT ${limit})
   endif()
 endfunction()
 

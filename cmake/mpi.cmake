@@ -17,6 +17,7 @@ if(MPI_CXX_FOUND)
     latsch_optimize_little(mpi_executor_test)
     add_test(NAME mpi_executor COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --allow-run-as-root -n 3
                                        $<TARGET_FILE:mpi_executor_test>)
-    set_tests_properties(mpi_executor PROPERTIES TIMEOUT 60)
+    latsch_limit(60)
+    set_tests_properties(mpi_executor PROPERTIES TIMEOUT ${limit})
   endif()
 endif()

@@ -49,7 +49,8 @@ car::CarParameters pressed(bool rigid, double speed, double times, double drag) 
     axle->inboard->unit.parts.push_back(multibody::ElasticCurve{multibody::ForceCharacteristic(
         {{-0.040, -12e3}, {-0.030, -2e3}, {-0.025, 0.0}, {0.0, 0.0}, {0.1, 0.0}})});
   double mass = 0.0;
-  for (const auto& body : car::build(parameters).mechanism.bodies()) mass += body.mass;
+  const car::CarMechanism built = car::build(parameters);
+  for (const auto& body : built.mechanism.bodies()) mass += body.mass;
   const double q = 0.5 * kDensity * speed * speed * kArea;
   const double all = times * mass * parameters.gravity / q;
   car::AeroMap air;

@@ -116,7 +116,7 @@ int bench(const benchmarks::Options& options) {
             "0.8 .. 1.2",
             std::abs(truth->value / static_cast<double>(truth->residuals.size()) - 1.0) <= 0.2);
   const ProblemTraits traits{.variables = 2, .has_residuals = true};
-  const OptimizerSettings settings{.method = "auto"};
+  const OptimizerSettings settings;  // the method is chosen
   std::vector<std::pair<double, double>> starts{{0.45e6, 150.0}, {0.75e6, 20.0}, {0.4e6, 30.0}};
   starts.resize(options.size(starts.size(), std::size_t{1}));
   const int most = options.size(kMostTrials, 6);

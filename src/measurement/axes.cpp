@@ -80,16 +80,6 @@ Wrench in_frame(
   return in_H;
 }
 
-double kappa_of_bounded_slip(double lambda) {
-  assert(lambda > -1.0 && lambda <= 1.0);
-  return lambda >= 0.0 ? -lambda : -lambda / (1.0 + lambda);
-}
-
-double bounded_slip_of_kappa(double kappa) {
-  assert(kappa >= -1.0);
-  return kappa <= 0.0 ? -kappa : -kappa / (1.0 + kappa);
-}
-
 Channels to_iso(const Channels& channels, AxisConvention from) {
   Channels result;
   for (Channel channel : channels.all()) {

@@ -93,12 +93,6 @@ WheelSlip to_iso(const WheelSlip& slip, AxisConvention from);
 Wrench in_frame(
     const Wrench& wrench, AxisFrame from, AxisFrame to, double gamma, double loaded_radius);
 
-/// Returns κ from the bounded slip λ = (v - ω r) / max(v, ω r), positive in braking, which some
-/// theses and simulators use [Koek 2018, eq. 2-1]; only for import. -1 < λ <= 1, where 1 is the
-/// locked wheel.
-double kappa_of_bounded_slip(double lambda);
-double bounded_slip_of_kappa(double kappa);
-
 /// Returns the channels of a test in iso, with their slopes. Every channel with a sign in the
 /// convention is converted, under any spelling (meaning/channel_words.h); a channel with an unknown
 /// name is unchanged.

@@ -81,15 +81,6 @@ TEST(Axes, FramesHaveTheSameForceAndMomentsAboutTheirOrigins) {
   }
 }
 
-TEST(Axes, BoundedSlipIsThatOfTheSpeeds) {
-  for (const double rolling : {0.0, 5.0, 19.0, 20.0, 25.0, 300.0}) {  // ω r at v = 20
-    const double lambda = (20.0 - rolling) / std::max(20.0, rolling);
-    const double kappa = (rolling - 20.0) / 20.0;
-    EXPECT_NEAR(kappa_of_bounded_slip(lambda), kappa, 1e-13 * (1 + kappa));
-    EXPECT_NEAR(bounded_slip_of_kappa(kappa), lambda, 1e-15);
-  }
-}
-
 TEST(Axes, ChannelsAreKnownByName) {
   Channels sae;
   for (const char* name : {"FYW", "FZ", "MXH", "mz", "SLIPANGL", "INCLANGL", "FREQ"}) {

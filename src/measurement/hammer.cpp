@@ -10,13 +10,10 @@
 
 #include "base/error.h"
 #include "numerics/signals/fft.h"
+#include "numerics/signals/sample_count.h"
 
 namespace latsch {
 namespace {
-
-int samples_of(double seconds, double rate) {
-  return static_cast<int>(std::lround(seconds * rate));
-}
 
 /// Spectrum of the window after subtracting the level in front of the hit, where there is no
 /// response yet.
@@ -39,7 +36,8 @@ std::vector<int> find_hits(std::span<const double> hammer,
   double hardest = 0.0;
   for (const double value : hammer) hardest = std::max(hardest, std::abs(value - level));
   if (hardest == 0.0) throw InputError("the hammer's channel is constant: no hit is in it");
-  const int before = samples_of(settings.before, rate), length = samples_of(settings.window, rate);
+  const int before = numerics::sample_count(settings.before, rate),
+            length = numerics::sample_count(settings.window, rate);
   const int contact = std::max(1, before);  // samples after which a value above the threshold is
                                             // another hit
   std::vector<int> all;
@@ -71,7 +69,8 @@ MeasuredResponse hammer_response(std::span<const double> hammer,
                                  const HammerSettings& settings,
                                  Estimator estimator) {
   assert(hammer.size() == force.size() && !hits.empty());
-  const int before = samples_of(settings.before, rate), length = samples_of(settings.window, rate);
+  const int before = numerics::sample_count(settings.before, rate),
+            length = numerics::sample_count(settings.window, rate);
   numerics::Densities sums;
   sums.xx.assign(length / 2 + 1, 0.0);
   sums.yy = sums.xx;

@@ -29,12 +29,4 @@ std::vector<double> over_revolutions(std::span<const double> x,
   return numerics::values_at(x, places);
 }
 
-numerics::Density order_density(std::span<const double> x, int per_revolution, int revolutions) {
-  const int segment = std::min(static_cast<int>(x.size()), revolutions * per_revolution);
-  return numerics::power_density(
-      x,
-      per_revolution,
-      numerics::welch_settings(numerics::Convention::scipy, static_cast<int>(x.size()), segment));
-}
-
 }  // namespace latsch

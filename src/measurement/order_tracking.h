@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "numerics/signals/welch.h"
 
 namespace latsch {
 
@@ -19,11 +18,5 @@ std::vector<double> over_revolutions(std::span<const double> x,
                                      double rate,
                                      double circumference,
                                      int per_revolution);
-
-/// Density over the order, unit^2 per order, from Hann-windowed segments of `revolutions`
-/// revolutions.
-numerics::Density order_density(std::span<const double> over_revolutions,
-                                int per_revolution,
-                                int revolutions);
 
 }  // namespace latsch

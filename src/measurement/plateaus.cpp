@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "numerics/signals/butterworth.h"
+#include "numerics/signals/sample_count.h"
 
 namespace latsch {
 namespace {
@@ -90,7 +91,7 @@ std::vector<Plateau> find_plateaus(const DrumRecord& record,
                                    const std::vector<double>& targets,
                                    const PlateauSettings& settings) {
   const std::vector<double> speed = smooth_speed(record, speed_channel, settings);
-  const int trim = static_cast<int>(std::lround(settings.trim * record.rate));
+  const int trim = numerics::sample_count(settings.trim, record.rate);
   std::vector<Plateau> plateaus;
   for (const double target : targets) {
     const Stretch stretch = longest_stretch(speed, target, settings.margin);

@@ -18,6 +18,7 @@
 #include "numerics/signals/digital_filter.h"
 #include "numerics/signals/fft.h"
 #include "numerics/signals/time_delay.h"
+#include "numerics/signals/welch.h"
 
 namespace latsch {
 namespace {
@@ -184,7 +185,9 @@ TEST(OrderTracking, WhatTurnsWithTheDrumHasOneOrder) {
   }
   const auto over = over_revolutions(x, speed, rate, circumference, 64);
   EXPECT_NEAR(static_cast<double>(over.size()), turned * 64.0, 2.0);
-  const auto density = order_density(over, 64, 16);
+  const int samples = static_cast<int>(over.size());
+  const auto density = numerics::power_density(
+      over, 64, numerics::welch_settings(numerics::Convention::scipy, samples, 16 * 64));
   const auto peak = std::max_element(density.value.begin(), density.value.end());
   EXPECT_NEAR(density.frequency[peak - density.value.begin()], 3.0, 1e-12);
   EXPECT_NEAR(band_power(density, {2.5, 3.5}), 0.5, 1e-3);

@@ -213,10 +213,11 @@ std::string patch_figure(const fe_tire::Standing& standing) {
 /// Returns a table of the modes that the page shows in motion.
 std::string mode_table(const TirePictures& pictures) {
   std::vector<std::vector<std::string>> rows;
-  for (const fe_tire::Mode& mode : pictures.modes)
-    rows.push_back({mode.label(), fixed(mode.frequency, 1)});
-  return fmt::format("<h3>Modes <span>{}</span></h3>",
-                     pictures.modes_loaded ? "loaded tire" : "unloaded tire") +
+  for (std::size_t k = 0; k < pictures.modes.size(); ++k)
+    rows.push_back({pictures.mode_name(k), fixed(pictures.modes[k].frequency, 1)});
+  return fmt::format("<h3>Modes <span>{}{}</span></h3>",
+                     pictures.modes_loaded ? "loaded tire" : "unloaded tire",
+                     pictures.spin.empty() ? "" : ", " + pictures.spin) +
          number_table({"mode", "Hz"}, rows);
 }
 

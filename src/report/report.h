@@ -215,6 +215,12 @@ struct TirePictures {
   std::optional<Loaded> loaded;
   bool modes_loaded = false;         // true if the modes belong to the loaded state
   std::vector<fe_tire::Mode> modes;  // at most about 12 are shown
+  /// Names of these modes if their labels do not tell them apart; none: their labels.
+  std::vector<std::string> mode_names;
+  std::string spin;  // in words if the modes belong to a tire that spins: "spinning at 90 rad/s"
+  std::string mode_name(std::size_t k) const {
+    return mode_names.empty() ? modes[k].label() : mode_names[k];
+  }
 };
 
 /// One limit of a suite of checks, as text.

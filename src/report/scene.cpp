@@ -223,7 +223,7 @@ Scene scene_of(const TirePictures& pictures) {
     std::vector<float> share = lengths_in_mm(shape);
     const float most = *std::max_element(share.begin(), share.end());
     for (float& one : share) one /= most > 0.0F ? most : 1.0F;
-    Scene::Frame frame{mode.label(),
+    Scene::Frame frame{pictures.mode_name(k),
                        "tire",
                        base,
                        "amplitude, of the largest",

@@ -413,6 +413,63 @@ double diameter_of(const DrumPassage& passage,
   return *stated;
 }
 
+/// Tables of the study, from the passages that have been added.
+struct PassageTables {
+  std::string tests, measurements, experiments;
+
+  void add(const DrumPassage& passage, const std::string& test, bool is_negative) {
+    tests += "[test." + passage.name() + "]\n" + test;
+    measurements += passage.measurement("rig_processed", is_negative ? "axes = \"sae\"\n" : "");
+    for (std::size_t i = 0; i < passage.channels(); ++i)
+      experiments += passage.experiment(i, i == 0 ? "Fz" : "Fx");
+  }
+};
+
+/// Returns the drum's diameter, if one is stated. Throws InputError if a toothed wheel needs one.
+std::optional<double> stated_diameter(const DrumRecordings& recordings) {
+  if (!recordings.diameter.empty())
+    return length_in(recordings.diameter, "--drum-diameter", "a length such as \"2.5 m\"");
+  if (recordings.teeth > 0)
+    throw InputError(
+        "--teeth: the speed of a toothed wheel needs the drum it turns with, expected "
+        "--drum-diameter \"2.5 m\" beside it");
+  return {};
+}
+
+/// Aligns a passage with the known ring over the same cleat and returns the text of its test.
+std::string aligned_test(DrumPassage& passage,
+                         const std::string& cleat,
+                         double drum,
+                         double sign,
+                         const Document& known,
+                         const experiment::Language& language) {
+  const experiment::SpecimenKind& ring = *language.find_kind("ring_tire");
+  const auto rolled = [&] {
+    const std::string test = passage.test(cleat, drum);
+    auto answer = language.run(
+        ring, known, *language.read_test(Document::parse(test, "test of the drum").root(), {}));
+    if (!answer) throw InputError("the known ring over this cleat: " + answer.failure().reason);
+    return std::move(*answer);
+  };
+  passage.learn_rolling_load(rolled());
+  passage.align(rolled(), sign);
+  return passage.test(cleat, drum);
+}
+
+/// Adds remarks on a passage.
+void tell_of(const DrumPassage& passage, std::vector<std::string>& words) {
+  words.push_back(fmt::format("{}: {} passages at {}, load {}, likeness to the known ring {}",
+                              passage.name(),
+                              passage.passages(),
+                              format_quantity(passage.speed(), "km/h", 4),
+                              format_quantity(std::abs(passage.load()), "N", 4),
+                              fmt::format("{:.0f} %", 100.0 * passage.alike())));
+  if (passage.alike() < kAlike)
+    words.push_back("caution: " + passage.name() +
+                    " is hardly similar to the known ring; check cleat, load and signs before the "
+                    "fit");
+}
+
 }  // namespace
 
 DrumStudy drum_study(const DrumRecordings& recordings,
@@ -421,13 +478,7 @@ DrumStudy drum_study(const DrumRecordings& recordings,
                      const experiment::Language& language) {
   ring_tire::read_ring_tire(known.root());  // fails before any work is done
   const std::string cleat = cleat_table(recordings.cleat);
-  std::optional<double> diameter;
-  if (!recordings.diameter.empty())
-    diameter = length_in(recordings.diameter, "--drum-diameter", "a length such as \"2.5 m\"");
-  if (recordings.teeth > 0 && !diameter)
-    throw InputError(
-        "--teeth: the speed of a toothed wheel needs the drum it turns with, expected "
-        "--drum-diameter \"2.5 m\" beside it");
+  const std::optional<double> diameter = stated_diameter(recordings);
   const Channels first = formats::read_recording(recordings.files.front());
   const auto columns = columns_of(first, recordings, recordings.files.front());
   DrumStudy written;
@@ -439,46 +490,23 @@ DrumStudy drum_study(const DrumRecordings& recordings,
   for (const std::string& doubt : correlation::doubts_of(rig, results))
     written.words.push_back("caution: " + doubt);
 
-  const experiment::SpecimenKind& ring = *language.find_kind("ring_tire");
-  std::string tests, measurements, experiments;
-  std::optional<double> drum = diameter;
+  PassageTables tables;
+  std::optional<double> drum;
   bool is_negative = false;
   for (const ProcessedRun& run : results.runs) {
     for (const ProcessedPlateau& plateau : run.plateaus) {
       DrumPassage passage(run, plateau);
-      if (measurements.empty()) {
+      if (!drum) {
         drum = diameter_of(passage, diameter, written.words);
         is_negative = passage.load() < 0.0;
         if (is_negative)
           written.words.push_back(
               "the load is negative: taken for axes of SAE J670, axes = \"sae\"");
       }
-      const auto rolled = [&] {
-        const std::string test = passage.test(cleat, *drum);
-        auto answer = language.run(
-            ring, known, *language.read_test(Document::parse(test, "test of the drum").root(), {}));
-        if (!answer) throw InputError("the known ring over this cleat: " + answer.failure().reason);
-        return std::move(*answer);
-      };
-      passage.learn_rolling_load(rolled());
-      passage.align(rolled(), is_negative ? -1.0 : 1.0);
-      const std::string test = passage.test(cleat, *drum);
-      written.words.push_back(
-          fmt::format("{}: {} passages at {}, load {}, likeness to the known "
-                      "ring {}",
-                      passage.name(),
-                      passage.passages(),
-                      format_quantity(passage.speed(), "km/h", 4),
-                      format_quantity(std::abs(passage.load()), "N", 4),
-                      fmt::format("{:.0f} %", 100.0 * passage.alike())));
-      if (passage.alike() < kAlike)
-        written.words.push_back("caution: " + passage.name() +
-                                " is hardly similar to the known ring; check cleat, load and "
-                                "signs before the fit");
-      tests += "[test." + passage.name() + "]\n" + test;
-      measurements += passage.measurement("rig_processed", is_negative ? "axes = \"sae\"\n" : "");
-      for (std::size_t i = 0; i < passage.channels(); ++i)
-        experiments += passage.experiment(i, i == 0 ? "Fz" : "Fx");
+      const std::string test =
+          aligned_test(passage, cleat, *drum, is_negative ? -1.0 : 1.0, known, language);
+      tell_of(passage, written.words);
+      tables.add(passage, test, is_negative);
     }
   }
   written.ring = known.text();
@@ -489,9 +517,9 @@ DrumStudy drum_study(const DrumRecordings& recordings,
       "workers = 2\n",
       ring_variables(kNumbers, known),
       find_column(columns, "Fx") ? ring_variables(kAlong, known) : "",
-      measurements,
-      tests,
-      experiments);
+      tables.measurements,
+      tables.tests,
+      tables.experiments);
   return written;
 }
 

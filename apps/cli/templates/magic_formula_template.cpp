@@ -16,6 +16,7 @@
 #include "experiment/language/provenance.h"
 #include "experiment/rigs/slip/condition_levels.h"
 #include "formats/tire/tir_file.h"
+#include "measurement/meaning/absent_channel.h"
 #include "measurement/meaning/channel_words.h"
 
 namespace latsch::cli {
@@ -27,19 +28,64 @@ using correlation::Measurement;
 constexpr std::size_t kMostSamples = 2000;  // more add little, because neighboring samples share
                                             // noise
 
-void check(const Measurement& measured, const TireTest& test) {
-  for (const char* needed : {"Fz", "alpha"}) {
-    if (!measured.has(needed))
-      throw InputError(measured.place(),
-                       fmt::format("has no channel {}: expected the recording of a tire test, with "
-                                   "Fz, slips and forces; --column \"{} = NAME [unit]\" says "
-                                   "how a column is called",
-                                   needed,
-                                   needed));
+/// Returns the files of a recording, for errors.
+Place place_of(const Measurement& measured) {
+  std::string files = measured.files().front().string();
+  if (measured.files().size() > 1)
+    files += fmt::format(" and {} more", measured.files().size() - 1);
+  return {files, 0};
+}
+
+/// Returns the columns that may be a missing channel, as a sentence with the option that names one;
+/// "" if there are none.
+std::string columns_for(const Measurement& measured, const ChannelMeaning& missing) {
+  std::vector<OtherColumn> columns;
+  for (const Channel& channel : measured.recorded().all()) {
+    const auto& written = measured.written(channel.name);
+    columns.push_back({.name = written.column,
+                       .unit = channel.unit,
+                       .has_unit = !written.unit.empty(),
+                       .taken_as = channel.name});
   }
-  if (!test.cornering && !test.driving)
-    throw InputError(measured.place(),
-                     "neither slip angle nor slip goes through a sweep: there is no curve to fit");
+  const auto may_be = columns_that_may_be(missing.name, missing.unit, columns);
+  if (may_be.empty()) return "";
+  constexpr std::size_t kMostNamed = 12;
+  return "; columns that may be it: " + list_in_words(may_be, kMostNamed);
+}
+
+/// Throws InputError if a channel that every tire test needs is missing.
+void expect_channels(const Measurement& measured) {
+  for (const char* needed : {"Fz", "alpha"}) {
+    if (measured.has(needed)) continue;
+    throw InputError(
+        place_of(measured),
+        fmt::format("no column is called {}{}; expected the recording of a tire test, with Fz, "
+                    "slips and forces; --column \"{} = NAME [unit]\" says how a column is called",
+                    spellings_of(needed),
+                    columns_for(measured, *find_meaning(needed)),
+                    needed));
+  }
+}
+
+/// Throws InputError if the test has no curve to fit.
+void expect_curve(const Measurement& measured, const TireTest& test) {
+  if (test.cornering || test.driving) return;
+  const auto missing = [&](const char* slip, const char* force, double least) {
+    return test.spread(slip) > least && !test.has(force)
+               ? fmt::format(
+                     "{} goes through a sweep, but no column is called {}{}; --column "
+                     "\"{} = NAME [unit]\" says how it is called",
+                     slip,
+                     spellings_of(force),
+                     columns_for(measured, *find_meaning(force)),
+                     force)
+               : std::string();
+  };
+  for (const std::string& why :
+       {missing("alpha", "Fy", kLeastSweep), missing("kappa", "Fx", 2.0 * kFreeRolling)})
+    if (!why.empty()) throw InputError(place_of(measured), why);
+  throw InputError(place_of(measured),
+                   "neither slip angle nor slip goes through a sweep: there is no curve to fit");
 }
 
 /// Returns the vertical stiffness, N/m, if a loaded radius was recorded that falls with the load.
@@ -57,7 +103,7 @@ void expect_radius(const Measurement& measured, double radius, bool is_given) {
       "expected the radius of an unloaded tire, {:.0f} mm to {:g} m", 1e3 * kLeast, kMost);
   if (is_given) throw InputError(fmt::format("--radius: {:g} m; {}", radius, expected));
   throw InputError(
-      measured.place(),
+      place_of(measured),
       fmt::format(
           "its loaded radius leads to {:g} m without load; {}, or --radius", radius, expected));
 }
@@ -77,7 +123,7 @@ magic_formula::Parameters start_of(const TireTest& t,
   if (unloaded_radius) p.UNLOADED_RADIUS = *unloaded_radius;
   if (!unloaded_radius && !t.has("loaded_radius"))
     throw InputError(
-        measured.place(),
+        place_of(measured),
         "has no loaded radius: the tire's radius has to be given, --radius \"0.32 m\"");
   expect_radius(measured, p.UNLOADED_RADIUS, unloaded_radius.has_value());
   constexpr double kUsualDeflection = 0.05;  // share of the radius, under the nominal load
@@ -212,7 +258,7 @@ std::pair<Samples, Samples> parted(const TireTestFiles& test) {
     const std::string unit = all.has(out.channel) ? all.unit(out.channel) : "1";
     if (!all.has(out.channel))
       throw InputError(
-          all.place(),
+          place_of(all),
           "has no channel " + in_quotes(out.channel) + ", by which --hold-out selects");
     fitted.select[out.channel] = windows_outside(out.windows, unit);
     held = {test.files, {{out.channel, out.windows}}};
@@ -403,8 +449,9 @@ MagicFormulaStudy magic_formula_study(const TireTestFiles& given, const fs::path
   const TireTestFiles test = with_axes(given);
   const auto [fitted, held] = parted(test);
   const Measurement measured = read_fitted(test, fitted);
+  expect_channels(measured);
   const TireTest t(measured);
-  check(measured, t);
+  expect_curve(measured, t);
   MagicFormulaStudy written;
   written.words = measured.words();
   const auto start = start_of(t, measured, test.unloaded_radius, written.words);

@@ -31,7 +31,7 @@ std::pair<double, double> line_through(const std::vector<double>& x, const std::
 }
 
 TireTest::TireTest(const correlation::Measurement& measured) : measured_(measured) {
-  cornering = has("Fy") && spread("alpha") > 1.0 * kDegree;
+  cornering = has("Fy") && spread("alpha") > kLeastSweep;
   driving = has("Fx") && spread("kappa") > 2.0 * kFreeRolling;
   combined = cornering && driving;
   if (cornering) side_lag = recorded_lag(measured, "Fy", "alpha", kSmallAngle);

@@ -19,6 +19,8 @@ inline constexpr double kDegree = std::numbers::pi / 180.0;
 inline constexpr double kFreeRolling = 0.02;  // |kappa| of a wheel that is not driven
 /// Slips up to which forces count as linear.
 inline constexpr double kSmallAngle = 1.5 * kDegree, kSmallSlip = 0.02;
+/// Least range of the slip angle that counts as a sweep, rad.
+inline constexpr double kLeastSweep = 1.0 * kDegree;
 
 /// Returns the value below which that share of the finite values lies; 0 if there is none.
 double quantile(std::vector<double> values, double share);

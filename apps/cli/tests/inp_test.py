@@ -75,15 +75,20 @@ class Deck(Coarse):
                 self.assertAlmostEqual(a / b, 1.0, delta=1e-5)
 
     def test_answers_as_the_tire_with_cords_as_springs(self):
-        """Checks the deck of the tire as it is: its cords are springs, which become layers again. The differences
-        are those that export states for a coarse tire; a deck does not state by which wall elements correct their shear."""
+        """Checks the deck of the tire as it is: its cords are springs, which become layers again, and comments state its
+        walls, its tread and, if it has zones, the division of the standing tire. A deck has 12 to 15 digits."""
         self.assertIn("TYPE=SPRINGA", self.deck.read_text())
-        largest = {"growth": 0.02, "force": 0.015, "frequency": 0.04}
-        for test in (PRESS, '{kind = "inflation"}', '{kind = "modes", count = 6}'):
-            theirs, ours = self.channels(self.deck, test), self.channels(self.folder / "tire.toml", test)
-            name = "force" if test == PRESS else "growth" if "inflation" in test else "frequency"
-            for a, b in zip(theirs[name], ours[name], strict=True):
-                self.assertAlmostEqual(a / b, 1.0, delta=largest[name])
+        tire = self.folder / "tire.toml"
+        for zones, loaded in ((False, True), (False, False), (True, False), (True, True)):
+            if zones and not loaded:
+                edit(tire, (r"\nsectors = 18", '\nsectors = 18\nsector_zones = [[3, "8 deg"]]'))
+            more = ("--deflection", "12 mm") if loaded else ()
+            self.latsch("export", tire, "--ccx", self.deck, *more, "--modes", "6")
+            for test in (PRESS, '{kind = "inflation"}', '{kind = "modes", count = 6}'):
+                theirs, ours = self.channels(self.deck, test), self.channels(tire, test)
+                name = "force" if test == PRESS else "growth" if "inflation" in test else "frequency"
+                for a, b in zip(theirs[name], ours[name], strict=True):
+                    self.assertAlmostEqual(a / b, 1.0, delta=1e-6, msg=f"zones {zones}, loaded {loaded}, {test}")
 
     def test_mesh_counts_it_and_refines_none(self):
         self.assert_says(self.latsch("mesh", self.deck), "sectors", "mass")

@@ -7,6 +7,7 @@ other programs and damaged ones are read.
 """
 import contextlib
 import datetime
+import gzip
 import json
 import os
 import pathlib
@@ -50,6 +51,18 @@ class Serve(Coarse):
     def start(self, verb="run"):
         self.page.post("/api/run", {"study": "study.toml", "verb": verb, "workers": 1})
         return self.page.wait(STUDY, lambda view: view["state"] == "running")
+
+    def test_the_start_page_is_the_page_or_says_how_to_build_one(self):
+        """The program knows whether it was built with Node, and says the same in its version and at its address."""
+        version = subprocess.run([LATSCH, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout
+        with self.serve().open("/") as answer:
+            body = answer.read()
+            text = (gzip.decompress(body) if answer.headers["Content-Encoding"] == "gzip" else body).decode()
+        if "latsch serve shows it" in version:
+            self.assertIn("<script", text)
+        else:
+            self.assertIn("none: latsch serve answers only programs", version)
+            self.assertIn("built without Node and has no page: install nodejs and npm", text)
 
     def test_a_run_is_started_told_stopped_and_resumed(self):
         page = self.serve()

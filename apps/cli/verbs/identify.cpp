@@ -104,6 +104,39 @@ int identify_as_recorded(const Study& as_written,
   return kDone;
 }
 
+/// Prints what the identification found and adds it to the answer of --json. Returns false if the
+/// user interrupted the ranking of predictions.
+bool print_found(const Study& study,
+                 const Journal& journal,
+                 const correlation::Identifiability& found,
+                 const correlation::RatedTrial& before,
+                 bool profiles) {
+  answer()["variables"] = answer_of(study, found);
+  for (const TargetProfile& profile : found.identification.profiles())
+    answer()["variables"][profile.variable]["verdict"] = in_words(profile);
+  if (const auto now = correlation::best_trial(study, journal); now->point != before.point) {
+    answer()["target"] = now->target;
+    say("\nA better point was found: target {:.4f} % instead of {:.4f} %. Values, report and "
+        "latsch export refer to it from now on.\n",
+        100.0 * now->target,
+        100.0 * before.target);
+  }
+  const auto priors = correlation::prior_count(study);
+  say("\nValues and their confidence intervals, from {} measured values{}\n",
+      found.identification.residuals_used().size() - priors,
+      priors == 0 ? "" : fmt::format(" and {} prior{}", priors, priors == 1 ? "" : "s"));
+  print_intervals(study, found);
+  print_identifiability(study, found);
+  if (profiles && !rank_predictions(study, found)) return false;
+  const auto bands = correlation::prediction_bands(study, found, journal);
+  print_bands(study, bands);
+  answer()["bands"] = answer_of(study, bands);
+  const auto missed = correlation::missed_values(study, found);
+  answer()["missed"] = answer_of(study, missed);
+  print_missed(study, missed);
+  return true;
+}
+
 int identify(const std::string& file,
              const experiment::Language& language,
              int workers,
@@ -159,32 +192,10 @@ int identify(const std::string& file,
     say("Interrupted before the refined model; the same command continues.\n");
     return kStopped;
   }
-  answer()["variables"] = answer_of(study, **result);
-  for (const TargetProfile& profile : (*result)->identification.profiles())
-    answer()["variables"][profile.variable]["verdict"] = in_words(profile);
-  if (const auto now = correlation::best_trial(study, journal); now->point != best->point) {
-    answer()["target"] = now->target;
-    say("\nA better point was found: target {:.4f} % instead of {:.4f} %. Values, report and "
-        "latsch export refer to it from now on.\n",
-        100.0 * now->target,
-        100.0 * best->target);
-  }
-  const auto priors = correlation::prior_count(study);
-  say("\nValues and their confidence intervals, from {} measured values{}\n",
-      (*result)->identification.residuals_used().size() - priors,
-      priors == 0 ? "" : fmt::format(" and {} prior{}", priors, priors == 1 ? "" : "s"));
-  print_intervals(study, **result);
-  print_identifiability(study, **result);
-  if (profiles && !rank_predictions(study, **result)) {
+  if (!print_found(study, journal, **result, *best, profiles)) {
     say_interrupted(journal);
     return kStopped;
   }
-  const auto bands = correlation::prediction_bands(study, **result, journal);
-  print_bands(study, bands);
-  answer()["bands"] = answer_of(study, bands);
-  const auto missed = correlation::missed_values(study, **result);
-  answer()["missed"] = answer_of(study, missed);
-  print_missed(study, missed);
   return write_report_of_run(study, as_read, journal, language, output);
 }
 

@@ -10,7 +10,9 @@
 #include "correlation/observable/curve.h"
 #include "correlation/target/residuals.h"
 #include "numerics/dense/cholesky.h"
+#include "numerics/signals/sample_count.h"
 #include "numerics/signals/welch.h"
+#include "optimization/identifiability/robust_rows.h"
 
 namespace latsch::correlation {
 namespace {
@@ -22,7 +24,8 @@ struct ChiSquare {
   double count = 0.0;
 };
 
-/// The used residuals with their slopes, each divided by its deviation, and their experiments.
+/// The psi of the used residuals (robust_loss.h) with their slopes, each divided by its deviation,
+/// and their experiments.
 struct UsedResiduals {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;
@@ -34,7 +37,8 @@ UsedResiduals used_residuals(const Study& study, const Identification& identific
   const auto& used = identification.residuals_used();
   const auto rows = residual_rows(study);
   const ResidualTraits traits = residual_traits(study).of(used);
-  UsedResiduals all{at.r, at.J, {}};
+  const RobustRows limited(at.r, at.J, traits);
+  UsedResiduals all{limited.psi(), limited.X(), {}};
   for (std::size_t k = 0; k < used.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);
     all.experiment.push_back(rows[static_cast<std::size_t>(used[k])].experiment);
@@ -148,7 +152,7 @@ void add_lines(const FittedSignal& signal, double segment, std::map<int, BandSum
   constexpr double kAudible = 2.0;  // multiple of the noise density: weaker lines show only noise
   const auto samples = static_cast<int>(signal.measured.size());
   const auto settings = numerics::welch_settings(
-      numerics::Convention::scipy, samples, static_cast<int>(std::lround(segment * signal.rate)));
+      numerics::Convention::scipy, samples, numerics::sample_count(segment, signal.rate));
   const auto density = [&](const std::vector<double>& x) {
     return numerics::power_density(x, signal.rate, settings);
   };

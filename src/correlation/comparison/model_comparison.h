@@ -30,9 +30,8 @@
 #include <string>
 #include <vector>
 
-#include "correlation/comparison/model_comparison_file.h"
-#include "measurement/channels.h"
-#include "numerics/signals/welch.h"
+#include "correlation/comparison/compared_spectra.h"
+#include "correlation/comparison/fit_posterior.h"
 
 namespace latsch::correlation {
 
@@ -51,16 +50,6 @@ struct ModelRun {
   /// Returns the mean over the channels.
   double mean_distance(std::size_t band) const;
   double mean_decibels(std::size_t band) const;
-};
-
-/// Noise of a measured line: its density, and the number of spectra averaged.
-struct LineNoise {
-  double density = 0.0;
-  double segments = 1.0;
-
-  /// Returns the logarithm of the measured value of a line of density S, over S + density, at z
-  /// standard deviations of a normal number.
-  double log_quantile(double S, double z) const;
 };
 
 struct CaseComparison {
@@ -101,8 +90,5 @@ ModelComparison compare_models(const ModelComparisonFile& file,
 /// the bands included, each with the cases.
 std::vector<std::string> limits_of_models(const ModelComparisonFile& file,
                                           const ModelComparison& comparison);
-
-/// Returns RMS(a - b) / RMS(b) over the lines of the band.
-double psd_distance(const numerics::Density& a, const numerics::Density& b, FrequencyBand band);
 
 }  // namespace latsch::correlation

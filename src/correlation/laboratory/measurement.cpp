@@ -447,11 +447,13 @@ std::string Measurement::other_dimension(const std::string& found,
                 : "",
         hint);
   }
-  std::vector<std::string> others;
+  std::vector<std::string> others;  // a column that is known as another channel is none of them
   for (const Channel& other : told_.channels.all()) {
     const StatedColumn& theirs = told_.written.at(other.name);
-    const bool fits = theirs.unit.empty() ? other.unit == "1" && !recognized(theirs.column)
-                                          : Unit::of(other.unit).same_dimension(Unit::of(unit));
+    const bool is_other = recognized(theirs.column) && !same_channel(theirs.column, found);
+    const bool fits =
+        !is_other && (theirs.unit.empty() ? other.unit == "1" && !recognized(theirs.column)
+                                          : Unit::of(other.unit).same_dimension(Unit::of(unit)));
     if (fits) others.push_back(theirs.column);
   }
   std::string text = fmt::format("column {} is in {}, expected {}: correct the unit in its file",

@@ -3,35 +3,6 @@
 // recording as its measurement, a test takes its conditions from it. Nothing is done that is not
 // stated.
 //
-//   [measurement.cornering]
-//   file = "run4.dat"               # .csv .txt .dat .mat .tdx .tda .tdb; or files = ["a.dat", ...]
-//   axes = "sae"                    # signs of the file: iso (unless given), adapted_sae, sae
-//   frame = "W"                     # frame of forces and moments whose names omit it
-//   columns = {Fz = "LOAD", p = "P_kPa [kPa]"}  # our name = the file's column, with a unit where
-//                                               # the file states none; "-LOAD" changes the sign
-//   zero = {channels = ["Fy"], time = "0 s .. 2 s"}  # less their means of that time
-//   in_frame = "W"                  # turned into these axes from those of frame or of the names,
-//                                   # by the record's gamma and loaded_radius (frame_conversion.h)
-//   low_pass = "20 Hz"              # Butterworth of order 2, forward and backward: no delay, 6 dB
-//                                   # down there; stretches between jumps of time by themselves
-//   shift = "-12 ms"                # added to the time: onto that of the test
-//   sweep = {alpha = "rising"}      # or "falling"
-//   every = 5                       # thinned, last of all: every fifth of the samples left
-//
-//   [measurement.cornering.select]  # only samples that meet all of these
-//   time = "30 s .."                # after the warm-up
-//   Fz = ["1050 +- 100 N", "1610 +- 100 N"]  # one of several windows
-//   gamma = "-0.3 .. 0.3 deg"
-//   tread_center = "50 degC .. 80 degC"
-//
-//   [measurement.cornering.noise]   # of experiments that state none
-//   Fy = "20 N"
-//
-//   [experiment.side_force]
-//   kind = "curve"
-//   y = "steady/Fy"
-//   measurement = "cornering"       # or a file, which needs no table
-//
 // The steps are done in the order above. Channels have Latsch's names and SI units, in iso axes,
 // whatever the file calls them: the vocabulary knows SA, SLIPANGL, slip angle and others as alpha
 // (measurement/meaning/channel_words.h). Signs and ranges of the remaining samples are checked.
@@ -39,6 +10,8 @@
 //
 // Forces and moments are Fx Fy Fz Mx My Mz; with TYDEX the frame is appended: FyW. Gaps matter only
 // in channels that something needs.
+//
+// The keys are in correlation/laboratory/measurement_keys.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exactness of measured values, and its use in the fit.
 //
-//   [experiment.cleat]
-//   noise = "20 N"         # standard deviation of each value: in the unit of what is compared,
-//                          # "2 %" of what counts as 100 % (the measured force or frequency, the
-//                          # scale of a curve), or "20 N + 2 %": the root of both squares; or
-//                          # "estimated" by the fit, in every fitted experiment or none: from
-//                          # stage to stage, the last of which is run twice; or "own_stage", in
-//                          # every fitted experiment or none: the least error that an earlier
-//                          # stage left in which the experiment counts (a fit in stages)
-//   loss = "huber"         # or "cauchy": far-off values count less; "squares" unless given
-//   loss_scale = 1.345     # from where: in units of the noise, 1.345 or 2.385 unless given;
-//                          # without noise an error such as "5 %", which has to be given
-//
 // Noise has two more effects. The fit does not start again once the target is no larger than noise
 // alone makes it, so a stated noise that is too large ends the fit early. And intervals do not have
 // to estimate the noise.
 //
 // With d the error of a value as compared (objective.h) and sigma its stated deviation in units of
-// d, a value enters fit and intervals as d / sigma. With a loss of scale c and z = (x / c)^2, x
-// becomes  sign(x) c sqrt(rho(z)):
-//   huber    rho = z  up to 1, then  2 sqrt(z) - 1    [Huber, Ann. Math. Statist. 35 (1964) 73]
-//   cauchy   rho = ln(1 + z)
-// and a least-squares method sums the squares. With Gaussian noise, the default scales keep 95 % of
-// the efficiency of least squares. Far-off values count as little in the intervals as in the fit.
+// d, a value enters the fit as d / sigma, after a robust loss if one is stated (robust_loss.h).
+// With Gaussian noise, the default scales keep 95 % of the efficiency of least squares. The
+// intervals are those of M-estimation (confidence.h).
+//
+// The keys are in correlation/laboratory/noise_keys.cpp.
 #pragma once
 
 #include <optional>
@@ -31,6 +18,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "optimization/identifiability/robust_loss.h"
 
 namespace latsch::correlation {
 
@@ -52,16 +40,6 @@ bool is_estimated(const Node& experiment);
 
 /// True if the noise is the error that an earlier stage left: noise = "own_stage".
 bool is_of_own_stage(const Node& experiment);
-
-enum class Loss { squares, huber, cauchy };
-
-struct RobustLoss {
-  Loss loss = Loss::squares;
-  double scale = 1.0;  // in units of the noise if it is stated, otherwise of d
-
-  double operator()(double x) const;
-  double slope(double x) const;
-};
 
 /// Throws InputError if a scale is missing or belongs to no loss.
 RobustLoss read_loss(const Node& table, bool noise_is_stated);

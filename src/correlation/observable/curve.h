@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares a curve y(x) of channels that a test records with a measured one.
 //
-//   [experiment.step]
-//   kind = "curve"
-//   x = "response/time"                # channels: OUTPUT/QUANTITY; without x, sample by sample
-//   y = "response/z"
-//   measurement = "step.csv"           # columns time and z, as the channels are called; or the
-//                                      # name of a [measurement.NAME]
-//   frame = "W"                        # of a measured force or moment; a column may state its own
-//                                      # ("FyW"). Another frame than the test's
-//                                      # (rigs/hub_frame.h) is refused; in_frame of a
-//                                      # [measurement.NAME] turns it. Default: the test's
-//   scale = "10 mm"                    # an error of 100 %; the largest |y| unless given
-//   compare = "values"                 # or "about_mean", "psd", "band_levels", "path": the kind of
-//                                      # comparison, see curve_comparison.h
-//   nuisance = {delay = "free"}        # the delay of the recording behind the simulation is fitted
-//                                      # at every trial (curve_delay.h); default: none
-//
 // The error of sample i is
 //
 //   d_i = (y_i^mea - y^sim(x_i^mea)) / scale
 //
 // with the simulated curve linear between its samples.
+//
+// The keys are in correlation/observable/keys/curve_keys.cpp.
 #pragma once
 
 #include <filesystem>

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "measurement/band_level.h"
+#include "numerics/signals/sample_count.h"
 
 namespace latsch::correlation {
 namespace {
@@ -83,13 +84,12 @@ void read_spectrum(const Node& table,
   std::optional<int> segment;
   if (table.has("segment")) {
     const double seconds = table.quantity("segment", "s", Range::positive());
-    if (std::lround(seconds * comparison.rate) > samples)
+    segment = numerics::sample_count(seconds, comparison.rate);
+    if (*segment > samples)
       table.reject("segment",
                    fmt::format("is {:g} s, but the record has {:.4g} s; expected a part of it",
                                seconds,
                                static_cast<double>(samples) / comparison.rate));
-    segment = static_cast<int>(
-        std::min<double>(std::lround(seconds * comparison.rate), static_cast<double>(samples)));
     if (*segment < kFewestSamples) {
       table.reject("segment", fmt::format("is {} samples, expected 8 at least", *segment));
     }

@@ -10,19 +10,7 @@
 //                x / x_scale and y / scale: on a steep curve a small shift of x is a small error,
 //                and the curve may turn back (up and down a slip sweep)
 //
-//   [experiment.cleat]
-//   kind = "curve"
-//   x = "rig/time"
-//   y = "rig/Fz"
-//   measurement = "cleat.csv"
-//   compare = "psd"
-//   band = ["5 Hz", "300 Hz"]          # psd, band_levels; from the lowest line to half the rate
-//   convention = "scipy"               # or "octave", "matlab", see numerics/signals/welch.h
-//   segment = "0.5 s"                  # as the convention has it unless given
-//   rate = "2 kHz"                     # of the samples where there is no x
-//   scale = 1e4                        # what counts as 100 %, in SI: (unit of y)^2/Hz; the highest
-//                                      # measured density unless given; of band_levels 10 (dB)
-//   x_scale = "10 %"                   # path; the largest |x| unless given
+// The keys are in correlation/observable/keys/curve_comparison_keys.cpp.
 #pragma once
 
 #include <string>

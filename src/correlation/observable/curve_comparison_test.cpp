@@ -150,6 +150,9 @@ TEST_F(ComparedCurves, WhatMakesNoSenseIsRefusedInWords) {
   refused("compare = \"psd\"\nband = [\"20 Hz\", \"5 Hz\"]\n", "two rising frequencies");
   refused("compare = \"psd\"\nband = [\"10.1 Hz\", \"10.2 Hz\"]\n", "holds no frequency");
   refused("compare = \"psd\"\nsegment = \"1 ms\"\n", "expected 8 at least");
+  for (const char* longer : {"1e3 s", "4294968 s", "1e17 s"})
+    refused("compare = \"psd\"\nsegment = \"" + std::string(longer) + "\"\n",
+            "expected a part of it");
   refused("compare = \"psd\"\nx_scale = \"1 s\"\n", "x_scale");
   std::ofstream(folder_ / "measured.csv")
       << "t [s],y [N]\n0,1\n1,2\n2,3\n3,3\n4,1\n5,1\n6,1\n7.5,1\n";

@@ -2,13 +2,6 @@
 // Delay of a measured curve behind the simulated one. It belongs to the recording, not to the
 // model: the clocks of rigs and tests start at different moments.
 //
-//   [experiment.passage]
-//   kind = "curve"
-//   x = "cleat/time"                   # a time
-//   y = "cleat/Fz"
-//   measurement = "passage"
-//   nuisance = {delay = "free"}        # fitted at every trial; default: none
-//
 // Sample i, recorded at t_i, is compared with the simulated y(t_i - tau). At every trial, tau
 // minimizes the sum of the squared differences d_i(tau):
 //   - tau lies within a tenth of the record before or behind, as far as the simulation covers the
@@ -23,6 +16,8 @@
 //
 // Limits: only `values` and `about_mean` have a delay; a spectrum does not depend on it. A signal
 // that repeats itself within a fifth of the record has several delays that are nearly as good.
+//
+// The keys are in correlation/observable/keys/curve_delay_keys.cpp.
 #pragma once
 
 #include <functional>

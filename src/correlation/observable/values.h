@@ -2,32 +2,12 @@
 // Compares single values of a channel with measured ones that are stated in the study itself: a
 // stiffness, the length of a footprint, a characteristic number of a suspension.
 //
-//   [experiment.vertical_stiffness]
-//   kind = "values"
-//   channel = "standing/vertical"      # TEST/CHANNEL; of a simulator OUTPUT/QUANTITY
-//   value = "220 N/mm"                 # as measured
-//   of = "largest"                     # if the channel has several: or smallest, mean, first,
-//                                      # last
-//   scale = "10 N/mm"                  # an error of 100 %; the measured value unless given
-//
-//   [experiment.footprint_length]
-//   kind = "values"
-//   channel = "print/length"
-//   values = ["112 mm", "139 mm"]      # instead of value: every value of the channel; or
-//   measurement = "prints"             # of a [measurement.NAME] or file, its column length; of
-//                                      # a K&C rig's slope also what it is the slope of and by:
-//                                      # dz_by_Fz of its columns dz and Fz
-//
-//   [experiment.damping]
-//   kind = "values"
-//   channel = "air/damping"            # of a test of kind "modes": or frequency
-//   modes = ["torsional n=0", "lateral n=1"]   # whose values; on the ground "lateral n=1 s" or a
-//   values = [0.0902, 0.0695]
-//
 // The error is  d_i = (y_i^mea - y_i^sim) / scale_i,  with the measured value's size as scale
 // unless given. Of several modes of one name the lowest is meant; a missing mode counts as 0, an
 // error of 100 %. Frequencies of modes of one n that are too close to be distinguished by their
 // names are compared in their order (close_modes.h).
+//
+// The keys are in correlation/observable/keys/values_keys.cpp.
 #pragma once
 
 #include <memory>

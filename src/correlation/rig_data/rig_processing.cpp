@@ -12,6 +12,7 @@
 #include "measurement/bootstrap.h"
 #include "measurement/meaning/wheel_load.h"
 #include "measurement/pulse_speed.h"
+#include "numerics/signals/sample_count.h"
 
 namespace latsch::correlation {
 namespace {
@@ -195,7 +196,14 @@ void expect_spectrum(const RigFile& rig, const DrumRecord& record) {
 numerics::Density density_of(const RigFile& rig, const std::vector<double>& force, double rate) {
   const int samples = static_cast<int>(force.size());
   std::optional<int> segment;
-  if (rig.segment) segment = static_cast<int>(std::lround(*rig.segment * rate));
+  if (rig.segment) segment = numerics::sample_count(*rig.segment, rate);
+  if (segment > samples)
+    throw InputError(
+        {rig.file.string(), 0},
+        fmt::format("spectrum.segment is {:g} s, but the average of the passages lasts "
+                    "{:.4g} s; expected a part of it",
+                    *rig.segment,
+                    samples / rate));
   return numerics::power_density(
       force, rate, numerics::welch_settings(rig.convention, samples, segment));
 }

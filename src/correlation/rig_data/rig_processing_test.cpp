@@ -12,6 +12,7 @@
 #include <regex>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "correlation/rig_data/rig_report.h"
 #include "correlation/rig_data/rig_tables.h"
 #include "formats/tables/recording.h"
@@ -236,6 +237,21 @@ TEST_F(RigData, WhatCannotBeProcessedIsRefusedInWords) {
   refused(replaced(kRig, "[hammer]", "[hammmer]"), "needs a start by hand");
   refused(replaced(kRig, "input = \"hammer\"", "input = \"hammer\"\nwindow = \"30 s\""),
           "expected longer pauses");
+}
+
+// Each time is more samples than a 32-bit integer holds: of trim = "3221225 s" a negative number
+// was left, and the program read in front of the record; of the hammer's window a second was left.
+TEST_F(RigData, ATimeLongerThanAnyRecordIsRefusedInWords) {
+  for (const char* time : {"2147483 s", "3221225 s", "4294968 s", "1e17 s"}) {
+    const std::string longer = in_quotes(time) + "\n";
+    refused(replaced(kRig, "[plateaus]\n", "[plateaus]\ntrim = " + longer), "has no plateau at");
+    refused(replaced(kRig, "[plateaus]\n", "[plateaus]\nshortest = " + longer),
+            "has no plateau at");
+    refused(replaced(kRig, "segment = \"0.2 s\"\n", "segment = " + longer),
+            "expected a part of it");
+    refused(replaced(kRig, "input = \"hammer\"", "input = \"hammer\"\nwindow = " + longer),
+            "expected longer pauses");
+  }
 }
 
 }  // namespace

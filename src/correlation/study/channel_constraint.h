@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Constraint on a value that a trial records. It is nonlinear in the variables.
 //
-//   [constraint.stiff_enough]
-//   channel = "stiffness/force"        # TEST/CHANNEL, or EXPERIMENT/CHANNEL of an experiment's
-//                                      # own test; of a simulator OUTPUT/QUANTITY
-//   of = "largest"                     # of its values; or smallest, mean, first, last
-//   lower = "4 kN"                     # and upper; or equal = "..." instead of both
-//   scale = "1 kN"                     # a violation of 100 %; the size of the bound unless given
-//
 // With y that value:  c = (lower - y) / scale,  (y - upper) / scale,  h = (y - equal) / scale. The
 // constraint counts as fulfilled up to 0.0001 of the scale (optimization/problem/score.h). The
 // methods gss_nlc and sqp support such constraints. If the channel is not recorded, the error
 // message lists the recorded ones.
+//
+// The keys are in correlation/study/keys/constraint_keys.cpp.
 #pragma once
 
 #include <optional>

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Linear constraints on the variables of a study.
 //
-//   [linear_constraint.belt_softer]    # belt - 2 carcass <= 0
-//   variables = ["belt", "carcass"]    # of one physical quantity, on a linear scale
-//   coefficients = [1, -2]             # 1 each unless given
-//   upper = "0 GPa"                    # and lower; or equal = "..." instead of both
-//
 // Every optimizer satisfies the linear constraints. A design of experiments samples the whole
 // bounds and ignores them.
+//
+// The keys are in correlation/study/keys/linear_constraint_keys.cpp.
 #pragma once
 
 #include <vector>

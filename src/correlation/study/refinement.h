@@ -2,18 +2,11 @@
 // The model of a study on a finer mesh or with smaller steps. A fit absorbs the discretization
 // error into its values; the refined model shows by how much.
 //
-//   [refined]                       # evaluated once, at the values found
-//   model.belt.nodes = 200          # numbers of the model, as in a stage
-//   model.tread.blocks = 20
-//   [refined.test.slow]             # in place of the test of that name, written as [test.NAME]
-//   file = "tests/slow_fine.toml"
-//
-//   [refined.simulator]             # in place of an outside program, written as [simulator]
-//   command = ["python3", "{study}/beam.py", "beam.txt", "--elements", "80"]
-//
 // Intervals then extend to the values that the refined model would need for the same fit
 // (analysis/refined_shift.h). Refine so far that a still finer model changes little in comparison,
 // because errors beyond the refined model are not counted. Its trial has no time limit.
+//
+// The keys are in correlation/study/keys/refined_keys.cpp.
 #pragma once
 
 #include <optional>

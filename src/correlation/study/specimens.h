@@ -2,31 +2,9 @@
 // Creates the specimens of a study: from a model whose file holds the varied numbers, or from an
 // outside program.
 //
-//   model = "tire.toml"              # its file says what it is; a .tir is a Magic Formula
-//
-//   [model]                          # the same, where the file can be read as several kinds
-//   kind = "rigid_ring"              # or ring_tire, magic_formula, fe_tire
-//   file = "tire.tir"                # beside the study
-//
-//   [variable.radial]                # a path into the file's numbers, see variables.h; in a .tir
-//   path = "sidewall.radial.stiffness"         # the name of the parameter: "PKY1"
-//
-//   [test.slow]
-//   file = "slow.toml"               # a file with a kind of test
-//
-//   [test.steady]                    # or the content of such a file
-//   kind = "steady_states"
-//   states = {from = "measurement.cornering"}  # numbers as they were measured; for a key that
-//                                              # needs one channel also of another: channel =
-//                                              # "drum_speed"
-//
-//   [experiment.slow_Fz]             # observable/curve.h
-//   kind = "curve"
-//   x = "slow/time"                  # TEST/CHANNEL
-//   y = "slow/Fz"
-//   measurement = "slow_measured.csv"
-//
 // A trial runs the tests that fitted experiments or constraints need.
+//
+// The keys are in correlation/study/keys/named_test_keys.cpp.
 #pragma once
 
 #include <filesystem>

@@ -2,25 +2,7 @@
 // A study contains everything that reproduces a correlation: a model, its variables, the
 // experiments with their measurements, and the optimizer.
 //
-//   title = "Tire B, three moduli"
-//   model = "tire_b.toml"                     # beside this file; or [model], a tire that rolls,
-//                                             # see specimens.h; or [simulator], an outside
-//                                             # program, see simulator_settings.h
-//
-//   [variable.matrix]                         # see variables.h, as [tie.NAME]
-//   [linear_constraint.belt_softer]           # see linear_constraints.h
-//   [measurement.cornering]                   # see measurement.h
-//   [experiment.stiffness]                    # see study_experiment.h
-//   [constraint.stiff_enough]                 # see channel_constraint.h
-//
-//   [optimizer]                               # see study_optimizer.h, study_start.h
-//   [stage.coarse]                            # see study_stages.h
-//   [refined]                                 # see refinement.h
-//
-//   [doe]                                     # see study_design.h
-//
-//   [run]                                     # see run_settings.h
-//   workers = 2
+// The keys are in correlation/study/keys/study_keys.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The design of experiments of a study: the points that `latsch doe` evaluates before a fit.
 //
-//   [doe]
-//   design = "full_factorial"   # a grid: shows the target as a surface, for up to three variables
-//   levels = 5                  # values of every variable
-//   levels_of = {belt = 1}      # of single variables; 1: keeps its initial value
-//
-//   [doe]
-//   design = "latin_hypercube"  # spreads few points well; or "sobol": can be enlarged later
-//   points = 40
-//   seed = 0
-//
-//   [doe]
-//   design = "morris"           # which variables matter: points / (variables + 1) trajectories
-//   points = 40
+// The keys are in correlation/study/keys/doe_keys.cpp.
 #pragma once
 
 #include <cstdint>

@@ -5,35 +5,12 @@
 // A test is stated in its experiment, or by itself as [test.NAME] (specimens.h) for several
 // experiments; then test = "NAME" replaces the keys of the test.
 //
-//   [experiment.stiffness]
-//   kind = "load_deflection"
-//   pressure = "2.6 bar"               # the tire's own unless given
-//   friction = 0.8                     # with the ground; 0 unless given
-//   measurement = "stiffness.csv"      # columns deflection (or loaded_radius) and force; or the
-//                                      # name of a [measurement.NAME]
-//   compare = "force"                  # or "root_force", see objective.h
-//   exponent = 1
-//   weight = 1
-//   noise = "1 %"                      # of a measured value, if known: weights the fit, determines
-//                                      # its end and the intervals; also "20 N",
-//                                      # "estimated" by the fit, "own_stage", which is the error
-//                                      # an earlier stage left, and loss: measurement_noise.h
-//   use = "fit"                        # or "predict": compared in the report, not fitted
-//
-//   [experiment.modes]
-//   kind = "modes"
-//   pressure = "2.6 bar"
-//   deflection = "25 mm"               # or load = "4 kN"; neither: unloaded
-//   measurement = "modes.csv"          # column frequency; n, type, phase if known
-//   shapes = "mode_shapes.csv"         # if measured: modes are then paired by MAC
-//   min_mac = 0.5
-//   missing_mode = 1                   # |df| of a measured mode without a partner
-//   simulated_modes = 28               # lowest modes computed; 8 more than measured unless given
-//
 // Other kinds: "curve" (observable/curve.h), "values" (observable/values.h).
 //
 // To write measurements from the model itself (a twin), also state what the laboratory would
 // measure: deflections = ["5 mm", "10 mm"], or measured_modes = 12.
+//
+// The keys are in correlation/study/keys/experiment_keys.cpp.
 #pragma once
 
 #include <filesystem>

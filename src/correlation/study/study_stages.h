@@ -2,20 +2,6 @@
 // A fit in stages: the result of one stage starts the next, on a finer mesh, in tighter bounds, or
 // by another method.
 //
-//   [stage.coarse]                  # in the order of the file; any name
-//   model.mesh.sectors = 30         # numbers of the model, only in this stage
-//   step_tolerance = 0.02           # keys of [optimizer] for this stage; a stage that has none is
-//   max_steps = 60                  # run as [optimizer] says
-//
-//   [stage.curve]
-//   free = ["PCY1", "PDY1"]         # the variables that move; the others stay where the stage
-//                                   # before has left them
-//   experiments = ["upright"]       # those that count in this stage
-//
-//   [stage.fine]
-//   bounds = 0.25                   # width of the bounds over those of the study, around the best
-//                                   # point of the stage before; 1: those of the study
-//
 // The result of the study is that of the last stage, with the experiments that count in it and the
 // variables that it frees. The intervals also leave the other variables fixed. Terminal, page and
 // JSON name every experiment whose error is then more than a twentieth worse than after an earlier
@@ -31,6 +17,8 @@
 //
 // In a study with noise = "estimated" (target/estimated_noise.h), the last stage is repeated as
 // NAME_anew. A study without stages gets the stages "alike", "weighted" and "weighted_anew".
+//
+// The keys are in correlation/study/keys/stage_keys.cpp.
 #pragma once
 
 #include <optional>

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Start point and initial knowledge of a study's search.
 //
-//   [optimizer]
-//   start = "values"              # the initial values, knowing nothing
-//   start = "journal"             # the best point of all earlier trials, which the method observes
-//   start_journal = "old.latsch"  # of another journal of the same model too: they are taken over
-//   start = "basins"              # the lowest minimum of the study's [doe], whose points the
-//                                 # method observes; missing points are evaluated first
-//   starts = 1                    # number of minima to begin at, from the lowest to the highest,
-//                                 # idle workers with the next; the best of all is the result
-//
 // With several starts, a run receives no points better than its own start, because it would then
 // leave its basin. It receives the points nearest to the start, as many as two quadratic models
 // need.
@@ -18,6 +9,8 @@
 // the search. Resuming, and drawing the report, begin with the same trials. The mark belongs to the
 // study as written, without [run]: a changed study begins anew with all trials. The order in which
 // trials came does not matter.
+//
+// The keys are in correlation/study/keys/start_keys.cpp.
 #pragma once
 
 #include <filesystem>

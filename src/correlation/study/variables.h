@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Binds the design variables of a study to the numbers of its model.
 //
-//   [variable.matrix]
-//   path = "rubber.matrix.young_modulus"     # or paths = ["...", "..."]: one value for several
-//   lower = "5 N/mm^2"
-//   upper = "50 N/mm^2"
-//   initial = "10 N/mm^2"
-//   scale = "logarithmic"                    # or "linear"
-//   prior = "10 N/mm^2"                      # what is known before: a value and its standard
-//   prior_sigma = "20 %"                     # deviation, a quantity or a share of the value
-//
-//   vary = ["PCY1", "PDY1"]                  # at the top of the study: each a variable of its own
-//                                            # name, from its value in the model's file, between
-//                                            # bounds the kind of model has for it
-//
-//   [tie.rim_side]                           # moves with a variable or another tie
-//   path = "rubber.rim.young_modulus"
-//   follows = "matrix"
-//   factor = 1.5                             # times its value; 1 unless given
-//
 // A prior counts as one more measured value, in the fit and in the intervals
 // (optimization/problem/prior.h); it needs the noise of the experiments, against which it is
 // weighted. Any number in the model file can be varied; the model itself does not know which ones
 // are.
+//
+// The keys are in correlation/study/keys/variable_keys.cpp.
 #pragma once
 
 #include <vector>

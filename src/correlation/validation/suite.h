@@ -2,28 +2,11 @@
 // Acceptance of a model: a suite of checks, each with a comparison, its limit, and the source of
 // the limit. `latsch validate MODEL SUITE.toml` runs the checks.
 //
-//   title = "Passenger tire 205/55 R16 at 2.4 bar"
-//
-//   [test.standing]                    # as in a study
-//   file = "standing.toml"
-//
-//   [check.stiffness]                  # an experiment as in a study, with limits of its errors
-//   kind = "load_deflection"
-//   measurement = "stiffness.csv"
-//   mean_error = "5 %"                 # limit of the mean over all values
-//   largest_error = "10 %"             # limit for every value; one of the two or both
-//   source = "test report 4711, March 2025"
-//
-//   [check.vertical]                   # or one number of a channel, as a constraint of a study
-//   channel = "standing/vertical"
-//   of = "largest"                     # or smallest, mean, first, last
-//   lower = "200 N/mm"                 # and upper, or one of them
-//   upper = "240 N/mm"
-//   source = "drawing 12-345, sheet 2"
-//
 // Limits are inclusive. A measured mode without a partner has the error missing_mode. Keys that
 // weight a fit (weight, use, exponent, noise, loss) are not allowed here, because nothing is
 // fitted.
+//
+// The keys are in correlation/validation/suite_keys.cpp.
 #pragma once
 
 #include <filesystem>

@@ -24,13 +24,16 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
  public:
   DescribedTire(const TireDescription& description, const Document& numbers)
       : FeTireSpecimen(FeTire(description), description.pressure, numbers, described_tires()),
-        description_(description) {}
+        description_(description) {
+    set_rim(description.rim);
+  }
 
   /// Changes the materials and keeps the symbolic work on the mesh. Returns false if the mesh
   /// differs.
   bool becomes(const TireDescription& description, const Document& numbers) {
     if (!fe_tire::same_mesh(description_, description)) return false;
     set(fe_tire::build_materials(description), description.pressure, numbers);
+    set_rim(description.rim);
     for (FineTire& fine : fine_) {
       fine.tire.set(fe_tire::build_materials(with_split_tread(description, fine.split)));
     }

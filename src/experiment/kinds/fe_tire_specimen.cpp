@@ -79,6 +79,12 @@ void FeTireSpecimen::set(fe_tire::Materials materials, double pressure, Document
   pressure_ = pressure;
   numbers_ = std::move(numbers);
   rig_ = std::make_unique<TireRig>(own_.tire(), pressure);
+  rig_->set_rim(rim_);
+}
+
+void FeTireSpecimen::set_rim(std::optional<fe_tire::RimBody> rim) {
+  rim_ = rim;
+  rig_->set_rim(rim);
 }
 
 Result<StandingTire> FeTireSpecimen::standing(fe_tire::FeTire& tire,

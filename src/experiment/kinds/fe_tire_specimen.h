@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,11 +65,14 @@ class FeTireSpecimen : public Specimen,
   virtual SlopedTire& for_footprint(const FootprintTest&) { return own_; }
   /// Sets other numbers on the same mesh and keeps the symbolic work on it.
   void set(fe_tire::Materials materials, double pressure, Document numbers);
+  /// States the rim, for tests in which it moves.
+  void set_rim(std::optional<fe_tire::RimBody> rim);
 
  private:
   Result<StandingTire> standing(fe_tire::FeTire& tire, const FootprintTest& test) const;
   SlopedTire own_;
   double pressure_;
+  std::optional<fe_tire::RimBody> rim_;
   Document numbers_;
   std::unique_ptr<TireRig> rig_;
 };

@@ -117,7 +117,7 @@ class InpTireKind : public SpecimenKind {
     fe_tire::FeTire tire = tire_of(model.tire);
     report::TirePictures pictures;
     pictures.layers = layers_of(model);
-    add_pictures(tire, model.tire.pressure, tests, std::move(pictures), page);
+    add_pictures(tire, model.tire.pressure, tests, std::nullopt, std::move(pictures), page);
   }
 };
 

@@ -65,6 +65,9 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
   std::optional<double> tread_half_width() const override {
     return tread_half_width_of(parameters_);
   }
+  std::vector<std::string> limits_backward() const override {
+    return limits_backward_of(parameters_);
+  }
   Channels steady(const formats::CsvTable& table, const Conventions& conventions) const override {
     return answers(MagicFormula(parameters_, conventions), slip_states(table, parameters_).states);
   }

@@ -53,6 +53,9 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
         formula.evaluate({parameters_.FNOMIN, 0, 0, 0, 0, parameters_.LONGVL, parameters_.INFLPRES})
             .b);
   }
+  std::vector<std::string> limits_backward() const override {
+    return limits_backward_of(parameters_);
+  }
   /// One pair of cams scans a single line of the road.
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     if (std::abs(cleat.angle) < kStraightCleat || parameters_.ELLIPS_NWIDTH >= 2.0) return {};

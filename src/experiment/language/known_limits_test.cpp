@@ -299,5 +299,15 @@ TEST(KnownLimits, TravelAndTwistOfAStiffnessAreSmall) {
               "\"slip\" twice");
 }
 
+TEST(KnownLimits, ATirDoesNotTellConicityFromPlySteer) {
+  for (const char* kind : {"magic_formula", "rigid_ring"}) {
+    const char* test = "kind = \"uniformity\", load = \"4 kN\"";
+    EXPECT_TRUE(told_by(kind, test, {"PHY1 = 0.004"}).says("ply_steer")) << kind;
+    EXPECT_FALSE(
+        told_by(kind, test, {"PHY1 = 0", "PHY2 = 0", "PVY1 = 0", "PVY2 = 0"}).says("ply_steer"))
+        << kind;
+  }
+}
+
 }  // namespace
 }  // namespace latsch::experiment

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A bar that a tire rolls over or stands on.
 //
-//   [cleat]
-//   height = "15 mm"
-//   length = "30 mm"                 # along the road if angle is 0
-//   bevel = "5 mm"                   # of its upper edges, default 0
-//   angle = "30 deg"                 # against the axle, default 0
+// The keys are in experiment/tests/keys/cleat_keys.cpp.
 #pragma once
 
 #include <optional>

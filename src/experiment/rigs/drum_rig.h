@@ -2,37 +2,12 @@
 // Virtual drum rig: a tire on a drum with a cleat; the axle is held at one height, the wheel spins
 // freely.
 //
-//   kind = "drum_cleat"
-//   speed = "60 km/h"                # of the drum's surface
-//   load = "4 kN"                    # at rest, before the axle is held; or deflection = "20 mm";
-//                                    # speed and load may be {from = "measurement.rolling"}: the
-//                                    # means of its Vx and Fz
-//   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
-//   camber = "2 deg"                 # about x, top to the right; default 0
-//   drum_diameter = "2.5 m"          # from 0.2 to 100 m
-//   wheel_inertia = "1 kg m^2"       # about the spin axis, default 1
-//   run_in = "0.2 s"                 # of rolling before the cleat, in which the wheel is
-//                                    # gradually released from the speed it started with
-//   duration = "0.25 s"              # recorded, from `lead` before the cleat is below the axle
-//   lead = "0.05 s"
-//   step = "0.5 ms"                  # of the simulation; moves the tire by 20 mm at most
-//   sample_step = "1 ms"             # of the record; a multiple of step, default step
-//   passages = 4                     # of the cleat, averaged; default 1
-//   wheel_step = "0.75 deg"          # angle by which the wheel is turned for each further passage
-//   wheel_start = "0.3 deg"          # and for the first passage; default 0
-//   frame = "W"                      # of the forces recorded: W, H or C (hub_frame.h), that of the
-//                                    # measurement; default C, the axes of a hub's load cell;
-//                                    # ["C", "W"] records both, "FyC" and "FyW"
-//   [cleat]                          # none: a smooth drum
-//   height = "15 mm"
-//   length = "30 mm"
-//   bevel = "5 mm"                   # of its upper edges, default 0
-//   angle = "30 deg"                 # against the axle, default 0
-//
 // Channels: "time" (0 when the cleat is below the axle), hub forces "Fx" .. "Mz" in that frame,
 // "speed" of the drum's surface and "wheel_speed" (rad/s). The origin of W is where the wheel plane
 // meets the smooth drum. The wheel's spin is solved by steps of the tire (free_wheel.h), with
 // order 2.
+//
+// The keys are in experiment/tests/keys/drum_cleat_keys.cpp.
 #pragma once
 
 #include <optional>

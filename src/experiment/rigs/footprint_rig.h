@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The footprint of a tire that stands on flat ground.
 //
-//   kind = "footprint"
-//   loads = ["2 kN", "4 kN"]         # or deflections = ["10 mm", "20 mm"], from first touch of the
-//                                    # upright tire; either may be {from = "measurement.prints"}:
-//                                    # its Fz or deflection
-//   camber = "2 deg"                 # about x, top to the right; default 0
-//   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
-//   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given
-//   sensor = "15 mm"                 # side of the squares in which pressure is measured; default
-//   sensors = [["0 mm", "0 mm"]]     # centers of some squares, x forward, y left of the point
-//                                    # below the wheel center; or {from = "measurement.mat"}: its
-//                                    # x and y
-//   elements = ["7 mm", "7 mm"]      # of a finite-element tire: the longest below its tread around
-//                                    # and across, around half of that in the patch of the first
-//                                    # millimeters; default. ["1 m", "1 m"] is its own mesh, which
-//                                    # is four times as fast, with friction ten, but less exact
-//
 // Channels, one value for each state in their order: "load" (N), "deflection", "length", "width"
 // (m, the greatest ones), "area" (m^2, including grooves), "mean_pressure" (Pa, load over area),
 // "peak_pressure" (Pa, the highest reading of a sensor at any position) and "grip_level" (1, the
 // used share of the friction: the shear forces over the largest possible ones). For `sensors`, all
 // of one state and then those of the next: "pressure" (Pa), "sensor_x", "sensor_y" (m).
+//
+// The keys are in experiment/tests/keys/footprint_keys.cpp.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inflation pressure of the tire in a test.
 //
-//   pressure = "2.6 bar"             # or {from = "measurement.cornering"}: the mean of its channel
-//                                    # pressure; the tire's own unless given
+// The keys are in experiment/tests/keys/pressure_keys.cpp.
 #pragma once
 
 #include <optional>

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "experiment/rigs/inflation.h"
+#include "experiment/rigs/spin_speed.h"
 #include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/motion/rim_motion.h"
 
 namespace latsch::experiment {
 
@@ -21,7 +23,8 @@ struct LoadDeflection {
   std::vector<double> loaded_radii = {};  // m
 };
 
-/// Vibration modes with the rim fixed, off the ground or standing on it.
+/// Vibration modes with the rim fixed, off the ground or standing on it; off the ground also of a
+/// tire that spins and with a rim that moves.
 struct ModalTest {
   Inflation pressure = {};
   fe_tire::Ground ground = {};
@@ -33,7 +36,13 @@ struct ModalTest {
   Eigen::Matrix3Xd points = {};  // m, wheel frame, undeformed tire: points at which shapes are
                                  // recorded; none: no shapes
 
+  std::optional<SpinSpeed> speed = {};  // none: at rest
+  fe_tire::RimMotion rim = fe_tire::RimMotion::held;
+  bool standing_wave = false;  // true: the standing-wave speed is computed, too
+
   bool loaded() const { return deflection || load; }
+  /// True if the tire spins, its rim moves or its standing-wave speed is asked for.
+  bool moves() const { return speed || rim != fe_tire::RimMotion::held || standing_wave; }
 };
 
 }  // namespace latsch::experiment

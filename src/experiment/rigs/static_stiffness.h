@@ -2,27 +2,10 @@
 // Standing tire: force over deflection, on flat ground or on a cleat below its middle; stiffness
 // along, across and about the vertical under a load on flat ground. For any tire.
 //
-//   kind = "static_stiffness"
-//   deflections = ["10 mm", "20 mm"] # channels "deflection" and "force"; as they were measured:
-//                                    # {from = "measurement.pressed"}
-//   load = "4 kN"                    # alternatively, a channel of one value for each direction;
-//                                    # {from = "measurement.pulled"}: the mean of its Fz
-//   directions = ["vertical", "longitudinal", "lateral", "torsional"]  # default: all
-//   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
-//   camber = "2 deg"                 # about x, top to the right; default 0
-//   friction = 0.8                   # of a finite-element tire with the ground, 0 unless given;
-//                                    # others have theirs in their own files
-//   travel = "1 mm"                  # over which a stiffness is computed; default, at most 50 mm
-//   twist = "1 mrad"                 # over which the torsional one is computed; default, at most
-//                                    # 0.1 rad
-//   [cleat]                          # on which deflections are pressed; none: flat ground
-//   height = "20 mm"
-//   length = "50 mm"
-//   bevel = "5 mm"                   # of its upper edges, default 0
-//   angle = "90 deg"                 # against the axle, default 0: across the tread
-//
 // The axle is moved slowly from its standing position and held; the stiffness is the change of the
 // hub's force over the displacement, including the friction in the patch.
+//
+// The keys are in experiment/tests/keys/static_stiffness_keys.cpp.
 #pragma once
 
 #include <array>

@@ -2,16 +2,6 @@
 // Virtual uniformity machine: a tire rolls slowly at a constant loaded radius, forward and
 // backward, and the force on its spindle varies over the turn. For any tire.
 //
-//   kind = "uniformity"
-//   load = "4 kN"                    # mean over a turn forward, before the axle is held; or
-//                                    # {from = "measurement.machine"}: the mean of its Fz
-//   pressure = "2.6 bar"             # the tire's own unless given (inflation.h)
-//   drum_diameter = "854 mm"         # default: none, a flat belt
-//   speed = "2 m/s"                  # of the road, some 60 turns a minute; default
-//   wheel_inertia = "1 kg m^2"       # about the spin axis, of the wheel that spins freely; default
-//   harmonics = 10                   # of the turn that a variation is made of; default
-//   step = "1 ms"                    # default; less from 72 km/h on: 20 mm of road
-//
 // Channels, N: "load"; RFV, LFV, TFV, peak to peak over a turn forward, "radial_force_variation",
 // "lateral_force_variation", "tangential_force_variation"; the first harmonic of each, peak to peak
 // as well, "radial_first_harmonic", "lateral_first_harmonic", "tangential_first_harmonic";
@@ -26,6 +16,8 @@
 // they are half the sum and half the difference of the lateral shifts, clockwise and
 // counterclockwise. Such machines are the subject of SAE J332. Above a few m/s imbalance and modes
 // of the tire contribute to the variations, as on machines for high speeds.
+//
+// The keys are in experiment/tests/keys/uniformity_keys.cpp.
 #pragma once
 
 #include <vector>

@@ -25,6 +25,10 @@ Result<Channels> run(ring_tire::RingTire& tire, const ModalTest& test) {
   if (test.ground.mu != 0.0)
     throw InputError(
         "a flexible ring has friction in its own file: expected a test of modes without it");
+  if (test.moves())
+    throw InputError(
+        "a flexible ring's modes are computed at rest with its rim held: expected a test of modes "
+        "without speed, rim and standing_wave");
   if (test.points.cols() > 0)
     throw InputError(
         "modes of a flexible ring are paired by label: expected a measurement without "

@@ -7,6 +7,9 @@
 // mostly the stretch of belt and carcass: it identifies their moduli, on which frequencies hardly
 // depend.
 //
+// With `speed` the tire spins, its growth includes that by rotation, and "spin" (rad/s) is
+// recorded.
+//
 // The keys are in experiment/tests/keys/inflation_keys.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,7 +26,8 @@ namespace {
 
 /// Dimensions of the inflated tire off the ground.
 struct InflatedSizeTest {
-  std::vector<double> pressures = {};  // Pa, gauge; none: the tire's own
+  std::vector<double> pressures = {};   // Pa, gauge; none: the tire's own
+  std::optional<SpinSpeed> speed = {};  // none: at rest
 };
 
 Result<Channels> inflate(TireRig& rig, const InflatedSizeTest& test, fe_tire::TireSlopes* slopes) {
@@ -31,12 +35,15 @@ Result<Channels> inflate(TireRig& rig, const InflatedSizeTest& test, fe_tire::Ti
   if (pressures.empty()) pressures.push_back(rig.own_pressure());
   Channel pressure{"pressure", "Pa", pressures}, radius{"outer_radius", "m", {}};
   Channel width{"section_width", "m", {}}, growth{"growth", "m", {}};
+  Channel spin{"spin", "rad/s", {}};
   const auto variables = slopes ? slopes->variables() : 0;
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(std::ssize(pressures), variables);
   Eigen::MatrixXd by_pressure = none, by_radius = none, by_width = none, by_growth = none;
   for (std::size_t i = 0; i < pressures.size(); ++i) {
-    const auto& inflated = rig.inflated(pressures[i]);
+    const auto inflated =
+        test.speed ? rig.spinning(pressures[i], *test.speed) : rig.inflated(pressures[i]);
     if (!inflated) return inflated.failure();
+    spin.values.push_back(inflated->spin);
     radius.values.push_back(inflated->radius);
     width.values.push_back(inflated->width);
     growth.values.push_back(inflated->growth);
@@ -51,6 +58,7 @@ Result<Channels> inflate(TireRig& rig, const InflatedSizeTest& test, fe_tire::Ti
   }
   Channels channels;
   for (Channel* channel : {&pressure, &radius, &width, &growth}) channels.add(std::move(*channel));
+  if (test.speed) channels.add(std::move(spin));
   if (!slopes) return channels;
   return with_slopes(channels,
                      {{"pressure", by_pressure},
@@ -71,11 +79,20 @@ class InflationTest : public Test {
   explicit InflationTest(InflatedSizeTest test) : test_(std::move(test)) {}
 
   std::string in_words() const override {
-    return test_.pressures.empty() ? "inflation" : "inflation, " + conditions();
+    const std::string under = conditions();
+    return under.empty() ? "inflation" : "inflation, " + under;
   }
-  std::string conditions() const override { return range_in_words(test_.pressures); }
+  std::string conditions() const override {
+    const std::string pressures = range_in_words(test_.pressures);
+    if (!test_.speed) return pressures;
+    return (pressures.empty() ? "" : pressures + ", ") + "spinning at " +
+           speed_in_words(*test_.speed);
+  }
   std::vector<ChannelInfo> channels() const override {
-    return {{"pressure", "Pa"}, {"outer_radius", "m"}, {"section_width", "m"}, {"growth", "m"}};
+    std::vector<ChannelInfo> channels = {
+        {"pressure", "Pa"}, {"outer_radius", "m"}, {"section_width", "m"}, {"growth", "m"}};
+    if (test_.speed) channels.push_back({"spin", "rad/s"});
+    return channels;
   }
   std::vector<std::string> needs() const override { return kInflationTest.needs; }
   std::optional<Reach> reach(const std::string& channel) const override {
@@ -88,10 +105,13 @@ class InflationTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
+  /// A tire that spins has no slopes.
+  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return !test_.speed; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     const auto measured = specimen.find<IsFeTire>()->drive(
-        [this](TireRig& rig, fe_tire::TireSlopes* slopes) { return inflate(rig, test_, slopes); },
+        [this](TireRig& rig, fe_tire::TireSlopes* slopes) {
+          return inflate(rig, test_, test_.speed ? nullptr : slopes);
+        },
         !test_.pressures.empty(),
         asked);
     if (!measured) return measured;
@@ -108,6 +128,7 @@ std::unique_ptr<Test> read_inflation(const Node& root, const TestSource& source)
     test.pressures = measured_values(*from, {"pressure", "Pa"}, source.measured);
   else if (root.has("pressures"))
     test.pressures = root.quantities("pressures", "Pa", Range::positive());
+  if (root.has("speed")) test.speed = read_spin_speed(root);
   return std::make_unique<InflationTest>(std::move(test));
 }
 

@@ -2,11 +2,7 @@
 // Conditions of the tests of K&C rigs: histories of loads, travel and rack, one value for each
 // state, in the file or as they were recorded, and the slopes over one of them.
 //
-//   Fz = ["0 N", "2.5 kN", "5 kN"]       # of every state, or one for all of them
-//   Fz = {from = "measurement.rig"}      # its channel Fz; or channel = "left_pad"
-//   loads = {from = "measurement.rig"}   # all loads that it recorded, by their names
-//   slopes_by = "Fz"                     # adds dz_by_Fz, toe_by_Fz ... (rigs/rig_slopes.h)
-//   window = ["1 kN", "4 kN"]            # over the states whose Fz is in this range
+// The keys are in experiment/tests/keys/kc_histories_keys.cpp.
 #pragma once
 
 #include <map>

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "load_deflection": vertical force over deflection or loaded radius.
 //
-//   kind = "load_deflection"
-//   pressure = "2.6 bar"               # the tire's own unless given (rigs/inflation.h)
-//   friction = 0.8                     # with the ground; 0 unless given
-//   deflections = ["5 mm", "10 mm"]    # from first touch; or loaded_radii = ["310 mm"]; either
-//                                      # may be {from = "measurement.pressed"}: as measured
-//
 // Channels, one value for each position in the order of the file: "deflection", "loaded_radius"
 // (m), "force" (N), and for a tire that computes its patch "patch_length", "patch_width" (m),
 // "patch_area" (m^2). A loaded radius larger than that of the tire means no contact: all are 0. The
 // tire is pressed once through all positions, deeper and deeper: with friction the path is part of
 // the result.
+//
+// The keys are in experiment/tests/keys/load_deflection_keys.cpp.
 #pragma once
 
 #include "experiment/language/test.h"

@@ -9,13 +9,32 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
+#include "experiment/rigs/spin_speed.h"
 #include "experiment/tests/load_deflection.h"
 #include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
 
+namespace {
+
+std::string rim_in_words(fe_tire::RimMotion rim) {
+  switch (rim) {
+    case fe_tire::RimMotion::held:
+      return "";
+    case fe_tire::RimMotion::rigid:
+      return ", rim on its springs";
+    case fe_tire::RimMotion::free:
+      return ", rim free";
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string state_in_words(const ModalTest& test) {
   std::string state = "unloaded";
+  if (test.speed) state += ", spinning at " + speed_in_words(*test.speed);
+  state += rim_in_words(test.rim);
   if (test.deflection) state = "pressed " + format_quantity(*test.deflection, "mm", 4);
   if (test.load) state = "under " + format_quantity(*test.load, "N", 5);
   return state + cambered(test.camber);
@@ -41,10 +60,25 @@ std::string ModesTest::conditions() const {
 }
 
 std::vector<ChannelInfo> ModesTest::channels() const {
-  return {{"frequency", "Hz"}, {"n", "1"}, {"type", "1"}, {"phase", "1"}, {"damping", "1"}};
+  if (!test_.moves())
+    return {{"frequency", "Hz"}, {"n", "1"}, {"type", "1"}, {"phase", "1"}, {"damping", "1"}};
+  std::vector<ChannelInfo> channels = {{"frequency", "Hz"},
+                                       {"n", "1"},
+                                       {"type", "1"},
+                                       {"phase", "1"},
+                                       {"sense", "1"},
+                                       {"frequency_on_tire", "Hz"},
+                                       {"spin", "rad/s"},
+                                       {"outer_radius", "m"}};
+  if (test_.standing_wave) {
+    channels.push_back({"standing_wave_speed", "rad/s"});
+    channels.push_back({"standing_wave_n", "1"});
+  }
+  return channels;
 }
 
 std::vector<std::string> ModesTest::needs() const {
+  if (test_.moves()) return {IsFeTire::kName};
   if (test_.ground.mu > 0.0 || test_.points.cols() > 0) return {TakesConditions::kName};
   return kModesTest.needs;
 }
@@ -72,6 +106,38 @@ Eigen::Matrix3Xd points_of(const std::vector<std::vector<double>>& rows) {
 
 constexpr long kMost = 200;  // modes
 
+/// Refuses conditions that a tire in motion does not have here. `key` says that it moves.
+void check_moving(const Node& root, const ModalTest& test, const char* key) {
+  if (test.loaded())
+    root.reject(key,
+                fmt::format("is given beside {}, expected a tire in the air, because modes of a "
+                            "tire that rolls under load are not computed",
+                            test.load ? "load" : "deflection"));
+  if (test.camber != 0.0)
+    root.reject(key, "is given beside camber, expected none, because the tire is in the air");
+  if (test.ground.mu != 0.0)
+    root.reject(key, "is given beside friction, expected none, because the tire is in the air");
+}
+
+/// Reads the keys of a tire that spins or whose rim moves.
+void read_motion(const Node& root, ModalTest& test) {
+  if (root.has("speed")) {
+    test.speed = read_spin_speed(root);
+    check_moving(root, test, "speed");
+  }
+  if (root.has("rim")) {
+    const std::string rim = root.choice("rim", {"held", "rigid", "free"});
+    test.rim = rim == "held"    ? fe_tire::RimMotion::held
+               : rim == "rigid" ? fe_tire::RimMotion::rigid
+                                : fe_tire::RimMotion::free;
+    if (rim != "held") check_moving(root, test, "rim");
+  }
+  if (root.has("standing_wave")) {
+    test.standing_wave = root.flag("standing_wave", false);
+    if (test.standing_wave) check_moving(root, test, "standing_wave");
+  }
+}
+
 std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source) {
   ModalTest test;
   test.pressure = read_pressure(root, source.measured);
@@ -91,6 +157,7 @@ std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source
   } else {
     test.count = static_cast<int>(root.integer("count", 1, kMost, test.count));
   }
+  read_motion(root, test);
   if (const auto from = find_measured(root, "points"))
     test.points = measured_points(*from, source.measured);
   else if (root.has("points"))

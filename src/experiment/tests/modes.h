@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // kind = "modes": vibration modes of a tire with its rim held, off the ground or standing on it.
 //
-//   kind = "modes"
-//   load = "4 kN"                    # or deflection = "20 mm"; neither: in the air
-//   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
-//   friction = 0.8                   # with the ground; 0 unless given
-//   camber = "2 deg"                 # about x, top to the right; default 0
-//   count = 12                       # lowest modes; default 10; {from = "measurement.modes"}: 8
-//                                    # more than it has frequencies
-//   points = [["0 mm", "0 mm", "310 mm"]]   # at which shapes are recorded, on the undeformed tire
-//                                    # in the wheel frame; {from = "measurement.shapes"}: its
-//                                    # x, y, z; default: no shapes
+// A tire in the air may spin, and its rim may move:
+//
+//   speed = "100 km/h"               # or "90 rad/s"; at rest unless given
+//   rim = "free"                     # "held" unless given; [rim] of the tire file describes it
+//   standing_wave = true             # compute the standing-wave speed, too
 //
 // Channels, one value for each mode: "frequency" (Hz), and "n", "type" and "phase" as
 // numbers (rigs/mode_record.h); "shape" at the points; "damping" (of critical) if the model has it;
 // on the ground one value of "deflection", "loaded_radius" (m) and "force" (N) if the model
-// computes them.
+// computes them. If the tire spins or its rim moves: rigs/fe_tire/spinning_rig.cpp.
+//
+// The keys are in experiment/tests/keys/modes_keys.cpp.
 #pragma once
 
 #include "experiment/language/test.h"
@@ -38,8 +35,8 @@ class ModesTest : public Test {
   Result<Channels> run(Specimen& specimen) const override;
   /// The identifiers of a mode and its shape have no slopes.
   bool tells_slopes(const SpecimenKind&, const std::string& channel) const override {
-    return test_.ground.mu == 0.0 && test_.camber == 0.0 && channel != "n" && channel != "type" &&
-           channel != "phase" && channel != "shape";
+    return test_.ground.mu == 0.0 && test_.camber == 0.0 && !test_.moves() && channel != "n" &&
+           channel != "type" && channel != "phase" && channel != "shape";
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
 

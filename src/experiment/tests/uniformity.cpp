@@ -12,7 +12,7 @@
 namespace latsch::experiment {
 namespace {
 
-class Uniformity : public Test {
+class Uniformity : public Test, public TellsLimits {
  public:
   explicit Uniformity(const UniformityTest& test) : test_(test) {}
 
@@ -33,6 +33,18 @@ class Uniformity : public Test {
 
   std::vector<std::string> needs() const override { return kUniformityTest.needs; }
   std::optional<long> samples() const override { return 1; }
+
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    const auto* knows = specimen.find<KnowsLimits>();
+    return knows ? knows->limits_backward() : std::vector<std::string>();
+  }
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    return notes;
+  }
 
   Result<Channels> run(Specimen& specimen) const override {
     LiftLog lifts;

@@ -592,6 +592,7 @@ InpDeck parse_inp(std::string_view text, const std::string& file_name) {
   } else {
     deck.units = units_by_size(deck);
   }
+  deck.remarks = stated_remarks(text, file_name);
   return deck;
 }
 

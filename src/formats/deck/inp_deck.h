@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "formats/deck/inp_remarks.h"
 #include "formats/deck/inp_units.h"
 
 namespace latsch::formats {
@@ -187,6 +188,7 @@ struct InpDeck {
   int pressure = -1;  // index of the number of the last static step; -1: none
   InpUnits units;     // stated units, else those that suit the size of the mesh, else mm, N, tonne
   bool are_units_stated = false;
+  InpRemarks remarks;
 
   double value(int number) const { return numbers[static_cast<std::size_t>(number)].value; }
 };

@@ -5,6 +5,8 @@
 #include <fmt/ostream.h>
 
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <vector>
 
 #include "base/error.h"
@@ -32,7 +34,12 @@ class DeckWriter {
              const fe_tire::Mesh& mesh,
              const fe_tire::Materials& materials,
              const CcxRun& run)
-      : out_(out), mesh_(mesh), corners_(corners_of(mesh)), materials_(materials), run_(run) {}
+      : out_(out),
+        mesh_(run.ground ? mesh : mesh.evenly_divided()),
+        planes_(mesh.theta),
+        corners_(corners_of(mesh)),
+        materials_(materials),
+        run_(run) {}
 
   void write() {
     print("*HEADING\n{}\n** units: mm, N, tonne\n", run_.title);
@@ -41,6 +48,7 @@ class DeckWriter {
     ties();
     cords();
     sets();
+    remarks();
     material_cards();
     if (run_.ground) contact();
     print("*BOUNDARY\nRIM,1,3\n");
@@ -211,6 +219,33 @@ class DeckWriter {
       element_set("TREAD", [this](int s, const Element& e) { return e.tread && lower_half(s); });
   }
 
+  /// Writes what CalculiX has no card for, so that Latsch reads the deck as this tire.
+  void remarks() {
+    const double kDegrees = 180.0 / std::numbers::pi;
+    element_set("TREADS", [](int, const Element& e) { return e.tread; });
+    print("** latsch tread: TREADS\n");
+    std::map<std::pair<double, int>, std::vector<int>> walls;
+    for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
+      const Element& element = mesh_.elements[e];
+      if (element.wall > 0.0 || element.layer_rows > 0)
+        walls[{element.wall, element.layer_rows}].push_back(e);
+    }
+    int number = 0;
+    for (const auto& [wall, elements] : walls) {
+      const std::string name = fmt::format("WALL{}", number++);
+      std::vector<int> members;
+      for (int s = 0; s < mesh_.sectors; ++s)
+        for (const int e : elements) members.push_back(element_number(s, e));
+      set("*ELSET,ELSET=" + name, members);
+      print("** latsch wall: {}, {:.17g}, {}\n", name, wall.first * kMillimeters, wall.second);
+    }
+    for (std::size_t i = 0; i < planes_.size(); ++i)
+      print("{}{:.17g}{}",
+            i % 4 == 0 ? "** latsch planes: " : ", ",
+            planes_[i] * kDegrees,
+            i % 4 == 3 || i + 1 == planes_.size() ? "\n" : "");
+  }
+
   /// True for sectors that can touch the ground; leaving out the others halves CalculiX's search.
   bool lower_half(int sector) const {
     return mesh_.sectors == 1 || std::cos(mesh_.angle(sector)) > 0.0 ||
@@ -317,7 +352,8 @@ class DeckWriter {
   }
 
   std::ostream& out_;
-  const fe_tire::Mesh& mesh_;
+  const fe_tire::Mesh mesh_;
+  const std::vector<double> planes_;
   const fe_tire::Corners corners_;
   const fe_tire::Materials& materials_;
   const CcxRun& run_;

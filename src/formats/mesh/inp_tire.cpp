@@ -37,6 +37,7 @@ class TireReader {
     take_faces();
     align();
     take_rebars();
+    take_remarks();
     take_supports();
     assemble();
     take_ground();
@@ -318,12 +319,39 @@ class TireReader {
     tire_.cords = placed_.cords;
   }
 
-  /// Encodes solid, pressure and rebars as one number, equal for equal elements.
+  /// Walls and tread that the deck states in remarks, element by element.
+  void take_remarks() {
+    wall_.assign(elements_.size(), -1);
+    for (std::size_t i = 0; i < deck_.remarks.walls.size(); ++i)
+      for (const int e : members(deck_.remarks.walls[i].elset, deck_.remarks.walls[i].place))
+        wall_[static_cast<std::size_t>(e)] = static_cast<int>(i);
+    for (const InpRemarks::Tread& tread : deck_.remarks.treads)
+      for (const int e : members(tread.elset, tread.place)) treads_.insert(e);
+  }
+
+  /// Elements of the tire, by index, in a set that a remark names.
+  std::vector<int> members(const std::string& name, const Place& place) const {
+    const auto set = deck_.element_sets.find(name);
+    if (set == deck_.element_sets.end())
+      throw InputError(place, fmt::format("element set {} is not defined", name));
+    std::vector<int> found;
+    for (const int number : set->second) {
+      const auto element = element_index_.find(number);
+      if (element == element_index_.end())
+        throw InputError(place, fmt::format("element {} is not part of the tire", number));
+      found.push_back(element->second);
+    }
+    return found;
+  }
+
+  /// Encodes solid, pressure, rebars and remarks as one number, equal for equal elements.
   void take_kinds() {
     constexpr double kDepths = 1e4;  // steps of depth that are distinguished in half an element
     std::map<std::vector<std::int64_t>, std::int64_t> kinds;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      std::vector<std::int64_t> kind{solid_[e], inner_faces_.count(static_cast<int>(e)) ? 1 : 0};
+      const int index = static_cast<int>(e);
+      std::vector<std::int64_t> kind{
+          solid_[e], inner_faces_.count(index) ? 1 : 0, wall_[e], treads_.count(index) ? 1 : 0};
       for (const fe_tire::RebarPlacement& rebar : placed_.of_element[e]) {
         kind.push_back(rebar.layer);
         kind.push_back(std::llround(rebar.zeta * kDepths));
@@ -369,6 +397,8 @@ class TireReader {
     const Sector sector = find_sector(ring_);
     Mesh& mesh = tire_.mesh;
     mesh.sectors = sector.sectors;
+    mesh.theta = sector.theta;
+    divide(mesh);
     const SectorNodes nodes = nodes_of(sector);
     mesh.X.resize(3, nodes.count);
     for (std::size_t i = 0; i < sector.nodes.size(); ++i) {
@@ -384,10 +414,17 @@ class TireReader {
       element.solid = element.region = solid_[e];
       element.inner = inner_faces_.count(e) > 0;
       element.rebars = placed_.of_element[static_cast<std::size_t>(e)];
-      element.tread = sector.sectors > 1 ? near(treads, place(e)) : outer_faces_.count(e) > 0;
+      element.tread = !treads_.empty()     ? treads_.count(e) > 0
+                      : sector.sectors > 1 ? near(treads, place(e))
+                                           : outer_faces_.count(e) > 0;
+      if (const int wall = wall_[static_cast<std::size_t>(e)]; wall >= 0) {
+        const InpRemarks::Wall& stated = deck_.remarks.walls[static_cast<std::size_t>(wall)];
+        element.wall = stated.thickness * units_.length;
+        element.layer_rows = stated.layer_rows;
+      }
       mesh.elements.push_back(element);
     }
-    if (outer_.empty()) mark_tread(mesh);
+    if (outer_.empty() && treads_.empty()) mark_tread(mesh);
     mesh.sensors = choose_sensors(mesh);
     try {
       fe_tire::check(mesh);
@@ -395,6 +432,19 @@ class TireReader {
                                          // file
       throw InputError({deck_.file, 0}, error.what());
     }
+  }
+
+  /// Divides a tire of equal sectors by the planes that the deck states for the standing tire.
+  void divide(Mesh& mesh) const {
+    const std::vector<double>& planes = deck_.remarks.planes;
+    if (planes.empty() || !mesh.theta.empty()) return;
+    if (mesh.sectors != static_cast<int>(planes.size()))
+      throw InputError(deck_.remarks.planes_place,
+                       fmt::format("{} planes are stated, expected one for each of the {} equal "
+                                   "sectors of the tire",
+                                   planes.size(),
+                                   mesh.sectors));
+    mesh.theta = planes;
   }
 
   /// The nodes of a sector that are not tied to a line, in new numbers; -1: tied.
@@ -511,6 +561,8 @@ class TireReader {
   std::vector<int> element_numbers_;
   std::vector<HexNodes> elements_;
   std::vector<int> solid_;
+  std::vector<int> wall_;  // index in the deck's remarks, for each element; -1: none
+  std::set<int> treads_;   // elements that a remark calls tread
   std::vector<KnownFace> inner_, outer_;
   FaceSet inner_faces_, outer_faces_;
   InpPlacedRebars placed_;

@@ -4,11 +4,14 @@
 //
 // The spin axis is that of the cylindrical orientation (z if there is none); the ground is the
 // contact's master body, and its direction becomes down. A mesh of equal sectors is recognized and
-// becomes one sector; a contact surface on part of the circumference is then continued around it.
+// becomes one sector, and so does one of unequal sectors with the same nodes in every plane; a
+// contact surface on part of the circumference is then continued around it.
 // Without contact, outer faces that face outward are the tread.
 //
 // A corner that *EQUATION holds on the line between two nodes becomes an edge tie of its element
 // (tied_corners.h), not a node.
+//
+// Walls, tread and the division of the standing tire are those of remarks (inp_remarks.h).
 //
 // Elements are computed as the deck states: C3D8 with full integration, as in CalculiX, its
 // variants against locking (C3D8I, C3D8R, with H or without) by the solid shell.

@@ -32,6 +32,8 @@ class Rings {
   }
 
   double angle(int node) const { return angle_[node]; }
+  /// Nodes of every ring, by their angles.
+  const std::vector<std::vector<int>>& members() const { return members_; }
   double angular_tolerance() const { return angular_tolerance_; }
 
   int common_count() const {
@@ -150,6 +152,88 @@ std::optional<Sector> cut(const RingOfNodes& ring,
   return sector;
 }
 
+/// The planes of a ring of unequal sectors: angles, and ring and plane of every node.
+struct Planes {
+  std::vector<double> theta;
+  std::vector<int> ring, plane;
+};
+
+/// Returns nothing if a ring has no node in one of the planes.
+std::optional<Planes> find_planes(const RingOfNodes& ring, const Rings& rings) {
+  const double tolerance = 4.0 * rings.angular_tolerance();
+  const auto from_bottom = [&](int node) {
+    const double angle = rings.angle(node);
+    return angle < -tolerance ? angle + kTurn : std::max(angle, 0.0);
+  };
+  Planes planes;
+  planes.ring.resize(ring.X.cols());
+  planes.plane.resize(ring.X.cols());
+  for (std::size_t r = 0; r < rings.members().size(); ++r) {
+    std::vector<int> nodes = rings.members()[r];
+    std::sort(
+        nodes.begin(), nodes.end(), [&](int a, int b) { return from_bottom(a) < from_bottom(b); });
+    if (r == 0)
+      for (const int node : nodes) planes.theta.push_back(from_bottom(node));
+    if (nodes.size() != planes.theta.size()) return {};
+    for (std::size_t p = 0; p < nodes.size(); ++p) {
+      if (std::abs(from_bottom(nodes[p]) - planes.theta[p]) > tolerance) return {};
+      planes.ring[nodes[p]] = static_cast<int>(r);
+      planes.plane[nodes[p]] = static_cast<int>(p);
+    }
+  }
+  const std::size_t S = planes.theta.size();
+  if (S < 3 || planes.theta[0] > tolerance) return {};
+  planes.theta[0] = 0.0;
+  for (std::size_t s = 1; s <= S / 2; ++s) {
+    double &near = planes.theta[s], &far = planes.theta[S - s];
+    if (std::abs(near + far - kTurn) > 2.0 * tolerance) return {};
+    near = 0.5 * (near + kTurn - far);
+    far = kTurn - near;
+  }
+  return planes;
+}
+
+/// Returns one of the unequal sectors, or nothing if they are not alike.
+std::optional<Sector> cut_unequal(const RingOfNodes& ring, const Rings& rings) {
+  const auto planes = find_planes(ring, rings);
+  if (!planes) return {};
+  const int S = static_cast<int>(planes->theta.size());
+  const int n = static_cast<int>(rings.members().size());
+  std::vector<int> at(static_cast<std::size_t>(n) * S);
+  for (Eigen::Index i = 0; i < ring.X.cols(); ++i) at[planes->plane[i] * n + planes->ring[i]] = i;
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (ring.held[at[i]] != ring.held[at[i % n]]) return {};
+  // The elements of every sector: their nodes as numbers in the sector, and their kinds.
+  std::vector<std::map<HexNodes, std::int64_t>> kinds(S);
+  std::vector<std::pair<HexNodes, int>> first;
+  for (std::size_t e = 0; e < ring.elements.size(); ++e) {
+    HexNodes nodes = ring.elements[e];
+    int low = S;
+    bool wraps = false;
+    for (const int node : nodes) low = std::min(low, planes->plane[node]);
+    for (const int node : nodes) wraps = wraps || planes->plane[node] == S - 1;
+    const int sector = low == 0 && wraps ? S - 1 : low;
+    for (int& node : nodes) {
+      const int ahead = (planes->plane[node] - sector + S) % S;
+      if (ahead > 1) return {};
+      node = planes->ring[node] + n * ahead;
+    }
+    kinds[sector][nodes] = ring.kind[e];
+    if (sector == 0) first.emplace_back(nodes, static_cast<int>(e));
+  }
+  for (const auto& sector : kinds)
+    if (sector != kinds[0]) return {};
+  Sector sector;
+  sector.sectors = S;
+  sector.theta = planes->theta;
+  sector.nodes.assign(at.begin(), at.begin() + n);
+  for (const auto& [nodes, element] : first) {
+    sector.elements.push_back(element);
+    sector.connectivity.push_back(nodes);
+  }
+  return sector;
+}
+
 Sector whole(const RingOfNodes& ring) {
   Sector sector;
   sector.nodes.resize(ring.X.cols());
@@ -172,6 +256,7 @@ Sector find_sector(const RingOfNodes& ring) {
     if (!image || !maps_held(ring, *image) || !maps_elements(ring, *image)) continue;
     if (auto sector = cut(ring, rings, *image, S)) return *sector;
   }
+  if (auto sector = cut_unequal(ring, rings)) return *sector;
   return whole(ring);
 }
 

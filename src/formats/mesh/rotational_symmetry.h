@@ -4,6 +4,10 @@
 // Candidates are the common divisors of the node counts of all rings (equal radius, equal position
 // along the axis). A candidate S is valid if rotation by 2 pi / S maps every node on a node and
 // every element on an element of the same kind.
+//
+// If no rotation does this, sectors of unequal width are sought: planes that hold the same nodes in
+// their own frames, the first at the bottom, the others alike on both sides of it, with the same
+// elements between any two neighbors.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,6 +30,7 @@ struct RingOfNodes {
 /// One sector of a ring.
 struct Sector {
   int sectors = 1;                     // 1: no symmetry, everything unchanged
+  std::vector<double> theta;           // angles of the planes, rad; empty: sectors are equal
   std::vector<int> nodes;              // nodes of the ring, in the order of the sector's own
                                        // numbering
   std::vector<int> elements;           // elements of the ring

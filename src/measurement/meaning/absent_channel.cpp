@@ -102,7 +102,12 @@ std::optional<MayBe> known_name(std::string_view channel,
   if (known.meaning->name == channel) {
     if (!column.taken_as.empty() && !same_channel(column.taken_as, column.name))
       return MayBe{column.name, "stated to be " + column.taken_as};
-    if (known.channel == channel || column.is_used) return std::nullopt;
+    if (column.is_used) return std::nullopt;
+    if (column.has_unit && !column.unit.empty() &&
+        !Unit::of(column.unit).same_dimension(Unit::of(known.meaning->unit)))
+      return MayBe{
+          column.name, fmt::format("in {}, expected {}", column.unit, known.meaning->unit), false};
+    if (known.channel == channel) return std::nullopt;
     return MayBe{column.name, "that of one wheel or frame"};
   }
   if (column.is_used) return std::nullopt;

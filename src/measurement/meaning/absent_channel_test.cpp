@@ -58,6 +58,17 @@ TEST(AbsentChannel, ANameThatContainsAChannelIsOfferedForThatOneOnly) {
   EXPECT_EQ(offered("kappa", "1", {column("sqrt(FZ)", "")}), "");
 }
 
+// A column of one letter with another unit is another quantity, such as a voltage, or a mistake.
+TEST(AbsentChannel, AKnownNameWithAUnitOfAnotherDimensionIsOffered) {
+  for (const char* unit : {"rad/s", "N", "rad", "1/s", "m/s2"}) {
+    EXPECT_EQ(offered("Vx", "m/s", {column("V", unit)}), "V") << unit;
+    EXPECT_FALSE(columns_that_may_be("Vx", "m/s", {column("V", unit)}).front().is_as_it_stands);
+  }
+  EXPECT_EQ(offered("p", "Pa", {column("P", "N")}), "P");
+  EXPECT_EQ(offered("omega", "rad/s", {column("N", "m")}), "N");
+  EXPECT_EQ(offered("p", "Pa", {column("V", "N")}), "");
+}
+
 TEST(AbsentChannel, AListSaysHowManyItDoesNotName) {
   std::vector<MayBe> many;
   for (int i = 0; i < 9; ++i) many.push_back({"c" + std::to_string(i), ""});

@@ -157,6 +157,14 @@ Failure no_stand(int corner, const std::string& why) {
   return {fmt::format("the tire {} does not stand on the road: {}", kCornerNames[at(corner)], why)};
 }
 
+/// Returns the stiffness between two positions of a tire that went down by `travel`, m, if the
+/// stiffness is plausible beside the one so far, N/m; otherwise the one so far.
+double secant_of(double more_force, double travel, double stiffness) {
+  if (std::abs(travel) <= 1e-9) return stiffness;
+  const double secant = more_force / travel;
+  return secant > 0.1 * stiffness && secant < 10.0 * stiffness ? secant : stiffness;
+}
+
 }  // namespace
 
 Result<Rest> Car::settle_on_tires(CarState& state,
@@ -202,19 +210,15 @@ Result<Rest> Car::settle_on_tires(CarState& state,
       wheel.hub = *hub;
       const double force = (wheel.motion.carrier * hub->force).z();
       worst = std::max(worst, std::abs(line.force + line.stiffness * (line.height - z) - force));
-      // The secant through the last position is used if it is plausible for a tire. A tire in the
-      // air gets no stiffness if three others stand.
-      const double secant = (force - line.force) / (line.height - z);
       if (force > 0.0) {
         ++touched;
         if (line.stiffness == 0.0)
           line.stiffness = touching[at(corner)];
-        else if (i > 0 && std::abs(z - line.height) > 1e-9 && secant > 0.1 * line.stiffness &&
-                 secant < 10.0 * line.stiffness)
-          line.stiffness = secant;
+        else if (i > 0)
+          line.stiffness = secant_of(force - line.force, line.height - z, line.stiffness);
         touching[at(corner)] = line.stiffness;
       } else if (stood_on > 2) {
-        line.stiffness = 0.0;
+        line.stiffness = 0.0;  // in the air while three others stand
       }
       take(line, wheel);
       // A changed arm changes the effect of the pull.

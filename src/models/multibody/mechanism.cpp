@@ -211,14 +211,6 @@ double Mechanism::mass() const {
   return sum;
 }
 
-void Mechanism::set_bushings(const std::vector<BushingParameters>& bushings) {
-  assert(bushings.size() == joints_.size());
-  for (std::size_t i = 0; i < bushings.size(); ++i) {
-    assert(bushings[i].parts.size() == joints_[i].bushing.parts.size());
-    joints_[i].bushing = bushings[i];
-  }
-}
-
 Poses Mechanism::at_rest() const {
   Poses poses;
   for (const Body& body : bodies_) poses.push_back({.place = body.origin});

@@ -91,8 +91,6 @@ class Mechanism {
   /// Returns the memories of a mechanism at rest.
   Memories no_memories() const { return Memories(memories_); }
   double mass() const;  // kg, of all bodies
-  /// Replaces the bushings, by joint.
-  void set_bushings(const std::vector<BushingParameters>& bushings);
   Poses at_rest() const;
   /// Returns the pairs of bodies that share an element.
   std::vector<std::pair<int, int>> pairs() const;

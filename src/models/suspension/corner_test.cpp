@@ -105,11 +105,11 @@ TEST_F(SuspensionCorner, SlopesInStiffnessesAreThoseOfDifferences) {
   const Eigen::MatrixXd slopes = statics.by_stiffness(poses, by_pose);
   for (int p = 0; p < 60; ++p) {
     const auto at = [&](double by) {
-      auto bushings = corner_.bushings;
-      BushingParameters& one = bushings[static_cast<std::size_t>(p / 6)];
+      DoubleWishbone changed = corner_;
+      BushingParameters& one = changed.bushings[static_cast<std::size_t>(p / 6)];
       (p % 6 < 3 ? one.stiffness : one.rotational)[p % 3] *= 1.0 + by;
-      mechanism_.set_bushings({bushings.begin(), bushings.end()});
-      return wheel(*Equilibrium(mechanism_, {.force = 1e-7}).solve({&on, 1}));
+      const Mechanism mechanism(changed.bodies(), changed.joints());
+      return wheel(*Equilibrium(mechanism, {.force = 1e-7}).solve({&on, 1}));
     };
     const double h = 1e-3;
     const WheelPosition up = at(h), down = at(-h);

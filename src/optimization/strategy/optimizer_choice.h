@@ -80,8 +80,8 @@ struct OptimizerSettings {
   NelderMeadOptions nelder_mead = {};                     // options of Nelder-Mead
   GeneticOptions genetic = {};                            // options of genetic algorithm
   SqpOptions sqp = {};                                    // options of SQP
-  GssNlcOptions gss_nlc = {};                // options of generating-set search with constraints
-  std::vector<MemberSettings> members = {};  // for an ensemble
+  GssNlcOptions gss_nlc = {};           // options of generating-set search with constraints
+  std::vector<MemberSettings> members;  // for an ensemble
   Ensemble::End ensemble_end = Ensemble::End::all;  // end of an ensemble
 };
 

@@ -8,6 +8,7 @@
 #include "experiment/tests/load_deflection.h"
 #include "experiment/tests/modes.h"
 #include "models/fe_tire/description/section_plan.h"
+#include "models/fe_tire/motion/spinning_tire.h"
 
 namespace latsch::experiment {
 namespace {
@@ -47,12 +48,41 @@ std::optional<fe_tire::TireState> stand(fe_tire::FeTire& tire,
   return std::move(*loaded);
 }
 
+/// Adds the modes of a tire that spins or whose rim moves, each as its shape at one moment.
+void add_spinning_modes(fe_tire::FeTire& tire,
+                        const ModalTest& test,
+                        const std::optional<fe_tire::RimBody>& rim,
+                        const fe_tire::Inflated& at_rest,
+                        report::TirePictures& pictures) {
+  if (test.rim != fe_tire::RimMotion::held && !rim) return;
+  fe_tire::SpinningTire spinning(tire);
+  const double speed = test.speed ? test.speed->on(at_rest.radius) : 0.0;
+  auto state = spinning.inflate(at_rest, speed);
+  if (!state) return;
+  pictures.inflated = *state;
+  const auto modes = spinning.modes(
+      *state, {.motion = test.rim, .body = rim.value_or(fe_tire::RimBody{})}, kShownModes);
+  if (!modes) return;
+  if (test.speed) pictures.spin = "spinning at " + speed_in_words(*test.speed);
+  for (const fe_tire::SpinningMode& mode : *modes) {
+    fe_tire::Mode& shown = pictures.modes.emplace_back();
+    shown.frequency = mode.frequency;
+    shown.n = mode.n;
+    shown.type = mode.type;
+    shown.order = mode.order;
+    shown.shape = mode.shape.real();
+    pictures.mode_names.push_back(mode.label());
+  }
+}
+
 void add_modes(fe_tire::FeTire& tire,
                const ModalTest& test,
                double own_pressure,
+               const std::optional<fe_tire::RimBody>& rim,
                report::TirePictures& pictures) {
   const auto inflated = tire.inflate(test.pressure.value_or(own_pressure));
   if (!inflated) return;
+  if (test.moves()) return add_spinning_modes(tire, test, rim, *inflated, pictures);
   pictures.inflated = *inflated;
   std::optional<fe_tire::TireState> standing;
   if (test.loaded()) {
@@ -98,12 +128,13 @@ std::vector<report::Layer> cord_layers(const fe_tire::TireDescription& descripti
 void add_pictures(fe_tire::FeTire& tire,
                   double own_pressure,
                   const std::vector<const Test*>& tests,
+                  const std::optional<fe_tire::RimBody>& rim,
                   report::TirePictures pictures,
                   report::StudyReport& page) {
   pictures.mesh = tire.mesh();
   for (const Test* test : tests) {
     const auto* modes = test->settings_as<ModalTest>();
-    if (modes && pictures.modes.empty()) add_modes(tire, *modes, own_pressure, pictures);
+    if (modes && pictures.modes.empty()) add_modes(tire, *modes, own_pressure, rim, pictures);
   }
   for (const Test* test : tests) {
     if (const auto* load = test->settings_as<LoadDeflection>())
@@ -119,7 +150,7 @@ void add_pictures(const fe_tire::TireDescription& description,
   fe_tire::FeTire tire(description);
   report::TirePictures pictures;
   pictures.layers = cord_layers(description);
-  add_pictures(tire, description.pressure, tests, std::move(pictures), page);
+  add_pictures(tire, description.pressure, tests, description.rim, std::move(pictures), page);
 }
 
 void add_mesh_error(const fe_tire::TireDescription& tire,

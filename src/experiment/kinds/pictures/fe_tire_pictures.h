@@ -3,6 +3,7 @@
 // distance of its mesh from the converged tire, an error that identified values absorb unnoticed.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "experiment/language/test.h"
@@ -20,10 +21,11 @@ void add_pictures(const fe_tire::TireDescription& tire,
                   report::StudyReport& page);
 
 /// Adds the pictures of a tire on any mesh, whose layers are already in `pictures`; `own_pressure`,
-/// Pa, applies to tests that state none.
+/// Pa, applies to tests that state none, and `rim` to tests in which the rim moves.
 void add_pictures(fe_tire::FeTire& tire,
                   double own_pressure,
                   const std::vector<const Test*>& tests,
+                  const std::optional<fe_tire::RimBody>& rim,
                   report::TirePictures pictures,
                   report::StudyReport& page);
 

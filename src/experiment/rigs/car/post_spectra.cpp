@@ -7,6 +7,7 @@
 
 #include "experiment/rigs/car/car_record.h"
 #include "numerics/signals/local_response.h"
+#include "numerics/signals/sample_count.h"
 #include "numerics/signals/welch.h"
 
 namespace latsch::experiment {
@@ -33,7 +34,7 @@ std::vector<double> mode_signal(const Channels& record, PostMode mode) {
 }
 
 numerics::WelchSettings welch(double rate, std::size_t samples, double segment) {
-  const int count = static_cast<int>(std::lround(segment * rate));
+  const int count = numerics::sample_count(segment, rate);
   auto settings = numerics::welch_settings(
       numerics::Convention::scipy, static_cast<int>(samples), std::max(count, 2));
   settings.overlap = settings.segment - std::max(settings.segment / 8, 1);

@@ -100,6 +100,7 @@ Result<Channels> TireRig::run(const LoadDeflection& test) {
 }
 
 Result<Channels> TireRig::run(const ModalTest& test) {
+  if (test.moves()) return run_spinning(test);
   const auto found = vibrate(test);
   if (!found) return found.failure();
   return channels_of(test, *found);
@@ -225,6 +226,7 @@ Result<TireRig::StandSlopes> TireRig::slopes_of_stand(const ModalTest& test,
 Result<Channels> TireRig::run(const ModalTest& test,
                               fe_tire::TireSlopes& slopes,
                               const Asked& asked) {
+  if (test.moves()) return run_spinning(test);
   const auto found = vibrate(test);
   if (!found) return found.failure();
   const Channels channels = channels_of(test, *found);

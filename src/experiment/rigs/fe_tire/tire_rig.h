@@ -5,7 +5,9 @@
 // "deflection" m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area"
 // m^2. A loaded radius larger than the radius of the inflated tire means no contact: force and
 // patch are 0. Channels of a modal test: those of mode_record.h, and for a loaded tire
-// "deflection", "loaded_radius", "force" (one value). Other tests drive tire() themselves.
+// "deflection", "loaded_radius", "force" (one value); for a tire that spins, whose rim moves or
+// whose standing-wave speed is asked for, those of spinning_rig.cpp. Other tests drive tire()
+// themselves.
 //
 // Every test has a path of its own: a curve is pressed once through its deflections, ascending; a
 // single deflection is reached in five even steps. So its recording does not depend on other tests.
@@ -37,6 +39,11 @@ class TireRig {
   Result<Channels> run(const LoadDeflection& test, fe_tire::TireSlopes& slopes, const Asked& asked);
   Result<Channels> run(const ModalTest& test, fe_tire::TireSlopes& slopes, const Asked& asked);
 
+  /// Returns the tire inflated to a pressure, Pa, as it spins.
+  Result<fe_tire::Inflated> spinning(double pressure, const SpinSpeed& speed);
+  /// States the rim, for tests in which it moves.
+  void set_rim(std::optional<fe_tire::RimBody> rim) { rim_ = rim; }
+
   fe_tire::FeTire& tire() const { return tire_; }
   double own_pressure() const { return own_pressure_; }
   /// Returns the tire inflated to a pressure, Pa, on its rim and off the ground.
@@ -58,6 +65,7 @@ class TireRig {
   Result<Vibrating> vibrate(const ModalTest& test);
   Result<fe_tire::TireState> stand(const ModalTest& test, const fe_tire::Inflated& inflated);
   Channels channels_of(const ModalTest& test, const Vibrating& found);
+  Result<Channels> run_spinning(const ModalTest& test);
   struct StandSlopes;  // slopes of the standing state of a modal test
   Result<StandSlopes> slopes_of_stand(const ModalTest& test,
                                       const fe_tire::TireState& state,
@@ -66,6 +74,7 @@ class TireRig {
 
   fe_tire::FeTire& tire_;
   double own_pressure_, pressure_ = 0.0;
+  std::optional<fe_tire::RimBody> rim_;
   std::optional<Result<fe_tire::Inflated>> inflated_;  // at pressure_
   std::optional<Pressed> pressed_;                     // pressed from the state inflated_
 };

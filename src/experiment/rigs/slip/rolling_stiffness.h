@@ -3,28 +3,18 @@
 // free rolling. For any tire.
 //
 // On the flat track (flat_track.h), its axle following the load, the wheel rolls with the value and
-// with its opposite until both are steady; forces are means over a turn of the wheel:
+// with its opposite until both are steady (steady_rolling.h); forces are means over a turn of the
+// wheel:
 //
 //   slip stiffness        C_κ = (Fx(κ) - Fx(-κ))/2κ
 //   cornering stiffness   C_α = -(Fy(α) - Fy(-α))/2α
 //   pneumatic trail       t = -(Mz(α) - Mz(-α))/(Fy(α) - Fy(-α))
 //   camber stiffness      C_γ = -(Fy(γ) - Fy(-γ))/2γ, above 0: toward the side it leans to
 //
-//   kind = "rolling_stiffness"
-//   load = "4 kN"                    # load and speed may be {from = "measurement.rolling"}: the
-//                                    # means of its Fz and Vx
-//   pressure = "2.6 bar"             # the tire's own unless given (rigs/inflation.h)
-//   measures = ["slip", "cornering", "camber"]   # default: all. Channels "slip_stiffness" (N),
-//                                    # "cornering_stiffness" (N/rad) and "pneumatic_trail" (m),
-//                                    # "camber_stiffness" (N/rad)
-//   speed = "60 km/h"                # default, as the next four
-//   slip = 0.002                     # to both sides of free rolling
-//   angle = "0.25 deg"
-//   camber = "1 deg"
-//   step = "0.5 ms"                  # less from 144 km/h on: 20 mm of road
-//
 // Forces are in W (NOTATION.md). Each difference includes the reduction of C by friction at that
 // slip.
+//
+// The keys are in experiment/tests/keys/rolling_stiffness_keys.cpp.
 #pragma once
 
 #include "base/result.h"

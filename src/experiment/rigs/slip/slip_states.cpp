@@ -239,61 +239,43 @@ OtherColumn other_column(const formats::CsvTable& table,
           state != nullptr};
 }
 
-}  // namespace
-
-std::vector<experiment::MeasuredCondition> measured_states(const std::string& no_turn_slip) {
-  std::vector<experiment::MeasuredCondition> conditions;
-  for (const StateColumn& column : kStateColumns) {
-    const bool is_load = column.member == &State::Fz;
-    conditions.push_back({.channel = column.name,
-                          .unit = column.unit,
-                          .is_needed = is_load,
-                          .frame = is_load ? name_of(AxisFrame::W) : std::string(),
-                          .otherwise = column.otherwise,
-                          .ignored = column.member == &State::phit ? no_turn_slip : std::string()});
-  }
-  return conditions;
-}
-
-Ledger ledger_of_states(const formats::CsvTable& table,
+/// Returns the row of a column, which is read as this state, or as none.
+LedgerRow row_of_column(const formats::CsvTable& table,
+                        const std::string& column,
+                        const StateColumn* state,
                         const std::string& by,
                         const std::string& no_turn_slip) {
-  Ledger ledger{table.file()};
-  Channels states;
-  std::vector<formats::CsvTable::Wanted> wanted;
-  int place = 0;
-  std::vector<OtherColumn> others;
-  const auto meant = meant_by(table);
-  for (const auto& [column, state] : meant) {
-    LedgerRow row;
-    row.written = column;
-    row.line = table.header_place().line;
-    row.column = ++place;
-    row.unit_written = table.unit(column);
-    if (state && row.unit_written.empty())
-      row.unit_written = unit_in_name(table, column, state->unit);
-    others.push_back(other_column(table, column, state));
-    if (!state) {
-      if (const auto known = recognized(column)) row.meaning = known->meaning->words;
-      ledger.rows.push_back(std::move(row));
-      continue;
-    }
-    row.taken_as = state->name;
-    row.unit = state->unit;
-    if (const ChannelMeaning* known = find_meaning(state->name)) row.meaning = known->words;
-    if (const auto unit = Unit::find(row.unit_written); unit && !row.unit_written.empty()) {
-      row.offset = unit->to_si(0.0L);
-      row.factor = unit->to_si(1.0L) - row.offset;
-    }
-    row.axes = "iso";
-    const bool is_ignored = state->member == &State::phit && !no_turn_slip.empty();
-    if (!is_ignored) Ledger::use(row, by);
-    if (is_ignored) row.remark = "not used: " + no_turn_slip;
-    if (row.unit_written.empty() && row.unit != "1")
-      row.remark = "no unit: " + row.unit + " is taken";
-    ledger.rows.push_back(std::move(row));
-    wanted.push_back({column, unit_to_read(table, column, state->unit)});
+  LedgerRow row;
+  row.written = column;
+  row.line = table.header_place().line;
+  row.unit_written = table.unit(column);
+  if (!state) {
+    if (const auto known = recognized(column)) row.meaning = known->meaning->words;
+    return row;
   }
+  if (row.unit_written.empty()) row.unit_written = unit_in_name(table, column, state->unit);
+  row.taken_as = state->name;
+  row.unit = state->unit;
+  if (const ChannelMeaning* known = find_meaning(state->name)) row.meaning = known->words;
+  if (const auto unit = Unit::find(row.unit_written); unit && !row.unit_written.empty()) {
+    row.offset = unit->to_si(0.0L);
+    row.factor = unit->to_si(1.0L) - row.offset;
+  }
+  row.axes = "iso";
+  const bool is_ignored = state->member == &State::phit && !no_turn_slip.empty();
+  if (!is_ignored) Ledger::use(row, by);
+  if (is_ignored) row.remark = "not used: " + no_turn_slip;
+  if (row.unit_written.empty() && row.unit != "1")
+    row.remark = "no unit: " + row.unit + " is taken";
+  return row;
+}
+
+/// Adds the states that no column gives, and the columns that may be meant for them.
+void add_assumed_states(const formats::CsvTable& table,
+                        const std::vector<OtherColumn>& others,
+                        const std::string& by,
+                        const std::string& no_turn_slip,
+                        Ledger& ledger) {
   for (const StateColumn& state : kStateColumns) {
     if (ledger.find_taken(state.name)) continue;
     if (state.member == &State::phit && !no_turn_slip.empty()) continue;
@@ -321,6 +303,38 @@ Ledger ledger_of_states(const formats::CsvTable& table,
                      state.name),
          table.header_place()});
   }
+}
+
+}  // namespace
+
+std::vector<experiment::MeasuredCondition> measured_states(const std::string& no_turn_slip) {
+  std::vector<experiment::MeasuredCondition> conditions;
+  for (const StateColumn& column : kStateColumns) {
+    const bool is_load = column.member == &State::Fz;
+    conditions.push_back({.channel = column.name,
+                          .unit = column.unit,
+                          .is_needed = is_load,
+                          .frame = is_load ? name_of(AxisFrame::W) : std::string(),
+                          .otherwise = column.otherwise,
+                          .ignored = column.member == &State::phit ? no_turn_slip : std::string()});
+  }
+  return conditions;
+}
+
+Ledger ledger_of_states(const formats::CsvTable& table,
+                        const std::string& by,
+                        const std::string& no_turn_slip) {
+  Ledger ledger{table.file()};
+  std::vector<formats::CsvTable::Wanted> wanted;
+  std::vector<OtherColumn> others;
+  const auto meant = meant_by(table);
+  for (const auto& [column, state] : meant) {
+    others.push_back(other_column(table, column, state));
+    ledger.rows.push_back(row_of_column(table, column, state, by, no_turn_slip));
+    ledger.rows.back().column = static_cast<int>(ledger.rows.size());
+    if (state) wanted.push_back({column, unit_to_read(table, column, state->unit)});
+  }
+  add_assumed_states(table, others, by, no_turn_slip, ledger);
   constexpr int kMostChecked = 1'000'000;  // rows; the checks hold all of them in memory
   if (table.rows() > kMostChecked) {
     ledger.doubts.push_back(
@@ -331,6 +345,7 @@ Ledger ledger_of_states(const formats::CsvTable& table,
          {table.file(), 0}});
     return ledger;
   }
+  Channels states;
   auto values = table.numbers(wanted);
   std::size_t k = 0;
   for (const auto& [column, state] : meant)

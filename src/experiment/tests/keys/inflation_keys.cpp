@@ -21,11 +21,17 @@ depend.
                "Pressures at which the tire is measured; `{from = \"measurement.inflated\"}` takes "
                "those of its channel pressure.",
                "the tire's own"},
+              {"speed",
+               "Speed of a tire that spins: a speed of rotation such as \"90 rad/s\", or the speed "
+               "of a wheel that rolls on the outer radius of the tire inflated at rest, such as "
+               "\"100 km/h\". The growth then includes that by rotation, and the channel \"spin\" "
+               "(rad/s) is recorded. Without it the tire does not spin."},
           },
       .samples =
           {
               R"toml(kind = "inflation"
 pressures = ["0.5 bar", "2.6 bar"]
+speed = "100 km/h"
 )toml",
           },
   };

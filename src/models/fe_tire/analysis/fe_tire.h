@@ -33,6 +33,7 @@ namespace latsch::fe_tire {
 /// Equilibrium of the inflated tire with clamped rim, the same in every sector.
 struct Inflated {
   double pressure = 0.0;  // Pa
+  double spin = 0.0;      // rad/s about +y; other than 0: grown by its rotation, see motion/spin.h
   Eigen::Matrix3Xd u;     // [3 x nodes_per_sector], sector frame, m  (S = 1: the whole mesh)
   Eigen::VectorXd alpha;  // internal parameters of one sector's elements
   double growth = 0.0;    // m, radial displacement of the tread node nearest to the middle plane
@@ -157,6 +158,7 @@ class FeTire {
 
  private:
   friend class TireSlopes;
+  friend class SpinningTire;
   friend struct Varied;
   struct Impl;
   std::unique_ptr<Impl> impl_;

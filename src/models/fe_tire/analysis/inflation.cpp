@@ -68,12 +68,38 @@ std::string residual_in_words(const Ring& ring, const Eigen::VectorXd& f) {
                      place_in_words(ring.mesh(), ring.mesh().X.col(node)));
 }
 
+/// Loads of a sector: a pressure, Pa, and a multiple of a linear load, none if null.
+struct SectorLoads {
+  double pressure = 0.0;
+  const LinearLoad* linear = nullptr;
+  double factor = 0.0;
+};
+
+/// Works as assemble_sector() under the loads. The tangent is that without the linear load.
+bool residual_of(const RingElements& elements,
+                 const SectorLoads& loads,
+                 SectorState& state,
+                 Eigen::VectorXd& f,
+                 SectorBlocks* tangent,
+                 int* worst) {
+  if (!assemble_sector(elements, state.x, loads.pressure, state.alpha, f, tangent, worst))
+    return false;
+  if (!loads.linear) return true;
+  const Eigen::MatrixXcd x = state.x.cast<std::complex<double>>();
+  Eigen::MatrixXcd W_x(x.rows(), 1);
+  loads.linear->W.multiply(x, W_x);
+  f -= loads.factor * (loads.linear->w_0 + W_x.col(0).real());
+  return true;
+}
+
 /// Returns d = K(0)^-1 f. If K(0) is not positive definite (taut cords under a poor predictor), it
 /// is shifted until it is.
 Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
+                                 const SectorLoads& loads,
                                  const Eigen::VectorXd& f,
                                  bool& shifted) {
   numerics::BandedHermitian K = tangent.harmonic(0);
+  if (loads.linear) K.lower() -= loads.factor * loads.linear->W.lower();
   double shift = 0.0, largest = 0.0;
   for (int i = 0; i < K.size(); ++i) largest = std::max(largest, K(i, i).real());
   numerics::BandedCholesky cholesky;
@@ -88,9 +114,9 @@ Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
   return d.real();
 }
 
-/// Takes one pressure step, after which `state` is the equilibrium. A Failure leaves it unchanged.
+/// Takes one load step, after which `state` is the equilibrium. A Failure leaves it unchanged.
 Status newton(const RingElements& elements,
-              double pressure,
+              const SectorLoads& loads,
               double tolerance,
               double reference,
               int max_iterations,
@@ -99,7 +125,7 @@ Status newton(const RingElements& elements,
   SectorBlocks tangent(elements.ring());
   Eigen::VectorXd f;
   int worst = 0;
-  if (!assemble_sector(elements, now.x, pressure, now.alpha, f, &tangent, &worst))
+  if (!residual_of(elements, loads, now, f, &tangent, &worst))
     return Failure{inverted_in_words(elements.ring(), worst)};
   double last = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
@@ -110,14 +136,13 @@ Status newton(const RingElements& elements,
     }
     last = f.norm();
     bool shifted = false;
-    const Eigen::VectorXd d = newton_direction(tangent, f, shifted);
+    const Eigen::VectorXd d = newton_direction(tangent, loads, f, shifted);
     const double slope = std::abs(d.dot(f)), norm = f.norm();
     double s = 1.0;
     SectorState trial;
     for (int back = 0;; ++back, s *= 0.5) {
       trial = {now.x - s * d, now.alpha, !shifted};
-      const bool valid =
-          assemble_sector(elements, trial.x, pressure, trial.alpha, f, &tangent, &worst);
+      const bool valid = residual_of(elements, loads, trial, f, &tangent, &worst);
       if (valid && (f.norm() < norm || std::abs(d.dot(f)) < 0.9 * slope)) break;
       if (back == kMaxBacktracks) {
         if (norm <= kRoundOff * reference) {
@@ -185,7 +210,7 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   if (near) {
     SectorState from{ring.compress(*near), state.alpha};
     const Status solved =
-        newton(elements, pressure, kTolerance, reference, settings.max_iterations, from);
+        newton(elements, {pressure}, kTolerance, reference, settings.max_iterations, from);
     if (solved.ok() && from.held) {
       state = std::move(from);
       reached = pressure;
@@ -199,7 +224,7 @@ Result<Inflated> inflate_sector(const RingElements& elements,
     SectorState found = state;
     const bool is_jump = reached == 0.0 && next == pressure;
     const Status solved =
-        newton(elements, next, tolerance, reference, settings.max_iterations, found);
+        newton(elements, {next}, tolerance, reference, settings.max_iterations, found);
     if (solved.ok() && (found.held || !is_jump)) {
       state = std::move(found);
       reached = next;
@@ -222,6 +247,50 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   inflated.alpha = state.alpha;
   measure_growth(ring.mesh(), inflated);
   return inflated;
+}
+
+Result<Inflated> load_sector(const RingElements& elements,
+                             const Inflated& from,
+                             const LinearLoad& load,
+                             double factor,
+                             const SolverSettings& settings) {
+  const Ring& ring = elements.ring();
+  SectorState state{ring.compress(from.u), from.alpha};
+  SectorState at_rest{Eigen::VectorXd::Zero(state.x.size()),
+                      Eigen::VectorXd::Zero(state.alpha.size())};
+  Eigen::VectorXd f;
+  int worst = 0;
+  if (!assemble_sector(elements, at_rest.x, from.pressure, at_rest.alpha, f, nullptr, &worst))
+    return Failure{inverted_in_words(ring, worst)};
+  const double reference = std::max(f.norm(), factor * load.w_0.norm());
+  double reached = 0.0, step = 1.0;
+  for (int halvings = 0; reached < 1.0;) {
+    const double next = std::min(1.0, reached + step);
+    SectorState found = state;
+    const Status solved = newton(elements,
+                                 {from.pressure, &load, next * factor},
+                                 next == 1.0 ? kTolerance : kOnTheWay,
+                                 reference,
+                                 settings.max_iterations,
+                                 found);
+    if (solved.ok() && found.held) {
+      state = std::move(found);
+      reached = next;
+    } else if (++halvings > kMaxHalvings) {
+      return Failure{
+          fmt::format("{:.4g} of the load were reached: {}",
+                      reached,
+                      solved.ok() ? "the state beyond is not stable" : solved.failure().reason)};
+    } else {
+      step *= 0.5;
+    }
+  }
+  Inflated loaded;
+  loaded.pressure = from.pressure;
+  loaded.u = ring.expand(state.x);
+  loaded.alpha = state.alpha;
+  measure_growth(ring.mesh(), loaded);
+  return loaded;
 }
 
 Result<Inflated> inflate_ring(EquilibriumSolver& solver,

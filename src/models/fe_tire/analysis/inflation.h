@@ -6,6 +6,7 @@
 #include "models/fe_tire/analysis/equilibrium.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/ring/ring.h"
+#include "numerics/sparse/banded_hermitian.h"
 
 namespace latsch::fe_tire {
 
@@ -17,6 +18,21 @@ Result<Inflated> inflate_sector(const RingElements& elements,
                                 double pressure,
                                 const SolverSettings& settings,
                                 const Eigen::Matrix3Xd* near = nullptr);
+
+/// Forces on the unknowns of a sector that are linear in the displacements of a state that is the
+/// same in all sectors: w_0 + W x, N.
+struct LinearLoad {
+  numerics::BandedHermitian W;  // of circumferential number 0
+  Eigen::VectorXd w_0;
+};
+
+/// Adds `factor` times a linear load to an inflated state. The factor is raised at once, in steps
+/// that are halved if they do not converge. A Failure says which share of it was reached.
+Result<Inflated> load_sector(const RingElements& elements,
+                             const Inflated& from,
+                             const LinearLoad& load,
+                             double factor,
+                             const SolverSettings& settings);
 
 /// Works as inflate_sector() on a mesh without symmetry. `reference` is the force norm of the
 /// pressure, N.

@@ -138,6 +138,18 @@ struct Section {
   bool operator==(const Section&) const = default;
 };
 
+/// The rim as a rigid body, without the tire, and the springs that hold its center. They are alike
+/// along x and z, and about both, because the wheel spins.
+struct RimBody {
+  double mass = 0.0;               // kg, > 0
+  double spin_inertia = 0.0;       // kg m^2, about the spin axis, > 0
+  double diametral_inertia = 0.0;  // kg m^2, about a diameter through the wheel's center, > 0
+  double radial_spring = 0.0;      // N/m, along x and z; 0: none
+  double lateral_spring = 0.0;     // N/m, along y
+  double spin_spring = 0.0;        // N m/rad, about y
+  double tilt_spring = 0.0;        // N m/rad, about x and z
+};
+
 /// A finite-element tire as its file states it. Lengths are in m.
 struct TireDescription {
   std::string name;                                // for people
@@ -149,6 +161,7 @@ struct TireDescription {
   std::vector<CordPly> plies;                      // listed from the inside to the outside
   CordModel cord_model = CordModel::rebar;         // representation of the cords
   ElementKind element = ElementKind::solid_shell;  // kind of finite element
+  std::optional<RimBody> rim;                      // needed only if the rim moves
   Place place;  // place of the description in its file, for complaints
 };
 

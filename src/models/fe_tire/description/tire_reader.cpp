@@ -294,6 +294,31 @@ CordPly read_ply(const Node& node, const Section& section) {
   return ply;
 }
 
+/// Reads the rim, which only tests need in which it moves.
+std::optional<RimBody> read_rim(const Node& root) {
+  const auto node = root.find_table("rim");
+  if (!node) return std::nullopt;
+  RimBody rim;
+  rim.mass = node->quantity("mass", "kg", Range::positive());
+  rim.spin_inertia = node->quantity("inertia_spin", "kg m^2", Range::positive());
+  rim.diametral_inertia = node->quantity("inertia_diameter", "kg m^2", Range::positive());
+  if (rim.spin_inertia > 2.0 * rim.diametral_inertia)
+    node->reject(
+        "inertia_spin",
+        fmt::format("is {:.4g} kg m^2, more than twice the inertia about a diameter, which "
+                    "no body has; expected at most {:.4g} kg m^2",
+                    rim.spin_inertia,
+                    2.0 * rim.diametral_inertia));
+  const auto spring = [&](const char* key, const char* unit) {
+    return node->quantity(key, unit, Range::not_negative(), 0.0);
+  };
+  rim.radial_spring = spring("radial_spring", "N/m");
+  rim.lateral_spring = spring("lateral_spring", "N/m");
+  rim.spin_spring = spring("spin_spring", "N m/rad");
+  rim.tilt_spring = spring("tilt_spring", "N m/rad");
+  return rim;
+}
+
 /// Reads the plies on which rows of elements meet.
 void read_faces(const Node& mesh, TireDescription& tire) {
   constexpr const char* kKey = "faces";
@@ -380,6 +405,7 @@ TireDescription read_tire(const Node& root) {
     tire.plies.push_back(read_ply(node, tire.section));
   read_faces(mesh, tire);
   place_ends(tire);
+  tire.rim = read_rim(root);
   root.close();
   check_size(root, tire);
   check_plan(root, tire);

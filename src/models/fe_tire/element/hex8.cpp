@@ -80,6 +80,11 @@ Matrix8 mass(const HexShape& shape, const Materials& materials, const Element& e
     const Vector8 N = shape_functions(point * kXi[q], point * kEta[q], kGauss * kZeta[q]);
     M.noalias() += density * shape.dV[q] * N * N.transpose();
   }
+  return between_nodes(element, M);
+}
+
+Matrix8 between_nodes(const Element& element, const Matrix8& between_corners) {
+  const Matrix8& M = between_corners;
   if (element.tie.eta == 0) return M;
   Matrix8 T = Matrix8::Identity();  // corners from nodes
   for (const auto& [lower, upper] : element.tie.pairs()) {

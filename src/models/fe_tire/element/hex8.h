@@ -42,6 +42,10 @@ bool evaluate(const HexShape& shape,
               Vector24& f,
               Matrix24* K);
 
+/// Assigns the corners of a tied element to its nodes: a matrix [8 x 8] between corners becomes one
+/// between nodes. Without a tie it stays.
+Matrix8 between_nodes(const Element& element, const Matrix8& between_corners);
+
 /// Returns the mass [kg] between nodes, the same in all three directions, rebars included. It is
 /// consistent for full_integration, and the average of consistent and lumped along the wall for the
 /// solid-shell.

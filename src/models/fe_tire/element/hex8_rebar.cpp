@@ -162,19 +162,30 @@ std::vector<CordSheet> cord_sheets(const HexShape& shape,
   return sheets;
 }
 
-Matrix8 rebar_mass(const Matrix38& X,
-                   const Materials& materials,
-                   const Element& element,
-                   double point) {
-  Matrix8 M = Matrix8::Zero();
+std::vector<CordMass> cord_masses(const Matrix38& X,
+                                  const Materials& materials,
+                                  const Element& element) {
+  std::vector<CordMass> points;
   for (const RebarPlacement& rebar : element.rebars) {
     const CordLayer& layer = materials.layers[rebar.layer];
     const Surface surface = surface_at(X, rebar.zeta);
     for (int q = 0; q < 4; ++q) {
       const double dA = direction(surface, kGauss * kXi[q], kGauss * kEta[q], 0.0).dA;
-      const Vector8 N = shape_functions(point * kXi[q], point * kEta[q], rebar.zeta);
-      M.noalias() += layer.density * layer.thickness * dA * N * N.transpose();
+      points.push_back({q, rebar.zeta, layer.density * layer.thickness * dA});
     }
+  }
+  return points;
+}
+
+Matrix8 rebar_mass(const Matrix38& X,
+                   const Materials& materials,
+                   const Element& element,
+                   double point) {
+  Matrix8 M = Matrix8::Zero();
+  for (const CordMass& cords : cord_masses(X, materials, element)) {
+    const Vector8 N =
+        shape_functions(point * kXi[cords.point], point * kEta[cords.point], cords.zeta);
+    M.noalias() += cords.mass * N * N.transpose();
   }
   return M;
 }

@@ -65,6 +65,20 @@ numerics::BandedHermitian SectorBlocks::harmonic(int n) const {
   return K;
 }
 
+numerics::BandedHermitian SectorBlocks::harmonic_of_skew(int n) const {
+  const double phi = 2.0 * std::numbers::pi * n / sectors_;
+  const std::complex<double> i_unit(0.0, 1.0), e = std::polar(1.0, phi);
+  numerics::BandedHermitian K(size(), band_);
+  for (int j = 0; j < size(); ++j) {
+    const int last = std::min(size() - 1, j + band_);
+    for (int i = j; i <= last; ++i) {
+      K(i, j) = i_unit * (A_(i - j + band_, j) + B_(i - j + band_, j) * e -
+                          B_(j - i + band_, i) * std::conj(e));
+    }
+  }
+  return K;
+}
+
 bool assemble_sector(const RingElements& elements,
                      const Eigen::VectorXd& x,
                      double pressure,

@@ -31,6 +31,9 @@ class SectorBlocks {
   void add(const std::array<int, 24>& local_dofs, const Matrix24& K);
   /// Returns A + B exp(i phi) + B^T exp(-i phi) for circumferential number n.
   numerics::BandedHermitian harmonic(int n) const;
+  /// Returns i (A + B exp(i phi) - B^T exp(-i phi)), which is Hermitian, if the added element
+  /// matrices are skew.
+  numerics::BandedHermitian harmonic_of_skew(int n) const;
 
   int size() const { return static_cast<int>(A_.cols()); }
   int band() const { return band_; }

@@ -25,11 +25,6 @@ CyclicBand::CyclicBand(int nodes)
   assert(nodes >= 2 * kReach + 2);
 }
 
-void CyclicBand::add_diagonal(double translation, double torsion) {
-  const Eigen::Vector4d value(translation, translation, translation, torsion);
-  for (int k = 0; k < nodes_; ++k) block(k, 0).diagonal() += value;
-}
-
 Eigen::Matrix4Xd CyclicBand::multiply(const Eigen::Matrix4Xd& x) const {
   Eigen::Matrix4Xd y = Eigen::Matrix4Xd::Zero(4, nodes_);
   for (int k = 0; k < nodes_; ++k) {

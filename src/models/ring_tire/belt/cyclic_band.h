@@ -38,7 +38,6 @@ class CyclicBand {
   const Block& block(int k, int j) const {
     return blocks_[static_cast<std::size_t>(k * (kReach + 1) + j)];
   }
-  void add_diagonal(double translation, double torsion);
 
   /// Returns A x; each column of x is a node.
   Eigen::Matrix4Xd multiply(const Eigen::Matrix4Xd& x) const;

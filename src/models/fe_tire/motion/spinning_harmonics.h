@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The equations of small motions about the inflated, spinning tire, one circumferential number at a
+// time, with the rim held or moving:
+//   (K(n) - Omega^2 W(n) + omega Omega (iG)(n) - omega^2 M(n)) phi = 0                        (W.2)
+// in axes that stand, exp(i (n theta + omega t)), from the matrices in axes that spin along. omega
+// > 0 travels with the spin, because forward rolling carries material toward decreasing theta.
+//
+// A rim that moves adds two unknowns to n = 0 and n = 1 (rim_motion.h). Its stiffness without
+// springs follows from the fact that a wheel on which nothing acts can be moved as a whole without
+// force: it is what eliminating the tire's unknowns takes away.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/motion/rim_motion.h"
+#include "models/fe_tire/motion/spin.h"
+#include "numerics/sparse/gyroscopic.h"
+
+namespace latsch::fe_tire {
+
+class SpinningHarmonics {
+ public:
+  /// Evaluates the elements about the state. The elements must outlive this object. A Failure says
+  /// which element has no tangent.
+  static Result<SpinningHarmonics> about(const RingElements& elements,
+                                         const Inflated& state,
+                                         const Rim& rim);
+
+  /// Matrices and factorization for one n. `soft` is the part of K that keeps a free wheel in its
+  /// place: springs on the rim's motions on which it has 0.1 Hz, N/m and N m/rad a sector.
+  struct Equations {
+    numerics::GyroscopicProblem problem;
+    numerics::BorderedCholesky K_factor;
+    Eigen::VectorXd soft;
+  };
+  /// Returns nothing if K(n) - Omega^2 W(n) is not positive definite: the speed is above that of a
+  /// standing wave, or the tire buckles.
+  std::optional<Equations> equations(int n) const;
+
+  /// Returns the displacements [3 x nodes_per_sector] of a vector of unknowns, the rim's included.
+  Eigen::Matrix3Xcd displacements(int n, const Eigen::VectorXcd& phi) const;
+
+  const Ring& ring() const { return elements_->ring(); }
+  const Rim& rim() const { return rim_; }
+
+ private:
+  SpinningHarmonics(const RingElements& elements, const Rim& rim, double speed);
+  Status evaluate(const Inflated& state);
+  void add_rim(int n, Equations& equations) const;
+
+  const RingElements* elements_;
+  Rim rim_;
+  double speed_;  // rad/s
+  SectorSpin spin_;
+  SectorBlocks K_;
+  struct RimElement {
+    int element;
+    Matrix24 K, M, C, MP;
+  };
+  std::vector<RimElement> rim_elements_;
+  MassProperties mass_;
+};
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Waves that stand still beside a spinning tire. A wave of n waves around is no longer held if its
+// frequency seen from the axle is zero: K(n) - Omega^2 W(n) is singular. [Graham, discussion of
+// Krylov & Gilbert, J. Sound Vib. 329 (2010) 4398-4408]
+#pragma once
+
+#include <optional>
+
+#include "models/fe_tire/motion/spin.h"
+
+namespace latsch::fe_tire {
+
+/// Least circumferential number that has a stiffness: 0 if a rim holds the ring, 2 otherwise.
+int first_held_wave(const Ring& ring);
+
+/// True if K(n) - speed^2 W(n) is positive definite for every n.
+bool holds_every_wave(const SectorBlocks& K,
+                      const SectorFlow& flow,
+                      const Ring& ring,
+                      double speed);
+
+/// The lowest speed at which K(n) - speed^2 W(n) of a tangent that does not change is singular.
+struct CriticalWave {
+  double speed = 0.0;  // rad/s
+  int n = 0;
+};
+/// Returns nothing if K(n) is not positive definite or if no speed below `highest` is critical.
+std::optional<CriticalWave> critical_wave(const SectorBlocks& K,
+                                          const SectorFlow& flow,
+                                          const Ring& ring,
+                                          double highest);
+
+}  // namespace latsch::fe_tire

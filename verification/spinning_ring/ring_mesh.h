@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rings of rectangular section for the tests of this folder.
+#pragma once
+
+#include <vector>
+
+#include "models/fe_tire/element/materials.h"
+#include "models/fe_tire/element/mesh.h"
+
+namespace latsch::verification {
+
+/// A rectangle of elements in the section, on which one material lies.
+struct SectionBlock {
+  std::vector<double> radii;  // m, of the rows' faces, ascending
+  std::vector<double> sides;  // m, y of the columns' faces, descending
+  int solid = 0;
+};
+
+/// Returns a ring of equal sectors of these blocks; nodes at the same place are one. Nodes of the
+/// radius `clamped` (m) are held. All outer faces of the last block are tread.
+fe_tire::Mesh ring_mesh(const std::vector<SectionBlock>& blocks, int sectors, double clamped);
+
+/// Returns an isotropic St. Venant-Kirchhoff solid: Young's modulus, Pa, Poisson's ratio, kg/m^3.
+fe_tire::Solid linear_solid(double E, double nu, double density);
+
+/// The ring of CalculiX' deck gyro_ring.inp: a band on a disc that is clamped at its inner edge.
+fe_tire::Mesh gyro_ring_mesh(int sectors = 36);
+fe_tire::Materials gyro_ring_materials();
+
+}  // namespace latsch::verification
