@@ -65,6 +65,13 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
   std::optional<double> tread_half_width() const override {
     return tread_half_width_of(parameters_);
   }
+  std::vector<std::string> limits_on(const Cleat&) const override {
+    return {
+        "a Magic Formula touches the road at one point: it stands on a cleat as on flat ground, "
+        "and "
+        "its forces leap where the point steps onto the cleat and off it; a rigid or flexible ring "
+        "feels the cleat's length"};
+  }
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }

@@ -44,14 +44,13 @@ std::string file_with(Parameters p, const ParameterField& field, double value) {
 
 std::vector<State> lattice(const Parameters& p) {
   std::vector<State> states;
-  for (const double load : {0.0, 100.0, p.FNOMIN, 1.5 * p.FNOMIN})
-    for (const double kappa : {-1.0, 0.0, 0.1})
-      for (const double alpha : {-0.2, 0.0, 0.1})
+  for (const double load : {0.0, p.FNOMIN, 1.5 * p.FNOMIN})
+    for (const double kappa : {-1.0, 0.1})
+      for (const double alpha : {0.0, 0.1})
         for (const double gamma : {-0.1, 0.0})
-          for (const double phit : {-1.0, 0.0, 0.1})
-            for (const double Vx : {-10.0, 0.0, 0.5, 20.0})
-              for (const double share : {0.8, 1.0})
-                states.push_back({load, kappa, alpha, gamma, phit, Vx, share * p.INFLPRES});
+          for (const double phit : {0.0, 0.3})
+            for (const double Vx : {-10.0, 0.0, 20.0})
+              states.push_back({load, kappa, alpha, gamma, phit, Vx, 0.9 * p.INFLPRES});
   return states;
 }
 
@@ -98,7 +97,7 @@ TEST(ZeroCoefficients, EveryResultIsFiniteOrTheCoefficientIsNamed) {
   const Parameters full = full_62();
   ASSERT_EQ(fault_of(parse_tir(tir_text(full), "full.tir").parameters), "");
   for (const ParameterField& field : parameter_fields())
-    for (const double value : {0.0, 1e-300, -1e-300}) {
+    for (const double value : {0.0, 1e-300}) {
       const std::string text = file_with(full, field, value);
       try {
         const TirFile tir = parse_tir(text, "zero.tir");
