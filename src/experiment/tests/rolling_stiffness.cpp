@@ -12,11 +12,8 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/drum_rig.h"
-<<<<<<< HEAD
-#include "experiment/rigs/lift_watch.h"
-=======
 #include "experiment/rigs/duration_limit.h"
->>>>>>> house
+#include "experiment/rigs/lift_watch.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
 
