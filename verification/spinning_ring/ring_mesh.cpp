@@ -59,6 +59,15 @@ fe_tire::Solid linear_solid(double E, double nu, double density) {
   return {fe_tire::StVenantKirchhoff::isotropic(G, lambda), density};
 }
 
+fe_tire::Mesh free_ring_mesh(int sectors) {
+  const std::vector<double> sides = {0.005, 0.0, -0.005};
+  return ring_mesh({{{0.2, 0.2995}, sides, 0}, {{0.2995, 0.3005}, sides, 1}}, sectors, 0.2);
+}
+
+fe_tire::Materials free_ring_materials(double nu) {
+  return {{linear_solid(0.5, 0.0, 1e-8), linear_solid(kFreeRingModulus, nu, kFreeRingDensity)}, {}};
+}
+
 fe_tire::Mesh gyro_ring_mesh(int sectors) {
   return ring_mesh({{{0.20, 0.22, 0.24, 0.26, 0.28}, {0.01, -0.01}, 0},
                     {{0.28, 0.29, 0.30}, {0.05, 0.01, -0.01, -0.05}, 1}},
