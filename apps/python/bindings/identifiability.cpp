@@ -58,6 +58,31 @@ void check_traits(const ResidualTraits& traits, std::size_t residuals) {
   check(traits.curves.size(), "curves");
 }
 
+/// Returns the loss of that name; its scale is in units of the deviation of a residual.
+RobustLoss robust_loss(const std::string& name, const std::optional<double>& scale) {
+  if (name == "squares") {
+    if (scale) throw InputError("loss_scale: a loss of \"squares\" has no scale");
+    return {};
+  }
+  if (name != "huber" && name != "cauchy")
+    throw InputError("loss: expected \"squares\", \"huber\" or \"cauchy\", found \"" + name + "\"");
+  if (!scale || !(*scale > 0.0) || !std::isfinite(*scale))
+    throw InputError("loss_scale: expected a positive number, in units of a residual's deviation");
+  return {name == "huber" ? Loss::huber : Loss::cauchy, *scale};
+}
+
+/// Applies the loss to residuals and slopes, and states it in the traits.
+void limit(RobustLoss loss, ResidualTraits& traits, Linearization& linear) {
+  if (loss.loss == Loss::squares) return;
+  for (Eigen::Index k = 0; k < linear.r.size(); ++k) {
+    RobustLoss own = loss;
+    if (!traits.deviations.empty()) own.scale *= traits.deviations[static_cast<std::size_t>(k)];
+    linear.J.row(k) *= own.slope(linear.r[k]);
+    linear.r[k] = own(linear.r[k]);
+    traits.losses.push_back(own);
+  }
+}
+
 Score score_of(const Array& residuals, const Array& jacobian, int variables) {
   if (residuals.ndim() != 1 || residuals.size() == 0)
     throw InputError("residuals: expected an array (m,) of one value at least");
@@ -72,12 +97,14 @@ SpacedConfidence confidence_at(const DesignSpace& space,
                                const std::optional<double>& sigma,
                                double level,
                                const std::vector<double>& deviations,
-                               const std::vector<int>& curves) {
+                               const std::vector<int>& curves,
+                               const std::string& loss,
+                               const std::optional<double>& loss_scale) {
   const DesignPoint center = point(at, space.size());
   if (!space.place(center))
     throw InputError("a value of the point is not finite, or not positive on a logarithmic scale");
   const Score score = score_of(residuals, jacobian, space.size());
-  const ConfidenceOptions asked = options(sigma, level, deviations, curves);
+  ConfidenceOptions asked = options(sigma, level, deviations, curves);
   check_traits(asked.traits, score.residuals.size());
   Linearization linear;
   const std::vector<double> u = space.to_unit(center);
@@ -88,6 +115,7 @@ SpacedConfidence confidence_at(const DesignSpace& space,
   linear.is_exact = true;
   if (linear.J.size() == 0 || !linear.r.allFinite())
     throw InputError("residuals and jacobian: expected finite numbers");
+  limit(robust_loss(loss, loss_scale), asked.traits, linear);
   const py::gil_scoped_release others;
   return {space, confidence(linear, asked)};
 }
@@ -175,6 +203,10 @@ void bind_confidence(py::module_& module) {
           "The spread of the residuals over a stated sigma if chance does not explain it; "
           "otherwise 1.")
       .def_property_readonly(
+          "beyond",
+          [](const C& c) { return c.found.beyond; },
+          "Number of residuals beyond the corner of their robust loss.")
+      .def_property_readonly(
           "covariance",
           [](const C& c) { return array(c.found.covariance); },
           "Array (n, n), in shares of the ranges; 0 for held variables.")
@@ -219,10 +251,15 @@ void bind_confidence(py::module_& module) {
       py::arg("level") = 0.95,
       py::arg("deviations") = std::vector<double>{},
       py::arg("curves") = std::vector<int>{},
+      py::arg("loss") = "squares",
+      py::arg("loss_scale") = py::none(),
       "Confidence from residuals (m,) and their derivatives (m, n) with respect to the values of a "
       "fitted\npoint (n,).\n\nsigma: standard deviation of a residual if it is known. deviations "
       "(m,): standard deviation of each\nresidual in units of sigma. curves (m,): number of the "
-      "curve to which a residual belongs; the noise of\nneighbors on one curve may be correlated.");
+      "curve to which a residual belongs; the noise of\nneighbors on one curve may be correlated. "
+      "loss: \"squares\", or \"huber\" or \"cauchy\" beyond loss_scale, in\nunits of a residual's "
+      "deviation, if the fit minimized that loss; residuals and jacobian are those before\nthe "
+      "loss.");
 }
 
 void bind_profile(py::module_& module) {

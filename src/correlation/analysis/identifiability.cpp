@@ -100,6 +100,33 @@ bool is_set_by_bounds(const Identifiability& what, int variable) {
 
 using Sentences = std::vector<std::string>;
 
+/// Adds remarks about values beyond the corner of a robust loss.
+void remark_on_losses(const Confidence& c, Sentences& all) {
+  if (c.beyond == 0) return;
+  std::string text = fmt::format(
+      "{} of {} values {} beyond the corner of {} loss: fit and intervals count {} no more than a "
+      "value at the corner.",
+      c.beyond,
+      c.with_loss,
+      c.beyond == 1 ? "lies" : "lie",
+      c.beyond == 1 ? "its" : "their",
+      c.beyond == 1 ? "it" : "each");
+  constexpr double kRare = 3.1;  // deviations, beyond which chance lies once in a thousand cases
+  const double expected = c.expected_beyond * c.with_loss;
+  const double chance = kRare * std::sqrt(expected * (1.0 - c.expected_beyond));
+  if (c.expected_beyond > 0.0 && c.beyond > expected + chance + 1.0) {
+    text += fmt::format(
+        " The stated noise leaves some {:.0f} there: it is too small, or the others are wrong.",
+        expected);
+  }
+  all.push_back(std::move(text));
+  if (c.noise.size() - c.beyond <= c.singular_values.size()) {
+    all.emplace_back(
+        "No more values lie inside the corner than there are variables, so they do not determine "
+        "these: a larger loss_scale lets more values count.");
+  }
+}
+
 /// Adds remarks about the noise that the intervals assume.
 void remark_on_noise(const Confidence& c, Sentences& all) {
   if (c.excess > 1.0) {
@@ -201,6 +228,7 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   constexpr double kEarly = 1.0;  // multiple of the threshold at which an interval ends
   const Confidence& c = what.identification.confidence();
   Sentences all;
+  remark_on_losses(c, all);
   remark_on_noise(c, all);
   remark_on_variables(study, what, all);
   remark_on_refinement(study, what, all);

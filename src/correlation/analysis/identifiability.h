@@ -49,9 +49,9 @@ std::optional<Interval> interval_of(const Study& study,
 /// numbers between so wide bounds can be; "not known" without an estimate of the noise.
 std::string interval_source(const Study& study, const Identifiability& what, int variable);
 
-/// Returns warnings, one sentence each: residuals larger than their stated noise, noise that
-/// neighboring values share, rough derivatives, a search that ended early, refits that did not
-/// converge.
+/// Returns warnings, one sentence each: values beyond the corner of their robust loss, residuals
+/// larger than their stated noise, noise that neighboring values share, rough derivatives, a search
+/// that ended early, refits that did not converge.
 std::vector<std::string> remarks(const Study& study, const Identifiability& what);
 
 /// Runs the missing trials. Returns nullopt if a stop was requested, a Failure if the model fails

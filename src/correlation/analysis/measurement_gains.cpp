@@ -95,6 +95,7 @@ std::optional<Eigen::MatrixXd> rows_of(const Study& study,
   alone.experiments = {experiment};
   alone.experiments[0].fitted = true;
   alone.experiments[0].objective.weight = 1.0;
+  alone.experiments[0].loss = {};  // nobody knows before which value will be far off
   if (!experiment.noise) alone.experiments[0].noise = typical_noise(study);
   alone.space = without_priors(study.space);
   const Objective residuals = residual_objective(alone);

@@ -36,7 +36,8 @@ std::optional<Eigen::VectorXd> refined_shift(const Study& study,
   Eigen::VectorXd change = residuals(identification.residuals_used()) - at.r;
   for (double& one : change)
     if (!std::isfinite(one)) one = 0.0;
-  return shift_of(at, identification.confidence().held, change);
+  const Confidence& c = identification.confidence();
+  return shift_of(at, c.held, change, c.felt_changes);
 }
 
 }  // namespace latsch::correlation

@@ -12,6 +12,7 @@
 #include "numerics/dense/cholesky.h"
 #include "numerics/signals/sample_count.h"
 #include "numerics/signals/welch.h"
+#include "optimization/identifiability/robust_rows.h"
 
 namespace latsch::correlation {
 namespace {
@@ -23,7 +24,8 @@ struct ChiSquare {
   double count = 0.0;
 };
 
-/// The used residuals with their slopes, each divided by its deviation, and their experiments.
+/// The psi of the used residuals (robust_loss.h) with their slopes, each divided by its deviation,
+/// and their experiments.
 struct UsedResiduals {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;
@@ -35,7 +37,8 @@ UsedResiduals used_residuals(const Study& study, const Identification& identific
   const auto& used = identification.residuals_used();
   const auto rows = residual_rows(study);
   const ResidualTraits traits = residual_traits(study).of(used);
-  UsedResiduals all{at.r, at.J, {}};
+  const RobustRows limited(at.r, at.J, traits);
+  UsedResiduals all{limited.psi(), limited.X(), {}};
   for (std::size_t k = 0; k < used.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);
     all.experiment.push_back(rows[static_cast<std::size_t>(used[k])].experiment);

@@ -93,21 +93,6 @@ std::optional<MeasurementNoise> read_noise(const Node& table,
   }
 }
 
-double RobustLoss::operator()(double x) const {
-  if (loss == Loss::squares) return x;
-  const double a = std::abs(x) / scale;
-  const double rho = loss == Loss::cauchy ? std::log1p(a * a) : a <= 1.0 ? a * a : 2.0 * a - 1.0;
-  return std::copysign(scale * std::sqrt(rho), x);
-}
-
-double RobustLoss::slope(double x) const {
-  const double a = std::abs(x) / scale;
-  if (loss == Loss::squares || a == 0.0) return 1.0;
-  // The slope is  d sqrt(rho) / da = rho' / (2 sqrt(rho)).
-  if (loss == Loss::cauchy) return a / ((1.0 + a * a) * std::sqrt(std::log1p(a * a)));
-  return a <= 1.0 ? 1.0 : 1.0 / std::sqrt(2.0 * a - 1.0);
-}
-
 RobustLoss read_loss(const Node& table, bool noise_is_stated) {
   RobustLoss robust;
   const std::string loss = table.choice("loss", {"squares", "huber", "cauchy"}, "squares");

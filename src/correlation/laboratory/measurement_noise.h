@@ -6,12 +6,9 @@
 // to estimate the noise.
 //
 // With d the error of a value as compared (objective.h) and sigma its stated deviation in units of
-// d, a value enters fit and intervals as d / sigma. With a loss of scale c and z = (x / c)^2, x
-// becomes  sign(x) c sqrt(rho(z)):
-//   huber    rho = z  up to 1, then  2 sqrt(z) - 1    [Huber, Ann. Math. Statist. 35 (1964) 73]
-//   cauchy   rho = ln(1 + z)
-// and a least-squares method sums the squares. With Gaussian noise, the default scales keep 95 % of
-// the efficiency of least squares. Far-off values count as little in the intervals as in the fit.
+// d, a value enters the fit as d / sigma, after a robust loss if one is stated (robust_loss.h).
+// With Gaussian noise, the default scales keep 95 % of the efficiency of least squares. The
+// intervals are those of M-estimation (confidence.h).
 //
 // The keys are in correlation/laboratory/noise_keys.cpp.
 #pragma once
@@ -21,6 +18,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "optimization/identifiability/robust_loss.h"
 
 namespace latsch::correlation {
 
@@ -42,16 +40,6 @@ bool is_estimated(const Node& experiment);
 
 /// True if the noise is the error that an earlier stage left: noise = "own_stage".
 bool is_of_own_stage(const Node& experiment);
-
-enum class Loss { squares, huber, cauchy };
-
-struct RobustLoss {
-  Loss loss = Loss::squares;
-  double scale = 1.0;  // in units of the noise if it is stated, otherwise of d
-
-  double operator()(double x) const;
-  double slope(double x) const;
-};
 
 /// Throws InputError if a scale is missing or belongs to no loss.
 RobustLoss read_loss(const Node& table, bool noise_is_stated);

@@ -28,7 +28,8 @@ cauchy   rho = ln(1 + z)
 ```
 
 and a least-squares method sums the squares. With Gaussian noise, the default scales keep 95 % of
-the efficiency of least squares. Far-off values count as little in the intervals as in the fit.
+the efficiency of least squares. The intervals are those of M-estimation: a value beyond the scale
+counts no more than one at the scale, and the result says how many values lie beyond it.
 )md",
       .sentences =
           {

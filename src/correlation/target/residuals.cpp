@@ -54,11 +54,15 @@ ResidualTraits residual_traits(const Study& study) {
     traits.curves.insert(traits.curves.end(),
                          count,
                          experiments[e].observable->is_sweep() ? static_cast<int>(e) : -1);
+    RobustLoss loss = experiments[e].loss;
+    loss.scale *= factor_of(experiments[e], mean);
+    traits.losses.insert(traits.losses.end(), count, loss);
   }
   for (const DesignVariable& variable : study.space.variables()) {
     if (!variable.prior) continue;
     traits.deviations.push_back(1.0);
     traits.curves.push_back(-1);
+    traits.losses.emplace_back();
   }
   return traits;
 }

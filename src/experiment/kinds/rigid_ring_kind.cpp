@@ -42,6 +42,9 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
     return assumed_stiffness_of(parameters_, direction);
   }
   std::optional<double> section_height() const override { return section_height_of(parameters_); }
+  std::vector<std::string> limits_backward() const override {
+    return limits_backward_of(parameters_);
+  }
   /// One pair of cams scans a single line of the road.
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     if (std::abs(cleat.angle) < kStraightCleat || parameters_.ELLIPS_NWIDTH >= 2.0) return {};

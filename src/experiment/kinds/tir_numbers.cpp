@@ -184,6 +184,15 @@ std::string assumed_stiffness_of(const Parameters& p, const std::string& directi
                      fmt::join(magic_formula::assumed_of_turning(p), "; "));
 }
 
+std::vector<std::string> limits_backward_of(const magic_formula::Parameters& p) {
+  if (p.PHY1 == 0.0 && p.PHY2 == 0.0 && p.PVY1 == 0.0 && p.PVY2 == 0.0) return {};
+  return {
+      "a .tir does not say which part of PHY1, PHY2, PVY1 and PVY2 changes sides when the tire "
+      "rolls "
+      "backward: conicity holds all of the side force at zero slip angle and ply_steer none of it, "
+      "so neither is a property of this tire"};
+}
+
 std::string tir_text_of(const Document& numbers) {
   return with_parts_of(numbers.file(), formats::tir_text(parameters_of(numbers)));
 }

@@ -47,6 +47,10 @@ std::string no_stiffness_of(const magic_formula::Parameters& parameters,
 std::string assumed_stiffness_of(const magic_formula::Parameters& parameters,
                                  const std::string& direction);
 
+/// Says that a .tir does not tell conicity from ply steer (KnowsLimits::limits_backward); empty if
+/// the tire has no side force at zero slip angle.
+std::vector<std::string> limits_backward_of(const magic_formula::Parameters& parameters);
+
 /// Returns the text of a new file of these numbers, with the parts of their file that have no
 /// effect here (formats/tire/kept_parts.h).
 std::string tir_text_of(const Document& numbers);

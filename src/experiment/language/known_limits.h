@@ -19,6 +19,9 @@ struct KnowsLimits {
   /// Returns a sentence for every limit that matters on a road whose height differs across the
   /// width of the tire; empty if none does.
   virtual std::vector<std::string> limits_across() const { return {}; }
+  /// Returns a sentence for every limit that matters if the tire rolls forward and backward; empty
+  /// if none does.
+  virtual std::vector<std::string> limits_backward() const { return {}; }
   /// Returns a sentence for every limit that the specimen has met since it was built: ranges of its
   /// file that it left, conditions that have no effect on it.
   virtual std::vector<std::string> limits_met() const { return {}; }

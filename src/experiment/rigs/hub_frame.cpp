@@ -2,6 +2,7 @@
 #include "experiment/rigs/hub_frame.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -74,6 +75,13 @@ void ForceRecord::add(const HubForces& hub, const WheelMotion& motion) {
     for (const double value : wrench.force) values_[column++].push_back(value);
     for (const double value : wrench.moment) values_[column++].push_back(value);
   }
+}
+
+const std::vector<double>& ForceRecord::of(const std::string& name) const {
+  const auto names = force_names(frames_);
+  const auto found = std::find(names.begin(), names.end(), name);
+  assert(found != names.end());
+  return values_[static_cast<std::size_t>(found - names.begin())];
 }
 
 void ForceRecord::add_to(Channels& channels) const {

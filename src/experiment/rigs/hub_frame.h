@@ -34,6 +34,8 @@ class ForceRecord {
       : frames_(std::move(frames)), values_(6 * frames_.size()) {}
   void add(const HubForces& hub, const WheelMotion& motion);
   void add_to(Channels& channels) const;
+  /// Returns the values of one of force_names().
+  const std::vector<double>& of(const std::string& name) const;
 
  private:
   std::vector<AxisFrame> frames_;

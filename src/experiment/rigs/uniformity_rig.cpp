@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "experiment/rigs/drum_rig.h"
+#include "experiment/rigs/duration_limit.h"
+#include "experiment/rigs/steady_rolling.h"
 #include "models/road/drum_road.h"
 #include "models/road/plane_road.h"
 #include "models/tire/free_wheel.h"
@@ -19,7 +21,7 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kRunIn = 1.5;             // turns before the one that is averaged
+constexpr double kRunIn = 1.5;             // turns before the first that may be averaged
 constexpr double kFollow = 20e-3;          // s, time constant with which the axle follows the load
 constexpr double kLeastDeflection = 1e-3;  // m
 constexpr int kAngles = 720;               // positions in a turn at which its peaks are searched
@@ -68,15 +70,36 @@ class Machine {
     return {};
   }
 
-  /// Records a turn after a part of a turn in which the wheel finds its speed.
+  /// Records the first turn in which forces vary as in the turn before: the wheel has found its
+  /// speed and swings no more.
   Result<Turn> turn() {
-    Turn turn;
     if (const Status done = roll(kRunIn, nullptr); !done) return done.failure();
-    if (const Status done = roll(1.0, &turn); !done) return done.failure();
-    return turn;
+    const double most = kFarthestToSteady / (2.0 * std::numbers::pi * tire_.free_radius());
+    Turn before;
+    for (double turns = 1.0; turns <= most; ++turns) {
+      Turn turn;
+      if (const Status done = roll(1.0, &turn); !done) return done.failure();
+      if (is_repeated(before, turn)) return turn;
+      before = std::move(turn);
+    }
+    return Failure{
+        fmt::format("forces still differ from turn to turn after {:g} m", kFarthestToSteady)};
   }
 
  private:
+  /// True if the ranges of the forces are those of the turn before.
+  bool is_repeated(const Turn& before, const Turn& now) const {
+    constexpr double kShare = 1e-3, kLeast = 2e-6;  // shares of the range and of the load
+    const auto range = [](const std::vector<double>& force) {
+      const auto [low, high] = std::ranges::minmax_element(force);
+      return *high - *low;
+    };
+    const auto same = [&](const std::vector<double>& a, const std::vector<double>& b) {
+      return !a.empty() && std::abs(range(a) - range(b)) <= kShare * range(b) + kLeast * test_.load;
+    };
+    return same(before.Fx, now.Fx) && same(before.Fy, now.Fy) && same(before.Fz, now.Fz);
+  }
+
   Status roll(double turns, Turn* seen) {
     const double period = 2.0 * std::numbers::pi / std::abs(motion_.spin_rate);
     const double least = std::max(period / test_.step, 2.0 * test_.harmonics + 1.0);
@@ -151,7 +174,8 @@ UniformityTest read_uniformity_test(const Node& root, const MeasuredConditions& 
       root.quantity("wheel_inertia", "kg m^2", Range::positive(), test.wheel_inertia);
   test.harmonics = static_cast<int>(root.integer("harmonics", 1, 50, test.harmonics));
   const double longest = kFarthestStep / test.speed;
-  test.step = root.quantity("step", "s", {0.0, 0.01, true}, std::min(test.step, longest));
+  test.step =
+      root.quantity("step", "s", Range::between(kShortestStep, 0.01), std::min(test.step, longest));
   check_step(root, test.speed, test.step);
   return test;
 }

@@ -4,8 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
+#include "base/scratch_folder_testing.h"
+#include "experiment/kinds/sparse_tir_testing.h"
+#include "experiment/language.h"
+#include "experiment/language/capabilities.h"
 #include "models/ring_tire/description/ring_parameters_testing.h"
 #include "models/ring_tire/ring/ring_tire.h"
 #include "models/road/plane_road.h"
@@ -52,6 +57,26 @@ class UnevenSpring final : public Tire {
     return hub;
   }
 };
+
+// A wheel on a tire with a relaxation length of a meter swings for several turns; the tire itself
+// is uniform.
+TEST(Uniformity, OfAUniformTireOnLongRelaxationIsZeroAtEverySpeed) {
+  const ScratchFolder folder;
+  std::ofstream(folder.path() / "tire.tir")
+      << sparse_tir(std::string(kLongitudinalForce) + kSideForce +
+                    "[STRUCTURAL]\nLONGITUDINAL_STIFFNESS = 88000\nLATERAL_STIFFNESS = 60000\n");
+  const SpecimenKind& kind = *language().find_kind("magic_formula");
+  const auto specimen = kind.build(kind.read(folder.path() / "tire.tir"));
+  for (const double speed : {2.0, 10.0, 30.0}) {
+    const auto tire = specimen->find<Rolls>()->tire();
+    const auto found =
+        run(*tire,
+            UniformityTest{.load = 4000.0, .speed = speed, .step = std::min(1e-3, 0.02 / speed)});
+    ASSERT_TRUE(found) << found.failure().reason;
+    EXPECT_LT(found->tangential.all, 0.1) << speed;
+    EXPECT_LT(found->radial.all, 1e-3) << speed;
+  }
+}
 
 // The radial force varies by 2 a k once a turn, the lateral force by 2 l twice a turn.
 TEST(Uniformity, OfASpringThatRunsOutIsItsRunOutTimesItsStiffness) {

@@ -19,6 +19,7 @@
 #include "experiment/rigs/car/held_band.h"
 #include "experiment/rigs/car/post_notes.h"
 #include "experiment/rigs/car/post_spectra.h"
+#include "experiment/rigs/duration_limit.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
 #include "experiment/tests/pictures/four_post_pictures.h"
@@ -367,6 +368,7 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
     test = recorded_posts(root, source, ledgers);
     test.step = steps.step;
     test.sample_step = steps.sample_step;
+    check_duration(root, "posts", test.times.back() - test.times.front(), test.step);
     const PostSpectra usual;
     auto recorded = std::make_unique<FourPost>(
         test,
@@ -380,6 +382,7 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
   sweep.to = root.quantity("to", "Hz", Range::positive(), sweep.to);
   if (!(sweep.to > sweep.from)) root.reject("to", "is not above from: a sweep rises");
   sweep.duration = root.quantity("duration", "s", Range::positive(), sweep.duration);
+  check_duration(root, "duration", sweep.duration, test.step);
   sweep.amplitude = root.quantity("amplitude", "m", Range::positive(), sweep.amplitude);
   sweep.velocity = root.quantity("velocity", "m/s", Range::positive(), sweep.velocity);
   const FourPostTest made = sweep_test(sweep, test.sample_step);

@@ -233,7 +233,7 @@ void read_wander(const Node& node, KerbTest& test) {
   Wander wander;
   wander.speed = node.quantity("speed", "m/s", Range::not_negative(), 0.0);
   wander.line = node.quantity("line", "m", Range::not_negative(), 0.0);
-  wander.period = node.quantity("period", "s", Range::positive(), 1.0);
+  wander.period = node.quantity("period", "s", Range::between(0.1, 1e3), 1.0);
   wander.seed = node.integer("seed", 0, 1'000'000'000, 1);
   const auto with = [&](double asked, double deviation, int stream) {
     return wandering(asked, deviation, wander, stream, test.run_in, test.duration);

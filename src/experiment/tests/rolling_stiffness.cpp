@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/rigs/drum_rig.h"
+#include "experiment/rigs/duration_limit.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
 
@@ -93,7 +94,7 @@ std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource&
   test.slip = root.quantity("slip", "1", {0.0, 0.1, true}, test.slip);
   test.angle = root.quantity("angle", "rad", {0.0, 0.1, true}, test.angle);
   test.camber = root.quantity("camber", "rad", {0.0, 0.2, true}, test.camber);
-  test.step = root.quantity("step", "s", {0.0, 0.01, true}, test.step);
+  test.step = root.quantity("step", "s", Range::between(kShortestStep, 0.01), test.step);
   check_step(root, test.speed, test.step);
   std::vector<std::string> measures = root.has("measures") ? root.texts("measures") : kMeasures;
   for (const std::string& name : measures)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/rigs/uniformity_rig.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
@@ -10,7 +11,7 @@
 namespace latsch::experiment {
 namespace {
 
-class Uniformity : public Test {
+class Uniformity : public Test, public TellsLimits {
  public:
   explicit Uniformity(const UniformityTest& test) : test_(test) {}
 
@@ -31,6 +32,18 @@ class Uniformity : public Test {
 
   std::vector<std::string> needs() const override { return kUniformityTest.needs; }
   std::optional<long> samples() const override { return 1; }
+
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    const auto* knows = specimen.find<KnowsLimits>();
+    return knows ? knows->limits_backward() : std::vector<std::string>();
+  }
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    return notes;
+  }
 
   Result<Channels> run(Specimen& specimen) const override {
     const auto tire = specimen.find<Rolls>()->tire(test_.pressure);

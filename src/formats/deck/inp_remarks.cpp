@@ -14,20 +14,20 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::string_view kBeginning = "** latsch ";
-constexpr int kMostRows = 1000;  // elements through the thickness of a layer
+constexpr int kMostLayerRows = 1000;  // elements through the thickness of a layer
 
-std::string stripped(std::string_view text) {
+std::string remark_without_blanks(std::string_view text) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return std::string(text);
 }
 
-std::vector<std::string> fields_of(std::string_view text) {
+std::vector<std::string> fields_of_remark(std::string_view text) {
   std::vector<std::string> fields;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t comma = std::min(text.find(',', begin), text.size());
-    fields.push_back(stripped(text.substr(begin, comma - begin)));
+    fields.push_back(remark_without_blanks(text.substr(begin, comma - begin)));
     begin = comma + 1;
   }
   return fields;
@@ -39,8 +39,8 @@ class RemarkReader {
     const std::string_view said = line.substr(kBeginning.size());
     const std::size_t colon = said.find(':');
     if (colon == std::string_view::npos) return;
-    const std::string name = stripped(lower(said.substr(0, colon)));
-    const std::vector<std::string> fields = fields_of(said.substr(colon + 1));
+    const std::string name = remark_without_blanks(lower(said.substr(0, colon)));
+    const std::vector<std::string> fields = fields_of_remark(said.substr(colon + 1));
     if (name == "wall") {
       take_wall(fields, place);
     } else if (name == "tread") {
@@ -65,7 +65,7 @@ class RemarkReader {
     const auto thickness = fields.size() == 3 ? parse_number(fields[1]) : std::optional<double>();
     const auto rows = fields.size() == 3 ? parse_number(fields[2]) : std::optional<double>();
     if (!thickness || !rows || fields[0].empty() || !(*thickness >= 0.0) || !(*rows >= 0.0) ||
-        *rows > kMostRows || *rows != static_cast<int>(*rows))
+        *rows > kMostLayerRows || *rows != static_cast<int>(*rows))
       throw InputError(place,
                        "expected an element set, the thickness of its wall and the number of "
                        "elements in its layer, as in \"** latsch wall: WALL0, 8.5, 1\"");

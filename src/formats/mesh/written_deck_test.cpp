@@ -18,27 +18,27 @@ namespace {
 
 using namespace fe_tire;
 
-constexpr double kPressure = 2.6e5;
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kDeckPressure = 2.6e5;
+constexpr double kDegreeOfZone = std::numbers::pi / 180.0;
 
 /// A coarse tire B with rows that end in the sidewall, as solid shells.
-TireDescription shell_tire(CordModel cords, bool zones) {
+TireDescription tire_of_shells(CordModel cords, bool zones) {
   TireDescription tire = reference_tire_b();
   tire.section.meridional = 9;
   tire.section.sectors = 12;
   tire.section.faces = {{{0.0}, {-0.6e-3}}, {{0.0}, {0.6e-3}}, {{0.0}, {1.7e-3}}};
   tire.section.faces_to = 0.46;
-  if (zones) tire.section.sector_zones = {{2, 12.0 * kDegree}};
+  if (zones) tire.section.sector_zones = {{2, 12.0 * kDegreeOfZone}};
   tire.element = ElementKind::solid_shell;
   tire.cord_model = cords;
   for (CordPly& ply : tire.plies) ply.cords.E_compression = 0.2 * ply.cords.E_tension;
   return tire;
 }
 
-std::string written(const TireDescription& tire, bool loaded) {
+std::string deck_written_of(const TireDescription& tire, bool loaded) {
   std::ostringstream out;
   CcxRun run;
-  run.pressure = kPressure;
+  run.pressure = kDeckPressure;
   run.element = tire.element;
   if (loaded) run.ground = CcxGround{0.32, 0.012, 2e10, 0.0};
   write_ccx_deck(out, build_mesh(tire), build_materials(tire), run);
@@ -46,9 +46,11 @@ std::string written(const TireDescription& tire, bool loaded) {
 }
 
 /// Growth, force on flat ground, frequencies of the free and of the standing tire.
-std::array<double, 6> results(const Mesh& mesh, const Materials& materials, ElementKind element) {
+std::array<double, 6> results_of_deck(const Mesh& mesh,
+                                      const Materials& materials,
+                                      ElementKind element) {
   FeTire tire(mesh, materials, {.element = element});
-  const auto inflated = tire.inflate(kPressure);
+  const auto inflated = tire.inflate(kDeckPressure);
   if (!inflated) ADD_FAILURE() << inflated.failure().reason;
   const auto states = tire.press(*inflated, {}, {0.012});
   if (!states) ADD_FAILURE() << states.failure().reason;
@@ -62,20 +64,20 @@ std::array<double, 6> results(const Mesh& mesh, const Materials& materials, Elem
           (*loaded)[3].frequency};
 }
 
-struct Case {
+struct WrittenDeckCase {
   const char* name;
   CordModel cords;
   bool zones, loaded;
 };
 
-class WrittenDeck : public testing::TestWithParam<Case> {};
+class WrittenDeck : public testing::TestWithParam<WrittenDeckCase> {};
 
 TEST_P(WrittenDeck, ComesBackAsTheSameTire) {
   const auto& [name, cords, zones, loaded] = GetParam();
-  const TireDescription tire = shell_tire(cords, zones);
+  const TireDescription tire = tire_of_shells(cords, zones);
   const Mesh mesh = build_mesh(tire);
   const Materials materials = build_materials(tire);
-  const InpTire read = tire_from(parse_inp(written(tire, loaded), "tire.inp"));
+  const InpTire read = tire_from(parse_inp(deck_written_of(tire, loaded), "tire.inp"));
   EXPECT_EQ(read.element, tire.element);
   ASSERT_EQ(read.mesh.sectors, mesh.sectors);
   ASSERT_EQ(read.mesh.theta.size(), mesh.theta.size());
@@ -92,8 +94,8 @@ TEST_P(WrittenDeck, ComesBackAsTheSameTire) {
   }
   EXPECT_GT(walls, 0);
   EXPECT_GT(layers, 0);
-  const auto before = results(mesh, materials, tire.element);
-  const auto after = results(read.mesh, read.materials, read.element);
+  const auto before = results_of_deck(mesh, materials, tire.element);
+  const auto after = results_of_deck(read.mesh, read.materials, read.element);
   for (std::size_t i = 0; i < before.size(); ++i)
     EXPECT_NEAR(after[i] / before[i], 1.0, 1e-7) << name << ", result " << i;
 }
@@ -101,29 +103,29 @@ TEST_P(WrittenDeck, ComesBackAsTheSameTire) {
 INSTANTIATE_TEST_SUITE_P(
     OfEveryKind,
     WrittenDeck,
-    testing::Values(Case{"springs", CordModel::rebar, false, true},
-                    Case{"springs_free", CordModel::rebar, false, false},
-                    Case{"springs_zones", CordModel::rebar, true, true},
-                    Case{"springs_zones_free", CordModel::rebar, true, false},
-                    Case{"smeared", CordModel::smeared, false, true},
-                    Case{"smeared_zones_free", CordModel::smeared, true, false}),
+    testing::Values(WrittenDeckCase{"springs", CordModel::rebar, false, true},
+                    WrittenDeckCase{"springs_free", CordModel::rebar, false, false},
+                    WrittenDeckCase{"springs_zones", CordModel::rebar, true, true},
+                    WrittenDeckCase{"springs_zones_free", CordModel::rebar, true, false},
+                    WrittenDeckCase{"smeared", CordModel::smeared, false, true},
+                    WrittenDeckCase{"smeared_zones_free", CordModel::smeared, true, false}),
     [](const auto& one) { return std::string(one.param.name); });
 
 // A deck off the ground has equal sectors: by these Latsch inflates a tire, whatever its zones, and
 // in another program a ring of unequal ones does not stay round.
 TEST(WrittenDecks, OffTheGroundSectorsAreEqual) {
-  const TireDescription tire = shell_tire(CordModel::rebar, true);
+  const TireDescription tire = tire_of_shells(CordModel::rebar, true);
   TireDescription even = tire;
   even.section.sector_zones.clear();
-  std::string zoned = written(tire, false);
-  const std::string equal = written(even, false);
+  std::string zoned = deck_written_of(tire, false);
+  const std::string equal = deck_written_of(even, false);
   for (std::size_t at; (at = zoned.find("** latsch planes")) != zoned.npos;)
     zoned.erase(at, zoned.find('\n', at) + 1 - at);
   EXPECT_EQ(zoned, equal);
 }
 
 TEST(WrittenDecks, ARemarkWithoutSenseIsRefusedWithItsLine) {
-  const std::string good = written(shell_tire(CordModel::rebar, true), false);
+  const std::string good = deck_written_of(tire_of_shells(CordModel::rebar, true), false);
   const auto complaint = [&](const std::string& from, const std::string& to) -> std::string {
     std::string text = good;
     const std::size_t at = text.find(from);

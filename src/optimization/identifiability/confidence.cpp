@@ -8,6 +8,7 @@
 
 #include "numerics/dense/singular_values.h"
 #include "numerics/student_t.h"
+#include "optimization/identifiability/robust_rows.h"
 #include "optimization/problem/infinity.h"
 #include "optimization/problem/point_vector.h"
 
@@ -53,10 +54,15 @@ Eigen::MatrixXd inverse_normal_matrix(const Eigen::MatrixXd& J) {
   return W * W.transpose();
 }
 
+/// Returns the combination of the columns of A that represents column j best.
+Eigen::VectorXd represented(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
+  return inverse_normal_matrix(A) * (A.transpose() * j);
+}
+
 /// Returns the part of column j that the columns of A cannot represent.
 Eigen::VectorXd beside(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
   if (A.cols() == 0) return j;
-  return j - A * (inverse_normal_matrix(A) * (A.transpose() * j));
+  return j - A * represented(A, j);
 }
 
 /// Returns the bound a variable is on if S grows inward by its slope. `way` is a distance in the
@@ -68,24 +74,25 @@ Bound bound_at(double u, double gradient, double way) {
 }
 
 /// Returns the variables whose bound prevents a better fit by more than rounding.
-std::vector<Bound> held_variables(const Linearization& at,
+std::vector<Bound> held_variables(const Eigen::VectorXd& u,
+                                  const Eigen::MatrixXd& H,
                                   const Eigen::VectorXd& gradient,
                                   double sigma) {
   const double s = std::isfinite(sigma) ? sigma : 0.0;
   std::vector<Bound> bounds;
   std::vector<int> inside;
-  for (int i = 0; i < at.u.size(); ++i) {
-    const double felt = at.J.col(i).norm();
+  for (int i = 0; i < u.size(); ++i) {
+    const double felt = H.col(i).norm();
     const double way =
         s > 0.0 && felt > 0.0 ? std::min(kNearBound, kNearInNoise * s / felt) : kNearBound;
-    bounds.push_back(bound_at(at.u[i], gradient[i], way));
+    bounds.push_back(bound_at(u[i], gradient[i], way));
     if (bounds.back() == Bound::none) inside.push_back(i);
   }
-  const Eigen::MatrixXd J_inside = at.J(Eigen::all, inside);
-  for (int i = 0; i < at.u.size(); ++i) {
+  const Eigen::MatrixXd H_inside = H(Eigen::all, inside);
+  for (int i = 0; i < u.size(); ++i) {
     Bound& bound = bounds[static_cast<size_t>(i)];
     if (bound == Bound::none) continue;
-    const double own = beside(J_inside, at.J.col(i)).norm();
+    const double own = beside(H_inside, H.col(i)).norm();
     if (!(std::abs(gradient[i]) > kHeldBy * s * own)) bound = Bound::none;
   }
   return bounds;
@@ -109,12 +116,19 @@ double rare_ratio(double nu) {
 
 namespace {
 
-void take_spread(const ResidualNoise& noise, const ConfidenceOptions& options, Confidence& c) {
+void take_spread(const ResidualNoise& noise,
+                 const ConfidenceOptions& options,
+                 const RobustRows& rows,
+                 Confidence& c) {
   const double seen = noise.sigma(), nu = noise.freedom();
   c.sigma = options.sigma ? *options.sigma : std::max(options.least_sigma, seen);
   c.is_colored = !noise.is_white();
   if (nu <= 0.0 && !options.sigma) c.sigma = std::numeric_limits<double>::quiet_NaN();
-  if (!options.sigma || nu <= 0.0) return;
+  c.with_loss = rows.with_loss();
+  c.beyond = rows.beyond();
+  if (options.sigma) c.expected_beyond = rows.expected_beyond(*options.sigma);
+  if (rows.is_limited()) c.felt_changes = rows.felt_changes();
+  if (!options.sigma || nu <= 0.0 || rows.is_limited()) return;
   const double ratio = seen * seen / (*options.sigma * *options.sigma);
   if (ratio <= rare_ratio(nu)) return;
   c.excess = std::sqrt(ratio);
@@ -142,47 +156,134 @@ Eigen::VectorXd along_directions(const Eigen::MatrixXd& J,
 
 namespace {
 
-/// The variables as sums of residuals, direction by direction:  u = -W felt' r.
+/// The variables as sums of psi, direction by direction:  u = -V scale felt' psi.
 struct Estimates {
   Eigen::MatrixXd V;      // n x n: directions
   Eigen::VectorXd scale;  // n: 1 / singular value
   Eigen::MatrixXd W;      // n x n: V scale
-  Eigen::MatrixXd felt;   // m x n, orthonormal columns; 0 for a direction without effect
+  Eigen::MatrixXd felt;   // m x n: X W, with orthonormal columns without a loss; 0 if flat
+  Eigen::MatrixXd bent;   // H W; 0 if flat
   std::vector<Eigen::Index> flat;
 
-  /// Returns the covariance of the coordinates along the directions.
-  Eigen::MatrixXd covariance_along(const ResidualNoise& noise) const {
-    const Eigen::MatrixXd colored = noise.colored(felt);
-    Eigen::MatrixXd K = colored.transpose() * colored;
-    for (const Eigen::Index k : flat) K(k, k) = 1.0;
-    return scale.asDiagonal() * K * scale.asDiagonal();
+  /// Returns the shift of the least S along each direction for these psi.
+  Eigen::MatrixXd answer(const Eigen::MatrixXd& psi) const {
+    return -(scale.asDiagonal() * (felt.transpose() * psi));
   }
-  /// Returns the shift of the least squares along each direction if the residuals change by r.
-  Eigen::MatrixXd answer(const Eigen::MatrixXd& r) const {
-    return -(scale.asDiagonal() * (felt.transpose() * r));
+  /// Returns the motion along each direction per motion of another variable with the column h of H.
+  Eigen::VectorXd following(const Eigen::VectorXd& h) const {
+    return -(scale.asDiagonal() * (bent.transpose() * h));
   }
 };
 
-Estimates estimates_of(const Eigen::MatrixXd& J) {
-  if (J.cols() == 0) return {};
-  const Spectrum s = spectrum(J);
+/// Takes the derivatives X before a loss, and rows H with H'H = A.
+Estimates estimates_of(const Eigen::MatrixXd& X, const Eigen::MatrixXd& H) {
+  if (X.cols() == 0) return {};
+  const Spectrum s = spectrum(H);
   const double least =
       std::max(kRoundingOfValues * s.values[0], std::numeric_limits<double>::min());
   const Eigen::VectorXd scale = s.values.cwiseMax(least).cwiseInverse();
-  Estimates estimates{s.directions, scale, s.directions * scale.asDiagonal(), {}, {}};
-  estimates.felt = J * estimates.W;
+  Estimates estimates{s.directions, scale, s.directions * scale.asDiagonal(), {}, {}, {}};
+  estimates.felt = X * estimates.W;
+  estimates.bent = H * estimates.W;
   for (Eigen::Index k = 0; k < s.values.size(); ++k) {
     if (s.values[k] > least) continue;
     estimates.felt.col(k).setZero();
+    estimates.bent.col(k).setZero();
     estimates.flat.push_back(k);
   }
   return estimates;
 }
 
+/// The noise as it moves the variables of a fit with or without robust losses.
+class MovingNoise {
+ public:
+  MovingNoise(const RobustRows& rows,
+              const ResidualNoise& noise,
+              const ConfidenceOptions& options,
+              const Confidence& c)
+      : rows_(rows), noise_(noise), sigma_(c.sigma), deviations_(rows.psi().size()) {
+    deviations_.setOnes();
+    if (!options.traits.deviations.empty()) deviations_ = to_vector(options.traits.deviations);
+    if (!rows.is_limited()) return;
+    spreads_ = rows.spreads(options.sigma, options.least_sigma);
+    if (c.is_colored && !options.sigma) {
+      const ResidualNoise white(rows.psi(), rows.X(), {.deviations = options.traits.deviations});
+      const double more = noise.sigma() / white.sigma();
+      spreads_.common *= more;
+      spreads_.own *= more;
+    }
+    common_ = weighted_rows(rows.X(), rows.common_weights());
+  }
+
+  /// Returns the covariance of the coordinates along the directions, of these variables.
+  Eigen::MatrixXd covariance(const Estimates& estimates, const std::vector<int>& variables) const {
+    Eigen::MatrixXd K = gram(estimates.felt, rows_.is_limited() ? &spreads_.own : nullptr);
+    if (rows_.is_limited()) {
+      const Eigen::MatrixXd X = rows_.X()(Eigen::all, variables);
+      const Estimates common = estimates_of(X, common_(Eigen::all, variables));
+      const Eigen::MatrixXd to_these =
+          estimates.scale.cwiseInverse().asDiagonal() * (estimates.V.transpose() * common.W);
+      take_larger(
+          to_these * gram(common.felt, &spreads_.common) * to_these.transpose(), estimates.flat, K);
+    }
+    for (const Eigen::Index k : estimates.flat)
+      K(k, k) = rows_.is_limited() ? sigma_ * sigma_ : 1.0;
+    const Eigen::MatrixXd scaled = estimates.scale.asDiagonal() * K * estimates.scale.asDiagonal();
+    return rows_.is_limited() ? scaled : Eigen::MatrixXd(sigma_ * sigma_ * scaled);
+  }
+
+  /// Returns the variance by which the noise moves  y' psi  over the curvature of S that goes
+  /// with it, without a loss in units of sigma^2. `common` is the curvature with the common psi'.
+  double share(const Eigen::VectorXd& y, double curvature, const Eigen::VectorXd& common) const {
+    if (!rows_.is_limited()) return noise_.colored(y).squaredNorm() / y.squaredNorm();
+    const double of_common = common.squaredNorm();
+    return std::max(gram(y, &spreads_.own)(0, 0) / curvature,
+                    gram(y, &spreads_.common)(0, 0) * curvature / (of_common * of_common));
+  }
+
+  /// Returns the deviation of every residual as it acts on the variables.
+  Eigen::VectorXd effective_deviations() const {
+    const Eigen::VectorXd shared = noise_.effective_deviations();
+    if (!rows_.is_limited()) return sigma_ * shared;
+    return shared.array() / deviations_.array() * spreads_.common.array() * rows_.slopes().array() /
+           rows_.common_weights().array().max(0.0);
+  }
+
+  /// Rows with the common psi'; those of the own ones without a loss.
+  const Eigen::MatrixXd& common() const { return rows_.is_limited() ? common_ : rows_.X(); }
+
+ private:
+  /// Returns Y' D R D Y; without D in units of sigma^2.
+  Eigen::MatrixXd gram(const Eigen::MatrixXd& Y, const Eigen::VectorXd* D) const {
+    const Eigen::MatrixXd colored =
+        D ? noise_.colored(D->cwiseQuotient(deviations_).asDiagonal() * Y) : noise_.colored(Y);
+    return colored.transpose() * colored;
+  }
+  /// Replaces K by the larger of both, without the flat directions.
+  static void take_larger(const Eigen::MatrixXd& other,
+                          const std::vector<Eigen::Index>& flat,
+                          Eigen::MatrixXd& K) {
+    std::vector<Eigen::Index> known;
+    for (Eigen::Index k = 0; k < K.rows(); ++k)
+      if (std::find(flat.begin(), flat.end(), k) == flat.end()) known.push_back(k);
+    const Eigen::MatrixXd both = larger(other(known, known), K(known, known));
+    K(known, known) = both;
+  }
+
+  const RobustRows& rows_;
+  const ResidualNoise& noise_;
+  double sigma_;
+  Eigen::VectorXd deviations_;
+  RobustRows::Spreads spreads_;
+  Eigen::MatrixXd common_;
+};
+
 FreeDirections free_directions(const Linearization& at,
+                               const Eigen::MatrixXd& H,
                                const std::vector<int>& free,
                                const Estimates& estimates,
-                               const ResidualNoise& noise,
+                               const MovingNoise& noise,
+                               const RobustRows& rows,
                                const Confidence& c) {
   const Eigen::Index n = at.u.size(), f = std::ssize(free);
   FreeDirections directions{Eigen::MatrixXd::Zero(n, f),
@@ -192,13 +293,33 @@ FreeDirections free_directions(const Linearization& at,
                             c.t};
   if (f == 0) return directions;
   directions.axes(free, Eigen::all) = estimates.V;
-  directions.covariance = c.sigma * c.sigma * estimates.covariance_along(noise);
-  directions.left = estimates.answer(at.r);
+  directions.covariance = noise.covariance(estimates, free);
+  directions.left = estimates.answer(rows.psi());
   for (Eigen::Index i = 0; i < n; ++i) {
     if (c.held[static_cast<size_t>(i)] != Bound::none)
-      directions.following.col(i) = estimates.answer(at.J.col(i));
+      directions.following.col(i) = estimates.following(H.col(i));
   }
   return directions;
+}
+
+/// Sets directions of all variables with their deviations.
+void take_directions(const Eigen::MatrixXd& H,
+                     const RobustRows& rows,
+                     const ResidualNoise& noise,
+                     const MovingNoise& moving,
+                     Confidence& c) {
+  const Spectrum all = spectrum(H);
+  c.singular_values = all.values;
+  c.directions = all.directions;
+  if (!rows.is_limited()) {
+    c.direction_deviations = along_directions(H, noise, c);
+    return;
+  }
+  std::vector<int> variables;
+  for (int i = 0; i < H.cols(); ++i) variables.push_back(i);
+  const Estimates estimates = estimates_of(rows.X(), H);
+  c.direction_deviations = moving.covariance(estimates, variables).diagonal().cwiseSqrt();
+  for (const Eigen::Index k : estimates.flat) c.direction_deviations[k] = kInfinity;
 }
 
 }  // namespace
@@ -208,44 +329,46 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   assert(at.r.size() > 0 && at.J.rows() == at.r.size() && at.J.cols() == n);
   Confidence c;
   const Eigen::VectorXd gradient = at.J.transpose() * at.r;
+  const RobustRows rows(at.r, at.J, options.traits);
+  const Eigen::MatrixXd H = rows.is_limited() ? weighted_rows(rows.X(), rows.own_weights()) : at.J;
   // The noise is estimated with all variables: residuals that a held variable could explain are not
   // noise.
   const double rounding = options.sigma ? kNoNoise * *options.sigma : options.least_noise;
-  const ResidualNoise noise(at.r, at.J, options.traits, rounding);
-  take_spread(noise, options, c);
-  c.held = held_variables(at, gradient, c.sigma);
+  const ResidualNoise noise(rows.psi(), rows.X(), options.traits, rounding);
+  take_spread(noise, options, rows, c);
+  c.held = held_variables(at.u, H, gradient, c.sigma);
   std::vector<int> free;
   for (int i = 0; i < n; ++i)
     if (c.held[static_cast<size_t>(i)] == Bound::none) free.push_back(i);
-  const Eigen::MatrixXd J_free = at.J(Eigen::all, free);
   const bool stated = options.sigma && c.excess == 1.0;
   const double p = 0.5 + 0.5 * options.level, nu = noise.freedom();
   c.t = numerics::student_t_quantile(p, stated || nu <= 0.0 ? kInfinity : nu);
-  c.noise = c.sigma * noise.effective_deviations();
-  const Spectrum all = spectrum(at.J);
-  c.singular_values = all.values;
-  c.directions = all.directions;
-  c.direction_deviations = along_directions(at.J, noise, c);
+  const MovingNoise moving(rows, noise, options, c);
+  c.noise = moving.effective_deviations();
+  take_directions(H, rows, noise, moving, c);
 
-  const Eigen::MatrixXd inverse = inverse_normal_matrix(J_free);
-  const Estimates estimates = estimates_of(J_free);
+  const Eigen::MatrixXd X_free = rows.X()(Eigen::all, free), H_free = H(Eigen::all, free),
+                        common_free = moving.common()(Eigen::all, free);
+  const Eigen::MatrixXd inverse = inverse_normal_matrix(H_free);
+  const Estimates estimates = estimates_of(X_free, H_free);
   Eigen::VectorXd left = -inverse * gradient(free);  // distance to the least S
-  if (!estimates.flat.empty())
-    left = estimates.V * estimates.answer(at.r);  // 0 there
-                                                  // directions
+  if (!estimates.flat.empty()) left = estimates.V * estimates.answer(rows.psi());  // 0 there
   c.left_to_gain = free.empty() ? 0.0 : std::max(0.0, -gradient(free).dot(left));
-  c.free = free_directions(at, free, estimates, noise, c);
+  c.free = free_directions(at, H, free, estimates, moving, rows, c);
   const Eigen::MatrixXd C = estimates.V * c.free.covariance * estimates.V.transpose();
-  /// Returns t^2 times the variance of y' r for a y of length 1: the rise of S at the ends of an
-  /// interval.
-  const auto threshold_of = [&](const Eigen::VectorXd& y) {
+  /// Returns t of the interval of a variable that is the sum y' psi.
+  const auto t_of = [&](const Eigen::VectorXd& y) {
     const double freedom = std::min(nu > 0.0 ? nu : kInfinity, noise.freedom_of(y, stated));
     const double t =
         c.is_colored ? numerics::student_t_quantile(p, stated ? noise.freedom_of(y, true) : freedom)
                      : c.t;
     c.free.t = std::max(c.free.t, t);
-    const double share = noise.colored(y).squaredNorm() / y.squaredNorm();
-    return std::isfinite(share) ? c.sigma * c.sigma * t * t * share : c.threshold();
+    return t;
+  };
+  /// Returns the rise of S at the ends of an interval: t^2 times a variance over a curvature.
+  const double unit = rows.is_limited() ? 1.0 : c.sigma * c.sigma;
+  const auto threshold_of = [&](double t, double share) {
+    return std::isfinite(share) ? unit * t * t * share : c.threshold();
   };
   c.covariance = Eigen::MatrixXd::Zero(n, n);
   c.correlation = Eigen::MatrixXd::Zero(n, n);
@@ -256,7 +379,9 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
       c.covariance(free[a], free[b]) = C(a, b);
       c.correlation(free[a], free[b]) = C(a, b) / std::sqrt(C(a, a) * C(b, b));
     }
-    c.thresholds[free[a]] = threshold_of(estimates.felt * estimates.W.row(a).transpose());
+    const Eigen::VectorXd y = estimates.felt * estimates.W.row(a).transpose();
+    c.thresholds[free[a]] =
+        threshold_of(t_of(y), rows.is_limited() ? C(a, a) / inverse(a, a) : moving.share(y, 0, y));
     double half = std::sqrt(c.thresholds[free[a]] * inverse(a, a)) + std::abs(left[a]);
     if (!std::isfinite(half)) half = kInfinity;
     half = std::max(half, kResolved);
@@ -264,8 +389,13 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   }
   for (int i = 0; i < n; ++i) {
     if (c.held[i] == Bound::none) continue;
-    const Eigen::VectorXd own = beside(J_free, at.J.col(i));
-    c.thresholds[i] = threshold_of(own);
+    const Eigen::VectorXd own = beside(H_free, H.col(i));
+    const Eigen::VectorXd y =
+        rows.is_limited() && !free.empty()
+            ? Eigen::VectorXd(rows.X().col(i) - X_free * represented(H_free, H.col(i)))
+            : beside(X_free, rows.X().col(i));
+    c.thresholds[i] = threshold_of(
+        t_of(y), moving.share(y, own.squaredNorm(), beside(common_free, moving.common().col(i))));
     const double inward = reach(std::abs(gradient[i]), own.squaredNorm(), c.thresholds[i]);
     c.intervals[i] = c.held[i] == Bound::lower ? Interval{-kInfinity, at.u[i] + inward}
                                                : Interval{at.u[i] - inward, kInfinity};
@@ -315,14 +445,18 @@ Confidence of_all_variables(Confidence part,
 
 Eigen::VectorXd shift_of(const Linearization& at,
                          const std::vector<Bound>& held,
-                         const Eigen::VectorXd& change) {
+                         const Eigen::VectorXd& change,
+                         const Eigen::VectorXd& felt_changes) {
   std::vector<int> free;
   for (int i = 0; i < at.u.size(); ++i)
     if (held[static_cast<size_t>(i)] == Bound::none) free.push_back(i);
   Eigen::VectorXd shift = Eigen::VectorXd::Zero(at.u.size());
   if (free.empty()) return shift;
-  const Estimates estimates = estimates_of(at.J(Eigen::all, free));
-  shift(free) = estimates.V * estimates.answer(change);
+  const Eigen::MatrixXd J = at.J(Eigen::all, free);
+  const bool all = felt_changes.size() == 0;
+  const Estimates estimates = estimates_of(J, all ? J : weighted_rows(J, felt_changes));
+  shift(free) = estimates.V *
+                estimates.answer(all ? change : Eigen::VectorXd(felt_changes.cwiseProduct(change)));
   return shift;
 }
 

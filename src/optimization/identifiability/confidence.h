@@ -30,8 +30,16 @@
 // either the model cannot reproduce the measurement or the search has ended early. The intervals
 // then use the observed spread, and `excess` is its ratio to the stated one.
 //
-// The result is exact for linear models and Gaussian noise; otherwise a profile (profile.h) is more
-// reliable. The interval is that of the least-squares fit of these residuals.
+// Residuals with a robust loss (robust_loss.h) have the covariance of M-estimation in the place of
+// C (robust_rows.h), with A in the place of J'J: the curvature of S is lower beyond the corner of a
+// loss, and a value there moves the fit no more than one at the corner. Thresholds are the rise of
+// S at the ends of these intervals, t^2 C_ii / (A^-1)_ii, so that profiles agree. The degrees of
+// freedom are m - n as without a loss. If the noise is stated, no `excess` is looked for: values
+// beyond the corner are counted and widen the intervals. If psi' is 1 for all values, everything is
+// as without a loss.
+//
+// The result is exact for linear models and Gaussian noise without a loss; otherwise a profile
+// (profile.h) is more reliable. The interval is that of the fit that minimizes S.
 #pragma once
 
 #include <Eigen/Core>
@@ -105,10 +113,12 @@ struct FreeDirections {
 };
 
 struct Confidence {
-  double sigma;             // deviation of a residual; NaN unless residuals outnumber variables
-  double t;                 // Student's quantile, two-sided, of independent residuals
-  std::vector<Bound> held;  // variables whose bound prevents a better fit
-  Eigen::VectorXd singular_values;  // descending, of all variables
+  /// Deviation of a residual, of its psi if losses limit residuals and no noise is stated; NaN
+  /// unless residuals outnumber variables.
+  double sigma;
+  double t;                         // Student's quantile, two-sided, of independent residuals
+  std::vector<Bound> held;          // variables whose bound prevents a better fit
+  Eigen::VectorXd singular_values;  // descending, of all variables: of J, or of the root of A
   Eigen::MatrixXd directions;       // each column a direction of the unit cube
   Eigen::MatrixXd covariance;       // 0 in rows and columns of held variables
   Eigen::MatrixXd correlation;      // 0 in rows and columns of held variables, too
@@ -123,9 +133,14 @@ struct Confidence {
   Eigen::VectorXd noise;
   /// Ratio of the residuals' spread to the stated one if chance cannot explain it; 1 otherwise.
   double excess = 1.0;
-  bool is_colored = false;    // neighbors share noise
-  double left_to_gain = 0.0;  // S - least S, as J predicts inside the bounds of held variables
-  FreeDirections free;        // directions of the variables that no bound holds
+  bool is_colored = false;       // neighbors share noise
+  double left_to_gain = 0.0;     // S - least S, as J predicts inside the bounds of held variables
+  int with_loss = 0;             // number of residuals with a robust loss
+  int beyond = 0;                // number of these beyond the corner of their loss
+  double expected_beyond = 0.0;  // share of these that stated Gaussian noise leaves there
+  /// Share of a change of each residual that moves the least S; empty if all of it does.
+  Eigen::VectorXd felt_changes;
+  FreeDirections free;  // directions of the variables that no bound holds
 
   /// Returns s^2 t^2, the threshold for independent residuals.
   double threshold() const { return sigma * sigma * t * t; }
@@ -150,9 +165,11 @@ Confidence of_all_variables(Confidence part,
 /// Returns the shift of the least sum of squares if all residuals change by `change`, -(J'J)^-1 J'
 /// change in the variables that are not held. A model that computes differently changes its values
 /// by this shift. It is 0 in held variables and along directions that no residual depends on.
+/// `felt_changes` are those of the confidence; with them J'J and J' contain them as weights.
 Eigen::VectorXd shift_of(const Linearization& at,
                          const std::vector<Bound>& held,
-                         const Eigen::VectorXd& change);
+                         const Eigen::VectorXd& change,
+                         const Eigen::VectorXd& felt_changes = {});
 
 /// Returns the points from which J is computed by differences: the center, then one step in each
 /// variable of the unit cube, inward, and inside the linear constraints if one of the two sides is.

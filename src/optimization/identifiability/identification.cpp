@@ -7,6 +7,7 @@
 #include <memory>
 #include <numeric>
 
+#include "optimization/identifiability/robust_rows.h"
 #include "optimization/problem/point_vector.h"
 
 namespace latsch {
@@ -173,9 +174,11 @@ Status Identification::center_observed(const std::vector<Result<Evaluated>>& eva
 /// held.
 double Identification::felt() const {
   constexpr double kAsAtTheEnds = 2.0;  // standard deviations
-  const Eigen::VectorXd x = r_->cwiseQuotient(scale_);
-  const double freedom = static_cast<double>(x.size()) - static_cast<double>(free_.size());
   if (options_.confidence.sigma) return kAsAtTheEnds * *options_.confidence.sigma;
+  // A value far off moves the ends by no more than its psi.
+  const RobustRows rows(*r_, Eigen::MatrixXd(r_->size(), 0), options_.confidence.traits);
+  const Eigen::VectorXd x = rows.psi().cwiseQuotient(scale_);
+  const double freedom = static_cast<double>(x.size()) - static_cast<double>(free_.size());
   return freedom > 0.0 ? kAsAtTheEnds * x.norm() / std::sqrt(freedom) : 0.0;
 }
 

@@ -89,6 +89,7 @@ ResidualTraits ResidualTraits::of(const std::vector<Eigen::Index>& rows) const {
   for (const Eigen::Index row : rows) {
     if (!deviations.empty()) some.deviations.push_back(deviations[static_cast<size_t>(row)]);
     if (!curves.empty()) some.curves.push_back(curves[static_cast<size_t>(row)]);
+    if (!losses.empty()) some.losses.push_back(losses[static_cast<size_t>(row)]);
   }
   return some;
 }

@@ -24,14 +24,16 @@
 #include <vector>
 
 #include "numerics/signals/autoregression.h"
+#include "optimization/identifiability/robust_loss.h"
 
 namespace latsch {
 
-/// Deviation of every residual in units of sigma, and the curve it is a sample of, with neighbors
-/// side by side. Empty: all deviations are 1 and all residuals independent.
+/// Deviation of every residual in units of sigma, the curve it is a sample of, with neighbors side
+/// by side, and its loss. Empty: all deviations are 1, all residuals independent, no loss.
 struct ResidualTraits {
   std::vector<double> deviations = {};
-  std::vector<int> curves = {};  // < 0: independent
+  std::vector<int> curves = {};         // < 0: independent
+  std::vector<RobustLoss> losses = {};  // scales in the unit of the residuals
 
   /// Returns the traits of some of the residuals.
   ResidualTraits of(const std::vector<Eigen::Index>& rows) const;

@@ -8,6 +8,9 @@
 // stationary tire carries the load. Free wheel and axle are solved with the tire's step
 // (free_wheel.h).
 //
+// The wheel rolls freely for `run_in`, and farther until its longitudinal force varies no more than
+// the tire itself makes it vary; the channel "time" does not count the way beyond.
+//
 // Channels: "time", "alpha" (rad, angle from the wheel's heading to its velocity, tan α = v_y/v_x
 // in C with the sign of NOTATION.md's axes), "kappa" (ω R_e/V - 1, R_e from free rolling before the
 // sweep), "Fx" .. "Mz" in the frame of the sweep (hub_frame.h), "loaded_radius" (m, from the wheel
@@ -33,9 +36,12 @@ struct SlipSweep {
   double camber = 0.0;                             // rad
   double alpha_from = 0.0, alpha_to = 0.0;         // rad
   double kappa_from = 0.0, kappa_to = 0.0;
-  double run_in = 0.3;      // s, of free rolling, then of the transition to the first slip
-  double duration = 1.0;    // s, duration of the sweep
-  double step = 5e-4;       // s
+  double run_in = 0.3;    // s, at least, of free rolling, then of the transition to the first slip
+  double duration = 1.0;  // s, duration of the sweep
+  double step = 5e-4;     // s
+  // Forces that have to be steady at the end: the last slip is held until their means over a turn
+  // change by 0.05 % at most. Empty: the sweep ends after its duration.
+  std::vector<std::string> steady = {};
   Inflation pressure = {};  // pressure of the tire; the tire's own if not given
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "experiment/language.h"
+#include "experiment/language/capabilities.h"
 #include "models/ring_tire/description/ring_reader.h"
 #include "models/ring_tire/ring/ring_tire.h"
 
@@ -40,6 +42,20 @@ TEST(SlipSweep, SideForceGrowsWithTheAngleAndEndsAtFriction) {
   EXPECT_GT(-Fy[last] / Fz[last], 0.8);
   EXPECT_LT(-Fy[last] / Fz[last], 1.4);
   EXPECT_GT((*channels)["Mz"][at(0.02)], 0.0);
+}
+
+// The free wheel of a tire with long relaxation swings beyond the run-in; slips count from the
+// speed at which it comes to rest, so a steered wheel does not brake.
+TEST(SlipSweep, TheWheelRollsFreelyBeforeTheSweep) {
+  const SpecimenKind& kind = *language().find_kind("magic_formula");
+  const auto specimen = kind.build(kind.read(std::filesystem::path(LATSCH_SOURCE_DIR) /
+                                             "studies/tire_model_comparison/magic_formula.tir"));
+  const auto tire = specimen->find<Rolls>()->tire();
+  const SlipSweep sweep{.speed = 60.0 / 3.6, .alpha_from = -2e-3, .alpha_to = 2e-3};
+  const auto channels = run(*tire, sweep);
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  for (const double Fx : (*channels)["Fx"]) EXPECT_NEAR(Fx, 0.0, 1.0);
+  EXPECT_NEAR((*channels)["time"].front(), 1.5 * sweep.run_in + sweep.step, 1e-9);
 }
 
 TEST(SlipSweep, BrakingForceEndsAtFriction) {

@@ -11,8 +11,8 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kFree = 2.0,
-                 kSettled = 2.0;  // m; distance rolled freely and then with the slip before the
-                                  // force is averaged
+                 kSettled = 2.0;  // m, at least: distance rolled freely and then with the slip
+                                  // before the force is averaged
 
 struct Steady {
   double Fx, Fy, Mz;  // W, means over a turn of the wheel
@@ -51,7 +51,7 @@ Result<Steady> odd_part(Tire& tire, const RollingStiffnessTest& test, const Swee
 Result<double> slip_stiffness(Tire& tire, const RollingStiffnessTest& test) {
   const auto found = odd_part(tire, test, [&](double sign) {
     const double kappa = sign * test.slip;
-    return SlipSweep{.kappa_from = kappa, .kappa_to = kappa};
+    return SlipSweep{.kappa_from = kappa, .kappa_to = kappa, .steady = {"Fx"}};
   });
   if (!found) return found.failure();
   return found->Fx / test.slip;
@@ -60,7 +60,7 @@ Result<double> slip_stiffness(Tire& tire, const RollingStiffnessTest& test) {
 Result<Cornering> cornering(Tire& tire, const RollingStiffnessTest& test) {
   const auto found = odd_part(tire, test, [&](double sign) {
     const double alpha = sign * test.angle;
-    return SlipSweep{.alpha_from = alpha, .alpha_to = alpha};
+    return SlipSweep{.alpha_from = alpha, .alpha_to = alpha, .steady = {"Fy", "Mz"}};
   });
   if (!found) return found.failure();
   if (found->Fy == 0.0)
@@ -71,8 +71,9 @@ Result<Cornering> cornering(Tire& tire, const RollingStiffnessTest& test) {
 }
 
 Result<double> camber_stiffness(Tire& tire, const RollingStiffnessTest& test) {
-  const auto found =
-      odd_part(tire, test, [&](double sign) { return SlipSweep{.camber = sign * test.camber}; });
+  const auto found = odd_part(tire, test, [&](double sign) {
+    return SlipSweep{.camber = sign * test.camber, .steady = {"Fy"}};
+  });
   if (!found) return found.failure();
   return 0.0 - found->Fy / test.camber;
 }

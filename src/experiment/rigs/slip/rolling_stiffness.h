@@ -3,7 +3,8 @@
 // free rolling. For any tire.
 //
 // On the flat track (flat_track.h), its axle following the load, the wheel rolls with the value and
-// with its opposite until both are steady; forces are means over a turn of the wheel:
+// with its opposite until both are steady (steady_rolling.h); forces are means over a turn of the
+// wheel:
 //
 //   slip stiffness        C_κ = (Fx(κ) - Fx(-κ))/2κ
 //   cornering stiffness   C_α = -(Fy(α) - Fy(-α))/2α

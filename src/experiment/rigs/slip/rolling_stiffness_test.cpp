@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/slip/rolling_stiffness.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,6 +43,25 @@ TEST(RollingStiffness, OfAMagicFormulaIsThatOfItsCoefficients) {
   const auto leaning = camber_stiffness(*tire, test);
   ASSERT_TRUE(leaning) << leaning.failure().reason;
   EXPECT_NEAR(*leaning, 0.8 * 4000.0, 1e-4 * 3200.0);
+}
+
+// The slopes are those of the coefficients however long the relaxation lengths are: K/c is 0.7 to
+// 4 m here.
+TEST(RollingStiffness, DoesNotDependOnTheRelaxationLength) {
+  for (const double stiffness : {1e5, 4e4, 2.2e4}) {
+    const auto tire = tire_of(sparse_tir(std::string(kLongitudinalForce) + kSideForce +
+                                         fmt::format("[STRUCTURAL]\nLONGITUDINAL_STIFFNESS = {0}\n"
+                                                     "LATERAL_STIFFNESS = {0}\n",
+                                                     stiffness)));
+    const RollingStiffnessTest test{.load = 4000.0, .slip = 1e-4, .angle = 3e-4};
+    const auto slip = slip_stiffness(*tire, test);
+    ASSERT_TRUE(slip) << slip.failure().reason;
+    EXPECT_NEAR(*slip, 22.0 * 4000.0, 1e-3 * 88e3) << stiffness;
+    const auto steered = cornering(*tire, test);
+    ASSERT_TRUE(steered) << steered.failure().reason;
+    const double K = 18.0 * 4000.0 * std::sin(2.0 * std::atan(1.0 / 1.8));
+    EXPECT_NEAR(steered->stiffness, K, 1e-3 * K) << stiffness;
+  }
 }
 
 // A stiff carcass on a tread that sticks is the brush model [Pacejka 2012, 3.2.1]: the slope is the

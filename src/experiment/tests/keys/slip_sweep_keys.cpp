@@ -29,7 +29,10 @@ steered or braked.
                "Slip angles from and to which the wheel is steered; the test states `alpha` or "
                "`kappa`."},
               {"kappa", "Slips from and to which the wheel is braked or driven."},
-              {"run_in", "Time of rolling before the sweep."},
+              {"run_in",
+               "Time of free rolling before the sweep, at least: the wheel rolls on until its "
+               "force is "
+               "steady."},
               {"duration", "Duration of the sweep."},
               {"step", "Step of the simulation; it moves the tire by 20 mm at most."},
               {"sample_step", "Step of the record, a multiple of `step`.", "`step`"},

@@ -18,7 +18,7 @@ constexpr double kOneTurn = 2.0 * std::numbers::pi;
 // The ring of tire models' ring table: m, N m^2, N/m, N/m^2.
 constexpr double kR = 0.30, kEI = 2.0, kPressure = 36e3, kRadial = 0.7e6, kTangential = 0.25e6;
 constexpr double kForce = 100.0;  // N
-constexpr double kShare = 0.2;    // of the unrelaxed moduli that relaxes
+constexpr double kShare = 0.2;    // part of the unrelaxed moduli that relaxes
 
 /// Solved ring: moment and deflection at the force.
 struct TurningRing {

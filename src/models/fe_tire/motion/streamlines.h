@@ -16,7 +16,7 @@
 // computed as h = beta S + g, for which (H.3) reads
 //   g_{k+1} = e^(-z_k) g_k - beta a_k [phi_1 S_k + phi_2 Delta S].
 // All terms of its closure are ratios of the same order as 1 - b, so it holds without loss of
-// digits from Omega -> 0, where h is beta i omega tau/(1 + i omega tau) S (relaxed, 0, at omega = 0)
+// digits from Omega -> 0, where h is beta i omega tau/(1 + i omega tau) S (relaxed at omega = 0),
 // to Omega -> infinity, where h = beta (S - mean of S) at omega = 0.
 //
 // S must be in axes that turn with the sectors; stress in axes of the wheel would turn every sector

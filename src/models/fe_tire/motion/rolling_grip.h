@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Friction of a surface that rolls over rigid ground, in the frame that travels with the wheel.
+//
+// Points of the surface lie on lines around. Along each, in the order of flow from the leading
+// edge, the traction starts with t = 0 where the line comes down, and
+//   t'_k = t_{k-1} - epsilon_t [(x_k - x_{k-1}) - V_g Delta t_k],
+//   t_k = t'_k if |t'_k| <= mu p_k, else mu p_k t'_k/|t'_k|                                   (F.1)
+// t is the traction on the surface, x the position along the ground, V_g the ground's velocity in
+// this frame. This is the steady limit of penalty contact in time, (C.2) and (C.3) of contact.h, for
+// any step. A point that comes down between two places is anchored where it touched: its step counts
+// by the share that lies in contact, as (C.4). Nothing depends on a threshold of velocity, and a
+// steady state does not depend on the path to it. A point slides over the ground with
+//   w = [(x_k - x_{k-1}) - V_g Delta t_k + (t_k - t_{k-1})/epsilon_t]/Delta t_k.
+//
+// The penalty epsilon_t acts in series with the surface's own shear. It has to be some hundred
+// times the surface's shear stiffness per length; there is no other limit, as rolling_contact.h
+// solves (F.1) by an active set. [Kalker, Wear 113 (1986) 61-77; Carter 1926]
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace latsch::fe_tire {
+
+/// Coefficient of friction mu = mu_0 (p/p_0)^(-a) [mu_s + (mu_m - mu_s) exp(-log^2(|w|/w_m)/c^2)]/
+/// mu_s, where mu_0 holds at p_0 and at low speed.
+struct RollingFriction {
+  double at_rest = 1.0;       // mu_0
+  double p_0 = 0.0, a = 0.0;  // Pa; exponent of the pressure, 0: none
+  double peak = 0.0;          // mu_m/mu_s; 0: no dependence on the sliding speed
+  double peak_speed = 1.0;    // m/s, w_m
+  double width = 1.0;         // c, natural logarithm of the speed
+  /// Returns mu at the pressure p, Pa, and the sliding speed w, m/s.
+  double at(double p, double w) const;
+  /// Returns d(mu p)/dp.
+  double limit_slope(double p, double w) const;
+};
+
+enum class Grip : std::uint8_t { none, sticks, slides };
+
+/// The points, line after line, each in the order of flow.
+struct RollingLines {
+  /// Points of each line, [first, last).
+  struct Line {
+    int first, last;
+  };
+  std::vector<Line> lines;
+  Eigen::VectorXd time;  // s, Delta t from the point before; unused at the first point of a line
+  int points() const { return static_cast<int>(time.size()); }
+};
+
+/// Where the points are, and how hard they press.
+struct RollingInput {
+  Eigen::Matrix2Xd x;     // m, along the ground
+  Eigen::VectorXd p;      // Pa; 0: not in contact
+  Eigen::VectorXd share;  // of the step to a point that lies in contact, 0 to 1; used where a line
+                          // comes down
+  Eigen::Matrix2Xd V_g;   // m/s
+};
+
+/// State of the points between iterations.
+struct GripState {
+  std::vector<Grip> grip;
+  Eigen::Matrix2Xd direction;  // unit vectors of the tractions of sliding points
+  Eigen::VectorXd speed;       // m/s, |w| that enters mu
+  explicit GripState(int points)
+      : grip(points, Grip::sticks),
+        direction(Eigen::Matrix2Xd::Zero(2, points)),
+        speed(Eigen::VectorXd::Zero(points)) {}
+};
+
+/// Tractions by (F.1) for given states of the points.
+struct GripTractions {
+  Eigen::Matrix2Xd t;      // Pa
+  Eigen::Matrix2Xd trial;  // t' of (F.1), Pa
+  Eigen::VectorXd limit;   // mu p, Pa
+  Eigen::Matrix2Xd w;      // m/s; 0 of points that stick
+  /// Derivative of t of each line's points [2 m] with respect to x, p and share of its points
+  /// [4 m], (x, y, p, share) each; empty if not asked for.
+  std::vector<Eigen::MatrixXd> by;
+};
+
+class RollingGrip {
+ public:
+  /// `stiffness`: epsilon_t, Pa/m.
+  RollingGrip(RollingLines lines, RollingFriction friction, double stiffness);
+
+  const RollingLines& lines() const { return lines_; }
+  double stiffness() const { return stiffness_; }
+  const RollingFriction& friction() const { return friction_; }
+
+  /// How directions of sliding points are found: kept, or those of t'.
+  enum class Directions { kept, of_trial };
+  /// Returns the tractions if points are in these states. Points without pressure have none, and
+  /// states do not matter for them.
+  GripTractions tractions(const RollingInput& input,
+                          const GripState& state,
+                          Directions directions,
+                          bool with_derivatives) const;
+  /// Returns the tractions of (F.1), point by point from the leading edge: solves for a surface
+  /// whose positions are known. `state` supplies the sliding speeds in mu and receives the states.
+  GripTractions explicit_tractions(const RollingInput& input, GripState& state) const;
+
+ private:
+  struct Step;
+  Step step_to(const RollingInput& input, const RollingLines::Line& line, int k) const;
+  void find_slip(const RollingInput& input, const GripState& state, GripTractions& found) const;
+
+  RollingLines lines_;
+  RollingFriction friction_;
+  double stiffness_;
+};
+
+}  // namespace latsch::fe_tire
