@@ -25,9 +25,8 @@ const std::vector<ListedMode>& gyro_ring_modes();
 /// The ring on elements of full integration.
 fe_tire::FeTire gyro_ring(int sectors = 36);
 
-/// Returns the lowest frequencies, Hz, of K - Omega^2 W + i omega Omega G - omega^2 M (W.1) of one n
-/// and sign (1: with the spin) about the state. `kind`: that of the
-/// tire's elements.
+/// Returns the lowest frequencies, Hz, of K - Omega^2 W + i omega Omega G - omega^2 M (W.1) of one
+/// n and sign (1: with the spin) about the state. `kind`: that of the tire's elements.
 std::vector<double> frequencies_by_flow(const fe_tire::FeTire& tire,
                                         fe_tire::ElementKind kind,
                                         const fe_tire::Inflated& state,
@@ -36,8 +35,8 @@ std::vector<double> frequencies_by_flow(const fe_tire::FeTire& tire,
 
 /// Largest relative errors of the listed results.
 struct GyroRingErrors {
-  double calculix = 0.0, independent = 0.0, hub = 0.0;  // of the 24 modes
-  double by_flow = 0.0;                                 // of six frequencies by (W.1)
+  double calculix = 0.0, independent = 0.0, hub = 0.0;  // worst of the 24 modes
+  double by_flow = 0.0;                                 // worst of six frequencies by (W.1)
   double growth = 0.0;
   double standing_wave = 0.0;  // on 36 sectors
 };
