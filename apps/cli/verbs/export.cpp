@@ -173,6 +173,11 @@ std::string model_text(const std::string& file,
   const auto model =
       correlation::fitted_model(study, {version_number(), export_date(calendar_of_system())});
   say("{} at {}\n", study.title, model.is_fitted ? "its best point" : "its initial values");
+  if (!model.search_has_ended)
+    warn(
+        "no search of this study has ended: the numbers are those of its best trial so far, which "
+        "need not be at a minimum; run latsch run " +
+        file + " first");
   const std::string text = correlation::text_of(study, model);
   warn_of_lost_keys(study.model_file, text);
   return text;

@@ -56,6 +56,13 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
     return assumed_stiffness_of(parameters_, direction);
   }
   std::optional<double> section_height() const override { return section_height_of(parameters_); }
+  std::vector<std::string> limits_on(const Cleat&) const override {
+    return {
+        "a Magic Formula touches the road at one point: it stands on a cleat as on flat ground, "
+        "and "
+        "its forces leap where the point steps onto the cleat and off it; a rigid or flexible ring "
+        "feels the cleat's length"};
+  }
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }

@@ -265,6 +265,14 @@ TEST(KnownLimits, TravelAndTwistOfAStiffnessAreSmall) {
               "\"slip\" twice");
 }
 
+TEST(KnownLimits, AMagicFormulaDoesNotFeelACleat) {
+  const char* test =
+      "kind = \"static_stiffness\", deflections = [\"20 mm\"], "
+      "cleat = {height = \"10 mm\", length = \"20 mm\"}";
+  EXPECT_TRUE(told_by("magic_formula", test).says("touches the road at one point"));
+  EXPECT_FALSE(told_by("rigid_ring", test).says("touches the road at one point"));
+}
+
 TEST(KnownLimits, ATirDoesNotTellConicityFromPlySteer) {
   for (const char* kind : {"magic_formula", "rigid_ring"}) {
     const char* test = "kind = \"uniformity\", load = \"4 kN\"";
