@@ -136,7 +136,7 @@ void examine_turn_slip(const Parameters& p, const AboutParameter& note) {
     note("QDZ10",
          fmt::format("QDZ10 is {:.4g}: without camber at FNOMIN the tire has no stiffness against "
                      "spin, by which the equations of turn slip divide (4.100): with turn_slip = "
-                     "\"on\" Mz has no value there",
+                     "\"on\" the residual torque there does not fall with the slip angle",
                      p.QDZ10));
   }
   if (p.PHYP2 == 0.0 && p.PHYP3 == 0.0)
