@@ -110,7 +110,8 @@ TEST(KnownLimits, StepsOffTheRoadAreCountedAndTheirForceIsSaid) {
     twice.see(0.01 * i, 0.01, is_off ? 0.0 : 100.0, is_off ? 0.0 : 100.0);
   }
   EXPECT_EQ(never.sentence(), "");
-  expect_part(twice.sentence(), "2 times between 0.02 and 0.08 s, for 30 ms in all; Fz there is 0,");
+  expect_part(twice.sentence(),
+              "2 times between 0.02 and 0.08 s, for 30 ms in all; Fz there is 0,");
 }
 
 TEST(KnownLimits, StatesWithoutLoadAreCounted) {
@@ -129,7 +130,8 @@ TEST(KnownLimits, AWheelBelowVxlowSaysWhatIsAssumedForIt) {
       "duration = \"10 s\", alpha = [\"0 deg\", \"4 deg\"]";
   EXPECT_TRUE(told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0"})
                   .says("DAMP_VLOW is 0 or missing"));
-  EXPECT_FALSE(told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0.001"}).says("DAMP_VLOW"));
+  EXPECT_FALSE(
+      told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0.001"}).says("DAMP_VLOW"));
   EXPECT_FALSE(told_by("magic_formula", kSweep, {"DAMP_VLOW = 0"}).says("DAMP_VLOW"));
 }
 

@@ -148,8 +148,8 @@ class TirDoors(unittest.TestCase):
             limits = self.answer(verb, "study.toml")["result"]["limits"]
             self.assertEqual([left in one for one in limits], [True], limits)
         page = html.unescape((self.folder / "study.html").read_text())
-        self.assertIn("Warning: " + left, page)
-        self.assertRegex(page, r'"limits":\{"limits":\["test rolled: Fz is 4000 N')  # what its live view shows
+        self.assertTrue("Warning: " + left in page)
+        self.assertTrue('"limits":["' + left in page, "the answers of its live view")
 
     def test_compare_says_which_ranges_its_tires_leave(self):
         self.tire("FZMAX = 3000")
