@@ -8,7 +8,7 @@
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "experiment/language.h"
-#include "experiment/rigs/lift_watch.h"
+#include "experiment/rigs/slip/lift_watch.h"
 
 namespace latsch::experiment {
 namespace {
@@ -238,7 +238,8 @@ TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {
   for (const std::string& keys : {kRolling, kSweep, kDrum})
     for (const char* kind : {"magic_formula", "rigid_ring"})
       for (const std::string& note : told_by(kind, keys, {"FZMIN = 100", "FZMAX = 12000"}).notes)
-        expect_part(note, "a Magic Formula touches the road at one point");  // of the cleat alone
+        expect_part(note,
+                    "a Magic Formula touches the road at one point");  // the word about the cleat
 }
 
 TEST(KnownLimits, APressureWithoutEffectIsTold) {

@@ -125,7 +125,7 @@ void examine_inertias(const Parameters& p, const AboutParameter& note) {
 /// asks for turn slip.
 void examine_turn_slip(const Parameters& p, const AboutParameter& note) {
   if (p.QDRP1 == 0.0 || p.PHYP1 == 0.0 || p.QCRP1 == 0.0) return;
-  constexpr double kLeast = 1e-9;  // as in Parameters::missing_of_turn_slip()
+  constexpr double kLeast = 1e-9;  // equals that of Parameters::missing_of_turn_slip()
   if (const std::string_view missing = p.missing_of_turn_slip(); !missing.empty()) {
     note(missing,
          fmt::format("{} is {:.4g}: the equations of turn slip divide by it, so that tests without "
