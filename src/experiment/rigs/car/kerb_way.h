@@ -17,7 +17,7 @@ namespace latsch::experiment {
 /// Widths of a car's tires, m, each to either side of the wheel's middle.
 struct TreadWidth {
   double felt = 0.0;   // over which the tire's model feels the road; 0: one line
-  double tread = 0.1;  // of a real tread
+  double tread = 0.1;  // half of a real tread
 };
 
 /// A place at which a tread would stand on something that the tire's model does not feel.
