@@ -128,7 +128,7 @@ TEST(RobustRows, ProfilesEndWhereTheIntervalsDo) {
       }
       identification.observe(outcomes);
     }
-    ASSERT_TRUE(identification.status());
+    ASSERT_TRUE(identification.status().ok());
     const Confidence& c = identification.confidence();
     EXPECT_GE(c.beyond, 3);
     EXPECT_EQ(c.with_loss, RobustLine::kValues);
