@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -18,6 +17,7 @@
 
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
+#include "command.h"
 #include "correlation/analysis/beyond_data.h"
 #include "correlation/search/own_stages.h"
 #include "correlation/search/stage_runs.h"
@@ -40,7 +40,7 @@ constexpr double kMostMz = 0.0754;  // share of the peak at the predicted pressu
 constexpr const char* kChannels[] = {"Fy", "Mz", "Mx"};
 
 void write_study(const fs::path& folder) {
-  const std::string command = fmt::format(
+  (void)benchmarks::run_command(fmt::format(
       "{} new {} --magic-formula {} --axes iso --column 'time = t_s [s]' --column 'Vx = V_kph "
       "[km/h]' --column 'alpha = SA_deg [deg]' --column 'gamma = IA_deg [deg]' --column 'p = P_kPa "
       "[kPa]' --column 'loaded_radius = RL_cm [cm]' --column 'Fz = FZ_N_positive [N]' --column 'Fy "
@@ -48,8 +48,7 @@ void write_study(const fs::path& folder) {
       "+- 7 kPa' --quiet",
       (fs::read_symlink("/proc/self/exe").parent_path() / "latsch").string(),
       folder.string(),
-      kRecord);
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("latsch new failed");
+      kRecord));
 }
 
 /// Adds to the study an experiment for each channel that compares a single pressure.

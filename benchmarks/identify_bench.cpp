@@ -18,6 +18,7 @@
 
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
+#include "command.h"
 #include "correlation/analysis/refit_trials.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/trial/encoding.h"
@@ -60,16 +61,10 @@ struct Done {
 
 Done done(const std::string& verb, const fs::path& folder, int workers) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::string command = fmt::format("{} {} {} --workers {} --json > {} 2> {}",
-                                          program(),
-                                          verb,
-                                          (folder / "study.toml").string(),
-                                          workers,
-                                          (folder / "answer.json").string(),
-                                          (folder / "progress").string());
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("fails: " + command);
-  return {nlohmann::json::parse(read_text_file(folder / "answer.json")),
-          read_text_file(folder / "progress"),
+  const Printed printed = run_command(fmt::format(
+      "{} {} {} --workers {} --json", program(), verb, (folder / "study.toml").string(), workers));
+  return {nlohmann::json::parse(printed.output),
+          printed.errors,
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
 }
 

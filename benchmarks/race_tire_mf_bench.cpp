@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <regex>
 
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
+#include "command.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/observable/curve.h"
 #include "correlation/search/stage_runs.h"
@@ -33,7 +33,7 @@ constexpr const char* kRun =
 
 /// Returns the study as the program writes it for the run.
 std::string written_study(const fs::path& folder) {
-  const std::string command = fmt::format(
+  (void)benchmarks::run_command(fmt::format(
       "{} new {} --magic-formula {} --axes {} --column 'time = t_s [s]' --column 'Vx = V_kph "
       "[km/h]' "
       "--column 'alpha = SA_deg [deg]' --column 'gamma = IA_deg [deg]' --column 'p = P_kPa [kPa]' "
@@ -42,8 +42,7 @@ std::string written_study(const fs::path& folder) {
       (fs::read_symlink("/proc/self/exe").parent_path() / "latsch").string(),
       folder.string(),
       kRun,
-      "iso");
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("latsch new failed");
+      "iso"));
   return read_text_file(folder / "study.toml");
 }
 

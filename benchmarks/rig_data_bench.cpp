@@ -17,6 +17,7 @@
 
 #include "base/file.h"
 #include "base/random.h"
+#include "command.h"
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_report.h"
 #include "correlation/rig_data/rig_tables.h"
@@ -93,8 +94,8 @@ void compare_with_scipy(Table& table) {
   write(scratch.path / "x", x);
   write(scratch.path / "y", y);
   std::ofstream(scratch.path / "oracle.py") << kScript;
-  const auto command = fmt::format("cd '{}' && /usr/bin/python3 oracle.py", scratch.path.string());
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("SciPy did not run");
+  (void)benchmarks::run_command(
+      fmt::format("cd '{}' && /usr/bin/python3 oracle.py", scratch.path.string()));
   const auto row = [&](const char* name, const char* what, const std::vector<double>& ours) {
     const double d = difference(scratch.path / name, ours);
     table.row(what, fmt::format("{:.1e}", d), "<= 1e-12 relative", d <= 1e-12);

@@ -7,15 +7,14 @@
 // each; the watched study has an outside program that sleeps.
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
+#include "command.h"
 #include "killed_study.h"
 #include "table.h"
 #include "web/web_assets.h"
@@ -69,24 +68,20 @@ workers = 2
 }
 
 void evaluate_grid(const fs::path& study, int levels) {
-  const std::string command = fmt::format(
-      "'{}' doe '{}' --levels {} > /dev/null 2>&1", program().string(), study.string(), levels);
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+  (void)run_command(
+      fmt::format("'{}' doe '{}' --levels {}", program().string(), study.string(), levels));
 }
 
 /// Returns the figures that the browser's script prints, by name.
 std::map<std::string, double> figures(const fs::path& folder, const Options& options) {
   const fs::path page = program().parent_path().parent_path() / "apps/web/page";
-  const fs::path printed = folder / "figures.txt";
-  const std::string command = fmt::format("cd '{}' && node tests/bench.mjs '{}' '{}' {} > '{}'",
-                                          page.string(),
-                                          program().string(),
-                                          folder.string(),
-                                          options.size("", "--smoke"),
-                                          printed.string());
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+  std::istringstream in(run_command(fmt::format("cd '{}' && node tests/bench.mjs '{}' '{}' {}",
+                                                page.string(),
+                                                program().string(),
+                                                folder.string(),
+                                                options.size("", "--smoke")))
+                            .output);
   std::map<std::string, double> found;
-  std::ifstream in(printed);
   std::string name;
   for (double value = 0.0; in >> name >> value;) found[name] = value;
   return found;

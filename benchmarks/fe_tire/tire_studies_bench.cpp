@@ -31,6 +31,7 @@
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "coarse_mesh.h"
+#include "command.h"
 #include "fit_study.h"
 #include "numerics/student_t.h"
 #include "table.h"
@@ -140,15 +141,9 @@ class Studies {
   Json ask(const std::string& verb,
            const std::string& study,
            const std::string& arguments = {}) const {
-    const fs::path answer = at("answer.json");
-    const std::string command = fmt::format("'{}' {} '{}' {} --json --quiet > '{}'",
-                                            program().string(),
-                                            verb,
-                                            at(study).string(),
-                                            arguments,
-                                            answer.string());
-    if (std::system(command.c_str()) != 0) throw std::runtime_error(command + " failed");
-    return Json::parse(read_text_file(answer)).at("result");
+    const Printed printed = run_command(fmt::format(
+        "'{}' {} '{}' {} --json --quiet", program().string(), verb, at(study).string(), arguments));
+    return Json::parse(printed.output).at("result");
   }
 
  private:

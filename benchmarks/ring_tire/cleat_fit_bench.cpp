@@ -40,7 +40,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <span>
 #include <utility>
 
@@ -48,6 +47,7 @@
 #include "base/scratch_folder_testing.h"
 #include "cleat_cases.h"
 #include "cleat_intervals.h"
+#include "command.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/study_trials.h"
 #include "experiment/rigs/drum_rig.h"
@@ -367,13 +367,12 @@ void fit_specimen(const Specimen& specimen,
 /// numbers off by the factors of the other specimen.
 Document derived_from_fe(const Document& ring) {
   const ScratchFolder scratch;
-  const std::string command = fmt::format(
+  (void)benchmarks::run_command(fmt::format(
       "{} new {} --ring-data {}/studies/tires/passenger_205_55R16.toml --known {} --quiet",
       benchmarks::program().string(),
       (scratch.path() / "ring").string(),
       LATSCH_SOURCE_DIR,
-      ring.file());
-  if (std::system(command.c_str()) != 0) throw InputError("latsch new --ring-data failed");
+      ring.file()));
   const auto study =
       correlation::read_study(scratch.path() / "ring" / "study.toml", experiment::language());
   const auto fit = benchmarks::fit(study, /*workers=*/2);

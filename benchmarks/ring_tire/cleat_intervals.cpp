@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "base/scratch_folder_testing.h"
 #include "cleat_cases.h"
+#include "command.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/target/best_trial.h"
 #include "fit_study.h"
@@ -79,8 +78,7 @@ void count_intervals(int draws, Table& table) {
       measure(fitted, tire_at(study.model, truth_of(study)), draw);
       write(fitted, folder / "study");
     }
-    const std::string run = fmt::format("{} run {} --quiet", program().string(), file.string());
-    if (std::system(run.c_str()) != 0) throw InputError("latsch run failed");
+    (void)run_command(fmt::format("{} run {} --quiet", program().string(), file.string()));
     const Count found = count(correlation::read_study(file, language));
     hold += found.hold;
     without += found.hold_without_refined;

@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 
+#include "base/units.h"
 #include "correlation/study/spring_testing.h"
 
 namespace latsch::correlation {
@@ -54,6 +57,46 @@ TEST(StudyKeysTest, AKeyIsDeclaredByItsReader) {
   EXPECT_EQ(scale->forms.front().choices, (std::vector<std::string>{"linear", "logarithmic"}));
   EXPECT_EQ(scale->defaults, std::vector<std::string>{"\"linear\""});
   EXPECT_TRUE(find(shipped(), "Test \"modes\": frequencies and shapes", "points")->is_measurable);
+}
+
+/// Returns the number of a default in SI; nullopt if it is no number.
+std::optional<double> number_of(std::string text) {
+  std::erase(text, '"');
+  char* end = nullptr;
+  const double plain = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() && *end == '\0') return plain;
+  const auto quantity = parse_quantity(text);
+  return quantity ? std::optional(quantity->si) : std::nullopt;
+}
+
+bool takes(const experiment::KeyForm& form, double number) {
+  const bool above =
+      form.range.lower_excluded ? number > form.range.lower : number >= form.range.lower;
+  return above && number <= form.range.upper;
+}
+
+// A number outside of the range that its reader takes stands for "chosen by the program". The page
+// has to say what is chosen; population had the default 0 and the range 4 to 1000000.
+TEST(StudyKeysTest, EveryDefaultIsAValueThatItsReaderTakes) {
+  int numbers = 0;
+  for (const auto& [section, keys] : shipped().sections()) {
+    for (const TabledKey& key : keys) {
+      for (const std::string& text : key.defaults) {
+        const auto number = number_of(text);
+        if (!number) continue;
+        ++numbers;
+        EXPECT_TRUE(std::any_of(key.forms.begin(),
+                                key.forms.end(),
+                                [&](const auto& form) { return takes(form, *number); }))
+            << section->heading << " " << key.words.path << " = " << text;
+      }
+    }
+  }
+  EXPECT_GT(numbers, 80);
+  const TabledKey* population = find(shipped(), "[optimizer]", "population");
+  ASSERT_TRUE(population);
+  EXPECT_TRUE(population->defaults.empty());
+  EXPECT_EQ(population->words.otherwise, "ten for each variable, at least 20");
 }
 
 // The page once listed max_steps as a key of the study itself, whose reader refuses it there.

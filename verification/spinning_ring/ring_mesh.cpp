@@ -24,7 +24,7 @@ fe_tire::Mesh ring_mesh(const std::vector<SectionBlock>& blocks, int sectors, do
   fe_tire::Mesh mesh;
   mesh.sectors = sectors;
   std::vector<Eigen::Vector3d> nodes;
-  std::vector<std::array<int, 4>> corners;  // of each element: inner +y, inner -y, outer +y, -y
+  std::vector<std::array<int, 4>> corners;  // an element has them in the order inner +y, -y, outer +y, -y
   for (const SectionBlock& block : blocks) {
     for (std::size_t j = 0; j + 1 < block.sides.size(); ++j) {
       for (std::size_t i = 0; i + 1 < block.radii.size(); ++i) {
@@ -57,6 +57,15 @@ fe_tire::Mesh ring_mesh(const std::vector<SectionBlock>& blocks, int sectors, do
 fe_tire::Solid linear_solid(double E, double nu, double density) {
   const double G = E / (2.0 * (1.0 + nu)), lambda = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
   return {fe_tire::StVenantKirchhoff::isotropic(G, lambda), density};
+}
+
+fe_tire::Mesh free_ring_mesh(int sectors) {
+  const std::vector<double> sides = {0.005, 0.0, -0.005};
+  return ring_mesh({{{0.2, 0.2995}, sides, 0}, {{0.2995, 0.3005}, sides, 1}}, sectors, 0.2);
+}
+
+fe_tire::Materials free_ring_materials(double nu) {
+  return {{linear_solid(0.5, 0.0, 1e-8), linear_solid(kFreeRingModulus, nu, kFreeRingDensity)}, {}};
 }
 
 fe_tire::Mesh gyro_ring_mesh(int sectors) {

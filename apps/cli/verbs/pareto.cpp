@@ -27,6 +27,8 @@ int pareto(const std::string& file,
   study = correlation::with_estimated_noise(study, journal);
   auto found = correlation::pareto_front(study, journal, a, b);
   found.no_best = correlation::why_no_best(study, journal);
+  if (found.no_best.empty() && !correlation::recorded_stages(study, journal).has_ended)
+    found.no_best = "no search of this study has ended: the least target need not be at a minimum";
   if (!found.no_best.empty()) warn(found.no_best, {study.file.string(), 0});
   const std::string least = found.no_best.empty() ? "best" : "nearest";
   say("{} trials in {}, none was run for this\n\n{} by the weights of the study: target {:.4f} %\n",

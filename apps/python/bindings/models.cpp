@@ -13,6 +13,7 @@
 #include "bindings/bindings.h"
 #include "bindings/failures.h"
 #include "bindings/long_call.h"
+#include "experiment/language/usual_numbers.h"
 
 namespace latsch::python {
 
@@ -34,7 +35,11 @@ const SpecimenKind& kind_called(const std::string& name) {
 
 Model read_model(const std::filesystem::path& file, const std::optional<std::string>& kind) {
   const SpecimenKind& of = kind ? kind_called(*kind) : language().kind_of_file(file);
-  return {of, of.read(file)};
+  Model model{of, of.read(file)};
+  for (const experiment::Finding& one : findings_of_model(of, model.numbers(), file))
+    if (PyErr_WarnEx(PyExc_UserWarning, (one.place.text() + ": " + one.sentence).c_str(), 1) != 0)
+      throw py::error_already_set();
+  return model;
 }
 
 /// Reads a test from its keys in braces, or from a file.

@@ -39,6 +39,13 @@ class Models(unittest.TestCase):
         for name in values:
             np.testing.assert_array_equal(recording[name], values[name], err_msg=name)
 
+    def test_what_reading_assumes_is_a_warning(self):
+        with tempfile.TemporaryDirectory() as folder:
+            tir = pathlib.Path(folder) / "tire.tir"
+            tir.write_text("".join(line for line in TIR.read_text().splitlines(True) if not line.startswith("PCX1")))
+            with self.assertWarnsRegex(UserWarning, "there is no PCX1"):
+                latsch.read_model(str(tir))
+
     def test_channels_are_those_of_the_program(self):
         kc = '{kind = "kc", Fy = ["-4 kN", "-2 kN", "0 N", "2 kN", "4 kN"], slopes_by = "Fy"}'
         self.assert_same_bits(latsch.test(CORNER, SIDE_FORCE), by_the_program(CORNER, kc))

@@ -245,7 +245,9 @@ std::vector<std::string> conventions_that_fit(const LabRecord& record) {
   return names;
 }
 
-bool take_zero(LabRecord& record, Channel& channel, const Window& window, std::string& words) {
+std::optional<TakenZero> take_zero(const LabRecord& record,
+                                   Channel& channel,
+                                   const Window& window) {
   const auto time = record.time();
   double sum = 0.0;
   std::size_t count = 0;
@@ -255,14 +257,10 @@ bool take_zero(LabRecord& record, Channel& channel, const Window& window, std::s
     sum += channel.values[i];
     ++count;
   }
-  if (count == 0) return false;
+  if (count == 0) return std::nullopt;
   const double mean = sum / static_cast<double>(count);
   for (double& value : channel.values) value -= mean;
-  words = fmt::format("{} less {}, the mean of {} samples",
-                      channel.name,
-                      format_quantity(mean, channel.unit, 4),
-                      count);
-  return true;
+  return TakenZero{mean, count};
 }
 
 std::string low_pass(LabRecord& record, double frequency, const Place& place) {

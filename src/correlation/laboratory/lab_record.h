@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,9 +75,14 @@ void turn_axes(LabRecord& record, AxisConvention axes);
 /// upward and its side force opposes the slip angle. Returns all conventions if it holds neither.
 std::vector<std::string> conventions_that_fit(const LabRecord& record);
 
-/// Subtracts the channel's mean over the samples of `window`. Returns false if the window holds no
-/// samples.
-bool take_zero(LabRecord& record, Channel& channel, const Window& window, std::string& words);
+/// The mean that was subtracted from a channel, in its SI unit, and the number of its samples.
+struct TakenZero {
+  double mean = 0.0;
+  std::size_t samples = 0;
+};
+/// Subtracts the channel's mean over the samples of `window`. Returns nothing if the window holds
+/// no samples.
+std::optional<TakenZero> take_zero(const LabRecord& record, Channel& channel, const Window& window);
 
 /// Filters all channels except time. Gaps, and stretches too short for the filter, are left
 /// unfiltered. Throws InputError at `place` if there is no time or the frequency is not possible.

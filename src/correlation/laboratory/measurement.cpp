@@ -54,9 +54,15 @@ std::vector<fs::path> read_files(const Node& table, const fs::path& folder) {
   if (names.empty()) table.reject("files", "is empty, expected at least one");
   std::vector<fs::path> files;
   for (const std::string& name : names) {
-    files.push_back(folder / name);
-    if (!fs::exists(files.back()))
-      table.reject(key, "is " + in_quotes(name) + ", which does not exist");
+    const fs::path file = folder / name;
+    if (!fs::exists(file)) table.reject(key, "is " + in_quotes(name) + ", which does not exist");
+    for (const fs::path& other : files)
+      if (fs::equivalent(file, other))
+        table.reject(key,
+                     "names " + in_quotes(name) +
+                         " twice: its samples would count as two measurements of the same; "
+                         "expected each file once");
+    files.push_back(file);
   }
   return files;
 }
@@ -141,6 +147,42 @@ void check_signs(const Node& table, const LabRecord& record, const std::string& 
                   loads_of_other_sign(record, axes)));
 }
 
+double largest_magnitude(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values)
+    if (std::abs(value) > largest) largest = std::abs(value);
+  return largest;
+}
+
+/// Doubts a zero that is no offset of a sensor: a large part of the measured values, or the mean of
+/// a few samples.
+void doubt_zero(const TakenZero& taken,
+                const Channel& channel,
+                double largest,
+                const Place& place,
+                LabRecord& record) {
+  constexpr double kMostOffset = 0.2;  // share of the largest value
+  constexpr std::size_t kFewestSamples = 5;
+  std::string why;
+  if (std::abs(taken.mean) > kMostOffset * largest)
+    why = fmt::format("{:.0f} % of its largest value, {}: a load is taken off, not an offset",
+                      100.0 * std::abs(taken.mean) / largest,
+                      format_quantity(largest, channel.unit, 4));
+  else if (taken.samples < kFewestSamples)
+    why = fmt::format("the mean of {} sample{}, whose noise moves all others",
+                      taken.samples,
+                      taken.samples == 1 ? "" : "s");
+  if (why.empty()) return;
+  record.ledgers.front().doubts.push_back(
+      {record.written.at(channel.name).column,
+       fmt::format("zero takes {} off {}, {}; expected a time at which {} is 0",
+                   format_quantity(taken.mean, channel.unit, 4),
+                   channel.name,
+                   why,
+                   channel.name),
+       place});
+}
+
 void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& words) {
   const auto zero = table.find_table("zero");
   if (!zero) return;
@@ -155,11 +197,17 @@ void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& w
           "channels",
           "has " + in_quotes(name) + ", which is no channel" + did_you_mean(name, record.names()));
     note_use(record, name, "zero");
-    words.emplace_back();
-    if (!take_zero(record, *channel, *window, words.back()))
+    const double largest = largest_magnitude(channel->values);
+    const auto taken = take_zero(record, *channel, *window);
+    if (!taken)
       zero->reject("time",
                    "is " + in_quotes(zero->text("time")) + ", which holds no sample; time goes " +
                        range_in_words(*record.find("time")));
+    words.push_back(fmt::format("{} less {}, the mean of {} samples",
+                                channel->name,
+                                format_quantity(taken->mean, channel->unit, 4),
+                                taken->samples));
+    doubt_zero(*taken, *channel, largest, zero->place("time"), record);
   }
 }
 

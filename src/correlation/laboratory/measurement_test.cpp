@@ -114,6 +114,19 @@ TEST_F(LabMeasurement, IsZeroedAndShifted) {
   EXPECT_EQ(run.recorded()["Fy"][0], 205.0);
 }
 
+TEST_F(LabMeasurement, AZeroThatIsNoOffsetIsDoubted) {
+  const auto doubts = [&](const std::string& keys) {
+    std::string all;
+    for (const LedgerDoubt& doubt : read(keys).ledgers().front().doubts) all += doubt.sentence;
+    return all;
+  };
+  EXPECT_NE(doubts("zero = {channels = [\"p\"], time = \"0 s .. 10 s\"}\n").find("zero takes"),
+            std::string::npos);
+  EXPECT_NE(doubts("zero = {channels = [\"Mz\"], time = \"0 s .. 0.01 s\"}\n").find("zero takes"),
+            std::string::npos);
+  EXPECT_EQ(doubts("").find("zero takes"), std::string::npos);
+}
+
 // A sine at the frequency of the filter comes out at half its height (twice 3 dB), in phase; a sine
 // far below is unchanged; a sine of 100 Hz is damped as by order 2. [Butterworth: |H|^2 = 1/2 at
 // the edge; forward and backward filtering squares it]

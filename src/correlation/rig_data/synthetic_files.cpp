@@ -60,7 +60,7 @@ SyntheticTruth read_truth(const Node& table,
       table.quantity("hammer_noise", "N", Range::not_negative(), truth.hammer_noise);
   SyntheticRun same;
   same.speeds = speeds;
-  same.hold = table.quantity("hold", "s", Range::positive(), same.hold);
+  same.hold = table.quantity("hold", "s", {0.0, 3600.0, true}, same.hold);
   same.drift = table.quantity("drift", "1", Range::between(0.0, 0.1), same.drift);
   const Node all = table.table("run");
   for (const std::string& name : runs) {

@@ -234,6 +234,19 @@ std::map<std::string, std::string> origins_of_variables(const Study& weighted,
   return origins;
 }
 
+/// Says that the numbers are those of the best trial so far, of a design or of a search that has
+/// not ended.
+void tell_no_end(const Study& study, experiment::Provenance& provenance) {
+  provenance.header.insert(provenance.header.begin() + 1,
+                           "No search of this study has ended: its best trial so far need not be "
+                           "at a minimum");
+  const std::string fitted = "fitted ";
+  for (const DesignVariable& v : study.space.variables())
+    for (const std::string& path : v.paths)
+      if (std::string& origin = provenance.origins[path]; origin.starts_with(fitted))
+        origin = "best trial so far " + origin.substr(fitted.size());
+}
+
 std::map<std::string, std::string> same_origin(const DesignSpace& space, const std::string& words) {
   std::map<std::string, std::string> origins;
   for (const DesignVariable& v : space.variables())
@@ -269,10 +282,12 @@ FittedModel fitted_model(const Study& study,
     return model;
   }
   model.is_fitted = true;
+  model.search_has_ended = recorded_stages(weighted, *journal).has_ended;
   model.numbers = at(study.model, study.space, best->point);
   provenance.header =
       fit_header(weighted, best->point, recording_at(best->point, *journal), best->target, by);
   provenance.origins = origins_of_variables(weighted, best->point, *journal);
+  if (!model.search_has_ended) tell_no_end(weighted, provenance);
   return model;
 }
 

@@ -27,6 +27,7 @@ struct FittedModel {
   experiment::Provenance provenance;
   bool is_fitted = false;  // false: no trial has succeeded yet, so the numbers are the initial
                            // values
+  bool search_has_ended = true;  // false: the numbers are those of the best trial so far
 };
 
 /// Returns the model of the best trial in the journal of the study, or of the initial values if

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiment/rigs/duration_limit.h"
 #include "models/road/drum_road.h"
 #include "models/tire/free_wheel.h"
 
@@ -16,7 +17,6 @@ namespace {
 constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
 constexpr double kFirstShare = 0.25;       // share of the radius; greatest first guess of the
                                            // deflection
-constexpr double kShortestStep = 1e-6;     // s
 constexpr double kFastest = 200.0;         // m/s; a greater value means another unit in the file
 
 road::DrumRoad::Settings drum_of(const DrumTest& test) {
@@ -156,6 +156,9 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   test.step = root.quantity("step", "s", Range::between(kShortestStep, 0.01), test.step);
   check_step(root, test.speed, test.step);
   test.sample_step = root.quantity("sample_step", "s", {0.0, 0.1, true}, test.step);
+  for (const auto& [key, seconds] :
+       {std::pair("run_in", test.run_in), {"duration", test.duration}, {"lead", test.lead}})
+    check_duration(root, key, seconds, test.step);
   test.passages = static_cast<int>(root.integer("passages", 1, 100, 1));
   test.wheel_step = root.quantity("wheel_step", "rad", {}, 0.0);
   test.wheel_start = root.quantity("wheel_start", "rad", {}, 0.0);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "experiment/rigs/drum_rig.h"
+#include "experiment/rigs/duration_limit.h"
 #include "experiment/rigs/steady_rolling.h"
 #include "models/road/drum_road.h"
 #include "models/road/plane_road.h"
@@ -173,7 +174,8 @@ UniformityTest read_uniformity_test(const Node& root, const MeasuredConditions& 
       root.quantity("wheel_inertia", "kg m^2", Range::positive(), test.wheel_inertia);
   test.harmonics = static_cast<int>(root.integer("harmonics", 1, 50, test.harmonics));
   const double longest = kFarthestStep / test.speed;
-  test.step = root.quantity("step", "s", {0.0, 0.01, true}, std::min(test.step, longest));
+  test.step =
+      root.quantity("step", "s", Range::between(kShortestStep, 0.01), std::min(test.step, longest));
   check_step(root, test.speed, test.step);
   return test;
 }

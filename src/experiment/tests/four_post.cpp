@@ -14,11 +14,13 @@
 #include <cmath>
 
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/four_post_rig.h"
 #include "experiment/rigs/car/held_band.h"
 #include "experiment/rigs/car/post_notes.h"
 #include "experiment/rigs/car/post_spectra.h"
+#include "experiment/rigs/duration_limit.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
 #include "experiment/tests/pictures/four_post_pictures.h"
@@ -76,33 +78,23 @@ class FourPost : public Test {
     return Reach{test_.times.front(), test_.times.back()};
   }
   Result<Channels> run(Specimen& specimen) const override {
-    auto car = specimen.find<Drives>()->car({});
-    if (!car) return car.failure();
-    if (!frequencies_.are_recorded) return experiment::run(**car, test_);
-    const auto runs = run_both_ways(**car, test_);
-    if (!runs) return runs.failure();
-    Channels all = as_posts_moved(runs->up);
-    const Channels more = over_frequency(*runs);
-    for (const Channel& channel : more.all()) all.add(channel);
-    return all;
+    auto record = driven(specimen);
+    if (!record) return record;
+    for (const std::string& note : notes_of(*record)) record_limit(specimen, note);
+    return record;
   }
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto record = run(specimen);
     if (!record) return record.failure();
     tell(*record);
-    std::vector<std::string> notes = notes_of_lift(*record, [&](double time) {
-      return sweep_ ? fmt::format("{:.3g} s ({:.3g} Hz)", time, frequency_at(*sweep_, time))
-                    : fmt::format("{:.3g} s", time);
-    });
+    std::vector<std::string> notes;
     if (begin_ != 0.0)
       notes.push_back(
           fmt::format("the record of the posts begins at {:.6g} s: the time of the "
                       "result is counted from there, as 0",
                       begin_));
-    if (!frequencies_.are_recorded) return notes;
-    if (!frequencies_.note.empty()) notes.push_back(frequencies_.note);
-    for (std::string& note : notes_of_coherence(*record)) notes.push_back(std::move(note));
+    if (frequencies_.are_recorded && !frequencies_.note.empty()) notes.push_back(frequencies_.note);
     return notes;
   }
   Result<Details> details(Specimen& specimen) const override {
@@ -124,6 +116,27 @@ class FourPost : public Test {
   }
 
  private:
+  Result<Channels> driven(Specimen& specimen) const {
+    auto car = specimen.find<Drives>()->car({});
+    if (!car) return car.failure();
+    if (!frequencies_.are_recorded) return experiment::run(**car, test_);
+    const auto runs = run_both_ways(**car, test_);
+    if (!runs) return runs.failure();
+    Channels all = as_posts_moved(runs->up);
+    const Channels more = over_frequency(*runs);
+    for (const Channel& channel : more.all()) all.add(channel);
+    return all;
+  }
+  /// Says which tires left their posts, and where the spectra are not reliable.
+  std::vector<std::string> notes_of(const Channels& record) const {
+    std::vector<std::string> notes = notes_of_lift(record, [&](double time) {
+      return sweep_ ? fmt::format("{:.3g} s ({:.3g} Hz)", time, frequency_at(*sweep_, time))
+                    : fmt::format("{:.3g} s", time);
+    });
+    if (!frequencies_.are_recorded) return notes;
+    for (std::string& note : notes_of_coherence(record)) notes.push_back(std::move(note));
+    return notes;
+  }
   /// Returns the record without its end, in which the posts are at rest.
   Channels as_posts_moved(const Channels& record) const {
     const auto count = static_cast<std::size_t>(
@@ -404,6 +417,7 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
     test = recorded_posts(root, source, ledgers, begin);
     test.step = steps.step;
     test.sample_step = steps.sample_step;
+    check_duration(root, "posts", test.times.back() - test.times.front(), test.step);
     const PostSpectra usual;
     auto recorded = std::make_unique<FourPost>(
         test,
@@ -417,6 +431,7 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
   sweep.to = root.quantity("to", "Hz", Range::positive(), sweep.to);
   if (!(sweep.to > sweep.from)) root.reject("to", "is not above from: a sweep rises");
   sweep.duration = root.quantity("duration", "s", Range::positive(), sweep.duration);
+  check_duration(root, "duration", sweep.duration, test.step);
   sweep.amplitude = root.quantity("amplitude", "m", Range::positive(), sweep.amplitude);
   sweep.velocity = root.quantity("velocity", "m/s", Range::positive(), sweep.velocity);
   const FourPostTest made = sweep_test(sweep, test.sample_step);

@@ -9,8 +9,11 @@
 #include <cmath>
 
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/drum_rig.h"
+#include "experiment/rigs/duration_limit.h"
+#include "experiment/rigs/lift_watch.h"
 #include "experiment/rigs/slip/flat_track.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
@@ -76,8 +79,11 @@ class SlipSweepTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override {
-    auto channels = experiment::run(*specimen.find<Rolls>()->tire(sweep_.pressure), sweep_);
+    LiftLog lifts;
+    auto channels =
+        experiment::run(*watched(specimen.find<Rolls>()->tire(sweep_.pressure), lifts), sweep_);
     if (!channels) return channels;
+    record_limit(specimen, lifts.sentence());
     return thinned(*channels, std::lround(sample_step_ / sweep_.step));
   }
 
@@ -125,12 +131,18 @@ std::unique_ptr<Test> read_slip_sweep(const Node& root, const TestSource& source
   sweep.kappa_to = kappa[1];
   sweep.run_in = root.quantity("run_in", "s", Range::positive(), sweep.run_in);
   sweep.duration = root.quantity("duration", "s", Range::positive(), sweep.duration);
-  sweep.step = root.quantity("step", "s", {0.0, 0.01, true}, sweep.step);
+  sweep.step = root.quantity("step", "s", Range::between(kShortestStep, 0.01), sweep.step);
   check_step(root, sweep.speed, sweep.step);
+  check_duration(root, "run_in", sweep.run_in, sweep.step);
+  check_duration(root, "duration", sweep.duration, sweep.step);
   const double sample_step = root.quantity("sample_step", "s", {0.0, 1.0, true}, sweep.step);
   const double ratio = sample_step / sweep.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
     root.reject("sample_step", "is no multiple of step");
+  if (2.0 * sample_step > sweep.duration)
+    root.reject("sample_step",
+                fmt::format("leaves less than two samples of {:.4g} s: expected a shorter one",
+                            sweep.duration));
   return std::make_unique<SlipSweepTest>(sweep, sample_step);
 }
 

@@ -18,6 +18,7 @@
 #include "formats/text/fortran_number.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
+#include "measurement/meaning/channel_words.h"
 
 namespace latsch::formats {
 namespace {
@@ -305,17 +306,57 @@ LabTable read_dat(const std::filesystem::path& file,
   return table;
 }
 
+/// Returns the number of samples of a recording of vectors: the length of the stated ones, if any,
+/// else of those with a known name, else of the first. Throws InputError if these differ.
+std::size_t samples_of(const MatFile::Named& vectors, const std::string& file, const Units& units) {
+  const auto counts = [&](const std::string& name) {
+    return units.empty() ? recognized(name).has_value() : units.contains(name);
+  };
+  const Channel* first = nullptr;
+  for (const Channel& channel : vectors.channels.all()) {
+    if (!counts(channel.name)) continue;
+    if (!first) first = &channel;
+    if (channel.values.size() != first->values.size())
+      throw InputError(
+          {file, 0},
+          fmt::format("{} has {} values and {} has {}: vectors of one recording have the same "
+                      "length; correct the file, or state only those of one length in columns",
+                      in_quotes(first->name),
+                      first->values.size(),
+                      in_quotes(channel.name),
+                      channel.values.size()));
+  }
+  return (first ? *first : vectors.channels.all().front()).values.size();
+}
+
 LabTable read_mat(const std::filesystem::path& file,
                   const Units& units,
                   const ExpectedUnit& expected) {
   LabTable table = table_of(file);
-  auto [channels, columns, left_out, left_columns] =
-      MatFile::read(file).named_channels(units, expected);
-  table.left_columns = std::move(left_columns);
-  table.channels = std::move(channels);
-  table.left_out = std::move(left_out);
-  for (const TableColumn& column : columns) table.units.push_back(column.unit);
-  table.columns = std::move(columns);
+  const MatFile mat = MatFile::read(file);
+  MatFile::Named vectors = mat.named_channels(units, expected);
+  const std::size_t samples = samples_of(vectors, table.file, units);
+  table.left_columns = std::move(vectors.left_columns);
+  table.left_out = std::move(vectors.left_out);
+  for (std::size_t k = 0; k < vectors.columns.size(); ++k) {
+    TableColumn& column = vectors.columns[k];
+    const Channel& channel = vectors.channels.all()[k];
+    if (channel.values.size() != samples) {
+      table.left_out[column.name] = fmt::format(
+          "has {} values, but the recording {} samples", channel.values.size(), samples);
+      table.left_columns.push_back(std::move(column));
+      continue;
+    }
+    table.channels.add(channel);
+    table.units.push_back(column.unit);
+    table.columns.push_back(std::move(column));
+  }
+  for (const MatVariable& variable : mat.variables) {
+    if (variable.is_text || variable.values.size() != 1 || !recognized(variable.name)) continue;
+    table.left_out[variable.name] =
+        fmt::format("is a single number, {:g}, and no channel", variable.values.front());
+    table.left_columns.push_back({.name = variable.name, .title = variable.name});
+  }
   return table;
 }
 

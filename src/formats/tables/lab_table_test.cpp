@@ -250,6 +250,33 @@ TEST_F(LabTables, OfMatTakeTheUnitsListedBesideTheChannels) {
   EXPECT_EQ(table.place(1).line, 0);
 }
 
+// A recording has one length: a shorter channel is no channel of zeros.
+TEST_F(LabTables, OfMatHaveVectorsOfOneLength) {
+  const auto read = [&](const std::string& vectors) {
+    write_text_file(folder_ / "script",
+                    "import numpy as np, scipy.io as io\nn = lambda k: np.arange(1.0, k + 1)\n"
+                    "io.savemat('run.mat', {" +
+                        vectors + "})\n");
+    const std::string command =
+        "cd '" + folder_.path().string() + "' && /usr/bin/python3 script >/dev/null 2>&1";
+    return std::system(command.c_str()) == 0;
+  };
+  if (!read("'SA': n(60), 'FY': n(40)"))
+    GTEST_SKIP() << "SciPy is not installed (Debian: python3-scipy)";
+  try {
+    read_lab_table(folder_ / "run.mat");
+    ADD_FAILURE() << "vectors of two lengths were read";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("vectors of one recording have the same length"), text.npos) << text;
+  }
+  ASSERT_TRUE(read("'SA': n(60), 'FY': n(60), 'speeds': n(5), 'P': 82.7"));
+  const LabTable table = read_lab_table(folder_ / "run.mat");
+  EXPECT_EQ(table.channels.all().size(), 2u);
+  EXPECT_EQ(table.left_out.at("speeds"), "has 5 values, but the recording 60 samples");
+  EXPECT_EQ(table.left_out.at("P"), "is a single number, 82.7, and no channel");
+}
+
 // A column with a unit holds numbers: cells that are not numbers are an error of the column, also
 // if all of its cells are.
 TEST_F(LabTables, AColumnWithAUnitAndNoNumberIsLeftOutWithItsReason) {

@@ -49,11 +49,34 @@ std::vector<std::string_view> words_of(std::string_view name) {
   return words;
 }
 
+constexpr std::array<std::string_view, 9> kFunctions = {
+    "tan", "sin", "cos", "abs", "sqrt", "log", "rate", "std", "var"};
+
+bool same_letters(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) ==
+           std::tolower(static_cast<unsigned char>(y));
+  });
+}
+
+/// Returns the known name behind a function's name in one word: ALPHA of "TANALPHA"; "" if there is
+/// none.
+std::string_view argument_of(std::string_view name) {
+  for (const std::string_view function : kFunctions)
+    if (name.size() > function.size() + 1 &&
+        same_letters(name.substr(0, function.size()), function) &&
+        recognized(name.substr(function.size())))
+      return name.substr(function.size());
+  return "";
+}
+
 /// Returns the channels that words within an unknown name mean: alpha of "tan alpha".
 std::vector<std::string_view> channels_within(std::string_view name) {
   constexpr std::size_t kMostWords = 3;
   constexpr std::size_t kFewestLetters = 2;  // a single letter means a channel by chance
   std::vector<std::string_view> found;
+  if (const auto argument = argument_of(name); !argument.empty())
+    found.push_back(recognized(argument)->meaning->name);
   const auto words = words_of(name);
   for (std::size_t first = 0; first < words.size(); ++first) {
     std::string text;
@@ -68,16 +91,10 @@ std::vector<std::string_view> channels_within(std::string_view name) {
 
 /// True if a name says that its numbers are a function of what it names: "tan alpha".
 bool is_function(std::string_view name) {
-  constexpr std::array<std::string_view, 9> kFunctions = {
-      "tan", "sin", "cos", "abs", "sqrt", "log", "rate", "std", "var"};
-  const auto words = words_of(name);
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-    return std::any_of(kFunctions.begin(), kFunctions.end(), [&](std::string_view function) {
-      return word.size() == function.size() &&
-             std::equal(word.begin(), word.end(), function.begin(), [](char a, char b) {
-               return std::tolower(static_cast<unsigned char>(a)) == b;
-             });
-    });
+  if (!argument_of(name).empty()) return true;
+  return std::ranges::any_of(words_of(name), [](std::string_view word) {
+    return std::ranges::any_of(kFunctions,
+                               [&](std::string_view one) { return same_letters(word, one); });
   });
 }
 

@@ -56,6 +56,11 @@ TEST(AbsentChannel, ANameThatContainsAChannelIsOfferedForThatOneOnly) {
   EXPECT_EQ(offered("alpha", "rad", {column("AlphaDeg", "")}), "AlphaDeg");
   EXPECT_EQ(offered("kappa", "1", {column("AlphaDeg", "")}), "");
   EXPECT_EQ(offered("kappa", "1", {column("sqrt(FZ)", "")}), "");
+  for (const char* name : {"TANALPHA", "sinSA", "tan_slipangle"}) {  // TANALPHA is of TYDEX
+    EXPECT_EQ(offered("kappa", "1", {column(name, "1")}), "") << name;
+    EXPECT_EQ(offered("alpha", "rad", {column(name, "1")}), name);
+    EXPECT_FALSE(columns_that_may_be("alpha", "rad", {column(name, "1")}).front().is_as_it_stands);
+  }
 }
 
 // A column of one letter with another unit is another quantity, such as a voltage, or a mistake.

@@ -75,7 +75,7 @@ class BorderedCholesky {
  private:
   BandedCholesky banded_;
   Eigen::MatrixXcd border_, solved_;  // B, A^-1 B
-  Eigen::MatrixXcd inverse_;          // of C - B* A^-1 B
+  Eigen::MatrixXcd inverse_;          // inverse of C - B* A^-1 B
 };
 
 }  // namespace latsch::numerics

@@ -64,7 +64,8 @@ void read_nelder_mead(const Node& node, OptimizerSettings& settings) {
 void read_genetic(const Node& node, OptimizerSettings& settings) {
   GeneticOptions& d = settings.genetic;
   d.step_tolerance = node.quantity("step_tolerance", "1", Range{0.0, 1.0, true}, d.step_tolerance);
-  d.population = static_cast<int>(node.integer("population", 4, kMostIndividuals, d.population));
+  if (node.has("population"))
+    d.population = static_cast<int>(node.integer("population", 4, kMostIndividuals));
   d.generations = static_cast<int>(node.integer("generations", 1, kMostIndividuals, d.generations));
   d.seed = static_cast<std::uint64_t>(node.integer("seed", 0, kMostIndividuals, 1));
 }
@@ -218,7 +219,10 @@ MethodKind genetic_kind() {
           "genetic algorithm",
           false,
           {kStepTolerance,
-           {"population", "40", "genetic: number of individuals."},
+           {"population",
+            "40",
+            "genetic: number of individuals.",
+            "ten for each variable, at least 20"},
            {"generations", "50", "genetic: number of generations."},
            kSeed},
           read_genetic,

@@ -11,6 +11,7 @@
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_experiment.h"
 #include "correlation/target/study_trials.h"
+#include "experiment/language/usual_numbers.h"
 #include "studio/views/json_values.h"
 #include "studio/views/trial_hints.h"
 #include "studio/views/views.h"
@@ -108,6 +109,9 @@ Json warnings(const Study& study, const Sight& sight) {
   Json list = Json::array();
   if (!sight.error.empty()) list.push_back(sight.error);
   if (!sight.no_best.empty()) list.push_back(sight.no_best);
+  if (const experiment::SpecimenKind* kind = study.specimens->kind())
+    for (const auto& one : experiment::findings_of_model(*kind, study.model, study.model_file))
+      list.push_back(one.place.text() + ": " + one.sentence);
   for (const Ledger& ledger : correlation::ledgers_of(study))
     for (const LedgerDoubt& doubt : ledger.doubts)
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())

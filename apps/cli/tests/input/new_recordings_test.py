@@ -31,7 +31,6 @@ class Recordings(Data):
                          "no column is called Fy", "`pull`")
 
 
-del Data  # else its tests run here, too
 
 if __name__ == "__main__":
     unittest.main()

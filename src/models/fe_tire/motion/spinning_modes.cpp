@@ -16,7 +16,6 @@
 #include "models/fe_tire/analysis/mode_label.h"
 #include "models/fe_tire/motion/spinning_harmonics.h"
 #include "models/fe_tire/motion/spinning_tire.h"
-#include "models/fe_tire/motion/standing_wave.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -136,7 +135,7 @@ double Search::cutoff() const {
 Result<std::vector<Wave>> Search::run() {
   const Ring& ring = harmonics_.ring();
   const int S = ring.sectors();
-  for (int n = first_held_wave(ring); n <= S / 2; ++n) {
+  for (int n = 0; n <= S / 2; ++n) {
     const auto equations = harmonics_.equations(n);
     if (!equations) return lost(n);
     for (const int sign : {1, -1}) {

@@ -15,13 +15,11 @@ bool is_held(const numerics::BandedHermitian& K, const numerics::BandedHermitian
 
 }  // namespace
 
-int first_held_wave(const Ring& ring) { return ring.mesh().clamped.empty() ? 2 : 0; }
-
 bool holds_every_wave(const SectorBlocks& K,
                       const SectorFlow& flow,
                       const Ring& ring,
                       double speed) {
-  for (int n = first_held_wave(ring); n <= ring.sectors() / 2; ++n) {
+  for (int n = 0; n <= ring.sectors() / 2; ++n) {
     if (!is_held(K.harmonic(n), flow.W.harmonic(n), speed)) return false;
   }
   return true;
@@ -32,7 +30,7 @@ std::optional<CriticalWave> critical_wave(const SectorBlocks& K,
                                           const Ring& ring,
                                           double highest) {
   CriticalWave lowest{highest, -1};
-  for (int n = first_held_wave(ring); n <= ring.sectors() / 2; ++n) {
+  for (int n = 0; n <= ring.sectors() / 2; ++n) {
     const numerics::BandedHermitian K_n = K.harmonic(n), W_n = flow.W.harmonic(n);
     if (is_held(K_n, W_n, lowest.speed)) continue;
     double held = 0.0, lost = lowest.speed;

@@ -10,9 +10,6 @@
 
 namespace latsch::fe_tire {
 
-/// Least circumferential number that has a stiffness: 0 if a rim holds the ring, 2 otherwise.
-int first_held_wave(const Ring& ring);
-
 /// True if K(n) - speed^2 W(n) is positive definite for every n.
 bool holds_every_wave(const SectorBlocks& K,
                       const SectorFlow& flow,

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""A finite-element tire that spins: modes with and against the spin, growth, standing waves, a rim that moves.
+
+    spinning_tire_test.py PATH/TO/latsch
+"""
+import json
+import math
+import pathlib
+import unittest
+
+from cli_testing import FAILED, WRONG_INPUT, Coarse
+
+RIM = """
+[rim]
+mass = "9 kg"
+inertia_spin = "0.25 kg m^2"
+inertia_diameter = "0.18 kg m^2"
+"""
+
+
+class Spinning(Coarse):
+    def channels(self, test, tire="tire.toml"):
+        answer, _ = json.JSONDecoder().raw_decode(self.latsch("test", self.folder / tire, test, "--json"))
+        return {channel["name"]: channel["values"] for channel in answer["result"]["channels"]}
+
+    def refused(self, test, *parts, tire="tire.toml"):
+        said = self.latsch("test", self.folder / tire, test, code=WRONG_INPUT)
+        for part in parts:
+            self.assertIn(part, said)
+
+    def with_rim(self, rim=RIM):
+        text = (self.folder / "tire.toml").read_text()
+        (self.folder / "with_rim.toml").write_text(text + rim)
+        return "with_rim.toml"
+
+    def test_waves_split_by_twice_n_times_the_speed_at_most(self):
+        rest = self.channels('{kind = "modes", count = 8}')
+        spin = self.channels('{kind = "modes", count = 8, speed = "60 rad/s"}')
+        self.assertEqual(spin["spin"], [60.0])
+        self.assertNotIn("sense", rest)
+        lateral = {sense: f for f, n, kind, sense in zip(spin["frequency"], spin["n"], spin["type"], spin["sense"])
+                   if (n, kind) == (1, 1)}
+        pair = [f for f, n, kind in zip(rest["frequency"], rest["n"], rest["type"]) if (n, kind) == (1, 1)]
+        self.assertLess(lateral[-1.0], pair[0])
+        self.assertLess(lateral[-1.0] + 0.5, pair[0])
+        for f, on_tire, n, sense in zip(spin["frequency"], spin["frequency_on_tire"], spin["n"], spin["sense"]):
+            self.assertAlmostEqual(f - on_tire, sense * n * 60.0 / (2 * math.pi), delta=1e-9)
+
+    def test_a_road_speed_is_one_of_rotation_on_the_radius_of_the_tire_at_rest(self):
+        radius = self.channels('{kind = "inflation"}')["outer_radius"][0]
+        grown = self.channels('{kind = "inflation", speed = "108 km/h"}')
+        self.assertAlmostEqual(grown["spin"][0] * radius, 30.0, delta=1e-9)
+        same = self.channels('{kind = "inflation", speed = "%.15g rad/s"}' % grown["spin"][0])
+        self.assertAlmostEqual(same["growth"][0], grown["growth"][0], delta=1e-12)
+        self.assertGreater(grown["outer_radius"][0], radius)
+
+    def test_growth_is_that_of_the_square_of_the_speed(self):
+        growth = [self.channels('{kind = "inflation"%s}' % speed)["growth"][0]
+                  for speed in ('', ', speed = "20 rad/s"', ', speed = "40 rad/s"')]
+        self.assertAlmostEqual((growth[2] - growth[0]) / (growth[1] - growth[0]), 4.0, delta=0.05)
+
+    def test_speeds_above_the_standing_wave_are_refused_in_words(self):
+        found = self.channels('{kind = "modes", count = 2, standing_wave = true}')
+        speed, n = found["standing_wave_speed"][0], int(found["standing_wave_n"][0])
+        self.channels('{kind = "modes", count = 2, speed = "%g rad/s"}' % (0.99 * speed))
+        said = self.latsch("test", self.folder / "tire.toml",
+                           '{kind = "modes", count = 2, speed = "%g rad/s"}' % (1.01 * speed), code=FAILED)
+        for part in ("standing-wave speed of %.4g" % speed, "km/h", f"n = {n}"):
+            self.assertIn(part, said)
+
+    def test_a_rim_that_moves_lowers_no_mode_of_n_2(self):
+        tire = self.with_rim()
+        held = self.channels('{kind = "modes", count = 12, speed = "50 rad/s"}', tire)
+        free = self.channels('{kind = "modes", count = 12, speed = "50 rad/s", rim = "free"}', tire)
+        def of(found, n):
+            return [f for f, m in zip(found["frequency"], found["n"]) if m == n]
+        self.assertAlmostEqual(of(held, 2)[0], of(free, 2)[0], delta=1e-4)
+        self.assertGreater(of(free, 0)[0], of(held, 0)[0])
+
+    def test_combinations_without_meaning_are_refused(self):
+        for keys, *parts in (
+                ('speed = "100 km/h", load = "2 kN"', "speed", "load", "in the air"),
+                ('speed = "100 km/h", deflection = "9 mm"', "speed", "deflection"),
+                ('speed = "100 km/h", friction = 0.8', "speed", "friction"),
+                ('speed = "100 km/h", camber = "2 deg"', "speed", "camber"),
+                ('rim = "free", load = "2 kN"', "rim", "load"),
+                ('standing_wave = true, load = "2 kN"', "standing_wave", "load"),
+                ('speed = "5 kg"', "speed", "km/h", "rad/s"),
+                ('speed = 30', "speed", "km/h", "rad/s"),
+                ('speed = "0 km/h"', "speed", "0"),
+                ('speed = "5000 km/h"', "speed", "5000", "1440 km/h"),
+                ('rim = "fre"', "rim", "free"),
+                ('rim = "free"', "[rim]", "mass")):
+            with self.subTest(keys):
+                self.refused('{kind = "modes", %s}' % keys, *parts)
+
+    def test_a_rim_that_no_body_can_be_is_refused(self):
+        for old, new, *parts in (('"9 kg"', '"0 kg"', "rim.mass"), ('"9 kg"', '"-1 kg"', "rim.mass"),
+                                 ('"0.25 kg m^2"', '"0.4 kg m^2"', "rim.inertia_spin", "twice"),
+                                 ('inertia_diameter = "0.18 kg m^2"', '', "inertia_diameter")):
+            with self.subTest(new):
+                self.refused('{kind = "modes"}', *parts, tire=self.with_rim(RIM.replace(old, new)))
+
+    def test_rings_do_not_spin(self):
+        ring = next((pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires").glob("*.toml"))
+        for test in ('{kind = "modes", speed = "90 rad/s"}', '{kind = "inflation", speed = "90 rad/s"}'):
+            said = self.latsch("test", ring, test, code=WRONG_INPUT)
+            self.assertIn("finite-element tire", said)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shell commands of a benchmark, whose words are not lost if they fail.
+#pragma once
+
+#include <string>
+
+namespace latsch::benchmarks {
+
+/// Everything that a command printed.
+struct Printed {
+  std::string output;  // to standard output
+  std::string errors;  // to standard error
+};
+
+/// Runs a shell command to its end. If it fails, throws std::runtime_error with the command, its
+/// exit code or signal, and the last lines it printed to both.
+Printed run_command(const std::string& command);
+
+}  // namespace latsch::benchmarks

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Formulas of M-estimation on data in numbers; coverage of the intervals is tested with NumPy in
+// apps/python/tests/robust_intervals_test.py.
+#include "optimization/identifiability/robust_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "base/random.h"
+#include "optimization/identifiability/identification.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kHuberCorner = 1.345;  // keeps 95 % of the efficiency of least squares
+
+TEST(RobustLoss, TheErrorFollowsFromItsResidual) {
+  for (const Loss loss : {Loss::huber, Loss::cauchy}) {
+    const RobustLoss robust{loss, 0.5};
+    for (const double x : {0.0, 1e-9, 0.3, -0.49, 0.51, -2.0, 40.0, 1e5}) {
+      const LimitedResidual one = robust.at(robust(x));
+      const double h = 1e-6 * std::max(1e-3, std::abs(x));
+      EXPECT_NEAR(one.slope, robust.slope(x), 1e-9 * std::abs(one.slope)) << x;
+      EXPECT_NEAR(one.psi, robust(x) * robust.slope(x), 1e-9 * std::abs(one.psi)) << x;
+      const auto psi = [&](double at) { return robust.at(robust(at)).psi; };
+      EXPECT_NEAR(one.psi_slope, (psi(x + h) - psi(x - h)) / (2.0 * h), 1e-4) << x;
+      EXPECT_EQ(one.is_beyond, std::abs(x) > 0.5) << x;
+    }
+  }
+  EXPECT_EQ(RobustLoss(Loss::cauchy, 1.0).at(40.0).psi, 0.0);  // the error is beyond all numbers
+}
+
+// The efficiency with Gaussian noise is (E psi')^2 / E psi^2 = 0.95 for both default corners; psi^2
+// beyond Huber's corner is that of the corner.
+TEST(RobustLoss, ExpectationsAreThoseOfGaussianNoise) {
+  const GaussianLoss huber = RobustLoss{Loss::huber, kHuberCorner}.expected(1.0);
+  const double square =
+      huber.inside * (1.0 - huber.beyond) + kHuberCorner * kHuberCorner * huber.beyond;
+  EXPECT_NEAR(huber.psi_slope * huber.psi_slope / square, 0.95, 1e-4);
+  EXPECT_NEAR(huber.beyond, 0.17863, 1e-5);
+  const RobustLoss cauchy{Loss::cauchy, 2.385};
+  RandomStream random(1, 0);
+  double slopes = 0.0, squares = 0.0, inside = 0.0;
+  constexpr int kDraws = 200'000;
+  for (int k = 0; k < kDraws; ++k) {
+    const LimitedResidual one = cauchy.at(cauchy(random.normal()));
+    slopes += one.psi_slope;
+    if (one.is_beyond) continue;
+    squares += one.psi * one.psi;
+    inside += 1.0;
+  }
+  EXPECT_NEAR(cauchy.expected(1.0).psi_slope, slopes / kDraws, 0.003);
+  EXPECT_NEAR(cauchy.expected(1.0).inside, squares / inside, 0.005);
+  // Both corners in the unit of the noise, whatever that is.
+  const RobustLoss small{Loss::cauchy, 2.385e-3};
+  EXPECT_NEAR(small.expected(1e-3).psi_slope, cauchy.expected(1.0).psi_slope, 1e-12);
+}
+
+TEST(RobustRows, NegativeWeightsAreTakenFromTheSum) {
+  const Eigen::MatrixXd J{{1, 0.2}, {1, 0.5}, {1, 0.9}, {1, 2.0}};
+  const Eigen::VectorXd w{{1.0, 0.8, 0.9, -0.05}};
+  const Eigen::MatrixXd H = weighted_rows(J, w);
+  EXPECT_TRUE((H.transpose() * H).isApprox(J.transpose() * w.asDiagonal() * J, 1e-12));
+  const Eigen::VectorXd positive{{1.0, 0.8, 0.9, 0.05}};
+  const Eigen::MatrixXd G = weighted_rows(J, positive);
+  EXPECT_TRUE((G.transpose() * G).isApprox(J.transpose() * positive.asDiagonal() * J, 1e-12));
+}
+
+TEST(RobustRows, TheLargerOfTwoIsNoSmallerAlongAnyDirection) {
+  const Eigen::MatrixXd a{{2.0, 0.3}, {0.3, 1.0}}, b{{0.5, 0.4}, {0.4, 3.0}};
+  const Eigen::MatrixXd both = larger(a, b);
+  for (int k = 0; k < 12; ++k) {
+    const Eigen::Vector2d v(std::cos(0.3 * k), std::sin(0.3 * k));
+    EXPECT_GE(v.dot(both * v), std::max(v.dot(a * v), v.dot(b * v)) - 1e-12);
+  }
+  EXPECT_TRUE(larger(a, a).isApprox(a, 1e-12));
+  EXPECT_TRUE(larger(a, 0.5 * a).isApprox(a, 1e-12));
+}
+
+/// A line through 40 values with Gaussian noise of 0.1 and three values far off. u = (a, b), y = a +
+/// b x; the residuals are those after Huber's loss with a corner of 0.15.
+struct RobustLine {
+  static constexpr int kValues = 40;
+  RobustLoss loss{Loss::huber, 0.15};
+  Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(kValues, 0.0, 1.0), y;
+
+  RobustLine() : y(kValues) {
+    RandomStream random(4, 0);
+    for (int i = 0; i < kValues; ++i) y[i] = 0.4 + 0.3 * x[i] + 0.1 * random.normal();
+    for (const int i : {3, 20, 31}) y[i] += i == 20 ? -4.0 : 3.0;
+  }
+  Evaluated at(double a, double b) const {
+    Evaluated one(Eigen::VectorXd(kValues), Eigen::MatrixXd(kValues, 2));
+    for (int i = 0; i < kValues; ++i) {
+      const double d = a + b * x[i] - y[i], slope = loss.slope(d);
+      one.r[i] = loss(d);
+      one.J.row(i) << slope, slope * x[i];
+    }
+    return one;
+  }
+  /// Returns the least of S by Newton's steps.
+  Eigen::Vector2d least() const {
+    Eigen::Vector2d u(0.4, 0.3);
+    for (int k = 0; k < 200; ++k) {
+      const Evaluated one = at(u[0], u[1]);
+      u -= (one.J.transpose() * one.J).inverse() * (one.J.transpose() * one.r);
+    }
+    return u;
+  }
+  ConfidenceOptions options() const {
+    return {.traits = {.losses = std::vector<RobustLoss>(kValues, loss)}};
+  }
+};
+
+TEST(RobustRows, ProfilesEndWhereTheIntervalsDo) {
+  const RobustLine line;
+  const Eigen::Vector2d u = line.least();
+  const DesignSpace space({{.name = "a"}, {.name = "b"}});
+  for (const bool with_slopes : {true, false}) {
+    Identification identification(space, DesignPoint{{u[0], u[1]}}, {.confidence = line.options()});
+    while (!identification.wanted().empty()) {
+      std::vector<Result<Evaluated>> outcomes;
+      for (const DesignPoint& p : identification.wanted()) {
+        Evaluated one = line.at(p.values[0], p.values[1]);
+        outcomes.emplace_back(with_slopes ? one : Evaluated(one.r));
+      }
+      identification.observe(outcomes);
+    }
+    ASSERT_TRUE(identification.status());
+    const Confidence& c = identification.confidence();
+    EXPECT_GE(c.beyond, 3);
+    EXPECT_EQ(c.with_loss, RobustLine::kValues);
+    for (const TargetProfile& profile : identification.profiles()) {
+      const Interval& own = c.intervals[static_cast<size_t>(profile.variable)];
+      EXPECT_EQ(profile.verdict, Verdict::identifiable);
+      const double width = own.upper - own.lower;
+      EXPECT_NEAR(profile.interval.upper - profile.interval.lower, width, 0.1 * width);
+      EXPECT_LT(width, 0.6);  // that of 40 values with a noise of 0.1, not of the values far off
+    }
+  }
+}
+
+// Neighbors that share noise tell less, with a loss as without one.
+TEST(RobustRows, SharedNoiseWidensTheIntervals) {
+  RobustLine line;
+  RandomStream random(9, 0);
+  double noise = 0.0;
+  for (int i = 0; i < RobustLine::kValues; ++i) {
+    noise = 0.85 * noise + 0.05 * random.normal();
+    line.y[i] = 0.4 + 0.3 * line.x[i] + noise;
+  }
+  const Eigen::Vector2d u = line.least();
+  const Evaluated one = line.at(u[0], u[1]);
+  ConfidenceOptions shared = line.options();
+  shared.traits.curves.assign(RobustLine::kValues, 0);
+  const Linearization at{u, one.r, one.J, true};
+  const Confidence alone = confidence(at, line.options()), neighbors = confidence(at, shared);
+  EXPECT_TRUE(neighbors.is_colored);
+  for (const size_t i : {0u, 1u}) {
+    const auto width = [i](const Confidence& c) {
+      return c.intervals[i].upper - c.intervals[i].lower;
+    };
+    EXPECT_GT(width(neighbors), 1.3 * width(alone));
+  }
+}
+
+// A variable that only a value beyond the corner shows is not determined: S does not curve along it.
+TEST(RobustRows, WhatOnlyAValueBeyondTheCornerShowsIsOpen) {
+  Linearization at{Eigen::Vector3d::Constant(0.5), Eigen::VectorXd::Zero(8), {}};
+  at.J = Eigen::MatrixXd::Zero(8, 3);
+  at.J.col(0).setOnes();
+  for (int i = 0; i < 8; ++i) at.J(i, 1) = 0.1 * i;
+  at.J(7, 2) = 1.0;
+  at.J(6, 2) = -1.0;
+  const RobustLoss loss{Loss::huber, 0.01};
+  for (int i = 0; i < 6; ++i) at.r[i] = 1e-4 * (i % 2 == 0 ? 1 : -1);
+  for (const int i : {6, 7}) {
+    at.r[i] = loss(2.0);
+    at.J.row(i) *= loss.slope(2.0);
+  }
+  const Confidence c = confidence(at, {.traits = {.losses = std::vector<RobustLoss>(8, loss)}});
+  EXPECT_EQ(c.beyond, 2);
+  EXPECT_GT(c.intervals[2].upper - c.intervals[2].lower, 1e3);
+  EXPECT_LT(c.intervals[1].upper - c.intervals[1].lower, 2.0);
+  EXPECT_TRUE(std::isinf(c.deviation(2)));
+}
+
+// Groups with their own corners keep their own psi': values without a loss are not loosened by
+// values of another experiment far beyond their corner.
+TEST(RobustRows, ALossOfOneExperimentLeavesTheOthersAsExact) {
+  constexpr int m = 60;
+  RandomStream random(12, 0);
+  Linearization at{Eigen::Vector2d::Constant(0.5), Eigen::VectorXd(m), Eigen::MatrixXd::Zero(m, 2)};
+  std::vector<RobustLoss> losses(m);
+  for (int i = 0; i < m; ++i) {
+    at.J(i, i < m / 2 ? 0 : 1) = 1.0;
+    at.r[i] = random.normal();
+    if (i < m / 2) continue;
+    const RobustLoss loss{Loss::huber, 0.3};
+    losses[static_cast<size_t>(i)] = loss;
+    at.J.row(i) *= loss.slope(at.r[i]);
+    at.r[i] = loss(at.r[i]);
+  }
+  const Confidence c = confidence(at, {.sigma = 1.0, .traits = {.losses = losses}});
+  EXPECT_NEAR(std::sqrt(c.covariance(0, 0)), 1.0 / std::sqrt(m / 2.0), 0.05 / std::sqrt(m / 2.0));
+  EXPECT_GT(c.covariance(1, 1), 1.05 / (m / 2.0));  // a corner of 0.3 is little more than a median
+  EXPECT_LT(c.covariance(1, 1), 2.5 / (m / 2.0));
+}
+
+// Mesh and step: a change of values beyond the corner does not move the least S.
+TEST(RobustRows, AChangeBeyondTheCornerDoesNotShiftTheFit) {
+  const RobustLine line;
+  const Eigen::Vector2d u = line.least();
+  const Evaluated one = line.at(u[0], u[1]);
+  const Linearization at{u, one.r, one.J, true};
+  const Confidence c = confidence(at, line.options());
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(RobustLine::kValues);
+  for (const int i : {3, 20, 31}) change[i] = 0.1;
+  EXPECT_LT(shift_of(at, c.held, change, c.felt_changes).norm(), 1e-12);
+  // A model that computes everything too large by 0.02 has its level lower by it.
+  for (int i = 0; i < RobustLine::kValues; ++i) change[i] = line.loss.at(one.r[i]).slope * 0.02;
+  const Eigen::VectorXd shift = shift_of(at, c.held, change, c.felt_changes);
+  EXPECT_NEAR(shift[0], -0.02, 1e-10);
+  EXPECT_NEAR(shift[1], 0.0, 1e-10);
+}
+
+}  // namespace
+}  // namespace latsch
