@@ -422,6 +422,13 @@ class Rig(Data):
         self.latsch("new", "none", "--drum", "flat.csv", "--cleat", "10 mm x 20 mm", code=WRONG_INPUT)
         self.assertFalse((self.folder / "none" / "rig.toml").exists())
 
+    def test_new_knows_the_names_of_laboratories(self):
+        self.process()
+        rows = (self.folder / "r.csv").read_text().split("\n", 1)[1]
+        for number, names in enumerate(("Zeit [s],Geschwindigkeit [m/s],Radlast [N]", "t_s,Vx_mps,FZ_N")):
+            (self.folder / f"n{number}.csv").write_text(names + "\n" + rows)
+            self.latsch("new", f"named{number}", "--drum", f"n{number}.csv", "--cleat", "10 mm x 20 mm")
+
     def test_new_doubts_a_diameter_of_two_turns(self):
         self.process()
         said = self.latsch("new", "nd", "--drum", "r.csv", "--cleat", "10 mm x 20 mm", "--drum-diameter", "3.82 m")
