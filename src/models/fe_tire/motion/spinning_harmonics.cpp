@@ -20,14 +20,14 @@ using RimColumns = Eigen::Matrix<Complex, 24, 2>;
 constexpr double kSoft = 0.1;  // Hz
 
 /// An element of a sector as one harmonic sees it.
-struct Wave {
+struct ElementWave {
   RimColumns T;                        // displacements of its 24 unknowns by the rim
   Eigen::Matrix<Complex, 24, 1> turn;  // phase of each of its 24 unknowns
 };
 
-Wave wave_of(const Ring& ring, int element, int n) {
+ElementWave element_wave(const Ring& ring, int element, int n) {
   const Mesh& mesh = ring.mesh();
-  Wave wave;
+  ElementWave wave;
   wave.T.setZero();
   const Complex next = std::polar(1.0, 2.0 * std::numbers::pi * n / ring.sectors());
   for (int a = 0; a < 8; ++a) {
@@ -43,7 +43,7 @@ Wave wave_of(const Ring& ring, int element, int n) {
 /// Adds the rim's columns of an element matrix, Hermitian and in node frames.
 void add_border(const Ring& ring,
                 int element,
-                const Wave& wave,
+                const ElementWave& wave,
                 const ComplexMatrix24& H,
                 numerics::BorderedHermitian& sum) {
   const RimColumns HT = H * wave.T;
@@ -131,7 +131,7 @@ void SpinningHarmonics::add_rim(int n, Equations& equations) const {
   const Complex i(0.0, 1.0);
   const double waves = n;
   for (const RimElement& at : rim_elements_) {
-    const Wave wave = wave_of(ring(), at.element, n);
+    const ElementWave wave = element_wave(ring(), at.element, n);
     const ComplexMatrix24 iC = i * at.C.cast<Complex>();
     const ComplexMatrix24 mass = at.M.cast<Complex>();
     const ComplexMatrix24 W = at.MP.cast<Complex>() + 2.0 * waves * iC + waves * waves * mass;
