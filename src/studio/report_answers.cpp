@@ -88,6 +88,7 @@ std::string report_answers(const std::filesystem::path& file,
   hold("convergence", [&] { return convergence_view(study, {.most = kConvergencePoints}, ""); });
   hold("trials", [&] { return trials_view(study, {1, kRows, true}, ""); });
   hold("comparison", [&] { return comparison_view(study, "best"); });
+  hold("limits", [&] { return limits_view(study, "best"); });
   hold("target", [&] { return target_view(study, ""); });
   hold("kpis", [&] { return kpi_view(study, ""); });
   hold("identifiability", [&] { return identifiability_view(study); });

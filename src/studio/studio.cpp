@@ -188,6 +188,7 @@ class Studio::Impl {
          }},
         {"/api/trial", [&](auto& s) { return trial_view(s, query.number("trial", 0, 1)); }},
         {"/api/comparison", [&](auto& s) { return comparison_view(s, trial); }},
+        {"/api/limits", [&](auto& s) { return limits_view(s, trial); }},
         {"/api/target", [&](auto& s) { return target_view(s, weights); }},
         {"/api/kpis", [&](auto& s) { return kpi_view(s, weights); }},
         {"/api/identifiability", [&](auto& s) { return identifiability_view(s); }},

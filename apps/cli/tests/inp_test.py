@@ -90,6 +90,16 @@ class Deck(Coarse):
                 for a, b in zip(theirs[name], ours[name], strict=True):
                     self.assertAlmostEqual(a / b, 1.0, delta=1e-6, msg=f"zones {zones}, loaded {loaded}, {test}")
 
+    def test_export_says_how_far_another_program_is_and_check_what_a_deck_without_comments_lacks(self):
+        tire = self.folder / "tire.toml"
+        edit(tire, (r"\nsectors = 18", '\nsectors = 18\nsector_zones = [[3, "8 deg"]]'))
+        self.assert_says(self.latsch("export", tire, "--ccx", self.deck), "its sectors are equal", "a comment keeps")
+        self.assert_says(self.latsch("export", tire, "--ccx", self.deck, "--deflection", "12 mm"),
+                         "sectors are of unequal width", "does not keep such a ring round", "1.0 % less force")
+        self.assertNotIn("it states no walls", self.latsch("check", self.deck))
+        self.deck.write_text(re.sub(r"(?m)^\*\* latsch .*\n", "", self.deck.read_text()))
+        self.assert_says(self.latsch("check", self.deck), "it states no walls", "1.6 %")
+
     def test_mesh_counts_it_and_refines_none(self):
         self.assert_says(self.latsch("mesh", self.deck), "sectors", "mass")
         self.assert_says(self.latsch("mesh", self.deck, "--refinement", "2", code=WRONG_INPUT), "cannot be refined")

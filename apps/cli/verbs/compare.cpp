@@ -2,6 +2,8 @@
 // latsch compare: runs tires of several kinds through the same drum tests, or models of any kind
 // through the same tests, beside measurements.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -33,7 +35,11 @@ void write_measurements(const ComparisonFile& file, const fs::path& folder) {
     throw InputError({file.file.string(), 0}, "has no [specimen] to write measurements from");
   fs::create_directories(folder);
   for (std::size_t t = 0; t < file.tests.size(); ++t) {
-    const Channels all = correlation::measure(*file.specimen, file.tests[t], t);
+    std::vector<std::string> limits;
+    const Channels all = correlation::measure(*file.specimen, file.tests[t], t, &limits);
+    for (const std::string& limit : limits)
+      warn(fmt::format("the specimen: {} (test {})", limit, file.tests[t].name),
+           {file.file.string(), 0});
     Channels kept;
     kept.add({"time", "s", all["time"]});
     for (const std::string& channel : file.channels) {
@@ -77,15 +83,20 @@ void compare(const std::string& name,
     });
   }
   for (const std::string& remark : comparison.remarks) warn(remark, {name, 0});
+  for (const std::string& limit : comparison.limits_of_specimen)
+    warn("the specimen: " + limit, {name, 0});
   write_text_file(output, comparison_page(file, comparison));
   say("{}\n\n", file.title);
   for (std::size_t t = 0; t < file.tires.size(); ++t) {
     const auto& of_tire = comparison.tires[t];
+    const auto limits = limits_of_tire(file, comparison, t);
+    for (const std::string& limit : limits) warn(file.tires[t].title + ": " + limit, {name, 0});
     answer()["tires"].push_back({{"name", file.tires[t].name},
                                  {"channels", file.channels},
                                  {"time_error", of_tire.time_error},
                                  {"psd_error", of_tire.psd_error},
-                                 {"cpu_over_time", of_tire.cpu_over_time}});
+                                 {"cpu_over_time", of_tire.cpu_over_time},
+                                 {"limits", limits}});
   }
   answer()["verdicts"] = verdicts(file, comparison);
   answer()["report"] = output;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/verbs/compared_models.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -25,8 +27,12 @@ void write_recordings(const ModelComparisonFile& file,
   for (std::size_t i = 0; i < file.cases.size(); ++i) {
     if (file.cases[i].recording != file.cases[i].name) continue;
     Channels rounded;
+    std::vector<std::string> limits;
     const Channels all =
-        correlation::kept_of(file, correlation::record_reference(file, i, language));
+        correlation::kept_of(file, correlation::record_reference(file, i, language, &limits));
+    for (const std::string& limit : limits)
+      warn(fmt::format("{}: {} ({})", file.reference.title, limit, file.cases[i].name),
+           {file.file.string(), 0});
     for (Channel channel : all.all()) {
       const double digits = channel.unit == "N" ? 1.0 : 1e4;  // resolution of the sensors
       for (double& value : channel.values) value = std::round(value * digits) / digits;
@@ -96,7 +102,8 @@ void compare_models(const std::string& name,
           progress.update(done, all, "runs");
         });
   }
-  for (const std::string& limit : limits_of_models(file, comparison)) warn(limit, {name, 0});
+  const auto limits = limits_of_models(file, comparison);
+  for (const std::string& limit : limits) warn(limit, {name, 0});
   write_text_file(output, model_comparison_page(file, comparison));
   say("{}\n\n", file.title);
   for (std::size_t i = 0; i < file.cases.size(); ++i)
@@ -120,6 +127,7 @@ void compare_models(const std::string& name,
                                        {"over", file.tests[one.test].varied[one.varied].path},
                                        {"range", ranges}});
   }
+  answer()["limits"] = limits;
   answer()["findings"] = findings(file, comparison);
   answer()["report"] = output;
   for (const std::string& sentence : findings(file, comparison)) say("{}\n", sentence);

@@ -320,7 +320,9 @@ int finish(const Study& study,
   workers.end();
   if (const auto found = correlation::best_trial(study, journal)) {
     warn_beyond_data(study, found->point);
-    for (const std::string& limit : correlation::limits_met_at(study, found->point)) warn(limit);
+    const auto limits = correlation::limits_met_at(study, found->point);
+    for (const std::string& limit : limits) warn(limit);
+    answer()["limits"] = limits;
   }
   const int exit_code = write_report_of_run(study, as_read, journal, language);
   if (exit_code == kDone) correlation::mark_finished(as_read, shown, journal);

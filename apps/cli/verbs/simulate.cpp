@@ -59,7 +59,9 @@ int simulate(const std::string& file,
   say("\ntarget {:.4f} %, {}\n",
       target * 100.0,
       correlation::target_in_words(correlation::fitted_exponents(study.experiments), target));
-  for (const std::string& limit : correlation::limits_met_at(study, point)) warn(limit);
+  const auto limits = correlation::limits_met_at(study, point);
+  for (const std::string& limit : limits) warn(limit);
+  answer()["limits"] = limits;
   return kDone;
 }
 

@@ -16,6 +16,7 @@
 #include "bindings/failures.h"
 #include "bindings/long_call.h"
 #include "bindings/models.h"
+#include "correlation/analysis/test_limits.h"
 #include "correlation/search/search_standing.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
@@ -295,6 +296,14 @@ void bind_studies(py::module_& module) {
       .def("_simulate",
            [](const Read& s, const Array& at) {
              return simulated(s.study, point(at, s.study->space.size()));
+           })
+      .def("_limits",
+           [](const Read& s, const Array& at) {
+             const DesignPoint p = point(at, s.study->space.size());
+             return long_call<std::vector<std::string>>(
+                 [study = s.study, p](const Abandonment&) {
+                   return correlation::limits_met_at(*study, p);
+                 });
            })
       .def(
           "model",

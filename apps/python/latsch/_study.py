@@ -83,16 +83,18 @@ class Study(_latsch._Study):
 
     def simulate(self, point):
         """Simulates all experiments at a point (n,), also the predicted ones, and returns a Recording with channels
-        "TEST/CHANNEL"."""
+        "TEST/CHANNEL". Its notes name the limits that the model meets, each with its tests: ranges of a tire's file that it
+        leaves, a tire off the road."""
         values, units, _ = self._simulate(point)
-        return Recording(values, units)
+        return Recording(values, units, notes=self._limits(point))
 
     def run(self, workers=None, *, anew=False, progress=True):
         """Fits the model in a process `latsch run`; trials in the journal are not computed again.
 
         workers: number of processes; that of the study unless given. anew: begins with an empty journal. progress: True
         shows the progress on standard error, False does not; or a function that receives its lines. Returns the results of
-        `latsch run --json` as a dict. Ctrl-C ends the run, saves all trials and raises KeyboardInterrupt; run() or resume()
+        `latsch run --json` as a dict; its `limits` name the limits that the model meets at the best point, which are also
+        Python warnings. Ctrl-C ends the run, saves all trials and raises KeyboardInterrupt; run() or resume()
         continues the run.
         """
         return self._program("run", workers, ["--anew"] if anew else [], progress)

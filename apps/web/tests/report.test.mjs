@@ -18,7 +18,7 @@ function reportOf(folder) {
   const none = new URLSearchParams();
   const answers = {
     study: data.study(kStudy), convergence: data.convergence(kStudy, none), trials: data.trials(kStudy, new URLSearchParams({ order: 'target' })),
-    comparison: data.comparison(kStudy), target: data.target(kStudy, none), kpis: data.kpis(kStudy, none), identifiability: data.identifiability(kStudy),
+    comparison: data.comparison(kStudy), limits: data.limits(kStudy), target: data.target(kStudy, none), kpis: data.kpis(kStudy, none), identifiability: data.identifiability(kStudy),
     model: data.model(), section: data.section(), scene: { gzip_base64: gzipSync(scene()).toString('base64') }, 'trial?trial=12': data.trial(kStudy, 12),
   };
   const inside = (name) => readFileSync(join(folder, 'report', name), 'utf8');
@@ -43,6 +43,7 @@ export const claims = {
       await page.reload();
       await settled(page);
       await page.waitForSelector('.panel');
+      if (view === 'comparison') await page.getByText('above FZMAX').waitFor();
       if (view === 'model') await page.waitForSelector('canvas');
       faults.push(...[...(await violations(page)), ...page.errors.splice(0), ...(await page.getByRole('alert').allInnerTexts())].map((words) => `${view}: ${words}`));
     }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/analysis/test_limits.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <memory>
+#include <mutex>
 
+#include "correlation/analysis/limits_by_name.h"
 #include "correlation/target/predictions.h"
 #include "experiment/language/known_limits.h"
 
@@ -14,30 +13,23 @@ namespace latsch::correlation {
 
 namespace {
 
-/// Sentences, each with the tests to which it belongs.
-class LimitsByTest {
- public:
-  void add(const std::string& limit, const std::string& test) {
-    auto known = std::find_if(
-        limits_.begin(), limits_.end(), [&](const auto& one) { return one.first == limit; });
-    if (known == limits_.end()) known = limits_.insert(known, {limit, {}});
-    known->second.push_back(test);
-  }
-  std::vector<std::string> sentences() const {
-    std::vector<std::string> all;
-    for (const auto& [limit, tests] : limits_)
-      all.push_back(fmt::format("{}: {}", fmt::join(tests, ", "), limit));
-    return all;
-  }
-
- private:
-  std::vector<std::pair<std::string, std::vector<std::string>>> limits_;
+/// Limits at a point, which terminal, page and report ask for one after the other.
+struct KnownLimits {
+  std::string of;  // identity of the study and the point
+  std::vector<std::string> sentences;
 };
+
+/// Returns a text that differs for studies and points whose tests differ.
+std::string identity_text(const Study& study, const DesignPoint& point) {
+  std::string text;
+  for (const IdentityPart& part : identity(study)) text += part.name + "\n" + part.text + "\n";
+  return text + point.bits();
+}
 
 }  // namespace
 
 std::vector<std::string> limits_of_tests(const Study& study) {
-  LimitsByTest limits;
+  LimitsByName limits;
   std::unique_ptr<experiment::Specimen> specimen;
   for (const StudyTest& test : study.tests) {
     const auto* tells = dynamic_cast<const experiment::TellsLimits*>(test.test.get());
@@ -49,26 +41,48 @@ std::vector<std::string> limits_of_tests(const Study& study) {
       return {};
     }
   }
-  return limits.sentences();
+  return limits.after_names();
 }
 
-std::vector<std::string> limits_met_at(const Study& study, const DesignPoint& point) {
-  LimitsByTest limits;
-  const Study whole = with_predictions(study);
+namespace {
+
+std::vector<std::string> found_limits(const Study& whole, const DesignPoint& point) {
+  LimitsByName limits;
   const auto asked = tests_asked_for(whole);
   for (const StudyTest& test : whole.tests) {
     if (std::find(asked.begin(), asked.end(), test.name) == asked.end()) continue;
     try {
       const auto specimen = whole.specimens->at(whole, point, nullptr);
-      const auto* knows = specimen->find<experiment::KnowsLimits>();
-      if (!knows || !knows->records_limits()) return {};
+      if (!specimen->find<experiment::KnowsLimits>()) return {};
       if (!test.test->run(*specimen)) continue;
-      for (const std::string& limit : knows->limits_met()) limits.add(limit, test.in_words());
+      for (const std::string& limit : experiment::limits_met(*specimen))
+        limits.add(limit, test.in_words());
     } catch (const InputError&) {
       continue;  // a predicted test that does not accept the point reports this itself
     }
   }
-  return limits.sentences();
+  return limits.after_names();
+}
+
+}  // namespace
+
+std::vector<std::string> limits_met_at(const Study& study, const DesignPoint& point) {
+  if (!study.specimens->may_repeat()) return {};
+  constexpr std::size_t kKept = 8;
+  static std::mutex mutex;
+  static std::vector<KnownLimits> kept;
+  const Study whole = with_predictions(study);
+  const std::string of = identity_text(whole, point);
+  {
+    const std::lock_guard lock(mutex);
+    const auto known = std::ranges::find(kept, of, &KnownLimits::of);
+    if (known != kept.end()) return known->sentences;
+  }
+  std::vector<std::string> sentences = found_limits(whole, point);
+  const std::lock_guard lock(mutex);
+  if (kept.size() == kKept) kept.erase(kept.begin());
+  kept.push_back({of, sentences});
+  return sentences;
 }
 
 }  // namespace latsch::correlation

@@ -184,12 +184,24 @@ std::string test_chapter(const ComparisonFile& file,
   return html + "</div></section>\n";
 }
 
+/// Lists the limits that the specimen and the tires met; empty if they met none.
+std::string limits_list(const ComparisonFile& file, const TireComparison& comparison) {
+  std::string items;
+  for (const std::string& limit : comparison.limits_of_specimen)
+    items += "<li>" + escape("the specimen: " + limit) + "</li>";
+  for (std::size_t i = 0; i < file.tires.size(); ++i)
+    for (const std::string& limit : limits_of_tire(file, comparison, i))
+      items += "<li>" + escape(file.tires[i].title + ": " + limit) + "</li>";
+  return items.empty() ? "" : "<h3>Limits that the tires met</h3><ul>" + items + "</ul>";
+}
+
 std::string verdict_chapter(const ComparisonFile& file, const TireComparison& comparison) {
   std::string html = "<section><h2>What each tire can do</h2><ul>";
   for (const std::string& sentence : verdicts(file, comparison))
     html += "<li>" + escape(sentence) + "</li>";
   html += "</ul>";
   for (const std::string& remark : comparison.remarks) html += "<p>" + escape(remark) + ".</p>";
+  html += limits_list(file, comparison);
   html += summary_table(file, comparison) + needs_table(file);
   html += fmt::format(
       "<p>Errors are means over {} tests, of the root mean square of the measured force about its "

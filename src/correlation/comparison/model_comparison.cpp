@@ -2,7 +2,6 @@
 #include "correlation/comparison/model_comparison.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -16,6 +15,7 @@
 
 #include "base/random.h"
 #include "base/text.h"
+#include "correlation/analysis/limits_by_name.h"
 #include "correlation/comparison/moved_models.h"
 #include "correlation/comparison/spectral_bands.h"
 #include "experiment/language/known_limits.h"
@@ -73,8 +73,10 @@ Channels run_of(const ComparedModel& model,
   if (!channels)
     throw std::runtime_error(
         fmt::format("{} in {}: {}", model.title, name, channels.failure().reason));
-  if (const auto* tells = dynamic_cast<const experiment::TellsLimits*>(&test); tells && limits)
+  if (!limits) return std::move(*channels);
+  if (const auto* tells = dynamic_cast<const experiment::TellsLimits*>(&test))
     *limits = tells->limits(*specimen);
+  for (std::string& limit : experiment::limits_met(*specimen)) limits->push_back(std::move(limit));
   return std::move(*channels);
 }
 
@@ -120,9 +122,21 @@ ModelRun run_model(const ModelComparisonFile& file,
                            ? mean(selected_samples(file, channels, name, model.title))
                            : std::nan(""));
   std::vector<MovedDensities> others;
-  for (const MovedModel& moved : band_models(file, model, fits))
-    others.push_back({densities_of(file, run_of(model, moved.numbers, test, one.name), model.title),
-                      moved.count});
+  int beyond = 0, count = 0;
+  for (const MovedModel& moved : band_models(file, model, fits)) {
+    std::vector<std::string> limits;
+    others.push_back(
+        {densities_of(file, run_of(model, moved.numbers, test, one.name, &limits), model.title),
+         moved.count});
+    ++count;
+    if (limits.size() > run.limits.size()) ++beyond;
+  }
+  if (beyond > 0)
+    run.limits.push_back(fmt::format(
+        "{} of {} models moved for the bands met limits that the model itself did not, ranges of "
+        "its file or the loss of the road: the bands are too narrow there",
+        beyond,
+        count));
   add_bands(file, model, fits, others, run);
   compare_run(file, compared, run);
   return run;
@@ -156,20 +170,15 @@ void share_out(std::size_t count, int threads, const std::function<void(std::siz
 
 std::vector<std::string> limits_of_models(const ModelComparisonFile& file,
                                           const ModelComparison& comparison) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> limits;  // with their cases
+  LimitsByName limits;
+  for (std::size_t i = 0; i < file.cases.size(); ++i)
+    for (const std::string& limit : comparison.cases[i].limits_of_reference)
+      limits.add(file.reference.title + ": " + limit, file.cases[i].name);
   for (std::size_t m = 0; m < file.models.size(); ++m)
     for (std::size_t i = 0; i < file.cases.size(); ++i)
-      for (const std::string& limit : comparison.cases[i].models[m].limits) {
-        const std::string sentence = file.models[m].title + ": " + limit;
-        auto known = std::find_if(
-            limits.begin(), limits.end(), [&](const auto& one) { return one.first == sentence; });
-        if (known == limits.end()) known = limits.insert(known, {sentence, {}});
-        known->second.push_back(file.cases[i].name);
-      }
-  std::vector<std::string> sentences;
-  for (const auto& [sentence, cases] : limits)
-    sentences.push_back(fmt::format("{} ({})", sentence, fmt::join(cases, ", ")));
-  return sentences;
+      for (const std::string& limit : comparison.cases[i].models[m].limits)
+        limits.add(file.models[m].title + ": " + limit, file.cases[i].name);
+  return limits.before_names();
 }
 
 double ModelRun::mean_distance(std::size_t band) const { return mean(distance[band]); }
@@ -177,11 +186,12 @@ double ModelRun::mean_decibels(std::size_t band) const { return mean(decibels[ba
 
 Channels record_reference(const ModelComparisonFile& file,
                           std::size_t index,
-                          const experiment::Language& language) {
+                          const experiment::Language& language,
+                          std::vector<std::string>* limits) {
   const ComparedCase& one = file.cases[index];
   const auto test =
       read_case(one.reference_test, file.tests[one.test].reference_folder, language, nullptr);
-  const Channels clean = run_of(file.reference, file.reference.numbers, *test, one.name);
+  const Channels clean = run_of(file.reference, file.reference.numbers, *test, one.name, limits);
   for (const auto& [name, deviation] : file.noise)
     if (!clean.find(name))
       throw InputError({file.file.string(), 0},
@@ -215,9 +225,11 @@ Channels kept_of(const ModelComparisonFile& file, const Channels& all) {
 
 Channels reference_of(const ModelComparisonFile& file,
                       std::size_t index,
-                      const experiment::Language& language) {
+                      const experiment::Language& language,
+                      std::vector<std::string>* limits) {
   const std::size_t source = file.find_case(file.cases[index].recording);
-  if (file.recordings.empty()) return kept_of(file, record_reference(file, source, language));
+  if (file.recordings.empty())
+    return kept_of(file, record_reference(file, source, language, limits));
   const auto table = formats::CsvTable::read(file.recordings / (file.cases[source].name + ".csv"));
   return table.channels();
 }
@@ -248,7 +260,7 @@ ModelComparison compare_models(const ModelComparisonFile& as_written,
   all.cases.resize(count);
   std::vector<std::unique_ptr<experiment::Test>> tests(count);
   share_out(count, threads, [&](std::size_t i) {
-    const Channels recording = reference_of(file, i, language);
+    const Channels recording = reference_of(file, i, language, &all.cases[i].limits_of_reference);
     all.cases[i].reference = densities_of(file, recording, file.reference.title);
     check_power(file, all.cases[i].reference);
     all.cases[i].noise = noise_of(file, recording);

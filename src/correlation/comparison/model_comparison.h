@@ -54,7 +54,8 @@ struct ModelRun {
 
 struct CaseComparison {
   std::vector<numerics::Density> reference;
-  std::vector<LineNoise> noise;  // noise of the reference, by channel
+  std::vector<LineNoise> noise;                  // noise of the reference, by channel
+  std::vector<std::string> limits_of_reference;  // that it met; empty for a recording
   std::vector<ModelRun> models;
 };
 
@@ -64,16 +65,19 @@ struct ModelComparison {
   std::vector<experiment::Test::Picture> pictures;
 };
 
-/// Returns everything the reference records in a case, noise included.
+/// Returns everything the reference records in a case, noise included. `limits` receives the limits
+/// that the reference met, unless it is null.
 Channels record_reference(const ModelComparisonFile& file,
                           std::size_t index,
-                          const experiment::Language& language);
+                          const experiment::Language& language,
+                          std::vector<std::string>* limits = nullptr);
 /// Returns the channels that are written and compared: time, compared and recorded ones.
 Channels kept_of(const ModelComparisonFile& file, const Channels& all);
 /// Reads the reference from its file if it has one; otherwise simulates it.
 Channels reference_of(const ModelComparisonFile& file,
                       std::size_t index,
-                      const experiment::Language& language);
+                      const experiment::Language& language,
+                      std::vector<std::string>* limits = nullptr);
 
 /// Runs the comparison with this many threads; the result does not depend on their number. Throws
 /// InputError if records do not fit each other, std::runtime_error if a model fails.
@@ -82,7 +86,8 @@ ModelComparison compare_models(const ModelComparisonFile& file,
                                int threads,
                                const std::function<void(long done, long all)>& tell = {});
 
-/// Returns the limits that the models have met in their tests, each with the cases.
+/// Returns the limits that the reference and the models have met in their tests, those moved for
+/// the bands included, each with the cases.
 std::vector<std::string> limits_of_models(const ModelComparisonFile& file,
                                           const ModelComparison& comparison);
 

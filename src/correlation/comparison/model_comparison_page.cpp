@@ -396,6 +396,9 @@ std::string model_comparison_page(const ModelComparisonFile& file,
                       escape(file.reference.title));
   for (const std::string& sentence : findings(file, comparison))
     html += "<li>" + escape(sentence) + "</li>\n";
+  const auto limits = limits_of_models(file, comparison);
+  if (!limits.empty()) html += "</ul>\n<h2>Limits that the models met</h2>\n<ul>\n";
+  for (const std::string& limit : limits) html += "<li>" + escape(limit) + "</li>\n";
   html +=
       "</ul>\n<h2>Distances</h2>\n<p>RMS of the difference of both power spectral densities "
       "over the RMS of the reference's, lines of the band, mean over the channels; in "

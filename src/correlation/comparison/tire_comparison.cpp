@@ -9,8 +9,12 @@
 #include <stdexcept>
 
 #include "base/random.h"
+#include "correlation/analysis/limits_by_name.h"
 #include "correlation/comparison/measured_drum.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
+#include "experiment/rigs/lift_watch.h"
+#include "experiment/rigs/sampling.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
 
@@ -79,13 +83,27 @@ void find_heard(const ComparisonFile& file,
   }
 }
 
-Channels run_of(const ComparedTire& tire, const ComparisonTest& test) {
+/// `limits`: receives the limits that the tire met, unless it is null.
+Channels run_of(const ComparedTire& tire,
+                const ComparisonTest& test,
+                std::vector<std::string>* limits) {
   const auto specimen = tire.kind->build(tire.numbers);
-  const auto rolling = specimen->find<experiment::Rolls>()->tire(test.drum.pressure);
-  auto channels = experiment::run(*rolling, test.drum);
+  const experiment::DrumTest& drum = test.drum;
+  experiment::refuse_high_cleat(*specimen, drum.cleat);
+  experiment::LiftLog lifts;
+  auto rolling = watched(specimen->find<experiment::Rolls>()->tire(drum.pressure), lifts);
+  auto channels = experiment::run(*rolling, drum);
   if (!channels) {
     throw std::runtime_error(
         fmt::format("{} in test {}: {}", tire.title, test.name, channels.failure().reason));
+  }
+  if (limits) {
+    *limits = limits_of(*specimen, drum.cleat);
+    record_limit(*specimen, lifts.sentence());
+    if (drum.cleat)
+      record_limit(*specimen, experiment::note_on_samples(drum.sample_step, drum.speed));
+    for (std::string& limit : experiment::limits_met(*specimen))
+      limits->push_back(std::move(limit));
   }
   return std::move(*channels);
 }
@@ -142,7 +160,7 @@ TireRun compared_run(const ComparedTire& tire,
   double least = 0.0;
   for (int i = 0; i < kTimings; ++i) {
     const double begin = cpu_seconds();
-    channels = run_of(tire, test);
+    channels = run_of(tire, test, i == 0 ? &run.limits : nullptr);
     const double spent = cpu_seconds() - begin;
     least = i == 0 ? spent : std::min(least, spent);
   }
@@ -213,10 +231,13 @@ TireSummary summary(const ComparisonFile& file, const TireComparison& all, std::
 
 }  // namespace
 
-Channels measure(const ComparedSpecimen& specimen, const ComparisonTest& test, std::size_t index) {
+Channels measure(const ComparedSpecimen& specimen,
+                 const ComparisonTest& test,
+                 std::size_t index,
+                 std::vector<std::string>* limits) {
   ComparisonTest own = test;
   if (specimen.step > 0.0) own.drum.step = specimen.step;
-  const Channels clean = run_of(specimen.tire, own);
+  const Channels clean = run_of(specimen.tire, own, limits);
   Channels noisy;
   std::uint64_t number = 16 * index;  // random stream, different for each channel of each test
   for (Channel channel : clean.all()) {
@@ -234,6 +255,7 @@ TireComparison compare_tires(const ComparisonFile& file,
                              const std::function<void(const std::string&)>& tell) {
   TireComparison all;
   all.bands = third_octave_bands(file.band);
+  LimitsByName of_specimen;
   for (std::size_t t = 0; t < file.tests.size(); ++t) {
     const ComparisonTest& test = file.tests[t];
     if (tell) tell(test.name);
@@ -244,7 +266,9 @@ TireComparison compare_tires(const ComparisonFile& file,
     compared.highest = 0.5 / test.drum.sample_step;
     std::vector<std::vector<double>> forces;
     if (file.specimen) {
-      const Channels measured = measure(*file.specimen, test, t);
+      std::vector<std::string> limits;
+      const Channels measured = measure(*file.specimen, test, t, &limits);
+      for (const std::string& limit : limits) of_specimen.add(limit, test.name);
       compared.time = measured["time"];
       for (const std::string& channel : file.channels) forces.push_back(measured[channel]);
     } else {
@@ -264,7 +288,18 @@ TireComparison compare_tires(const ComparisonFile& file,
     all.tests.push_back(std::move(compared));
   }
   for (std::size_t i = 0; i < file.tires.size(); ++i) all.tires.push_back(summary(file, all, i));
+  all.limits_of_specimen = of_specimen.before_names();
   return all;
+}
+
+std::vector<std::string> limits_of_tire(const ComparisonFile& file,
+                                        const TireComparison& comparison,
+                                        std::size_t tire) {
+  LimitsByName limits;
+  for (std::size_t t = 0; t < file.tests.size(); ++t)
+    for (const std::string& limit : comparison.tests[t].tires[tire].limits)
+      limits.add(limit, file.tests[t].name);
+  return limits.before_names();
 }
 
 std::vector<std::string> verdicts(const ComparisonFile& file, const TireComparison& comparison) {

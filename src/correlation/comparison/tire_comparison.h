@@ -35,6 +35,8 @@ struct TireRun {
   std::vector<ComparedRecord> channels;
   std::vector<double> time_error, psd_error;  // ratios, one for each channel
   double cpu_over_time = 0.0;                 // CPU time over simulated time
+  std::vector<std::string> limits;  // sentences on limits that the tire met: ranges of its file
+                                    // that it left, loss of the road, what its model lacks
 };
 
 struct TestComparison {
@@ -58,11 +60,21 @@ struct TireComparison {
   std::vector<TestComparison> tests;  // in the order of the file
   std::vector<TireSummary> tires;
   std::vector<std::string> remarks;  // parts of the band that a record does not contain
+  /// Sentences on limits that the specimen met, each with its tests; empty for recordings.
+  std::vector<std::string> limits_of_specimen;
 };
 
 /// Returns what the specimen of the file records in one test: time, speed and the channels with
-/// their noise.
-Channels measure(const ComparedSpecimen& specimen, const ComparisonTest& test, std::size_t index);
+/// their noise. `limits` receives the limits that the specimen met, unless it is null.
+Channels measure(const ComparedSpecimen& specimen,
+                 const ComparisonTest& test,
+                 std::size_t index,
+                 std::vector<std::string>* limits = nullptr);
+
+/// Returns the limits that a tire of the file met, each with the names of the tests.
+std::vector<std::string> limits_of_tire(const ComparisonFile& file,
+                                        const TireComparison& comparison,
+                                        std::size_t tire);
 
 /// Throws InputError if a measurement does not fit its test, std::runtime_error if a tire fails.
 TireComparison compare_tires(const ComparisonFile& file,

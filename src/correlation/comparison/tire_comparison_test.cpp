@@ -93,6 +93,30 @@ TEST_F(ComparedTires, RecordingsStandInTheSpecimensPlace) {
   EXPECT_THROW(compare_tires(read), InputError);  // the measurement is too short
 }
 
+TEST_F(ComparedTires, RangesThatATireLeavesAreSaidWithTheirTests) {
+  const std::string limited =
+      experiment::sparse_tir(std::string("VERTICAL_DAMPING = 200\n") +
+                             experiment::kLongitudinalForce) +
+      "[VERTICAL_FORCE_RANGE]\nFZMIN = 0\nFZMAX = 3000\n";
+  write("limited.tir", limited);
+  write("comparison.toml",
+        "[specimen]\nkind = \"magic_formula\"\nfile = \"limited.tir\"\n"
+        "[test.cleat]\nfile = \"drum.toml\"\n[test.again]\nfile = \"drum.toml\"\n"
+        "[tire.same]\nkind = \"magic_formula\"\nfile = \"same.tir\"\n"
+        "[tire.limited]\nkind = \"magic_formula\"\nfile = \"limited.tir\"\n");
+  const auto read = read_comparison_file(folder_ / "comparison.toml", experiment::language());
+  const TireComparison found = compare_tires(read);
+  EXPECT_TRUE(limits_of_tire(read, found, 0).empty());
+  const auto limits = limits_of_tire(read, found, 1);
+  ASSERT_EQ(limits.size(), 1u);
+  EXPECT_NE(limits[0].find("above FZMAX = 3000 N of the tire's file"), std::string::npos);
+  EXPECT_NE(limits[0].find("(cleat, again)"), std::string::npos) << limits[0];
+  ASSERT_EQ(found.limits_of_specimen.size(), 1u);
+  const std::string page = comparison_page(read, found);
+  EXPECT_NE(page.find("limited: Fz is"), std::string::npos);
+  EXPECT_NE(page.find("the specimen: Fz is"), std::string::npos);
+}
+
 TEST_F(ComparedTires, ThePageSaysWhatEachTireCanDo) {
   const ComparisonFile read = file(kSpecimen);
   const std::string page = comparison_page(read, compare_tires(read));

@@ -11,6 +11,7 @@
 #include "correlation/analysis/beyond_data.h"
 #include "correlation/analysis/coefficient_levels.h"
 #include "correlation/analysis/doe_surface.h"
+#include "correlation/analysis/test_limits.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
@@ -261,6 +262,8 @@ Result<StudyReport> study_report(const Study& study,
   if (what) bands = prediction_bands(study, *what, journal, {{best->point, *found.channels}});
   add_experiments(
       study, found, initial, bands, fits.empty() ? std::vector<OwnStage>{} : fits.back().own, page);
+  for (const std::string& limit : limits_met_at(study, best->point))
+    page.remarks.push_back("Warning: " + limit);
   for (const std::string& words : faults_beyond_data(study, best->point))
     page.remarks.push_back("Warning: " + words);
   for (const std::string& words : untold_in_words(study))

@@ -120,6 +120,11 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
         if (const auto* knows = specimen->find<KnowsLimits>())
           if (const auto height = knows->section_height())
             section_ = std::min(section_.value_or(*height), *height);
+        if (const auto* knows = specimen->find<KnowsLimits>()) {
+          felt_ = std::min(felt_.value_or(knows->felt_half_width()), knows->felt_half_width());
+          if (const auto half = knows->tread_half_width())
+            tread_ = std::max(tread_.value_or(*half), *half);
+        }
         if (const auto* knows = specimen->find<KnowsLimits>(); knows && (side == 0 || key == right))
           for (const std::string& limit : knows->limits_across())
             limits_across_.push_back(key + ": " + limit);
@@ -133,12 +138,6 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
     refuse_unknown(numbers.root());
   }
 
-  bool records_limits() const override {
-    return std::ranges::any_of(built_from_, [](const auto& one) {
-      const auto* knows = one.second->template find<KnowsLimits>();
-      return knows && knows->records_limits();
-    });
-  }
   /// Throws InputError if a tire does not fit under its wheel center.
   void check_tires() const {
     const auto wrong = car::Car::misfit(car::build(file_.parameters).parts, tires_);
@@ -176,6 +175,12 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   std::vector<std::string> limits_across() const override { return limits_across_; }
   /// The lowest section of its tires.
   std::optional<double> section_height() const override { return section_; }
+  /// The narrowest of its tires; 0 for a spring, which feels one line.
+  double felt_half_width() const override {
+    return built_from_.size() < tires_.size() ? 0.0 : felt_.value_or(0.0);
+  }
+  /// The widest of its tires.
+  std::optional<double> tread_half_width() const override { return tread_; }
 
   Result<Channels> load(const AxleKcTest& test, const Asked& asked) const override {
     const auto car = on_rig(test);
@@ -225,7 +230,7 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   car::Tires tires_;
   std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;  // tires by key, side
   std::vector<std::string> limits_across_;
-  std::optional<double> section_;  // m
+  std::optional<double> section_, felt_, tread_;  // m; the latter are half widths
 };
 
 class CarKind : public SpecimenKind {

@@ -103,6 +103,12 @@ std::vector<std::string> inp_notes(const std::filesystem::path& file) {
                       : fmt::format("its elements {} are computed as solid shells, the default of "
                                     "the finite-element tire",
                                     deck.element_type));
+  if (deck.element_type != "C3D8" && deck.remarks.walls.empty())
+    notes.emplace_back(
+        "it states no walls (comments \"** latsch wall:\"): its elements do not correct their "
+        "shear by the thickness of the wall; on a coarse 205/55R16 of 14 columns this raises the "
+        "growth by 1.6 %, the force by 1.2 % and the lowest mode by 3.8 %, on shorter columns "
+        "less");
   if (!deck.contacts.empty())
     notes.emplace_back(
         "its ground determines the downward direction and the faces of the tread; a test states "

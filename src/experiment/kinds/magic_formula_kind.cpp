@@ -29,8 +29,15 @@ constexpr int kBlock = 8192;  // states
 /// Says that a tire has no turn slip though a test asks for it; empty if it has.
 std::string no_turn_slip_in(const MagicFormula& tire, const Conventions& asked) {
   if (!asked.turn_slip || tire.conventions().turn_slip) return "";
-  return "the tire has no turn slip coefficients (QDRP1, PHYP1 or QCRP1 is 0): turn_slip = \"on\" "
-         "has no effect";
+  const std::string_view missing = tire.parameters().missing_of_turn_slip();
+  if (missing == "QDZ10" || missing == "LKZC")
+    return fmt::format(
+        "{} is 0, so that the tire has no stiffness against spin, by which the equations of turn "
+        "slip divide (4.100): turn_slip = \"on\" has no effect",
+        missing);
+  return fmt::format(
+      "the tire has no turn slip coefficients ({} is 0): turn_slip = \"on\" has no effect",
+      missing);
 }
 
 class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, public KnowsLimits {
@@ -47,7 +54,6 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
   std::vector<std::string> limits_met() const override {
     return limits_met_by(parameters_, *log_, asked_pressure_);
   }
-  bool records_limits() const override { return true; }
   void stood_under(double load) override { log_->add_standing(load); }
   std::string no_stiffness(const std::string& direction) const override {
     return no_stiffness_of(parameters_, direction);
@@ -56,6 +62,9 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
     return assumed_stiffness_of(parameters_, direction);
   }
   std::optional<double> section_height() const override { return section_height_of(parameters_); }
+  std::optional<double> tread_half_width() const override {
+    return tread_half_width_of(parameters_);
+  }
   std::vector<std::string> limits_on(const Cleat&) const override {
     return {
         "a Magic Formula touches the road at one point: it stands on a cleat as on flat ground, "

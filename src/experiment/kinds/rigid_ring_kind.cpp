@@ -33,7 +33,6 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   std::vector<std::string> limits_met() const override {
     return limits_met_by(parameters_, *log_, asked_pressure_);
   }
-  bool records_limits() const override { return true; }
   void stood_under(double load) override { log_->add_standing(load); }
   std::string no_stiffness(const std::string& direction) const override {
     return no_stiffness_of(parameters_, direction);
@@ -42,6 +41,18 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
     return assumed_stiffness_of(parameters_, direction);
   }
   std::optional<double> section_height() const override { return section_height_of(parameters_); }
+  std::optional<double> tread_half_width() const override {
+    return tread_half_width_of(parameters_);
+  }
+  /// The outermost cams stand at the edges of the patch, here of the patch at FNOMIN.
+  double felt_half_width() const override {
+    if (parameters_.ELLIPS_NWIDTH < 2.0) return 0.0;
+    const magic_formula::MagicFormula formula(parameters_);
+    return std::max(
+        0.0,
+        formula.evaluate({parameters_.FNOMIN, 0, 0, 0, 0, parameters_.LONGVL, parameters_.INFLPRES})
+            .b);
+  }
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }

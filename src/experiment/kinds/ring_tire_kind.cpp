@@ -37,6 +37,8 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
         "while that of a finite-element tire falls (docs/ring_tire.md); belt.bending_across lets "
         "the sections bend"};
   }
+  double felt_half_width() const override { return 0.5 * parameters_.tread.width; }
+  std::optional<double> tread_half_width() const override { return felt_half_width(); }
   std::vector<std::string> limits_across() const override {
     if (parameters_.belt.bending_across > 0.0) return {};
     return {

@@ -138,6 +138,10 @@ std::optional<double> section_height_of(const Parameters& p) {
   return p.UNLOADED_RADIUS - p.RIM_RADIUS;
 }
 
+std::optional<double> tread_half_width_of(const Parameters& p) {
+  return p.WIDTH > 0.0 ? std::optional(0.5 * p.WIDTH) : std::nullopt;
+}
+
 std::optional<SpecimenKind::Size> tir_size(const Document& numbers) {
   const Parameters p = parameters_of(numbers);
   const auto height = section_height_of(p);
@@ -154,6 +158,11 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
                                        const magic_formula::RangeLog& log,
                                        const Inflation& asked_pressure) {
   auto sentences = magic_formula::ranges_left(log.inputs(), parameters);
+  // At rest and below VXLOW the tire is also what the file does not say.
+  const auto speed = log.inputs().speed;
+  if (speed.to > 0.0 && speed.from < magic_formula::low_speed(parameters))
+    for (const std::string& assumed : magic_formula::assumed_at_standstill(parameters))
+      sentences.push_back("assumed for the wheel that hardly rolls in this test: " + assumed);
   constexpr double kRounding = 1e-9;
   const double own = parameters.INFLPRES;
   if (asked_pressure && std::abs(*asked_pressure - own) > kRounding * own &&

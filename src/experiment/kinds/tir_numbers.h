@@ -30,6 +30,8 @@ magic_formula::Parameters parameters_of(const Document& numbers);
 
 /// Returns the height of the section, m; nullopt if the file states no RIM_RADIUS.
 std::optional<double> section_height_of(const magic_formula::Parameters& parameters);
+/// Returns half of WIDTH, m; nullopt if the file states none.
+std::optional<double> tread_half_width_of(const magic_formula::Parameters& parameters);
 /// Returns the free radius and the height of the section; nullopt without RIM_RADIUS.
 std::optional<SpecimenKind::Size> tir_size(const Document& numbers);
 /// Says why a pressure has no effect.

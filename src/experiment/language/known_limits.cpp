@@ -3,13 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 
 namespace latsch::experiment {
 
+void KnowsLimits::record(const std::string& sentence) {
+  if (!sentence.empty() && std::ranges::find(recorded_, sentence) == recorded_.end())
+    recorded_.push_back(sentence);
+}
+
 std::vector<std::string> limits_met(Specimen& specimen) {
   const auto* knows = specimen.find<KnowsLimits>();
-  return knows ? knows->limits_met() : std::vector<std::string>();
+  if (!knows) return {};
+  std::vector<std::string> all = knows->limits_met();
+  all.insert(all.end(), knows->recorded().begin(), knows->recorded().end());
+  return all;
+}
+
+void record_limit(Specimen& specimen, const std::string& sentence) {
+  if (auto* knows = specimen.find<KnowsLimits>()) knows->record(sentence);
 }
 
 void stood_under(Specimen& specimen, const std::vector<double>& loads) {

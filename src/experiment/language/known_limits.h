@@ -25,8 +25,15 @@ struct KnowsLimits {
   /// Returns a sentence for every limit that the specimen has met since it was built: ranges of its
   /// file that it left, conditions that have no effect on it.
   virtual std::vector<std::string> limits_met() const { return {}; }
-  /// True if limits_met() may return a sentence after a test.
-  virtual bool records_limits() const { return false; }
+  /// Returns half of the width, m, over which the tire feels the road; 0: it feels one line.
+  virtual double felt_half_width() const { return 0.0; }
+  /// Returns half of the width, m, of a real tread of this size; nullopt if the specimen's file
+  /// does not say.
+  virtual std::optional<double> tread_half_width() const { return std::nullopt; }
+  /// Records a sentence of a test about its run; an empty or a known one is left out.
+  void record(const std::string& sentence);
+  /// The recorded sentences.
+  const std::vector<std::string>& recorded() const { return recorded_; }
   /// Records a load, N, under which the specimen stood in a test.
   virtual void stood_under(double /*load*/) {}
   /// Says why the specimen has no stiffness in a direction of the test static_stiffness
@@ -36,6 +43,9 @@ struct KnowsLimits {
   virtual std::string assumed_stiffness(const std::string& /*direction*/) const { return ""; }
   /// Returns the height of the section, m; nullopt if the specimen's file does not say.
   virtual std::optional<double> section_height() const { return std::nullopt; }
+
+ private:
+  std::vector<std::string> recorded_;
 };
 
 /// A test that knows when such a limit counts in it.
@@ -56,8 +66,12 @@ inline std::vector<std::string> limits_of(Specimen& specimen, const std::optiona
   return knows && cleat ? knows->limits_on(*cleat) : std::vector<std::string>();
 }
 
-/// Returns the limits that a specimen has met; empty if it knows none.
+/// Returns the limits that a specimen has met and the sentences that its tests have recorded; empty
+/// if it knows none.
 std::vector<std::string> limits_met(Specimen& specimen);
+
+/// Records a sentence of a test about its run; a specimen that knows no limits ignores it.
+void record_limit(Specimen& specimen, const std::string& sentence);
 
 /// Tells a specimen that knows limits under which loads, N, it stood.
 void stood_under(Specimen& specimen, const std::vector<double>& loads);

@@ -88,6 +88,40 @@ TEST(KnownLimits, EveryRollingTestTellsTheRangesThatTheTireLeaves) {
       told_by("magic_formula", kSweep + ", camber = \"5 deg\"", {"CAMMAX = 0.05"}).says("CAMMAX"));
 }
 
+/// A light tire over a bar, hardly deflected, jumps from it.
+TEST(KnownLimits, ATireThatLeavesTheRoadSaysFromWhenToWhen) {
+  std::string jump = kDrum;
+  jump.replace(jump.find("4 kN"), 4, "150 N");
+  jump.replace(jump.find("30 km/h"), 7, "60 km/h");
+  const Told massless = told_by("magic_formula", jump);
+  EXPECT_EQ(massless.failure + massless.refusal, "");
+  EXPECT_TRUE(massless.says("the tire leaves the road")) << jump;
+  EXPECT_TRUE(massless.says("Fz there is 0,"));
+  EXPECT_TRUE(told_by("rigid_ring", jump).says("that of the belt's inertia on the hub"));
+  EXPECT_FALSE(told_by("magic_formula", kDrum).says("leaves the road"));
+  EXPECT_FALSE(told_by("rigid_ring", kDrum).says("leaves the road"));
+}
+
+TEST(KnownLimits, StatesWithoutLoadAreCounted) {
+  const ScratchFolder folder;
+  const auto file = folder.path() / "states.csv";
+  write_text_file(file, "Fz [N],alpha [deg]\n4000,2\n0,2\n-50,2\n");
+  const std::string keys = "kind = \"steady_states\", states = \"" + file.string() + "\"";
+  EXPECT_TRUE(told_by("magic_formula", keys).says("2 of 3 states have a load of 0 or less"));
+  write_text_file(file, "Fz [N],alpha [deg]\n4000,2\n10,2\n");
+  EXPECT_FALSE(told_by("magic_formula", keys).says("load of 0 or less"));
+}
+
+TEST(KnownLimits, AWheelBelowVxlowSaysWhatIsAssumedForIt) {
+  const std::string slow =
+      "kind = \"slip_sweep\", speed = \"0.5 m/s\", load = \"4 kN\", sample_step = \"100 ms\", "
+      "duration = \"10 s\", alpha = [\"0 deg\", \"4 deg\"]";
+  EXPECT_TRUE(told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0"})
+                  .says("DAMP_VLOW is 0 or missing"));
+  EXPECT_FALSE(told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0.001"}).says("DAMP_VLOW"));
+  EXPECT_FALSE(told_by("magic_formula", kSweep, {"DAMP_VLOW = 0"}).says("DAMP_VLOW"));
+}
+
 TEST(KnownLimits, AStandingTireIsNotToldToRollSlowly) {
   const auto told = told_by("rigid_ring",
                             "kind = \"static_stiffness\", load = \"4 kN\", directions = "

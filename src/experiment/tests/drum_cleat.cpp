@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
+#include "experiment/rigs/lift_watch.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/drum_convergence.h"
@@ -55,7 +56,11 @@ std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
 
 Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
   refuse_high_cleat(specimen, test_.cleat);
-  return experiment::run(*specimen.find<Rolls>()->tire(test_.pressure), test_);
+  LiftLog lifts;
+  auto record =
+      experiment::run(*watched(specimen.find<Rolls>()->tire(test_.pressure), lifts), test_);
+  if (record) record_limit(specimen, lifts.sentence());
+  return record;
 }
 
 std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {

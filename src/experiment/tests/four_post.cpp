@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/four_post_rig.h"
 #include "experiment/rigs/car/held_band.h"
@@ -73,29 +74,18 @@ class FourPost : public Test {
     return Reach{test_.times.front(), test_.times.back()};
   }
   Result<Channels> run(Specimen& specimen) const override {
-    auto car = specimen.find<Drives>()->car({});
-    if (!car) return car.failure();
-    if (!frequencies_.are_recorded) return experiment::run(**car, test_);
-    const auto runs = run_both_ways(**car, test_);
-    if (!runs) return runs.failure();
-    Channels all = as_posts_moved(runs->up);
-    const Channels more = over_frequency(*runs);
-    for (const Channel& channel : more.all()) all.add(channel);
-    return all;
+    auto record = driven(specimen);
+    if (!record) return record;
+    for (const std::string& note : notes_of(*record)) record_limit(specimen, note);
+    return record;
   }
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto record = run(specimen);
     if (!record) return record.failure();
     tell(*record);
-    std::vector<std::string> notes = notes_of_lift(*record, [&](double time) {
-      return sweep_ ? fmt::format("{:.3g} s ({:.3g} Hz)", time, frequency_at(*sweep_, time))
-                    : fmt::format("{:.3g} s", time);
-    });
-    if (!frequencies_.are_recorded) return notes;
-    if (!frequencies_.note.empty()) notes.push_back(frequencies_.note);
-    for (std::string& note : notes_of_coherence(*record)) notes.push_back(std::move(note));
-    return notes;
+    if (!frequencies_.are_recorded || frequencies_.note.empty()) return std::vector<std::string>();
+    return std::vector{frequencies_.note};
   }
   Result<Details> details(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
@@ -116,6 +106,27 @@ class FourPost : public Test {
   }
 
  private:
+  Result<Channels> driven(Specimen& specimen) const {
+    auto car = specimen.find<Drives>()->car({});
+    if (!car) return car.failure();
+    if (!frequencies_.are_recorded) return experiment::run(**car, test_);
+    const auto runs = run_both_ways(**car, test_);
+    if (!runs) return runs.failure();
+    Channels all = as_posts_moved(runs->up);
+    const Channels more = over_frequency(*runs);
+    for (const Channel& channel : more.all()) all.add(channel);
+    return all;
+  }
+  /// Says which tires left their posts, and where the spectra are not reliable.
+  std::vector<std::string> notes_of(const Channels& record) const {
+    std::vector<std::string> notes = notes_of_lift(record, [&](double time) {
+      return sweep_ ? fmt::format("{:.3g} s ({:.3g} Hz)", time, frequency_at(*sweep_, time))
+                    : fmt::format("{:.3g} s", time);
+    });
+    if (!frequencies_.are_recorded) return notes;
+    for (std::string& note : notes_of_coherence(record)) notes.push_back(std::move(note));
+    return notes;
+  }
   /// Returns the record without its end, in which the posts are at rest.
   Channels as_posts_moved(const Channels& record) const {
     const auto count = static_cast<std::size_t>(

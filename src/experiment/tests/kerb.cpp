@@ -20,6 +20,7 @@
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
 #include "experiment/rigs/car/kerb_way.h"
+#include "experiment/rigs/car/post_notes.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/tests/films/car_film.h"
@@ -53,6 +54,32 @@ std::string too_high(const KerbWay& way, std::optional<double> section) {
 std::optional<double> section_of(Specimen& specimen) {
   const auto* knows = specimen.find<KnowsLimits>();
   return knows ? knows->section_height() : std::nullopt;
+}
+
+TreadWidth width_of(Specimen& specimen) {
+  const auto* knows = specimen.find<KnowsLimits>();
+  TreadWidth width;
+  if (!knows) return width;
+  width.felt = knows->felt_half_width();
+  width.tread = knows->tread_half_width().value_or(std::max(width.tread, width.felt));
+  return width;
+}
+
+/// Says where a real tread would stand on something that the tires' model does not feel; empty if
+/// it does nowhere.
+std::string beside_tread(const KerbWay& way, const TreadWidth& width) {
+  const Unfelt& unfelt = way.unfelt;
+  if (unfelt.rise == 0.0) return "";
+  return fmt::format(
+      "at x = {:.4g} m the contact point of tire {} passes {:.3g} mm beside something {:.3g} mm "
+      "high, on which a tread {:.4g} mm wide would stand: this tire feels {} and does not meet it",
+      unfelt.place,
+      car::kCornerNames[static_cast<std::size_t>(unfelt.corner)],
+      1e3 * unfelt.beside,
+      1e3 * unfelt.rise,
+      2e3 * width.tread,
+      width.felt > 0.0 ? fmt::format("{:.4g} mm of the width", 2e3 * width.felt)
+                       : std::string("the line below its contact point alone"));
 }
 
 /// Returns the highest speed, m/s.
@@ -97,14 +124,19 @@ class KerbRunTest : public Test, public TellsLimits {
   Result<Channels> run(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
     if (!car) return car.failure();
-    if (const std::string why = too_high(way_of(test_, **car), section_of(specimen)); !why.empty())
+    const KerbWay way = way_of(test_, **car, width_of(specimen));
+    if (const std::string why = too_high(way, section_of(specimen)); !why.empty())
       throw InputError(why);
-    return experiment::run(**car, test_);
+    auto record = experiment::run(**car, test_);
+    if (!record) return record;
+    for (const std::string& lift : lifts_of(*record, test_.sample_step))
+      record_limit(specimen, lift);
+    return record;
   }
   std::vector<std::string> limits(Specimen& specimen) const override {
     const auto car = specimen.find<Drives>()->car({});
     if (!car) return {};
-    const KerbWay way = way_of(test_, **car);
+    const KerbWay way = way_of(test_, **car, width_of(specimen));
     const auto* knows = specimen.find<KnowsLimits>();
     std::vector<std::string> limits;
     if (knows && way.varies_across) limits = knows->limits_across();
@@ -115,6 +147,8 @@ class KerbRunTest : public Test, public TellsLimits {
       limits.emplace_back("the car stands: its speed is 0 throughout the test");
     else if (test_.kerb && !way.meets)
       limits.push_back(without_kerb(way));
+    if (std::string note = beside_tread(way, width_of(specimen)); !note.empty())
+      limits.push_back(std::move(note));
     if (std::string note = note_on_samples(test_.sample_step, fastest_of(test_)); !note.empty())
       limits.push_back(std::move(note));
     return limits;

@@ -10,8 +10,10 @@
 
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/duration_limit.h"
+#include "experiment/rigs/lift_watch.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
 
@@ -48,7 +50,8 @@ class RollingStiffness : public Test {
   std::optional<long> samples() const override { return 1; }
 
   Result<Channels> run(Specimen& specimen) const override {
-    const auto tire = specimen.find<Rolls>()->tire(test_.pressure);
+    LiftLog lifts;
+    const auto tire = watched(specimen.find<Rolls>()->tire(test_.pressure), lifts);
     std::vector<double> values;
     if (wants("slip")) {
       const auto found = slip_stiffness(*tire, test_);
@@ -65,6 +68,7 @@ class RollingStiffness : public Test {
       if (!found) return found.failure();
       values.push_back(*found);
     }
+    record_limit(specimen, lifts.sentence());
     Channels recorded;
     for (const ChannelInfo& channel : channels())
       recorded.add({channel.name, channel.unit, {values[recorded.all().size()]}});

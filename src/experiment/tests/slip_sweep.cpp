@@ -9,9 +9,11 @@
 #include <cmath>
 
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/duration_limit.h"
+#include "experiment/rigs/lift_watch.h"
 #include "experiment/rigs/slip/flat_track.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
@@ -77,8 +79,11 @@ class SlipSweepTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override {
-    auto channels = experiment::run(*specimen.find<Rolls>()->tire(sweep_.pressure), sweep_);
+    LiftLog lifts;
+    auto channels =
+        experiment::run(*watched(specimen.find<Rolls>()->tire(sweep_.pressure), lifts), sweep_);
     if (!channels) return channels;
+    record_limit(specimen, lifts.sentence());
     return thinned(*channels, std::lround(sample_step_ / sweep_.step));
   }
 

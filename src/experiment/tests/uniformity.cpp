@@ -4,6 +4,7 @@
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
+#include "experiment/rigs/lift_watch.h"
 #include "experiment/rigs/uniformity_rig.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
@@ -46,9 +47,11 @@ class Uniformity : public Test, public TellsLimits {
   }
 
   Result<Channels> run(Specimen& specimen) const override {
-    const auto tire = specimen.find<Rolls>()->tire(test_.pressure);
+    LiftLog lifts;
+    const auto tire = watched(specimen.find<Rolls>()->tire(test_.pressure), lifts);
     const auto found = experiment::run(*tire, test_);
     if (!found) return found.failure();
+    record_limit(specimen, lifts.sentence());
     Channels recorded;
     for (const auto& [name, value] : values_of(*found)) recorded.add({name, "N", {value}});
     return recorded;

@@ -139,7 +139,7 @@ std::vector<std::pair<double, double>> force_law(const fe_tire::CordLayer& layer
 }
 
 double first_loose_mode(const fe_tire::Mesh& mesh) {
-  constexpr double kPerSector = 1.85;  // Hz
+  constexpr double kPerSector = 1.6;  // Hz
   double widest = 0.0;
   for (int s = 0; s < mesh.sectors; ++s)
     widest = std::max(widest, mesh.angle(s + 1) - mesh.angle(s));

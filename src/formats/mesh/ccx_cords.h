@@ -67,8 +67,9 @@ std::vector<std::pair<double, double>> force_law(const fe_tire::CordLayer& layer
                                                  const CordSpring& spring);
 
 /// Returns a frequency, Hz, from which on modes may be those of neighboring sectors moving against
-/// each other, by the widest sector: measured on the 205/55R16, 31 Hz with 16 and 74 Hz with 40
-/// equal sectors.
+/// each other, by the widest sector of the deck: the least of three measurements on the 205/55R16,
+/// 31 Hz with 16 and 74 Hz with 40 equal sectors, 43.9 Hz with 40 of at most 13.1 degrees. Other
+/// tires are not measured.
 double first_loose_mode(const fe_tire::Mesh& mesh);
 
 }  // namespace latsch::formats

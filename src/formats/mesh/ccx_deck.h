@@ -6,6 +6,17 @@
 // every layer of cords in an element becomes a cord slice (ccx_cords.h). CalculiX 2.20 counts the
 // load stiffness of the pressure twice in a prestressed frequency step, so that step has half the
 // pressure.
+//
+// A ring of sectors of unequal width does not stay round: with equal stress, narrow and wide facets
+// pull differently along the circumference, by about the square of their width, and a tire bends
+// easily. A 205/55R16 of 40 sectors, 2.4 to 13.1 degrees wide, grows in CalculiX 2.20 by 1.272 mm
+// at its narrow sectors and by 1.380 mm at its wide ones; with 40 equal sectors it grows by 1.366
+// mm everywhere, in Latsch by 1.375 mm. Latsch inflates a tire by equal sectors, and so does a deck
+// without ground. A deck with ground has the zones, because the patch needs narrow sectors: the
+// tire above, pressed by 20 mm, carries 3916 N, in Latsch 3954 N.
+//
+// Comments (inp_remarks.h) state walls, tread and planes, which CalculiX has no card for, so that
+// the deck is read back as the same tire.
 #pragma once
 
 #include <filesystem>

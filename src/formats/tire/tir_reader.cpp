@@ -353,6 +353,13 @@ class TirReader {
                                      "expected a number above 0; 1 scales nothing",
                                      field.name,
                                      found->second->value));
+      constexpr double kFar = 100.0;  // factors of fitted tires are between 0.5 and 2
+      if (needed && (value > kFar || value < 1.0 / kFar))
+        doubt(std::string(field.name),
+              found->second->line,
+              fmt::format("{} is {}: a scaling factor is near 1, which scales nothing",
+                          field.name,
+                          found->second->value));
       if (value == 0.0) zeros.emplace_back(field.name);
     }
     if (!zeros.empty())

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace latsch::formats {
 namespace {
@@ -120,6 +121,29 @@ void examine_inertias(const Parameters& p, const AboutParameter& note) {
   }
 }
 
+/// Examines coefficients over which the equations of turn slip divide. They count only if a test
+/// asks for turn slip.
+void examine_turn_slip(const Parameters& p, const AboutParameter& note) {
+  if (p.QDRP1 == 0.0 || p.PHYP1 == 0.0 || p.QCRP1 == 0.0) return;
+  constexpr double kLeast = 1e-9;  // as in Parameters::missing_of_turn_slip()
+  if (const std::string_view missing = p.missing_of_turn_slip(); !missing.empty()) {
+    note(missing,
+         fmt::format("{} is {:.4g}: the equations of turn slip divide by it, so that tests without "
+                     "turn slip are not affected, and turn_slip = \"on\" has no effect",
+                     missing,
+                     value_of(p, missing)));
+  } else if (std::abs(p.QDZ10) < kLeast) {
+    note("QDZ10",
+         fmt::format("QDZ10 is {:.4g}: without camber at FNOMIN the tire has no stiffness against "
+                     "spin, by which the equations of turn slip divide (4.100): with turn_slip = "
+                     "\"on\" Mz has no value there",
+                     p.QDZ10));
+  }
+  if (p.PHYP2 == 0.0 && p.PHYP3 == 0.0)
+    note("PHYP2",
+         "PHYP2 is 0: with turn_slip = \"on\" neither spin nor camber shifts the side force");
+}
+
 }  // namespace
 
 void examine_sizes(const Parameters& p,
@@ -168,6 +192,7 @@ void examine_sizes(const Parameters& p,
   examine_inertias(p, note);
   if (p.RIM_RADIUS >= p.UNLOADED_RADIUS)
     note("RIM_RADIUS", "RIM_RADIUS is not below UNLOADED_RADIUS");
+  examine_turn_slip(p, note);
   for (const Factor& factor : kFactors)
     if (is_given(factor.name) && value_of(p, factor.name) == 0.0)
       note(factor.name, fmt::format("{} is 0: the tire has no {}", factor.name, factor.force));

@@ -57,13 +57,16 @@ LATSCH_INLINE SpinTorque<R> spin_torque(const TireOf<R>& tire,
   const R DDrp = Mzp_inf / sin(R(0.5 * kPi * CDrp));       // (4.94)
   const R Kzgr0 = Fz * R0 * (p.QDZ8 * p.QDZ9 * o.dfz + (p.QDZ10 + p.QDZ11 * o.dfz * abs(o.gamma))) *
                   p.LKZC;                                                          // (4.99)
-  const R BDrp = Kzgr0 / (CDrp * DDrp * (1.0 - o.epsilon_gamma));                  // (4.98)
+  const R BDrp = Kzgr0 / (CDrp * DDrp * not_zero<R>(1.0 - o.epsilon_gamma));       // (4.98)
   s.Drp = DDrp * sin(CDrp * atan(BDrp * R0 * o.phit));                             // (4.93)
   const R Mzp90 = Mzp_inf * (2.0 / kPi) * atan(p.QCRP2 * R0 * abs(o.phit)) * Gyk;  // (4.103)
   // On a straight path both vanish; their quotient tends to that of their slopes.
   const R straight = Mzp_inf * (2.0 / kPi) * p.QCRP2 * Gyk / abs(BDrp * CDrp * DDrp);
   // Without load there is no torque to take a share of.
   s.share = select(Fz == 0.0, R(1.0), select(s.Drp == 0.0, straight, Mzp90 / abs(s.Drp)));
+  // Without stiffness against spin (4.100) has no value, and close to it none that means anything.
+  constexpr double kMostShare = 1e6;
+  s.share = select(s.share < kMostShare, s.share, R(std::numeric_limits<double>::quiet_NaN()));
   return s;
 }
 

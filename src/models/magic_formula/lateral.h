@@ -62,11 +62,14 @@ LATSCH_INLINE R shift_by_spin(const TireOf<R>& tire,
                               const OperatingPoint<R>& o,
                               const R& Kya0) {
   const auto& p = tire.p;
-  const R CHyp = R(p.PHYP1);                                              // (4.85)
-  const R DHyp = (p.PHYP2 + p.PHYP3 * o.dfz) * o.sign_Vx;                 // (4.86)
-  const R EHyp = R(conventions.limits && p.PHYP4 > 1.0 ? 1.0 : p.PHYP4);  // (4.87)
-  const R KyRp0 = camber_stiffness(tire, o) / (1.0 - o.epsilon_gamma);    // (4.89)
-  const R BHyp = KyRp0 / (CHyp * DHyp * with_epsilon(Kya0));              // (4.88)
+  const R CHyp = R(p.PHYP1);                                                       // (4.85)
+  const R DHyp = (p.PHYP2 + p.PHYP3 * o.dfz) * o.sign_Vx;                          // (4.86)
+  const R EHyp = R(conventions.limits && p.PHYP4 > 1.0 ? 1.0 : p.PHYP4);           // (4.87)
+  const R KyRp0 = camber_stiffness(tire, o) / not_zero<R>(1.0 - o.epsilon_gamma);  // (4.89)
+  // Without height (PHYP2 = 0) the curve is 0, however steep; far beyond its bend it is flat.
+  constexpr double kSteep = 1e100;
+  const R steepness = KyRp0 / not_zero<R>(CHyp * DHyp * with_epsilon(Kya0));  // (4.88)
+  const R BHyp = larger(smaller(steepness, R(kSteep)), R(-kSteep));
   const R x = BHyp * p.UNLOADED_RADIUS * o.phi;
   const R SHyp = DHyp * sine_shape(x, CHyp, EHyp) * o.sign_Vx;  // (4.80)
   return select(o.sign_Vx == 0.0, R(0.0), SHyp);

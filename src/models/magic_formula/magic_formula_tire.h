@@ -59,6 +59,7 @@ class MagicFormulaTire final : public Tire {
                                  double time,
                                  double step) override;
   std::optional<Footprint> footprint() const override;
+  std::optional<double> road_load() const override { return forces_.Fz; }
   std::unique_ptr<Tire> clone() const override;
 
   /// Results of the last step: load, lagged slips, forces in W.

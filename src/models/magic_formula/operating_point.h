@@ -29,6 +29,13 @@ LATSCH_INLINE R epsilon_for(const R& denominator) {
   return with_sign(R(kEpsilon), denominator + R(0.0));
 }
 
+/// Returns a divisor, or `least` in place of 0. A file may state 0 for a coefficient that the
+/// equations divide by; their limit is that of a small divisor.
+template <class R>
+LATSCH_INLINE R not_zero(const R& divisor, double least = kEpsilon) {
+  return select(divisor == 0.0, R(least), divisor);
+}
+
 /// Returns cos(atan x).
 template <class R>
 LATSCH_INLINE R cos_atan(const R& x) {
@@ -127,8 +134,9 @@ LATSCH_INLINE R faded_load(const TireOf<R>& tire, const R& Fz, bool squared) {
 template <class R>
 LATSCH_INLINE R bend(const TireOf<R>& tire, const OperatingPoint<R>& o, const R& gamma_star) {
   const auto& p = tire.p;
+  constexpr double kTiny = 1e-300;  // the arc tangent of any load over it is pi/2
   return (o.Fz * tire.per_Fz0_prime) /
-         ((p.PKY2 + p.PKY5 * gamma_star * gamma_star) * (1.0 + p.PPY2 * o.dpi));
+         not_zero<R>((p.PKY2 + p.PKY5 * gamma_star * gamma_star) * (1.0 + p.PPY2 * o.dpi), kTiny);
 }
 
 template <class R>
@@ -221,7 +229,8 @@ LATSCH_INLINE void spin(const CoefficientsFor<R>& p, OperatingPoint<R>& o) {
   const R V = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
   const R Vc_prime = select(abs(o.Vx) < p.VXLOW, p.VXLOW * sign_or_one(o.Vx), V);
   // z points up, so the turning velocity has the opposite sign of the book's (4.75).
-  o.phi = -o.phit - (1.0 - o.epsilon_gamma) * o.omega * sin(o.gamma) / Vc_prime;  // (4.76)
+  o.phi =
+      -o.phit - (1.0 - o.epsilon_gamma) * o.omega * sin(o.gamma) / not_zero<R>(Vc_prime);  // (4.76)
 }
 
 template <class R>
@@ -235,7 +244,7 @@ LATSCH_INLINE void friction_scales(const TireOf<R>& tire, double A_mu, Operating
     const R slippery = 1.0 + p.LMUV * Vs * tire.per_LONGVL;
     o.LMUX_star = p.LMUX / slippery;  // (4.E7)
     o.LMUY_star = p.LMUY / slippery;
-    o.per_LMUY_star = 1.0 / o.LMUY_star;
+    o.per_LMUY_star = 1.0 / not_zero<R>(o.LMUY_star);
   }
   o.LMUX_prime = o.LMUX_star;
   o.LMUY_prime = o.LMUY_star;

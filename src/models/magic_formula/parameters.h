@@ -41,7 +41,11 @@ struct Parameters : CoefficientsOf<double> {
   /// SHAPE and DEFLECTION_LOAD_CURVE: {deflection, force}, ascending; empty if there is none.
   std::vector<double> curve_deflection, curve_force;
 
-  bool turn_slip_known() const { return QDRP1 != 0.0 && PHYP1 != 0.0 && QCRP1 != 0.0; }
+  /// False without coefficients of turn slip, or without stiffness against spin (4.99), over which
+  /// the formula divides.
+  bool turn_slip_known() const { return missing_of_turn_slip().empty(); }
+  /// Names the coefficient that is 0, or so close to 0 that turn slip has no value; empty: none is.
+  std::string_view missing_of_turn_slip() const;
 };
 
 enum class ParameterUnit {

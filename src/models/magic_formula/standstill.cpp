@@ -119,16 +119,10 @@ std::vector<std::string> assumed_of_turning(const Parameters& p) {
 
 std::vector<std::string> assumed_at_standstill(const Parameters& p) {
   std::vector<std::string> assumed;
-  if (!(p.VXLOW > 0.0)) assumed.emplace_back("no VXLOW: a wheel stands below 0.1 m/s");
+  if (!(p.VXLOW > 0.0)) assumed.emplace_back("VXLOW is 0: a wheel stands below 0.1 m/s");
   if (!(p.DAMP_VLOW > 0.0))
-    assumed.emplace_back("no DAMP_VLOW: the carcass of a standing wheel is damped by 1 ms");
-  if (!(p.QCRP1 > 0.0))
     assumed.emplace_back(
-        "no QCRP1: a wheel that turns on the spot is held by the friction of a round patch");
-  if (!(p.YAW_STIFFNESS > 0.0))
-    assumed.emplace_back(
-        "no YAW_STIFFNESS: a wheel that turns on the spot has a stiffness of its torque over "
-        "0.05 rad");
+        "DAMP_VLOW is 0 or missing: the carcass of a standing wheel is damped by 1 ms");
   return assumed;
 }
 

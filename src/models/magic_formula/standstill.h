@@ -82,7 +82,8 @@ Pivot pivot_of(const Parameters& parameters, const SteadyState& at);
 /// Returns what is assumed for the torsional stiffness of a wheel that turns on the spot.
 std::vector<std::string> assumed_of_turning(const Parameters& parameters);
 
-/// Returns the assumptions made if the file lacks data for a standing wheel, one sentence each.
+/// Returns the assumptions made if the file lacks data for a wheel below VXLOW, one sentence each;
+/// for one that turns on the spot, assumed_of_turning() adds others.
 std::vector<std::string> assumed_at_standstill(const Parameters& parameters);
 
 }  // namespace latsch::magic_formula

@@ -339,11 +339,14 @@ TEST(Standstill, WithoutTurnSlipInTheFileThePatchRubs) {
   const double radius = std::sqrt(4.0 * s.a * s.b / std::numbers::pi);
   EXPECT_NEAR(Ride(p).pivot(1.0).moment.z(), -2.0 / 3.0 * 4000.0 * radius, 1e-3);
   const auto assumed = assumed_at_standstill(p);
-  ASSERT_EQ(assumed.size(), 3U);
+  ASSERT_EQ(assumed.size(), 1U);
   EXPECT_NE(assumed[0].find("DAMP_VLOW"), std::string::npos);
-  EXPECT_NE(assumed[1].find("QCRP1"), std::string::npos);
-  EXPECT_NE(assumed[2].find("YAW_STIFFNESS"), std::string::npos);
+  const auto of_turning = assumed_of_turning(p);
+  ASSERT_EQ(of_turning.size(), 2U);
+  EXPECT_NE(of_turning[0].find("YAW_STIFFNESS"), std::string::npos);
+  EXPECT_NE(of_turning[1].find("QCRP1"), std::string::npos);
   EXPECT_TRUE(assumed_at_standstill(parking_tire()).empty());
+  EXPECT_TRUE(assumed_of_turning(parking_tire()).empty());
 }
 
 TEST(Standstill, AFileWithoutVXLOWStandsToo) {

@@ -28,7 +28,8 @@ TireConstantsOf<K>::TireConstantsOf(const CoefficientsOf<K>& coefficients, Versi
   per_LONGVL = 1.0 / p.LONGVL;
   per_VXLOW = 1.0 / p.VXLOW;
   per_FZMIN = 1.0 / p.FZMIN;
-  per_LMUY = 1.0 / p.LMUY;
+  constexpr double kLeastFriction = 1e-9;  // in place of that of a road without friction
+  per_LMUY = 1.0 / (p.LMUY == 0.0 ? K(kLeastFriction) : p.LMUY);
   R0_per_V0 = p.UNLOADED_RADIUS / p.LONGVL;
   Q_A1 = p.Q_A1;
   Q_A2 = p.Q_A2;

@@ -62,6 +62,7 @@ class RigidRingTire final : public Tire {
                                  double time,
                                  double step) override;
   std::optional<Footprint> footprint() const override;
+  std::optional<double> road_load() const override { return forces_.Fz; }
   std::unique_ptr<Tire> clone() const override;
 
   /// Stiffnesses and damping of the belt against the rim, and its mass.

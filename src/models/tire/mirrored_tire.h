@@ -34,6 +34,7 @@ class MirroredTire final : public Tire {
                                  double time,
                                  double step) override;
   std::optional<Footprint> footprint() const override;
+  std::optional<double> road_load() const override { return tire_->road_load(); }
   Eigen::Matrix3Xd outline() const override;
   std::unique_ptr<Tire> clone() const override {
     return std::make_unique<MirroredTire>(tire_->clone());

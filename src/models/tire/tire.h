@@ -73,6 +73,12 @@ class Tire {
   /// Returns the footprint at the end of settle() or of the last step, or nothing for tire models
   /// without one.
   virtual std::optional<Footprint> footprint() const { return std::nullopt; }
+  /// Returns the load of the road on the tire at the end of settle() or of the last step, N; 0 if
+  /// the tire does not touch the road, nullopt if the load is not known.
+  virtual std::optional<double> road_load() const {
+    const auto print = footprint();
+    return print ? std::optional(print->load) : std::nullopt;
+  }
   /// Returns points around the belt in its current position, in order, m, inertial; none for tire
   /// models without a belt.
   virtual Eigen::Matrix3Xd outline() const { return {}; }

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "correlation/analysis/test_limits.h"
 #include "correlation/study/study_experiment.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/study_trials.h"
@@ -248,6 +249,12 @@ Json comparison_view(const ShelvedStudy& shelved, const std::string& trial) {
   for (const auto& [experiment, reason] : drawn.absent)
     view["absent"].push_back({{"experiment", experiment}, {"reason", reason}});
   return view;
+}
+
+Json limits_view(const ShelvedStudy& shelved, const std::string& trial) {
+  const RecordedTrial recorded = recorded_trial(shelved, trial);
+  return {{"trial", recorded.trial},
+          {"limits", correlation::limits_met_at(*recorded.study, recorded.point)}};
 }
 
 }  // namespace latsch::studio

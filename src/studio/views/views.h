@@ -55,6 +55,10 @@ Json trial_view(const ShelvedStudy& study, long trial);
 /// ("best").
 Json comparison_view(const ShelvedStudy& study, const std::string& trial);
 
+/// Returns the limits that the model meets in the tests at a trial, as comparison_view() names it:
+/// ranges of a tire's file that are left, a tire off the road. Takes a trial's time.
+Json limits_view(const ShelvedStudy& study, const std::string& trial);
+
 /// Returns surfaces, slices and minima of the target function, as far as trials show them.
 Json target_view(const ShelvedStudy& study, const std::string& weights);
 

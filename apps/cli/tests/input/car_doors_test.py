@@ -5,6 +5,7 @@
 """
 import math
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -124,6 +125,7 @@ class Cars(Doors):
 
 
 class Kerbs(Doors):
+    WHEEL = 612.5  # mm, y of the left wheels' middle
     KERB = ('[kerb]\nkind = "kerb"\nshape = "sine"\npitch = "800 mm"\nwidth = "800 mm"\nheight = "25 mm"\n'
             'count = 6\nstart = ["0 m", "0.5 m"]\n')
 
@@ -185,6 +187,19 @@ class Kerbs(Doors):
             self.assertRegex(self.said(*changes), r"no tire meets the kerb, so the record is that of a level road: the wheels roll from x = -")
         self.assertIn("the car stands: its speed is 0", self.said(("60 m/s", "0 m/s")))
         self.assertIn("expected 1000 um to", self.said(('width = "800 mm"', 'width = "1 um"'), code=WRONG_INPUT))
+
+    # The kerb's right edge is 30 or 60 mm beside the contact point of the left wheels, whose tread is 180 mm wide.
+    def test_a_kerb_beside_the_contact_point_is_told(self):
+        for beside in (30, 60):
+            said = self.said(('width = "800 mm"', 'width = "60 mm"'), ('"0.5 m"]', f'"{self.WHEEL + beside:.1f} mm"]'))
+            self.assertIn("no tire meets the kerb", said)
+            found = re.search(r"the contact point of tire [FR]L passes ([\d.]+) mm beside something 25 mm high, on which a tread 180 mm wide "
+                              r"would stand: this tire feels the line below its contact point alone", said)
+            self.assertIsNotNone(found, said)
+            self.assertAlmostEqual(float(found[1]), beside, delta=1.0)
+        far = self.said(('width = "800 mm"', 'width = "60 mm"'), ('"0.5 m"]', f'"{self.WHEEL + 300:.1f} mm"]'))
+        self.assertNotIn("beside something", far)
+        self.assertNotIn("beside something", self.said())  # the middle of the wheels is on the kerb, far from its edges
 
     def test_it_stands_on_every_line(self):
         for line in ("10 m", "20 m", "-50 m", "50 m"):

@@ -90,6 +90,8 @@ export const api = {
     ask<Contract.Trial>(`trial ${trial}`, 'trial', { study, trial }, signal),
   comparison: (study: string, trial: string, signal?: AbortSignal) =>
     ask<Contract.Comparison>('what was measured and simulated', 'comparison', { study, trial }, signal),
+  limits: (study: string, trial: string, signal?: AbortSignal) =>
+    ask<Contract.Limits>('limits that the model meets', 'limits', { study, trial }, signal),
   target: (study: string, weights: string, signal?: AbortSignal) =>
     ask<Contract.Target>('the target function', 'target', { study, weights }, signal),
   kpis: (study: string, weights: string, signal?: AbortSignal) =>

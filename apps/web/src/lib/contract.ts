@@ -238,6 +238,11 @@ export interface Comparison {
   no_bands?: string; // reason if there are none
 }
 
+export interface Limits {
+  trial: number;
+  limits: string[]; // ranges of a tire's file that are left, a tire off the road, each with its tests
+}
+
 export interface SurfaceAxis {
   name: string;
   unit: string;

@@ -65,9 +65,11 @@ void CarRecord::sample(const car::CarState& state, const car::CarInputs& inputs,
   for (const double force : car_.pushrod_forces(state, inputs)) put(force);
   std::array<std::optional<Footprint>, kCorners> footprints;
   for (std::size_t i = 0; i < kCorners; ++i) footprints[i] = state.wheels[i].tire->footprint();
-  // A tire without a footprint has no belt either: the force of the road equals that on the hub.
+  // A tire that does not know the load of the road has no belt: it equals the force on the hub.
   const auto at_hubs = car_.vertical_forces(state);
-  for (std::size_t i = 0; i < kCorners; ++i) put(footprints[i] ? footprints[i]->load : at_hubs[i]);
+  for (std::size_t i = 0; i < kCorners; ++i)
+    put(footprints[i] ? footprints[i]->load
+                      : state.wheels[i].tire->road_load().value_or(at_hubs[i]));
   for (int corner = 0; corner < kCorners; ++corner)
     put(upward_acceleration_of_hub(car_, state, corner));
   for (int corner = 0; corner < kCorners; ++corner) put(car_.spring_extension(state, corner));

@@ -8,12 +8,12 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kHalfWidth = 0.1;  // m, of a tire; a wider one meets what lies farther outside
-constexpr int kLines = 4;           // to either side of the middle, 25 mm apart
-constexpr double kAlong = 5e-3;     // m, between the places looked at; steeper shapes are verticals
-constexpr double kTeeth = 16.0;     // places looked at in a pitch of the kerb, at least
-constexpr double kDiffers = 1e-3;   // m, of height; less is below the roughness of a road
-constexpr double kTouches = 1e-6;   // m, of height of a kerb; less is rounding
+constexpr int kLines = 4;          // to either side of the middle, evenly over the tread
+constexpr double kUnfelt = 2e-3;   // m, of height; less is below the roughness of a road
+constexpr double kAlong = 5e-3;    // m, between the places looked at; steeper shapes are verticals
+constexpr double kTeeth = 16.0;    // places looked at in a pitch of the kerb, at least
+constexpr double kDiffers = 1e-3;  // m, of height; less is below the roughness of a road
+constexpr double kTouches = 1e-6;  // m, of height of a kerb; less is rounding
 constexpr long kMostPlaces = 400'000;  // places of a wheel; a longer way is looked at less closely
 
 /// Heights below one wheel, at places of equal distance.
@@ -21,14 +21,27 @@ struct Trace {
   double x0 = 0.0, along = 0.0;  // m
   std::vector<double> highest;   // m, of all lines
   bool differs = false;          // across the width
-  bool touches = false;          // true if a place is higher or lower than the level road
+  bool touches = false;          // true if a place that is felt differs from the level road
+  Unfelt unfelt = {};            // without its corner; its place in the axes of the road
 };
+
+/// Returns the distance from the middle, m, at which the road rises above `felt` on the way to a
+/// line `y` beside it, by bisection.
+double edge_beside(const road::Road& road, double x, double middle, double y, double felt) {
+  double inside = 0.0, outside = y;
+  for (int i = 0; i < 20; ++i) {
+    const double at = 0.5 * (inside + outside);
+    (road.height(x, middle + at, 0.0) > felt + kUnfelt ? outside : inside) = at;
+  }
+  return std::abs(outside);
+}
 
 Trace trace_of(const KerbTest& test,
                const road::Road& road,
                const Eigen::Vector3d& center,
                double reach,
-               double along) {
+               double along,
+               const TreadWidth& width) {
   Trace trace{.x0 = center.x() - reach, .along = along, .highest = {}};
   double time = -test.run_in, x = -reach;
   const double way = test.speed.area(test.duration) - test.speed.area(-test.run_in);
@@ -37,16 +50,26 @@ Trace trace_of(const KerbTest& test,
     const double speed = test.speed.at(time);
     if (x > 0.0 && speed > 0.0 && time < test.duration) time += along / speed;
     const double y = center.y() + test.line.at(time), at = center.x() + x;
-    double low = road.height(at, y, 0.0), high = low;
+    double low = road.height(at, y, 0.0), high = low, high_at = 0.0;
+    double felt_low = low, felt_high = low;
     for (int line = 1; line <= kLines; ++line)
-      for (const double side : {-kHalfWidth, kHalfWidth}) {
-        const double z = road.height(at, y + side * line / kLines, 0.0);
+      for (const double side : {-1.0, 1.0}) {
+        const double beside = side * width.tread * line / kLines;
+        const double z = road.height(at, y + beside, 0.0);
+        if (z > high) high_at = beside;
         low = std::min(low, z);
         high = std::max(high, z);
+        if (std::abs(beside) > width.felt) continue;
+        felt_low = std::min(felt_low, z);
+        felt_high = std::max(felt_high, z);
       }
     trace.highest.push_back(high);
     trace.differs = trace.differs || high - low > kDiffers;
-    trace.touches = trace.touches || std::max(std::abs(low), std::abs(high)) > kTouches;
+    trace.touches = trace.touches || std::max(std::abs(felt_low), std::abs(felt_high)) > kTouches;
+    const double rise = high - felt_high;
+    if (rise > kUnfelt && rise > trace.unfelt.rise)
+      trace.unfelt = {
+          .rise = rise, .beside = edge_beside(road, at, y, high_at, felt_high), .place = at};
   }
   return trace;
 }
@@ -83,7 +106,7 @@ double spacing_of(const KerbTest& test, double way) {
 
 }  // namespace
 
-KerbWay way_of(const KerbTest& test, const car::Car& car) {
+KerbWay way_of(const KerbTest& test, const car::Car& car, const TreadWidth& width) {
   KerbWay way;
   if (!test.kerb && !test.filed) return way;
   const auto road = road_of(test, car);
@@ -97,11 +120,16 @@ KerbWay way_of(const KerbTest& test, const car::Car& car) {
         car.parts().corners[static_cast<std::size_t>(corner)].wheel_center;
     const double radius = center.z();  // a tire that stands there has this radius within a quarter
     const double along = spacing_of(test, driven + 2.0 * radius);
-    const Trace trace = trace_of(test, *road, center, radius, along);
+    const Trace trace = trace_of(test, *road, center, radius, along, width);
     way.first = std::min(way.first, center.x() - origin);
     way.last = std::max(way.last, center.x() - origin + driven);
     way.varies_across = way.varies_across || trace.differs;
     way.meets = way.meets || trace.touches;
+    if (trace.unfelt.rise > way.unfelt.rise) {
+      way.unfelt = trace.unfelt;
+      way.unfelt.corner = corner;
+      way.unfelt.place -= origin;
+    }
     const std::vector<double> path = envelope(trace, radius);
     const auto length = static_cast<std::size_t>(std::ceil(radius / along));
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {

@@ -8,6 +8,7 @@
 
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/post_spectra.h"
+#include "experiment/rigs/lift_watch.h"
 
 namespace latsch::experiment {
 
@@ -35,6 +36,19 @@ std::vector<std::string> notes_of_lift(const Channels& record,
       fmt::join(tires, ", "),
       at_time(first),
       at_time(last))};
+}
+
+std::vector<std::string> lifts_of(const Channels& record, double sample_step) {
+  const std::vector<double>& time = record["time"];
+  std::vector<std::string> all;
+  for (const char* corner : car::kCornerNames) {
+    const std::vector<double>& load = record[std::string("Fz_") + corner];
+    LiftLog lifts;
+    for (std::size_t k = 0; k < load.size(); ++k) lifts.see(time[k], sample_step, load[k], 0.0);
+    if (std::string said = lifts.sentence(); !said.empty())
+      all.push_back(std::string(corner) + ": " + said);
+  }
+  return all;
 }
 
 std::vector<std::string> notes_of_coherence(const Channels& over_frequency) {

@@ -16,6 +16,7 @@ using magic_formula::State;
 void StatesBeyond::add(const std::vector<State>& states, const Parameters& tire) {
   count += std::ssize(states);
   outside += outside_of_ranges(states, tire);
+  unloaded += std::ranges::count_if(states, [](const State& state) { return state.Fz <= 0.0; });
   if (magic_formula::has_load_curve(tire))
     beyond_curve += std::count_if(states.begin(), states.end(), [&](const State& state) {
       return state.Fz > tire.curve_force.back();
@@ -26,6 +27,12 @@ std::vector<std::string> StatesBeyond::sentences(const Parameters& tire,
                                                  bool limits,
                                                  bool may_be_off) const {
   std::vector<std::string> all;
+  if (unloaded > 0)
+    all.push_back(
+        fmt::format("{} of {} states have a load of 0 or less: the tire is taken to be off the "
+                    "road there, without forces; slip, slip angle and turn slip mean nothing",
+                    unloaded,
+                    count));
   if (limits && outside > 0)
     all.push_back(
         fmt::format("{} of {} states lie outside of the ranges of the tire's file and are limited "

@@ -11,6 +11,7 @@ namespace latsch {
 
 struct StatesBeyond {
   long count = 0;         // states in all
+  long unloaded = 0;      // states with a load of 0 or less, a tire in the air
   long outside = 0;       // states outside the ranges of the file, at which limits clamp them
   long beyond_curve = 0;  // states whose load is beyond the [DEFLECTION_LOAD_CURVE] of the file
 

@@ -3,12 +3,12 @@
 //
 // The body has unknowns q, of which the positions and pressures of its points follow, and the
 // residual R(q) = internal forces - forces of p and t. Newton's method on (F.1) by itself cycles
-// without end once epsilon_t times the distance of points exceeds the body's stiffness. An active set
-// does not: all points in contact stick at first,
+// without end once epsilon_t times the distance of points exceeds the body's stiffness. An active
+// set does not: all points in contact stick at first,
 //
 //   repeat:
-//     solve R(q) = 0 with the states as they are      (sliding points first in the directions of the
-//                                                     last state, then with a line search on |R|)
+//     solve R(q) = 0 with the states as they are: sliding points first in the directions of the
+//       last state, then with a line search on |R|
 //     points that stick beyond mu p slide             -> again
 //     nothing was released: points that slide along their traction, or whose trial traction is
 //       below mu p, stick                             -> again
@@ -54,14 +54,14 @@ struct RollingContactOptions {
   double rounding = 1e-7;
   /// Share of mu p by which a sticking point may exceed it; rounding has to be smaller.
   double excess = 1e-9;
-  int most_passes = 100;     // of the active set
-  int most_iterations = 40;  // of Newton's method in a pass
-  int most_returns = 12;     // of a point from sliding to sticking
-  int most_halvings = 12;    // of a Newton step
+  int most_passes = 100;     // largest number of active sets
+  int most_iterations = 40;  // largest number of Newton iterations a pass
+  int most_returns = 12;     // largest number of returns of a point to sticking
+  int most_halvings = 12;    // largest number of halvings of a Newton step
   double softer = 0.03;      // share of the penalty of a second start, if the first one fails
 };
 
-/// What was found, and what it cost.
+/// The equilibrium found, and the work that it took.
 struct RollingContactState {
   Eigen::VectorXd q;
   RollingInput input;

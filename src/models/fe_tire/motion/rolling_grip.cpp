@@ -33,7 +33,7 @@ RollingGrip::RollingGrip(RollingLines lines, RollingFriction friction, double st
 /// One step of (F.1): the creep distance, and whether a traction comes with it.
 struct RollingGrip::Step {
   Pair full;     // m, (x_k - x_{k-1}) - V_g Delta t_k
-  double share;  // of it that counts
+  double share;  // part of it that counts
   bool carries;  // the point before is in contact
 };
 

@@ -6,10 +6,10 @@
 //   t'_k = t_{k-1} - epsilon_t [(x_k - x_{k-1}) - V_g Delta t_k],
 //   t_k = t'_k if |t'_k| <= mu p_k, else mu p_k t'_k/|t'_k|                                   (F.1)
 // t is the traction on the surface, x the position along the ground, V_g the ground's velocity in
-// this frame. This is the steady limit of penalty contact in time, (C.2) and (C.3) of contact.h, for
-// any step. A point that comes down between two places is anchored where it touched: its step counts
-// by the share that lies in contact, as (C.4). Nothing depends on a threshold of velocity, and a
-// steady state does not depend on the path to it. A point slides over the ground with
+// this frame. This is the steady limit of penalty contact in time, (C.2) and (C.3) of contact.h,
+// for any step. A point that comes down between two places is anchored where it touched: its step
+// counts by the share that lies in contact, as (C.4). Nothing depends on a threshold of velocity,
+// and a steady state does not depend on the path to it. A point slides over the ground with
 //   w = [(x_k - x_{k-1}) - V_g Delta t_k + (t_k - t_{k-1})/epsilon_t]/Delta t_k.
 //
 // The penalty epsilon_t acts in series with the surface's own shear. It has to be some hundred
@@ -50,13 +50,13 @@ struct RollingLines {
   int points() const { return static_cast<int>(time.size()); }
 };
 
-/// Where the points are, and how hard they press.
+/// Positions and pressures of the points.
 struct RollingInput {
-  Eigen::Matrix2Xd x;     // m, along the ground
-  Eigen::VectorXd p;      // Pa; 0: not in contact
-  Eigen::VectorXd share;  // of the step to a point that lies in contact, 0 to 1; used where a line
-                          // comes down
-  Eigen::Matrix2Xd V_g;   // m/s
+  Eigen::Matrix2Xd x;  // m, along the ground
+  Eigen::VectorXd p;   // Pa; 0: not in contact
+  /// Part of the step to a point that lies in contact, 0 to 1; used where a line comes down.
+  Eigen::VectorXd share;
+  Eigen::Matrix2Xd V_g;  // m/s
 };
 
 /// State of the points between iterations.
@@ -90,7 +90,7 @@ class RollingGrip {
   double stiffness() const { return stiffness_; }
   const RollingFriction& friction() const { return friction_; }
 
-  /// How directions of sliding points are found: kept, or those of t'.
+  /// Directions of sliding points: kept, or those of t'.
   enum class Directions { kept, of_trial };
   /// Returns the tractions if points are in these states. Points without pressure have none, and
   /// states do not matter for them.
