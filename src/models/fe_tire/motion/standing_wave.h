@@ -10,9 +10,9 @@
 
 namespace latsch::fe_tire {
 
-/// Inertia of a sector in both axes. The two W(n) differ by an error of second order in the width of
-/// a sector; a wave counts as held if neither takes its stiffness away, so that states with inertia
-/// (W.1) and modes with (W.2) exist below one speed.
+/// Inertia of a sector in both axes. The two W(n) differ by an error of second order in the width
+/// of a sector; a wave counts as held if neither takes its stiffness away, so that states with
+/// inertia (W.1) and modes with (W.2) exist below one speed.
 struct BothInertias {
   SectorFlow flow;
   SectorSpin spin;
