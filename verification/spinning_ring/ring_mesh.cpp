@@ -62,7 +62,7 @@ fe_tire::Solid linear_solid(double E, double nu, double density) {
 
 fe_tire::Mesh free_ring_mesh(int sectors) {
   const std::vector<double> sides = {0.005, 0.0, -0.005};
-  return ring_mesh({{{0.2, 0.2995}, sides, 0}, {{0.2995, 0.3005}, sides, 1}}, sectors, 0.2);
+  return ring_mesh({{{0.2, 0.299}, sides, 0}, {{0.299, 0.301}, sides, 1}}, sectors, 0.2);
 }
 
 fe_tire::Materials free_ring_materials(double nu) {
