@@ -5,9 +5,10 @@
 // in axes that stand, exp(i (n theta + omega t)), from the matrices in axes that spin along. omega
 // > 0 travels with the spin, because forward rolling carries material toward decreasing theta.
 //
-// A rim that moves adds two unknowns to n = 0 and n = 1 (rim_motion.h). Its stiffness without
-// springs follows from the fact that a wheel on which nothing acts can be moved as a whole without
-// force: it is what eliminating the tire's unknowns takes away.
+// A rim that moves adds two unknowns to n = 0 and n = 1 (rim_motion.h). What it exerts on the tire
+// follows from the fact that a wheel on which nothing acts can be moved as a whole without force,
+// pressure and centrifugal forces included: with T the motions of the tire's nodes in a motion of
+// the whole, the rim's columns of K are -K T and its corner is T* K T.
 #pragma once
 
 #include <Eigen/Core>
@@ -50,6 +51,8 @@ class SpinningHarmonics {
  private:
   SpinningHarmonics(const RingElements& elements, const Rim& rim, double speed);
   Status evaluate(const Inflated& state);
+  /// Returns the displacements of the tire's unknowns by the motions of the whole wheel.
+  Eigen::MatrixXcd motions_of_whole(int n) const;
   void add_rim(int n, Equations& equations) const;
 
   const RingElements* elements_;
@@ -59,9 +62,10 @@ class SpinningHarmonics {
   SectorBlocks K_;
   struct RimElement {
     int element;
-    Matrix24 K, M, C, MP;
+    Matrix24 M, C;
   };
   std::vector<RimElement> rim_elements_;
+  Eigen::Matrix3Xd u_;  // of the state
   MassProperties mass_;
 };
 

@@ -10,9 +10,19 @@
 
 namespace latsch::fe_tire {
 
+/// Inertia of a sector in both axes. The two W(n) differ by an error of second order in the width
+/// of a sector; a wave counts as held if neither takes its stiffness away, so that states with
+/// inertia (W.1) and modes with (W.2) exist below one speed.
+struct BothInertias {
+  SectorFlow flow;
+  SectorSpin spin;
+
+  explicit BothInertias(const RingElements& elements) : flow(elements), spin(elements) {}
+};
+
 /// True if K(n) - speed^2 W(n) is positive definite for every n.
 bool holds_every_wave(const SectorBlocks& K,
-                      const SectorFlow& flow,
+                      const BothInertias& inertia,
                       const Ring& ring,
                       double speed);
 
@@ -23,7 +33,7 @@ struct CriticalWave {
 };
 /// Returns nothing if K(n) is not positive definite or if no speed below `highest` is critical.
 std::optional<CriticalWave> critical_wave(const SectorBlocks& K,
-                                          const SectorFlow& flow,
+                                          const BothInertias& inertia,
                                           const Ring& ring,
                                           double highest);
 
