@@ -24,7 +24,8 @@ fe_tire::Mesh ring_mesh(const std::vector<SectionBlock>& blocks, int sectors, do
   fe_tire::Mesh mesh;
   mesh.sectors = sectors;
   std::vector<Eigen::Vector3d> nodes;
-  std::vector<std::array<int, 4>> corners;  // an element has them in the order inner +y, -y, outer +y, -y
+  std::vector<std::array<int, 4>>
+      corners;  // an element has them in the order inner +y, -y, outer +y, -y
   for (const SectionBlock& block : blocks) {
     for (std::size_t j = 0; j + 1 < block.sides.size(); ++j) {
       for (std::size_t i = 0; i + 1 < block.radii.size(); ++i) {

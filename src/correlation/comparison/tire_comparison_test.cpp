@@ -94,10 +94,9 @@ TEST_F(ComparedTires, RecordingsStandInTheSpecimensPlace) {
 }
 
 TEST_F(ComparedTires, RangesThatATireLeavesAreSaidWithTheirTests) {
-  const std::string limited =
-      experiment::sparse_tir(std::string("VERTICAL_DAMPING = 200\n") +
-                             experiment::kLongitudinalForce) +
-      "[VERTICAL_FORCE_RANGE]\nFZMIN = 0\nFZMAX = 3000\n";
+  const std::string limited = experiment::sparse_tir(std::string("VERTICAL_DAMPING = 200\n") +
+                                                     experiment::kLongitudinalForce) +
+                              "[VERTICAL_FORCE_RANGE]\nFZMIN = 0\nFZMAX = 3000\n";
   write("limited.tir", limited);
   write("comparison.toml",
         "[specimen]\nkind = \"magic_formula\"\nfile = \"limited.tir\"\n"

@@ -118,7 +118,8 @@ TEST(KnownLimits, AWheelBelowVxlowSaysWhatIsAssumedForIt) {
       "duration = \"10 s\", alpha = [\"0 deg\", \"4 deg\"]";
   EXPECT_TRUE(told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0"})
                   .says("DAMP_VLOW is 0 or missing"));
-  EXPECT_FALSE(told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0.001"}).says("DAMP_VLOW"));
+  EXPECT_FALSE(
+      told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0.001"}).says("DAMP_VLOW"));
   EXPECT_FALSE(told_by("magic_formula", kSweep, {"DAMP_VLOW = 0"}).says("DAMP_VLOW"));
 }
 
