@@ -25,8 +25,8 @@ using namespace fe_tire;
 
 constexpr int kJudge = 240;          // equal sectors
 constexpr double kClear = 0.02;      // m, between the tire and the ground
-constexpr double kRound = 5e-4;      // of the growth
-constexpr double kEarlyLoad = 0.01;  // of Fz at kTouch
+constexpr double kRound = 5e-4;      // share of the growth
+constexpr double kEarlyLoad = 0.01;  // share of Fz at kTouch
 constexpr double kTouch = 5e-4;      // m of deflection
 
 TireDescription on_equal_sectors(TireDescription description, int sectors) {
@@ -38,7 +38,7 @@ TireDescription on_equal_sectors(TireDescription description, int sectors) {
 /// Distances from the judge, relative to its growth.
 struct Roundness {
   double bottom = 0.0;  // growth of the lowest point
-  double worst = 0.0;   // of any node of any plane
+  double worst = 0.0;   // largest of any node of any plane
 };
 
 Roundness roundness(FeTire& tire, double pressure, const Inflated& judge) {

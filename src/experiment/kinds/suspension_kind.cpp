@@ -63,8 +63,8 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
 /// Returns a sentence on every hardpoint at which hardly any suspension has it: exchanged ball
 /// joints, a contact point beside its wheel, the outer end of a link outside of the wheel.
 std::vector<std::string> doubts_about_hardpoints(const Node& root) {
-  constexpr double kFarBeside = 0.5;   // of the wheel's height over the ground, contact to center
-  constexpr double kFarOutside = 1.5;  // of that height, from the center to a link's outer end
+  constexpr double kFarBeside = 0.5;   // share of the wheel's height over the ground
+  constexpr double kFarOutside = 1.5;  // share of that height, center to a link's end
   const suspension::CornerGeometry geometry = suspension::read_corner(root).geometry;
   const Eigen::Vector3d center = geometry.linkage.wheel.center;
   const Eigen::Vector3d contact = suspension::read_point(root.table("hardpoint"), "contact");

@@ -65,7 +65,7 @@ class SpinningHarmonics {
     Matrix24 M, C;
   };
   std::vector<RimElement> rim_elements_;
-  Eigen::Matrix3Xd u_;  // of the state
+  Eigen::Matrix3Xd u_;  // displacements of the state
   MassProperties mass_;
 };
 
