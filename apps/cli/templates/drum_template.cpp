@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -492,9 +493,13 @@ DrumStudy drum_study(const DrumRecordings& recordings,
   const std::optional<double> diameter = stated_diameter(recordings);
   const Channels first = formats::read_recording(recordings.files.front());
   const auto columns = columns_of(first, recordings, recordings.files.front());
+  std::map<std::string, std::string> units;
+  for (const Column& column : columns)
+    if (!column.unit_of_table.empty()) units[column.written] = column.unit_of_table;
+  const Channels read = formats::read_recording(recordings.files.front(), units);
   DrumStudy written;
   written.rig = rig_text(
-      recordings, columns, speeds_in(first, recordings, columns, diameter), diameter, folder);
+      recordings, columns, speeds_in(read, recordings, columns, diameter), diameter, folder);
   write_text_file(folder / "rig.toml", written.rig);
   const auto [rig, results] = processed(folder / "rig.toml");
   correlation::write_rig_tables(rig, results, folder / "rig_processed");

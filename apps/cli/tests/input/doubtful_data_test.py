@@ -428,6 +428,13 @@ class Rig(Data):
         for number, names in enumerate(("Zeit [s],Geschwindigkeit [m/s],Radlast [N]", "t_s,Vx_mps,FZ_N")):
             (self.folder / f"n{number}.csv").write_text(names + "\n" + rows)
             self.latsch("new", f"named{number}", "--drum", f"n{number}.csv", "--cleat", "10 mm x 20 mm")
+        with open(self.folder / "kph.csv", "w") as out:
+            out.write("t_s,V_kph,FZ_N\n")
+            for t, v, F in (row.split(",") for row in rows.splitlines()):
+                out.write(f"{t},{3.6 * float(v):.5f},{F}\n")
+        self.latsch("new", "kph", "--drum", "kph.csv", "--cleat", "10 mm x 20 mm")
+        held = [re.findall(r"\d+ km/h", (self.folder / n / "rig.toml").read_text()) for n in ("named0", "kph")]
+        self.assertEqual(*held)
 
     def test_new_doubts_a_diameter_of_two_turns(self):
         self.process()
