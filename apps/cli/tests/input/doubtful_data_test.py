@@ -380,7 +380,7 @@ class Rig(Data):
     def test_a_segment_has_to_hold_samples(self):
         self.assert_says(self.process(RIG.replace('"0.2 s"', '"0.0001 s"'), code=WRONG_INPUT), "0.2 samples", "expected")
         self.assert_says(self.process(RIG.replace('"0.2 s"', '"0.02 s"')), "50 Hz apart")
-        self.assert_says(self.process(RIG.replace('"0.2 s"', '"5 s"')), "longer than the passage")
+        self.assert_says(self.process(RIG.replace('"0.2 s"', '"5 s"'), code=WRONG_INPUT), "segment is 5 s", "lasts 0.72 s")
 
     def test_a_circumference_that_does_not_fit(self):
         self.assert_says(self.process(RIG.replace('"6 m"', '"12 m"')), "2 hits", "6 m")
