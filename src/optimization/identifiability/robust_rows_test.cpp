@@ -191,7 +191,7 @@ TEST(RobustRows, WhatOnlyAValueBeyondTheCornerShowsIsOpen) {
 // Groups with their own corners keep their own psi': values without a loss are not loosened by
 // values of another experiment far beyond their corner.
 TEST(RobustRows, ALossOfOneExperimentLeavesTheOthersAsExact) {
-  constexpr int m = 60;
+  constexpr int m = 600;
   RandomStream random(12, 0);
   Linearization at{Eigen::Vector2d::Constant(0.5), Eigen::VectorXd(m), Eigen::MatrixXd::Zero(m, 2)};
   std::vector<RobustLoss> losses(m);
