@@ -38,6 +38,8 @@ class SpinningHarmonics {
     numerics::BorderedCholesky K_factor;
     Eigen::VectorXd soft;
   };
+  /// Waves shorter than 2 pi sectors have the inertia (W.1), see standing_wave.h, and so have waves
+  /// that (W.2) just loses beside the standing-wave speed.
   /// Returns nothing if K(n) - Omega^2 W(n) is not positive definite: the speed is above that of a
   /// standing wave, or the tire buckles.
   std::optional<Equations> equations(int n) const;
@@ -51,6 +53,7 @@ class SpinningHarmonics {
  private:
   SpinningHarmonics(const RingElements& elements, const Rim& rim, double speed);
   Status evaluate(const Inflated& state);
+  std::optional<Equations> with_inertia(int n, const SectorSpin::Harmonic& at) const;
   /// Returns the displacements of the tire's unknowns by the motions of the whole wheel.
   Eigen::MatrixXcd motions_of_whole(int n) const;
   void add_rim(int n, Equations& equations) const;
@@ -59,6 +62,7 @@ class SpinningHarmonics {
   Rim rim_;
   double speed_;  // rad/s
   SectorSpin spin_;
+  SectorFlow flow_;
   SectorBlocks K_;
   struct RimElement {
     int element;

@@ -16,6 +16,7 @@
 #include "models/fe_tire/analysis/mode_label.h"
 #include "models/fe_tire/motion/spinning_harmonics.h"
 #include "models/fe_tire/motion/spinning_tire.h"
+#include "models/fe_tire/motion/standing_wave.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -135,7 +136,7 @@ double WaveSearch::cutoff() const {
 Result<std::vector<FoundWave>> WaveSearch::run() {
   const Ring& ring = harmonics_.ring();
   const int S = ring.sectors();
-  for (int n = 0; n <= S / 2; ++n) {
+  for (int n = 0; n <= most_waves(ring); ++n) {
     const auto equations = harmonics_.equations(n);
     if (!equations) return lost(n);
     for (const int sign : {1, -1}) {
