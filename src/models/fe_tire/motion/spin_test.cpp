@@ -223,8 +223,8 @@ TEST(Rim, on_soft_springs_moves_with_the_whole_wheel) {
   EXPECT_LT((*modes)[0].frequency, rigid);
 }
 
-// The whole wheel can be moved without force, which springs on the rim alone then hold: without them
-// a free wheel has no mode between rest and those of the tire, in the air under pressure too.
+// The whole wheel can be moved without force, which springs on the rim alone then hold: without
+// them a free wheel has no mode between rest and those of the tire, in the air under pressure too.
 TEST(Rim, is_moved_with_the_tire_without_force) {
   FeTire tire(few_sectors());
   const Inflated at_rest = *tire.inflate(2e5);

@@ -120,7 +120,8 @@ std::optional<SpinningHarmonics::Equations> SpinningHarmonics::with_inertia(
   G.banded.lower() *= speed_;
   if (width > 0) {
     add_rim(n, equations);
-    // The force that holds the tire's nodes in a motion of the whole is what the rim exerts on them.
+    // The force that holds the tire's nodes in a motion of the whole is what the rim exerts on
+    // them.
     const Eigen::MatrixXcd moved = motions_of_whole(n);
     K.banded.multiply(moved, K.border);
     K.border *= -1.0;

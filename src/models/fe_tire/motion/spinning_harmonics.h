@@ -69,7 +69,7 @@ class SpinningHarmonics {
     Matrix24 M, C;
   };
   std::vector<RimElement> rim_elements_;
-  Eigen::Matrix3Xd u_;  // of the state
+  Eigen::Matrix3Xd u_;  // m, displacements in the state
   MassProperties mass_;
 };
 
