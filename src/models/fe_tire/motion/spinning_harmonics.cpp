@@ -98,11 +98,8 @@ Status SpinningHarmonics::evaluate(const Inflated& state) {
 }
 
 std::optional<SpinningHarmonics::Equations> SpinningHarmonics::equations(int n) const {
-  const double width = 2.0 * std::numbers::pi / ring().sectors();
-  if (n * width <= 1.0) {
-    if (auto found = with_inertia(n, spin_.harmonic(n))) return found;
-    if (rim_.motions(n) > 0) return std::nullopt;
-  }
+  if (auto found = with_inertia(n, spin_.harmonic(n))) return found;
+  if (rim_.motions(n) > 0) return std::nullopt;
   return with_inertia(n, {flow_.M.harmonic(n), flow_.G.harmonic_of_skew(n), flow_.W.harmonic(n)});
 }
 

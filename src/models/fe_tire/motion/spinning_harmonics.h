@@ -38,9 +38,8 @@ class SpinningHarmonics {
     numerics::BorderedCholesky K_factor;
     Eigen::VectorXd soft;
   };
-  /// Waves shorter than 2 pi sectors have the inertia (W.1), see standing_wave.h, and so have waves
-  /// that (W.2) just loses beside the standing-wave speed.
-  /// Returns nothing if K(n) - Omega^2 W(n) is not positive definite: the speed is above that of a
+  /// A wave that (W.2) loses too early has the inertia (W.1), see standing_wave.h. Returns nothing
+  /// if that leaves K(n) - Omega^2 W(n) not positive definite, too: the speed is above that of a
   /// standing wave, or the tire buckles.
   std::optional<Equations> equations(int n) const;
 

@@ -136,8 +136,9 @@ double WaveSearch::cutoff() const {
 Result<std::vector<FoundWave>> WaveSearch::run() {
   const Ring& ring = harmonics_.ring();
   const int S = ring.sectors();
-  for (int n = 0; n <= most_waves(ring); ++n) {
+  for (int n = 0; n <= S / 2; ++n) {
     const auto equations = harmonics_.equations(n);
+    if (!equations && n > most_waves(ring)) continue;  // an hourglass motion, no wave
     if (!equations) return lost(n);
     for (const int sign : {1, -1}) {
       if (sign < 0 && is_one_motion(n, S)) continue;
