@@ -79,8 +79,8 @@ TEST(RobustRows, TheLargerOfTwoIsNoSmallerAlongAnyDirection) {
   EXPECT_TRUE(larger(a, 0.5 * a).isApprox(a, 1e-12));
 }
 
-/// A line through 40 values with Gaussian noise of 0.1 and three values far off. u = (a, b), y = a +
-/// b x; the residuals are those after Huber's loss with a corner of 0.15.
+/// A line through 40 values with Gaussian noise of 0.1 and three values far off. u = (a, b),
+/// y = a + b x; the residuals are those after Huber's loss with a corner of 0.15.
 struct RobustLine {
   static constexpr int kValues = 40;
   RobustLoss loss{Loss::huber, 0.15};
@@ -128,7 +128,7 @@ TEST(RobustRows, ProfilesEndWhereTheIntervalsDo) {
       }
       identification.observe(outcomes);
     }
-    ASSERT_TRUE(identification.status());
+    ASSERT_TRUE(identification.status().ok());
     const Confidence& c = identification.confidence();
     EXPECT_GE(c.beyond, 3);
     EXPECT_EQ(c.with_loss, RobustLine::kValues);
@@ -137,7 +137,7 @@ TEST(RobustRows, ProfilesEndWhereTheIntervalsDo) {
       EXPECT_EQ(profile.verdict, Verdict::identifiable);
       const double width = own.upper - own.lower;
       EXPECT_NEAR(profile.interval.upper - profile.interval.lower, width, 0.1 * width);
-      EXPECT_LT(width, 0.6);  // that of 40 values with a noise of 0.1, not of the values far off
+      EXPECT_LT(width, 0.6);  // width by 40 values with a noise of 0.1
     }
   }
 }
@@ -166,7 +166,8 @@ TEST(RobustRows, SharedNoiseWidensTheIntervals) {
   }
 }
 
-// A variable that only a value beyond the corner shows is not determined: S does not curve along it.
+// A variable that only a value beyond the corner shows is not determined: S does not curve along
+// it.
 TEST(RobustRows, WhatOnlyAValueBeyondTheCornerShowsIsOpen) {
   Linearization at{Eigen::Vector3d::Constant(0.5), Eigen::VectorXd::Zero(8), {}};
   at.J = Eigen::MatrixXd::Zero(8, 3);

@@ -22,7 +22,7 @@ namespace latsch::fe_tire {
 enum class RimMotion {
   held,   // it does not move
   rigid,  // it is a rigid body on the springs of its RimBody
-  free,   // it is a rigid body that nothing but the tire holds, as for a wheel in soft slings
+  free,   // it is a rigid body that only the tire holds, as on soft cords
 };
 
 struct Rim {
