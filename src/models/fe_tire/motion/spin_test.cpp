@@ -144,6 +144,22 @@ TEST(SpinningTire, splits_pairs_into_waves_with_and_against_the_spin) {
   EXPECT_GT(against, with);
 }
 
+// Short waves of a coarse mesh are not lost below the standing-wave speed, and none is held above.
+TEST(SpinningTire, has_modes_up_to_its_standing_wave) {
+  FeTire tire(few_sectors());
+  const Inflated at_rest = *tire.inflate(2e5);
+  SpinningTire spinning(tire);
+  const auto wave = spinning.standing_wave(at_rest);
+  ASSERT_TRUE(wave) << wave.failure().reason;
+  EXPECT_LE(wave->n, 8);
+  const auto below = spinning.inflate(at_rest, 0.99 * wave->speed);
+  ASSERT_TRUE(below) << below.failure().reason;
+  const auto modes = spinning.modes(*below, {}, 6);
+  ASSERT_TRUE(modes) << modes.failure().reason;
+  EXPECT_EQ(modes->front().sense, Sense::against);
+  EXPECT_FALSE(spinning.inflate(at_rest, 1.01 * wave->speed));
+}
+
 // The wave travels with the spin: material, which moves toward decreasing theta, and the crest of
 // Re(shape exp(i omega t)) move in the same direction.
 TEST(SpinningTire, waves_with_the_spin_travel_with_the_material) {
@@ -223,7 +239,7 @@ TEST(Rim, on_soft_springs_moves_with_the_whole_wheel) {
   EXPECT_LT((*modes)[0].frequency, rigid);
 }
 
-// The whole wheel can be moved without force, and springs on the rim alone then hold it: without
+// The whole wheel can be moved without force, which springs on the rim alone then hold: without
 // them a free wheel has no mode between rest and those of the tire, in the air under pressure too.
 TEST(Rim, is_moved_with_the_tire_without_force) {
   FeTire tire(few_sectors());

@@ -62,7 +62,12 @@ bool touches_rim(const Ring& ring, int element) {
 }  // namespace
 
 SpinningHarmonics::SpinningHarmonics(const RingElements& elements, const Rim& rim, double speed)
-    : elements_(&elements), rim_(rim), speed_(speed), spin_(elements), K_(elements.ring()) {}
+    : elements_(&elements),
+      rim_(rim),
+      speed_(speed),
+      spin_(elements),
+      flow_(elements),
+      K_(elements.ring()) {}
 
 Result<SpinningHarmonics> SpinningHarmonics::about(const RingElements& elements,
                                                    const Inflated& state,
@@ -93,7 +98,13 @@ Status SpinningHarmonics::evaluate(const Inflated& state) {
 }
 
 std::optional<SpinningHarmonics::Equations> SpinningHarmonics::equations(int n) const {
-  const SectorSpin::Harmonic at = spin_.harmonic(n);
+  if (auto found = with_inertia(n, spin_.harmonic(n))) return found;
+  if (rim_.motions(n) > 0) return std::nullopt;
+  return with_inertia(n, {flow_.M.harmonic(n), flow_.G.harmonic_of_skew(n), flow_.W.harmonic(n)});
+}
+
+std::optional<SpinningHarmonics::Equations> SpinningHarmonics::with_inertia(
+    int n, const SectorSpin::Harmonic& at) const {
   const int width = rim_.motions(n);
   using numerics::BorderedHermitian;
   Equations equations{{BorderedHermitian(K_.harmonic(n), width),
@@ -106,7 +117,8 @@ std::optional<SpinningHarmonics::Equations> SpinningHarmonics::equations(int n) 
   G.banded.lower() *= speed_;
   if (width > 0) {
     add_rim(n, equations);
-    // The force that holds the tire's nodes in a motion of the whole is that of the rim on them.
+    // The force that holds the tire's nodes in a motion of the whole is what the rim exerts on
+    // them.
     const Eigen::MatrixXcd moved = motions_of_whole(n);
     K.banded.multiply(moved, K.border);
     K.border *= -1.0;

@@ -38,7 +38,8 @@ class SpinningHarmonics {
     numerics::BorderedCholesky K_factor;
     Eigen::VectorXd soft;
   };
-  /// Returns nothing if K(n) - Omega^2 W(n) is not positive definite: the speed is above that of a
+  /// A wave that (W.2) loses too early has the inertia (W.1), see standing_wave.h. Returns nothing
+  /// if that leaves K(n) - Omega^2 W(n) not positive definite, too: the speed is above that of a
   /// standing wave, or the tire buckles.
   std::optional<Equations> equations(int n) const;
 
@@ -51,6 +52,7 @@ class SpinningHarmonics {
  private:
   SpinningHarmonics(const RingElements& elements, const Rim& rim, double speed);
   Status evaluate(const Inflated& state);
+  std::optional<Equations> with_inertia(int n, const SectorSpin::Harmonic& at) const;
   /// Returns the displacements of the tire's unknowns by the motions of the whole wheel.
   Eigen::MatrixXcd motions_of_whole(int n) const;
   void add_rim(int n, Equations& equations) const;
@@ -59,13 +61,14 @@ class SpinningHarmonics {
   Rim rim_;
   double speed_;  // rad/s
   SectorSpin spin_;
+  SectorFlow flow_;
   SectorBlocks K_;
   struct RimElement {
     int element;
     Matrix24 M, C;
   };
   std::vector<RimElement> rim_elements_;
-  Eigen::Matrix3Xd u_;  // displacements of the state
+  Eigen::Matrix3Xd u_;  // m, displacements in the state
   MassProperties mass_;
 };
 

@@ -16,6 +16,7 @@
 #include "models/fe_tire/analysis/mode_label.h"
 #include "models/fe_tire/motion/spinning_harmonics.h"
 #include "models/fe_tire/motion/spinning_tire.h"
+#include "models/fe_tire/motion/standing_wave.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -137,6 +138,7 @@ Result<std::vector<FoundWave>> WaveSearch::run() {
   const int S = ring.sectors();
   for (int n = 0; n <= S / 2; ++n) {
     const auto equations = harmonics_.equations(n);
+    if (!equations && n > most_waves(ring)) continue;  // an hourglass motion, no wave
     if (!equations) return lost(n);
     for (const int sign : {1, -1}) {
       if (sign < 0 && is_one_motion(n, S)) continue;

@@ -73,12 +73,12 @@ Result<Inflated> SpinningTire::inflate(const Inflated& at_rest, double speed) {
   const RingElements& elements = tire_.impl_->even_elements();
   const Ring& ring = elements.ring();
   if (ring.sectors() == 1) return not_of_equal_sectors();
-  const BothInertias inertia(elements);
-  auto spinning = grown(elements, at_rest, inertia.flow, speed, tire_.impl_->settings);
+  const SectorFlow flow(elements);
+  auto spinning = grown(elements, at_rest, flow, speed, tire_.impl_->settings);
   if (spinning) {
     const auto K = sector_tangent(elements, *spinning);
     if (!K) return K.failure();
-    if (!holds_every_wave(*K, inertia, ring, std::abs(speed))) {
+    if (!holds_every_wave(*K, flow, ring, std::abs(speed))) {
       const auto wave = standing_wave(at_rest);
       return wave ? above(*wave, speed) : wave.failure();
     }
@@ -102,18 +102,17 @@ Result<StandingWave> SpinningTire::standing_wave(const Inflated& at_rest) {
   const RingElements& elements = tire_.impl_->even_elements();
   const Ring& ring = elements.ring();
   if (ring.sectors() == 1) return not_of_equal_sectors();
-  const BothInertias inertia(elements);
+  const SectorFlow flow(elements);
   // The critical speed of the tire that has grown at `speed`, and the tire's radius.
   double radius = at_rest.radius;
   const auto critical = [&](double speed) -> Result<CriticalWave> {
-    auto state = speed == 0.0
-                     ? Result<Inflated>(at_rest)
-                     : grown(elements, at_rest, inertia.flow, speed, tire_.impl_->settings);
+    auto state = speed == 0.0 ? Result<Inflated>(at_rest)
+                              : grown(elements, at_rest, flow, speed, tire_.impl_->settings);
     if (!state) return state.failure();
     radius = state->radius;
     const auto K = sector_tangent(elements, *state);
     if (!K) return K.failure();
-    const auto wave = critical_wave(*K, inertia, ring, kHighest);
+    const auto wave = critical_wave(*K, flow, ring, kHighest);
     if (!wave)
       return Failure{fmt::format(
           "there is no standing wave below {:.4g} rad/s, or the tire buckles at rest", kHighest)};
@@ -153,13 +152,11 @@ Failure SpinningTire::above(const StandingWave& wave, double speed) {
       wave.speed,
       kToKilometersPerHour * wave.speed * wave.radius,
       wave.n,
-      wave.n <= wave.resolved
-          ? std::string()
-          : fmt::format(
-                " (the sectors resolve waves up to n = {}: shorter ones, of the soft tread, "
-                "limit this mesh and not the real tire, whose rubber is stiffer and damped "
-                "at their frequency)",
-                wave.resolved))};
+      wave.n <= wave.resolved ? std::string()
+                              : fmt::format(" (the sectors resolve waves up to n = {}: finer "
+                                            "sectors lower this speed, and rubber "
+                                            "that is stiffer at its frequency raises it)",
+                                            wave.resolved))};
 }
 
 }  // namespace latsch::fe_tire

@@ -6,45 +6,39 @@ namespace {
 
 constexpr double kNarrow = 1e-7;  // relative width of the last interval of a speed
 
-/// K and both W of one circumferential number.
+/// K and W of one circumferential number.
 struct StillWave {
-  numerics::BandedHermitian K, by_flow, by_spin;
-
-  StillWave(const SectorBlocks& tangent, const BothInertias& inertia, int n)
-      : K(tangent.harmonic(n)),
-        by_flow(inertia.flow.W.harmonic(n)),
-        by_spin(inertia.spin.harmonic(n).W) {}
+  numerics::BandedHermitian K, W;
 
   /// True if K - speed^2 W is positive definite.
   bool is_held_at(double speed) const {
-    for (const auto* W : {&by_flow, &by_spin}) {
-      numerics::BandedHermitian at = K;
-      at.lower() -= speed * speed * W->lower();
-      if (!numerics::BandedCholesky().factorize(at)) return false;
-    }
-    return true;
+    numerics::BandedHermitian at = K;
+    at.lower() -= speed * speed * W.lower();
+    return numerics::BandedCholesky().factorize(at);
   }
 };
 
 }  // namespace
 
+int most_waves(const Ring& ring) { return ring.sectors() / 3; }
+
 bool holds_every_wave(const SectorBlocks& K,
-                      const BothInertias& inertia,
+                      const SectorFlow& flow,
                       const Ring& ring,
                       double speed) {
-  for (int n = 0; n <= ring.sectors() / 2; ++n) {
-    if (!StillWave(K, inertia, n).is_held_at(speed)) return false;
+  for (int n = 0; n <= most_waves(ring); ++n) {
+    if (!StillWave{K.harmonic(n), flow.W.harmonic(n)}.is_held_at(speed)) return false;
   }
   return true;
 }
 
 std::optional<CriticalWave> critical_wave(const SectorBlocks& K,
-                                          const BothInertias& inertia,
+                                          const SectorFlow& flow,
                                           const Ring& ring,
                                           double highest) {
   CriticalWave lowest{highest, -1};
-  for (int n = 0; n <= ring.sectors() / 2; ++n) {
-    const StillWave wave(K, inertia, n);
+  for (int n = 0; n <= most_waves(ring); ++n) {
+    const StillWave wave{K.harmonic(n), flow.W.harmonic(n)};
     if (wave.is_held_at(lowest.speed)) continue;
     double held = 0.0, lost = lowest.speed;
     if (!wave.is_held_at(held)) return std::nullopt;

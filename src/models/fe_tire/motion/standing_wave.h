@@ -2,6 +2,10 @@
 // Waves that stand still beside a spinning tire. A wave of n waves around is no longer held if its
 // frequency seen from the axle is zero: K(n) - Omega^2 W(n) is singular. [Graham, discussion of
 // Krylov & Gilbert, J. Sound Vib. 329 (2010) 4398-4408]
+//
+// W is that of (W.1): it errs for short waves as K does, by the same shape functions, so that their
+// speeds are right on coarse meshes, too. That of (W.2), with n^2 M, would lose waves
+// shorter than six sectors too early.
 #pragma once
 
 #include <optional>
@@ -10,19 +14,14 @@
 
 namespace latsch::fe_tire {
 
-/// Inertia of a sector in both axes. The two W(n) differ by an error of second order in the width
-/// of a sector; a wave counts as held if neither takes its stiffness away, so that states with
-/// inertia (W.1) and modes with (W.2) exist below one speed.
-struct BothInertias {
-  SectorFlow flow;
-  SectorSpin spin;
-
-  explicit BothInertias(const RingElements& elements) : flow(elements), spin(elements) {}
-};
+/// Largest circumferential number that a ring's sectors carry: three sectors a wave. In shorter
+/// ones elements hold their hourglass motions only weakly, and waves would be lost that no tire
+/// loses.
+int most_waves(const Ring& ring);
 
 /// True if K(n) - speed^2 W(n) is positive definite for every n.
 bool holds_every_wave(const SectorBlocks& K,
-                      const BothInertias& inertia,
+                      const SectorFlow& flow,
                       const Ring& ring,
                       double speed);
 
@@ -33,7 +32,7 @@ struct CriticalWave {
 };
 /// Returns nothing if K(n) is not positive definite or if no speed below `highest` is critical.
 std::optional<CriticalWave> critical_wave(const SectorBlocks& K,
-                                          const BothInertias& inertia,
+                                          const SectorFlow& flow,
                                           const Ring& ring,
                                           double highest);
 
