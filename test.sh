@@ -11,7 +11,6 @@ case ${1:-} in
 ./test.sh --thorough          runs the checks that take longer, one step after the other, to the end, and fails with a
                               table of the steps that failed
 ./test.sh --thorough STEP...  runs the named steps alone; `./test.sh --thorough --list` names them
-WERROR=ON ./test.sh           treats warnings of the compiler as errors, as continuous integration does
 
 One test program alone: build/release/bin/X_test --gtest_filter='Y*', or
 python3 apps/cli/tests/X_test.py build/release/bin/latsch.
