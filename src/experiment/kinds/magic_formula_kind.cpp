@@ -72,6 +72,9 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
         "its forces leap where the point steps onto the cleat and off it; a rigid or flexible ring "
         "feels the cleat's length"};
   }
+  std::vector<std::string> limits_at_camber(bool rolls) const override {
+    return upright_footprint(rolls);
+  }
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }

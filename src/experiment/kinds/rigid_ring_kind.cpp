@@ -53,6 +53,9 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
         formula.evaluate({parameters_.FNOMIN, 0, 0, 0, 0, parameters_.LONGVL, parameters_.INFLPRES})
             .b);
   }
+  std::vector<std::string> limits_at_camber(bool rolls) const override {
+    return upright_footprint(rolls);
+  }
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }

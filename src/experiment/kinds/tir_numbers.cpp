@@ -9,6 +9,7 @@
 #include "formats/tire/kept_parts.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/standstill.h"
+#include "models/magic_formula/symmetry.h"
 
 namespace latsch::experiment {
 namespace {
@@ -79,6 +80,15 @@ std::vector<std::string> tir_notes(const std::filesystem::path& file) {
                     "(LEFT); a car puts "
                     "its mirror image on the right",
                     file.string()));
+  const auto asymmetric = magic_formula::asymmetric_coefficients(tir.parameters);
+  if (tir.parameters.side == magic_formula::MeasuredSide::symmetric && !asymmetric.empty())
+    tir.notes.push_back(
+        fmt::format("{}: TYRESIDE is SYMMETRIC, but {} {} not 0, so that the tire differs from its "
+                    "mirror image: they count, and a car has the tire on the left and its mirror "
+                    "image on the right. State the side, or set them to 0",
+                    file.string(),
+                    fmt::join(asymmetric, ", "),
+                    asymmetric.size() == 1 ? "is" : "are"));
   return std::move(tir.notes);
 }
 
@@ -200,6 +210,13 @@ std::vector<std::string> limits_backward_of(const magic_formula::Parameters& p) 
       "rolls "
       "backward: conicity holds all of the side force at zero slip angle and ply_steer none of it, "
       "so neither is a property of this tire"};
+}
+
+std::vector<std::string> upright_footprint(bool rolls) {
+  if (rolls) return {};
+  return {
+      "length and width of the footprint depend on the load alone in a .tir (Q_RA1 .. Q_RB2): at "
+      "camber they are those of the upright tire"};
 }
 
 std::string tir_text_of(const Document& numbers) {

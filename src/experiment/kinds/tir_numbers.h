@@ -53,6 +53,9 @@ std::string assumed_stiffness_of(const magic_formula::Parameters& parameters,
 /// the tire has no side force at zero slip angle.
 std::vector<std::string> limits_backward_of(const magic_formula::Parameters& parameters);
 
+/// Says that camber does not change the patch of a standing tire (KnowsLimits::limits_at_camber).
+std::vector<std::string> upright_footprint(bool rolls);
+
 /// Returns the text of a new file of these numbers, with the parts of their file that have no
 /// effect here (formats/tire/kept_parts.h).
 std::string tir_text_of(const Document& numbers);
