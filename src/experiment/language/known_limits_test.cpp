@@ -242,6 +242,66 @@ TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {
                     "a Magic Formula touches the road at one point");  // the word about the cleat
 }
 
+/// Notes of a test on a shipped flexible ring.
+std::vector<std::string> told_by_ring(const std::string& file, const std::string& keys) {
+  const SpecimenKind& kind = *language().find_kind("ring_tire");
+  const auto test = language().read_test(
+      Document::parse("test = {" + keys + "}", "t.toml").root().table("test"), {});
+  const auto notes = language().run_in_blocks(
+      kind, kind.read(LATSCH_SOURCE_DIR "/studies/ring_tires/" + file), *test, [](const Channels&) {
+      });
+  return notes ? *notes : std::vector<std::string>{notes.failure().reason};
+}
+
+bool has_part(const std::vector<std::string>& all, const std::string& part) {
+  return std::any_of(all.begin(), all.end(), [&](const std::string& one) {
+    return one.find(part) != std::string::npos;
+  });
+}
+
+TEST(KnownLimits, ARingThatPushesACamberedWheelToTheWrongSideIsTold) {
+  const std::string flat = "is flat across (tread.crown_radius is 0)";
+  const std::string ring = "passenger_205_55R16.toml";
+  const auto rolled = told_by_ring(ring, kRolling + ", measures = [\"camber\"]");
+  EXPECT_TRUE(has_part(rolled, "camber_stiffness is negative, -"));
+  EXPECT_TRUE(has_part(rolled, flat));
+  const auto crowned =
+      told_by_ring("passenger_205_55R16_crowned.toml", kRolling + ", measures = [\"camber\"]");
+  EXPECT_FALSE(has_part(crowned, "is negative"));
+  EXPECT_FALSE(has_part(crowned, flat));
+  EXPECT_FALSE(has_part(told_by_ring(ring, kRolling + ", measures = [\"slip\"]"), flat));
+  // A sibling: a slip stiffness of the wrong sign, which a fit may end with.
+  EXPECT_TRUE(
+      told_by("magic_formula", kRolling, {"PKX1 = -20"}).says("slip_stiffness is negative"));
+}
+
+TEST(KnownLimits, CamberThatDoesNotChangeAFootprintIsTold) {
+  const std::string standing = "kind = \"footprint\", loads = [\"4 kN\"]";
+  for (const char* kind : {"magic_formula", "rigid_ring"}) {
+    EXPECT_TRUE(told_by(kind, standing + ", camber = \"8 deg\"").says("those of the upright tire"));
+    EXPECT_FALSE(told_by(kind, standing).says("upright tire"));
+  }
+  for (const std::string key : {"camber = \"2 deg\"", "friction = 0.8"})
+    expect_part(told_by("magic_formula", "kind = \"modes\", " + key).refusal,
+                "because the tire is in the air");
+}
+
+TEST(KnownLimits, ARecordThatCutsThePassageOverTheCleatIsTold) {
+  const auto on_cleat = [](const std::string& angle, const std::string& more) {
+    return told_by("rigid_ring",
+                   "kind = \"drum_cleat\", load = \"4 kN\", drum_diameter = \"2.5 m\", " + more +
+                       ", cleat = {height = \"10 mm\", length = \"20 mm\", angle = \"" + angle +
+                       "\"}");
+  };
+  const std::string usual = "speed = \"30 km/h\", duration = \"0.2 s\"";
+  EXPECT_FALSE(on_cleat("45 deg", usual).says("the tire touches the cleat"));
+  EXPECT_TRUE(on_cleat("80 deg", usual).says("does not hold the beginning of the passage"));
+  EXPECT_FALSE(on_cleat("80 deg", usual + ", lead = \"0.1 s\"").says("the tire touches the cleat"));
+  // A slow passage over a straight cleat is cut as well.
+  EXPECT_TRUE(on_cleat("0 deg", "speed = \"4 km/h\", duration = \"0.2 s\", run_in = \"0.05 s\"")
+                  .says("the tire starts on the cleat"));
+}
+
 TEST(KnownLimits, APressureWithoutEffectIsTold) {
   const std::string pressed = "kind = \"load_deflection\", deflections = [\"20 mm\"], pressure = ";
   EXPECT_TRUE(told_by("magic_formula", pressed + "\"1 bar\"")
