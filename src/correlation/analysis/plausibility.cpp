@@ -145,13 +145,12 @@ void examine_load_deflection(const StudyExperiment& experiment,
                                    // the force
   if (measured.force.empty()) return;
   std::optional<formats::CsvTable> table;
-  if (!experiment.measurement) table = formats::CsvTable::read(experiment.measurement_file);
+  if (!experiment.read_from) table = formats::CsvTable::read(experiment.measurement_file);
   const bool radii = measured.abscissa == Abscissa::loaded_radius;
   const auto& positions = measured.position;
   std::vector<Finding> worst;
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Place place =
-        table ? table->place(static_cast<int>(i)) : experiment.measurement->place(i);
+    const Place place = table ? table->place(static_cast<int>(i)) : experiment.read_from->place(i);
     std::vector<Finding> of_row;
     if (radii && positions[i] > kGrowth * size.outer_radius) {
       of_row.push_back(

@@ -190,6 +190,7 @@ void read_sweeps(const Node& table,
   const auto sweep = table.find_table("sweep");
   if (!sweep) return;
   const auto stretches = stretches_of(record.time(), record.samples());
+  note_use(record, "time", "sweep");
   for (const std::string& key : sweep->keys()) {
     const Channel& channel = channel_of(*sweep, key, record);
     const std::string way = sweep->choice(key, {"rising", "falling"});
@@ -318,6 +319,7 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   told.recorded = record.table();
   read_zero(table, record, told.words);
   if (table.has("in_frame")) turn_frames(table, record, told);
+  if (table.has("low_pass")) note_use(record, "time", "low_pass");
   if (table.has("low_pass"))
     told.words.push_back(low_pass(
         record, table.quantity("low_pass", "Hz", Range::positive()), table.place("low_pass")));
