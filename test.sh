@@ -24,6 +24,6 @@ END
     ;;
 esac
 tools/install_packages.sh
-cmake --preset release ${WERROR:+-DLATSCH_WERROR="$WERROR"}
+cmake --preset release
 cmake --build --preset release
 exec ctest --preset release "$@"

@@ -101,7 +101,7 @@ Turns in_cpp(Method method, int n) {
 
 Turns in_python(Method method, int n) {
   std::istringstream text(output_of(fmt::format(
-      "{}/benchmarks/support/ask_tell_turns.py {} {}", LATSCH_SOURCE_DIR, name(method), n)));
+      "{}/benchmarks/ask_tell_turns.py {} {}", LATSCH_SOURCE_DIR, name(method), n)));
   Turns turns;
   text >> turns.seconds >> turns.count;
   for (std::string value; text >> value;) turns.last.push_back(std::strtod(value.c_str(), nullptr));

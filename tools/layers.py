@@ -218,9 +218,9 @@ def outcomes():
                 yield f"{file.relative_to(SOURCE.parent)}:{line}: {advice} (src/base/result.h)"
 
 
-# x.cpp implements x.h. Otherwise a reader has to find its header: one in the same folder names the file or declares the
-# thing it is called after, or the file's name continues the header's. Programs and modules have no header, sections of
-# keys are called by the reader of their test or by the list of a study's sections.
+# A .cpp file has a header of the same name, or a header in its folder that mentions the file, that declares the type
+# after which the file is named, or with whose name the file's name begins. Programs, Python modules and tables of keys
+# (*_keys.cpp) need no header.
 BEGINS_A_PROGRAM = re.compile(r"^(?:int main|PYBIND11_MODULE)\(", re.M)
 KEYS = "_keys"
 

@@ -49,10 +49,10 @@ void free_ring(const Options& options, Table& table) {
             percent(by_spin.split),
             "<= 0.05 %",
             by_spin.split <= 5e-4);
-  table.row("free ring, n = 2 ... 5, in axes that spin along: product",
-            percent(by_spin.product),
-            "<= 0.05 %",
-            by_spin.product <= 5e-4);
+  table.full_row("free ring, n = 2 ... 5, in axes that spin along: product",
+                 percent(by_spin.product),
+                 "<= 0.05 %",
+                 by_spin.product <= 5e-4);
   const verification::SplitErrors by_flow =
       verification::bryan_errors_by_flow(options.size(120, 60));
   table.full_row("free ring, n = 2 ... 5, by (W.1): split",
@@ -76,7 +76,7 @@ Spun spun(const TireDescription& tire, int around) {
               {.element = tire.element});
   const Inflated at_rest = value_of(fine.inflate(tire.pressure));
   SpinningTire spinning(fine);
-  constexpr double kSpeed = 30.0;  // m/s
+  constexpr double kSpeed = 15.0;  // m/s, below the standing waves of soft treads on fine sectors
   const Inflated state = value_of(spinning.inflate(at_rest, kSpeed / at_rest.radius));
   const StandingWave wave = value_of(spinning.standing_wave(at_rest));
   return {state.growth - at_rest.growth, wave.speed, wave.n};
@@ -86,7 +86,7 @@ void shipped(const std::string& name, const Options& options, Table& table) {
   const TireDescription tire = tire_for(options, name);
   const Spun own = spun(tire, 1), twice = spun(tire, 2), four = spun(tire, 4);
   table.full_row(
-      fmt::format("{}: growth by 108 km/h, against four times the sectors", name),
+      fmt::format("{}: growth by 54 km/h, against four times the sectors", name),
       fmt::format("{:.4f} mm, {}", 1e3 * own.growth, percent(own.growth / four.growth - 1.0)),
       "<= 0.5 %",
       std::abs(own.growth / four.growth - 1.0) <= 5e-3);

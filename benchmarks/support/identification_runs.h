@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solvers on the identification set. Data profiles are the share of the runs that reach
 //   f <= f_L + tau (f_0 - f_L)      within k (n + 1) evaluations,
-// where f is the value without the disturbance and f_L the least value known: that found by
-// sequential quadratic programming from truth and start with knowledge of the failing corner, or a
-// lower one found by a solver of this benchmark.
+// where f is the value without the disturbance and f_L the least value known. It is the best of two
+// runs of sequential quadratic programming that know which corner fails, one from the true values
+// and one from the start, or a lower value that a solver of this benchmark found.
 #pragma once
 
 #include <functional>

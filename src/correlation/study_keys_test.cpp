@@ -81,6 +81,7 @@ TEST(StudyKeysTest, EveryDefaultIsAValueThatItsReaderTakes) {
   int numbers = 0;
   for (const auto& [section, keys] : shipped().sections()) {
     for (const TabledKey& key : keys) {
+      if (!key.words.otherwise.empty()) continue;  // the page says what is chosen
       for (const std::string& text : key.defaults) {
         const auto number = number_of(text);
         if (!number) continue;

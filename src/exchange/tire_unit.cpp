@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exchange/tire_unit.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
 #include "base/error.h"
 #include "experiment/language/known_limits.h"
+#include "experiment/language/usual_numbers.h"
+#include "experiment/rigs/drum_rig.h"
 
 namespace latsch::exchange {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+constexpr double kFastestWheel = 200.0;  // m/s, as in the tests of a tire
 
 // Indices in the table at which vectors begin.
 enum Given : std::size_t { pressure, is_carried_on, x, yaw = 5, vx = 8, wx = 11, spin = 14 };
@@ -58,6 +66,19 @@ std::vector<ExchangedVariable> table(double height) {
       {"contact.width", output, "m", "of the footprint; likewise"},
       {"contact.area", output, "m^2", "of the footprint; likewise"},
   };
+}
+
+/// Returns a sentence on an unusual pressure, or nothing. Throws InputError if no tire has it.
+std::string doubt_about_pressure(double pa) {
+  const auto* usual = experiment::usual_magnitude("test.pressure", "Pa");
+  if (!usual || pa == 0.0) return "";
+  const experiment::Seen seen = experiment::judged(*usual, pa);
+  if (seen == experiment::Seen::usual) return "";
+  const std::string sentence =
+      fmt::format("the parameter pressure is {:.4g} Pa, but {}", pa, usual_in_words(*usual));
+  if (seen == experiment::Seen::impossible)
+    throw InputError(sentence + ": expected a gauge pressure in Pa");
+  return sentence;
 }
 
 }  // namespace
@@ -105,6 +126,7 @@ TireUnit::TireUnit(const TireUnit& other)
       rolls_(other.rolls_),
       road_(other.road_),
       variables_(other.variables_),
+      greatest_(other.greatest_),
       tire_(other.tire_->clone()),
       given_(other.given_),
       answers_(other.answers_),
@@ -146,10 +168,14 @@ void TireUnit::take(const HubForces& hub, const WheelMotion& motion, double time
   Eigen::Map<Eigen::Matrix<double, 3, 4>> vectors(answers_.data());
   vectors << hub.force, hub.moment, motion.carrier * hub.force, motion.carrier * hub.moment;
   answers_[12] = loaded_radius(motion, *road_, time);
+  const double deflection = tire_->free_radius() - answers_[12];
+  greatest_->deflection = std::max(greatest_->deflection, deflection);
   print_.reset();
 }
 
 Status TireUnit::start(double time) {
+  if (std::string doubt = doubt_about_pressure(given_[pressure]); !doubt.empty())
+    greatest_->pressure = std::move(doubt);
   tire_ = rolls_->tire(given_[pressure] != 0.0 ? experiment::Inflation(given_[pressure])
                                                : experiment::Inflation());
   const WheelMotion now = motion();
@@ -164,12 +190,33 @@ Status TireUnit::step(double time, double step) {
   const Result<HubForces> hub = tire_->advance(end, *road_, time + step, step);
   if (!hub) return hub.failure();
   take(*hub, end, time + step);
+  const double speed = end.velocity.norm();
+  greatest_->speed = std::max(greatest_->speed, speed);
+  greatest_->way = std::max(greatest_->way, speed * step);
   return {};
 }
 
 std::vector<std::string> TireUnit::limits_met() const {
   tire_->clone().reset();  // a tire passes its inputs on at its end
-  return experiment::limits_met(*specimen_);
+  std::vector<std::string> limits = experiment::limits_met(*specimen_);
+  const Greatest& met = *greatest_;
+  if (!met.pressure.empty()) limits.push_back(met.pressure);
+  if (met.speed > kFastestWheel)
+    limits.push_back(
+        fmt::format("the wheel moved at {:.4g} m/s, above the {:g} m/s that a test "
+                    "of a tire allows: are the velocities in m/s?",
+                    met.speed,
+                    kFastestWheel));
+  if (met.way > experiment::kFarthestStep * (1.0 + 1e-9))
+    limits.push_back(
+        fmt::format("a step moved the wheel by {:.3g} mm, more than the {:.3g} mm "
+                    "that a test of a tire allows: forces that change within a step "
+                    "are lost; take shorter steps",
+                    1e3 * met.way,
+                    1e3 * experiment::kFarthestStep));
+  if (const Status fit = experiment::check_depth(*tire_, met.deflection); !fit)
+    limits.push_back(fit.failure().reason);
+  return limits;
 }
 
 }  // namespace latsch::exchange

@@ -11,6 +11,10 @@
 // to which the tire then is moved. So a coupling in which all units step in parallel is of first
 // order in the forces and of second order in the motion. If the parameter `inputs.carried_on` is 0
 // the inputs are the motion at the step's end, for a caller that knows it.
+//
+// A pressure that no tire has is refused. Values that a test of the same tire refuses or doubts,
+// such as a step that is too long, a speed above 200 m/s or a rim below the road, are computed and
+// told by limits_met(): a co-simulation may pass through them.
 #pragma once
 
 #include <array>
@@ -51,6 +55,12 @@ class TireUnit final : public ExchangedModel {
   WheelMotion motion() const;
 
  private:
+  /// The greatest values that the unit and its copies were given.
+  struct Greatest {
+    double speed = 0.0, way = 0.0, deflection = 0.0;  // m/s; m in a step; m
+    std::string pressure = {};                        // sentence on an unusual one
+  };
+
   void take(const HubForces& hub, const WheelMotion& motion, double time);
 
   static constexpr std::size_t kGiven = 16, kAnswers = 13;
@@ -59,6 +69,7 @@ class TireUnit final : public ExchangedModel {
   const experiment::Rolls* rolls_;
   std::shared_ptr<const road::Road> road_;
   std::shared_ptr<const std::vector<ExchangedVariable>> variables_;
+  std::shared_ptr<Greatest> greatest_ = std::make_shared<Greatest>();
   std::unique_ptr<Tire> tire_;
   std::array<double, kGiven> given_{};      // parameters and inputs, in the table's order
   std::array<double, kAnswers> answers_{};  // outputs except those of the footprint

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "experiment/language.h"
@@ -48,7 +49,7 @@ TEST(TireUnit, TellsTheRangesThatItsTireHasLeft) {
     EXPECT_TRUE(unit->limits_met().empty());
     roll_on(*unit);
     const auto limits = unit->limits_met();
-    ASSERT_EQ(limits.size(), 1u) << kind;
+    ASSERT_FALSE(limits.empty()) << kind;
     EXPECT_NE(limits.front().find("above FZMAX = 1000 N"), std::string::npos) << limits.front();
   }
 }
@@ -57,6 +58,41 @@ TEST(TireUnit, WithinItsRangesItTellsNothing) {
   const auto unit = unit_with("magic_formula", "FZMAX = 9000");
   roll_on(*unit);
   EXPECT_TRUE(unit->limits_met().empty());
+}
+
+// The number of 2.4 bar taken as pascals, and 240 bar.
+TEST(TireUnit, RefusesAPressureThatNoTireHas) {
+  for (const char* kind : {"magic_formula", "rigid_ring"})
+    for (const double pressure : {2.4, 2.4e7}) {
+      const auto unit = unit_with(kind, "FZMAX = 9000");
+      set_by_name(*unit, "pressure", pressure);
+      try {
+        (void)unit->start(0.0);
+        ADD_FAILURE() << kind << " took " << pressure << " Pa";
+      } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("in Pa"), std::string::npos) << error.what();
+      }
+    }
+}
+
+/// Returns all sentences of a unit after one step with these values.
+std::string told_after(double height, double speed, double step) {
+  const auto unit = unit_with("magic_formula", "FZMAX = 9000");
+  set_by_name(*unit, "wheel.z", height);
+  set_by_name(*unit, "wheel.vx", speed);
+  set_by_name(*unit, "wheel.spin_rate", speed / 0.31);
+  EXPECT_TRUE(unit->start(0.0).ok());
+  EXPECT_TRUE(unit->step(0.0, step).ok());
+  std::string all;
+  for (const std::string& limit : unit->limits_met()) all += limit + "\n";
+  return all;
+}
+
+TEST(TireUnit, TellsValuesThatATestRefuses) {
+  EXPECT_EQ(told_after(0.31, 10.0, 1e-3), "");
+  EXPECT_NE(told_after(0.31, 10.0, 0.05).find("a step moved the wheel by 500 mm"),
+            std::string::npos);
+  EXPECT_NE(told_after(0.31, 2000.0, 1e-6).find("moved at 2000 m/s"), std::string::npos);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-
 namespace latsch {
 
 /// Returns `per_revolution` samples for each revolution. The speed (m/s, low-passed, positive) has

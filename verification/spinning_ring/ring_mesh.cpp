@@ -24,7 +24,8 @@ fe_tire::Mesh ring_mesh(const std::vector<SectionBlock>& blocks, int sectors, do
   fe_tire::Mesh mesh;
   mesh.sectors = sectors;
   std::vector<Eigen::Vector3d> nodes;
-  std::vector<std::array<int, 4>> corners;  // an element has them in the order inner +y, -y, outer +y, -y
+  // The nodes of each element: inner +y, inner -y, outer +y, outer -y.
+  std::vector<std::array<int, 4>> corners;
   for (const SectionBlock& block : blocks) {
     for (std::size_t j = 0; j + 1 < block.sides.size(); ++j) {
       for (std::size_t i = 0; i + 1 < block.radii.size(); ++i) {
@@ -61,7 +62,7 @@ fe_tire::Solid linear_solid(double E, double nu, double density) {
 
 fe_tire::Mesh free_ring_mesh(int sectors) {
   const std::vector<double> sides = {0.005, 0.0, -0.005};
-  return ring_mesh({{{0.2, 0.2995}, sides, 0}, {{0.2995, 0.3005}, sides, 1}}, sectors, 0.2);
+  return ring_mesh({{{0.2, 0.299}, sides, 0}, {{0.299, 0.301}, sides, 1}}, sectors, 0.2);
 }
 
 fe_tire::Materials free_ring_materials(double nu) {

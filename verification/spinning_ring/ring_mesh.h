@@ -23,10 +23,10 @@ fe_tire::Mesh ring_mesh(const std::vector<SectionBlock>& blocks, int sectors, do
 /// Returns an isotropic St. Venant-Kirchhoff solid: Young's modulus, Pa, Poisson's ratio, kg/m^3.
 fe_tire::Solid linear_solid(double E, double nu, double density);
 
-/// A thin ring of the mean radius 0.3 m, 1 mm thick and 10 mm wide, on a foundation that is so soft
+/// A thin ring of the mean radius 0.3 m, 2 mm thick and 10 mm wide, on a foundation that is so soft
 /// and light that the ring is free: on it alone the ring has 0.3 Hz. The ring is stiff, so that it
 /// hardly grows. `nu`: Poisson's ratio of the ring.
-inline constexpr double kFreeRingModulus = 5e10, kFreeRingDensity = 1200.0;  // Pa, kg/m^3
+inline constexpr double kFreeRingModulus = 2e9, kFreeRingDensity = 1200.0;  // Pa, kg/m^3
 fe_tire::Mesh free_ring_mesh(int sectors);
 fe_tire::Materials free_ring_materials(double nu);
 

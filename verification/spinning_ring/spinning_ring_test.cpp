@@ -92,9 +92,9 @@ TEST(FreeRing, inertia_of_the_standing_mesh_splits_them_to_second_order) {
 // A free thin ring grows by rho Omega^2 r^3 / E.
 TEST(FreeRing, grows_by_the_tension_that_holds_its_mass) {
   FeTire ring(free_ring_mesh(120), free_ring_materials(0.0));
-  const auto grown = SpinningTire(ring).inflate(*ring.inflate(0.0), 500.0);
+  const auto grown = SpinningTire(ring).inflate(*ring.inflate(0.0), 100.0);
   ASSERT_TRUE(grown) << grown.failure().reason;
-  const double expected = kFreeRingDensity * 500.0 * 500.0 * 0.027 / kFreeRingModulus;
+  const double expected = kFreeRingDensity * 100.0 * 100.0 * 0.027 / kFreeRingModulus;
   EXPECT_NEAR(grown->growth, expected, 2e-3 * expected);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -19,6 +20,7 @@
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_tables.h"
 #include "formats/tables/recording.h"
+#include "measurement/meaning/channel_words.h"
 #include "measurement/pulse_speed.h"
 #include "models/ring_tire/description/ring_reader.h"
 
@@ -92,7 +94,14 @@ bool is_called(const Channel& channel, const Column& column) {
       for (const char* frame : {"w", "h", "c"})
         if (framed == usual + frame) return true;
   }
-  return false;
+  const auto known = recognized(channel.name);  // a laboratory's name, such as "Radlast"
+  return known && known->meaning->name == (column.ours == "speed" ? "Vx" : column.ours);
+}
+
+/// Returns the unit at the end of a name, as of "V_kph", if the file states no other.
+std::string unit_of_name(const Channel& channel) {
+  const auto known = recognized(channel.name);
+  return known && channel.unit == "1" ? known->unit : "";
 }
 
 /// Finds the columns of one recording by their names.
@@ -110,7 +119,10 @@ std::vector<Column> columns_of(const Channels& record,
   for (const Channel& channel : record.all()) there.push_back(channel.name);
   for (Column& column : columns) {
     for (const Channel& channel : record.all())
-      if (column.written.empty() && is_called(channel, column)) column.written = channel.name;
+      if (column.written.empty() && is_called(channel, column)) {
+        column.written = channel.name;
+        column.unit_of_table = unit_of_name(channel);
+      }
     const Channel* found = record.find(column.written);
     if (found && found->unit != "1" && column.unit != "1" && column.unit_of_table.empty() &&
         !Unit::of(found->unit).same_dimension(Unit::of(column.unit)))
@@ -481,9 +493,13 @@ DrumStudy drum_study(const DrumRecordings& recordings,
   const std::optional<double> diameter = stated_diameter(recordings);
   const Channels first = formats::read_recording(recordings.files.front());
   const auto columns = columns_of(first, recordings, recordings.files.front());
+  std::map<std::string, std::string> units;
+  for (const Column& column : columns)
+    if (!column.unit_of_table.empty()) units[column.written] = column.unit_of_table;
+  const Channels read = formats::read_recording(recordings.files.front(), units);
   DrumStudy written;
   written.rig = rig_text(
-      recordings, columns, speeds_in(first, recordings, columns, diameter), diameter, folder);
+      recordings, columns, speeds_in(read, recordings, columns, diameter), diameter, folder);
   write_text_file(folder / "rig.toml", written.rig);
   const auto [rig, results] = processed(folder / "rig.toml");
   correlation::write_rig_tables(rig, results, folder / "rig_processed");

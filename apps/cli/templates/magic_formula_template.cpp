@@ -382,7 +382,8 @@ std::string lags_in_words(const TireTest& t) {
           return;
         }
         text += fmt::format(
-            "# {} lags by {:.3f} +- {:.3f} m (95 %), slips at {:.2g} {} and {:.3g} m/s: {}\n",
+            "# {} lags behind the slip by {:.3f} +- {:.3f} m (95 %), swept at {:.2g} {} and {:.3g} "
+            "m/s: {}\n",
             force,
             lag->sigma,
             2.0 * lag->deviation,

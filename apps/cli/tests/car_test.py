@@ -167,6 +167,13 @@ class OnPosts(Cars):
         self.assertLess(max(map(abs, record["heave"])), 1e-4)
         edit(self.folder / "heights.csv", (r"\n0.250,", "\n0.2504,"))
         self.assertIn("not even in time at sample 251", self.latsch("test", self.car, self.folder / "warp.toml", code=WRONG_INPUT))
+        # A gap is named where it is, and times that begin elsewhere are told.
+        (self.folder / "heights.csv").write_text("\n".join(rows[:203] + rows[250:]) + "\n")
+        said = self.latsch("test", self.car, self.folder / "warp.toml", code=WRONG_INPUT)
+        self.assertIn("at sample 203: it follows 0.048 s after the sample before it, while 0.001 s are usual", said)
+        later = [rows[0]] + [f"{float(row.split(',')[0]) + 100.0:.3f},{row.split(',', 1)[1]}" for row in rows[1:]]
+        (self.folder / "heights.csv").write_text("\n".join(later) + "\n")
+        self.assertIn("begins at 100 s", self.latsch("test", self.car, self.folder / "warp.toml"))
 
     def swept_posts(self, to):
         """Returns a test of 8 s in heave, a sweep from 2 Hz upward with an amplitude of 1 mm."""

@@ -200,7 +200,7 @@ class MagicFormula(unittest.TestCase):
         without = self.base / "without.dat"
         without.write_text("run\nET\tSA\nsec\tdeg\n0\t1\n1\t2\n")
         run = self.latsch("new", self.base / "a", "--magic-formula", without, code=WRONG_INPUT)
-        self.assertIn("no channel Fz", run.stderr)
+        self.assertIn("no column is called Fz", run.stderr)
         rows = [f"{0.1 * i:g}\t{i % 12 - 6}\t-1000\t{-100 * (i % 12 - 6)}" for i in range(60)]
         without.write_text("run\nET\tSA\tFZ\tFY\nsec\tdeg\tN\tN\n" + "\n".join(rows) + "\n")
         run = self.latsch("new", self.base / "b", "--magic-formula", without, code=WRONG_INPUT)

@@ -125,7 +125,7 @@ class Relaxation(unittest.TestCase):
         folder = self.base / "lagging"
         self.latsch("new", folder, "--magic-formula", record)
         study = (folder / "study.toml").read_text()
-        self.assertRegex(study, r"# Fy lags by 0\.\d+ \+- 0\.\d+ m .*: its relaxation length is fitted")
+        self.assertRegex(study, r"# Fy lags behind the slip by 0\.\d+ \+- 0\.\d+ m .*: its relaxation length is fitted")
         self.assertIn('kind = "slip_history"', study)
         self.assertIn("stage.relaxation_y", study)
         run = json.loads(self.latsch("run", folder / "study.toml", "--json"))
@@ -139,7 +139,7 @@ class Relaxation(unittest.TestCase):
         folder = self.base / "steady"
         self.latsch("new", folder, "--magic-formula", record)
         study = (folder / "study.toml").read_text()
-        self.assertRegex(study, r"# Fy lags by -?0\.0\d+ \+- 0\.\d+ m .*: states count as steady")
+        self.assertRegex(study, r"# Fy lags behind the slip by -?0\.0\d+ \+- 0\.\d+ m .*: states count as steady")
         for word in ("slip_history", "relaxation", "LATERAL_STIFFNESS"):
             self.assertNotIn(word, study)
 

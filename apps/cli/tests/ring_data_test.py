@@ -136,7 +136,7 @@ class RingData(unittest.TestCase):
     def test_what_is_missing_is_said(self):
         tir = self.folder / "tire.tir"
         tir.write_text("[MODEL]\nFITTYP = 61\n[DIMENSION]\nUNLOADED_RADIUS = 0.3\n[VERTICAL]\nFNOMIN = 4000\nVERTICAL_STIFFNESS = 2e5\n")
-        for arguments, words in ((["--ring-data", "--known", RING], "expected --ring-data with a model"),
+        for arguments, words in ((["--ring-data", "--known", RING], "no effect without --ring-data MODEL"),
                                  (["--ring-data", tir], "vibrates"),
                                  (["--ring-data", RING, "--known", self.folder / "none.toml"], "none.toml"),
                                  (["--ring-data", self.folder / "none.toml"], "none.toml")):

@@ -102,7 +102,7 @@ class Spinning(Coarse):
                 self.refused('{kind = "modes"}', *parts, tire=self.with_rim(RIM.replace(old, new)))
 
     def test_rings_do_not_spin(self):
-        ring = next((pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires").glob("*.toml"))
+        ring = pathlib.Path(__file__).resolve().parents[3] / "studies/ring_tires/passenger_205_55R16.toml"
         for test in ('{kind = "modes", speed = "90 rad/s"}', '{kind = "inflation", speed = "90 rad/s"}'):
             said = self.latsch("test", ring, test, code=WRONG_INPUT)
             self.assertIn("finite-element tire", said)

@@ -167,7 +167,10 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
     }
     written = std::move(*derived);
   } else if (!options.known.empty()) {
-    throw InputError("--known: expected --ring-data with a model, whose ring begins at it");
+    throw InputError(
+        "--known has no effect without --ring-data MODEL; expected both: the ring that is fitted "
+        "to "
+        "MODEL begins at the values of the known ring");
   }
   fs::create_directories(folder);
   write(folder / "ring.toml", written.ring);

@@ -300,10 +300,9 @@ void bind_studies(py::module_& module) {
       .def("_limits",
            [](const Read& s, const Array& at) {
              const DesignPoint p = point(at, s.study->space.size());
-             return long_call<std::vector<std::string>>(
-                 [study = s.study, p](const Abandonment&) {
-                   return correlation::limits_met_at(*study, p);
-                 });
+             return long_call<std::vector<std::string>>([study = s.study, p](const Abandonment&) {
+               return correlation::limits_met_at(*study, p);
+             });
            })
       .def(
           "model",

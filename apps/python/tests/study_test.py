@@ -156,6 +156,30 @@ class Studies(unittest.TestCase):
         self.assertEqual(study.trials().channels, {})
         self.assertEqual(len(result["variables"]), len(study.variables))
 
+    def test_a_recording_notes_the_ranges_that_the_tire_leaves(self):
+        text = (ROOT / "studies/tire_model_comparison/rigid_ring.tir").read_text()
+        (self.folder / "t.tir").write_text(text.replace("[DIMENSION]", "FZMAX = 3000\n[DIMENSION]", 1))
+        (self.folder / "study.toml").write_text(textwrap.dedent("""
+            model = "t.tir"
+            [test.rolled]
+            kind = "rolling_stiffness"
+            load = "4 kN"
+            measures = ["slip"]
+            [variable.k]
+            path = "PKX1"
+            lower = 10
+            upper = 25
+            initial = 14
+            [experiment.slip]
+            kind = "values"
+            channel = "rolled/slip_stiffness"
+            value = "60000 N"
+            """))
+        study = latsch.read_study(self.folder / "study.toml")
+        notes = study.simulate([14.0]).notes
+        self.assertEqual(len(notes), 1, notes)
+        self.assertIn("test rolled: Fz is 4000 N in this test, above FZMAX = 3000 N", notes[0])
+
     def test_the_file_of_the_fitted_model_is_that_of_the_program(self):
         study = self.compliance("fitted_text")
         file = pathlib.Path(study.file)

@@ -192,7 +192,8 @@ void examine_modes(const StudyExperiment& experiment,
     for (std::size_t j = 0; j < i; ++j) {
       same += modes[j].frequency == f && modes[j].label() == modes[i].label();
     }
-    // A tire that is free to turn has every mode with waves around it twice, not three times.
+    // On a freely suspended tire every mode with n >= 1 is a pair, so a table may list it twice,
+    // but not three times.
     const bool is_pair = hangs_free && modes[i].n != 0;
     if (same < 1 || (is_pair && same == 1)) continue;
     found.push_back(

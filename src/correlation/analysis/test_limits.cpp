@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "correlation/analysis/limits_by_name.h"
+#include "correlation/target/limits_by_name.h"
 #include "correlation/target/predictions.h"
 #include "experiment/language/known_limits.h"
 

@@ -15,7 +15,7 @@
 
 #include "base/random.h"
 #include "base/text.h"
-#include "correlation/analysis/limits_by_name.h"
+#include "correlation/target/limits_by_name.h"
 #include "correlation/comparison/moved_models.h"
 #include "correlation/comparison/spectral_bands.h"
 #include "experiment/language/known_limits.h"

@@ -54,8 +54,9 @@ struct ModelRun {
 
 struct CaseComparison {
   std::vector<numerics::Density> reference;
-  std::vector<LineNoise> noise;                  // noise of the reference, by channel
-  std::vector<std::string> limits_of_reference;  // that it met; empty for a recording
+  std::vector<LineNoise> noise;  // noise of the reference, by channel
+  std::vector<std::string>
+      limits_of_reference;  // limits that the reference met; empty: a recording
   std::vector<ModelRun> models;
 };
 

@@ -9,12 +9,12 @@
 #include <stdexcept>
 
 #include "base/random.h"
-#include "correlation/analysis/limits_by_name.h"
 #include "correlation/comparison/measured_drum.h"
+#include "correlation/target/limits_by_name.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
-#include "experiment/rigs/lift_watch.h"
 #include "experiment/rigs/sampling.h"
+#include "experiment/rigs/slip/lift_watch.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
 
@@ -90,7 +90,7 @@ Channels run_of(const ComparedTire& tire,
   const auto specimen = tire.kind->build(tire.numbers);
   const experiment::DrumTest& drum = test.drum;
   experiment::refuse_high_cleat(*specimen, drum.cleat);
-  experiment::LiftLog lifts;
+  LiftLog lifts;
   auto rolling = watched(specimen->find<experiment::Rolls>()->tire(drum.pressure), lifts);
   auto channels = experiment::run(*rolling, drum);
   if (!channels) {

@@ -94,10 +94,9 @@ TEST_F(ComparedTires, RecordingsStandInTheSpecimensPlace) {
 }
 
 TEST_F(ComparedTires, RangesThatATireLeavesAreSaidWithTheirTests) {
-  const std::string limited =
-      experiment::sparse_tir(std::string("VERTICAL_DAMPING = 200\n") +
-                             experiment::kLongitudinalForce) +
-      "[VERTICAL_FORCE_RANGE]\nFZMIN = 0\nFZMAX = 3000\n";
+  const std::string limited = experiment::sparse_tir(std::string("VERTICAL_DAMPING = 200\n") +
+                                                     experiment::kLongitudinalForce) +
+                              "[VERTICAL_FORCE_RANGE]\nFZMIN = 0\nFZMAX = 3000\n";
   write("limited.tir", limited);
   write("comparison.toml",
         "[specimen]\nkind = \"magic_formula\"\nfile = \"limited.tir\"\n"
@@ -106,12 +105,16 @@ TEST_F(ComparedTires, RangesThatATireLeavesAreSaidWithTheirTests) {
         "[tire.limited]\nkind = \"magic_formula\"\nfile = \"limited.tir\"\n");
   const auto read = read_comparison_file(folder_ / "comparison.toml", experiment::language());
   const TireComparison found = compare_tires(read);
-  EXPECT_TRUE(limits_of_tire(read, found, 0).empty());
-  const auto limits = limits_of_tire(read, found, 1);
-  ASSERT_EQ(limits.size(), 1u);
-  EXPECT_NE(limits[0].find("above FZMAX = 3000 N of the tire's file"), std::string::npos);
-  EXPECT_NE(limits[0].find("(cleat, again)"), std::string::npos) << limits[0];
-  ASSERT_EQ(found.limits_of_specimen.size(), 1u);
+  const auto of_load = [](const std::vector<std::string>& limits) {
+    std::string all;
+    for (const std::string& limit : limits)
+      if (limit.find("above FZMAX = 3000 N of the tire's file") != std::string::npos) all += limit;
+    return all;
+  };
+  EXPECT_EQ(of_load(limits_of_tire(read, found, 0)), "");
+  const std::string left = of_load(limits_of_tire(read, found, 1));
+  EXPECT_NE(left.find("(cleat, again)"), std::string::npos) << left;
+  EXPECT_EQ(of_load(found.limits_of_specimen), left);
   const std::string page = comparison_page(read, found);
   EXPECT_NE(page.find("limited: Fz is"), std::string::npos);
   EXPECT_NE(page.find("the specimen: Fz is"), std::string::npos);

@@ -117,7 +117,8 @@ TEST_F(LabMeasurement, IsZeroedAndShifted) {
 TEST_F(LabMeasurement, AZeroThatIsNoOffsetIsDoubted) {
   const auto doubts = [&](const std::string& keys) {
     std::string all;
-    for (const LedgerDoubt& doubt : read(keys).ledgers().front().doubts) all += doubt.sentence;
+    const std::vector<Ledger> ledgers = read(keys).ledgers();
+    for (const LedgerDoubt& doubt : ledgers.front().doubts) all += doubt.sentence;
     return all;
   };
   EXPECT_NE(doubts("zero = {channels = [\"p\"], time = \"0 s .. 10 s\"}\n").find("zero takes"),

@@ -73,8 +73,8 @@ TEST_F(SimulatorStudy, ResidualsAreThoseOfTheInterpolatedCurve) {
   EXPECT_NEAR(score->value, 0.0625, 1e-14);
 }
 
-// The trial stays valid: with a measurement inside the recording, or a longer recording, it has a
-// target.
+// A recording that ends before the measurement gives no target. The trial itself remains valid: if
+// the measurement is shortened, the trial has a target.
 TEST_F(SimulatorStudy, ARecordThatEndsTooEarlyHasNoTarget) {
   write("measured.csv", "t [s],z [mm]\n0.5,1.5\n3,4\n");
   const Study study = read();

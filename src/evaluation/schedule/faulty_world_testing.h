@@ -168,7 +168,8 @@ class FaultyWorld : public Executor {
     message.worker = kNobody;
   }
 
-  /// The choice is the same in every history and depends on the bits of the first value.
+  /// Decides whether a point belongs to the given share of all points. The decision is a hash of
+  /// the point's first value, so it is the same in every repetition.
   static bool is_among(const DesignPoint& point, double share, std::uint64_t lot) {
     std::uint64_t key = 0;
     std::memcpy(&key, point.values.data(), sizeof key);

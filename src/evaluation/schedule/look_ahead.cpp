@@ -6,8 +6,8 @@
 namespace latsch {
 namespace {
 
-constexpr int kAskAgain = 16;  // proposals until the next try, because both times change during a
-                               // search
+/// Number of proposals after which both durations are measured again: they change during a search.
+constexpr int kAskAgain = 16;
 constexpr int kAskSeldom = 1024;
 
 }  // namespace

@@ -105,5 +105,34 @@ TEST_F(BushingsOfFiles, WhatIsWrongInThemIsSaidOfThem) {
   EXPECT_NE(said.find("bad.bus:2: "), std::string::npos) << said;
 }
 
+/// Returns what the kind notes of the front suspension of a study after this change of its text.
+std::string notes_with(const std::string& old_text, const std::string& new_text) {
+  std::string text = read_text_file(
+      std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/kerb/front.toml", 1u << 20);
+  const auto at = text.find(old_text);
+  EXPECT_NE(at, std::string::npos) << old_text;
+  if (at != std::string::npos) text.replace(at, old_text.size(), new_text);
+  const ScratchFolder folder;
+  write_text_file(folder.path() / "front.toml", text);
+  std::string all;
+  for (const std::string& note :
+       language().find_kind("suspension")->notes(folder.path() / "front.toml"))
+    all += note + "\n";
+  return all;
+}
+
+TEST(HardpointsOfNoSuspension, AreDoubted) {
+  EXPECT_EQ(notes_with("lbj =", "lbj ="), "");
+  const auto expect_note = [](const char* old_text, const char* new_text, const char* said) {
+    const std::string notes = notes_with(old_text, new_text);
+    EXPECT_NE(notes.find(said), std::string::npos) << new_text << ": " << notes;
+  };
+  expect_note("\"118.540 mm\"", "\"1185.40 mm\"", "trackrod");
+  expect_note("contact = [\"1550.000 mm\", \"612.500 mm\"",
+              "contact = [\"1550.000 mm\", \"1612.500 mm\"",
+              "hardpoint.contact is 1000 mm beside");
+  expect_note("\"350.000 mm\"]", "\"100.000 mm\"]", "are the two exchanged?");
+}
+
 }  // namespace
 }  // namespace latsch::experiment

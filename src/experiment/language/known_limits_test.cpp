@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "experiment/language.h"
+#include "experiment/rigs/slip/lift_watch.h"
 
 namespace latsch::experiment {
 namespace {
@@ -88,18 +89,29 @@ TEST(KnownLimits, EveryRollingTestTellsTheRangesThatTheTireLeaves) {
       told_by("magic_formula", kSweep + ", camber = \"5 deg\"", {"CAMMAX = 0.05"}).says("CAMMAX"));
 }
 
-/// A light tire over a bar, hardly deflected, jumps from it.
+/// The belt of a light tire jumps from a high bar.
 TEST(KnownLimits, ATireThatLeavesTheRoadSaysFromWhenToWhen) {
-  std::string jump = kDrum;
-  jump.replace(jump.find("4 kN"), 4, "150 N");
-  jump.replace(jump.find("30 km/h"), 7, "60 km/h");
-  const Told massless = told_by("magic_formula", jump);
-  EXPECT_EQ(massless.failure + massless.refusal, "");
-  EXPECT_TRUE(massless.says("the tire leaves the road")) << jump;
-  EXPECT_TRUE(massless.says("Fz there is 0,"));
-  EXPECT_TRUE(told_by("rigid_ring", jump).says("that of the belt's inertia on the hub"));
-  EXPECT_FALSE(told_by("magic_formula", kDrum).says("leaves the road"));
+  const std::string jump =
+      "kind = \"drum_cleat\", speed = \"100 km/h\", load = \"150 N\", drum_diameter = \"2.5 m\", "
+      "run_in = \"0.1 s\", lead = \"0.02 s\", duration = \"0.1 s\", step = \"0.2 ms\", cleat = "
+      "{height = \"30 mm\", length = \"30 mm\", bevel = \"5 mm\"}";
+  const Told told = told_by("rigid_ring", jump);
+  EXPECT_EQ(told.failure + told.refusal, "");
+  EXPECT_TRUE(told.says("the tire leaves the road, 1 time between 0.0036 and 0.0046 s, for 1 ms"));
+  EXPECT_TRUE(told.says("that of the belt's inertia on the hub"));
   EXPECT_FALSE(told_by("rigid_ring", kDrum).says("leaves the road"));
+}
+
+TEST(KnownLimits, StepsOffTheRoadAreCountedAndTheirForceIsSaid) {
+  LiftLog never, twice;
+  for (int i = 1; i <= 10; ++i) {
+    never.see(0.01 * i, 0.01, 100.0, 100.0);
+    const bool is_off = i == 3 || i == 7 || i == 8;
+    twice.see(0.01 * i, 0.01, is_off ? 0.0 : 100.0, is_off ? 0.0 : 100.0);
+  }
+  EXPECT_EQ(never.sentence(), "");
+  expect_part(twice.sentence(),
+              "2 times between 0.02 and 0.08 s, for 30 ms in all; Fz there is 0,");
 }
 
 TEST(KnownLimits, StatesWithoutLoadAreCounted) {
@@ -118,7 +130,8 @@ TEST(KnownLimits, AWheelBelowVxlowSaysWhatIsAssumedForIt) {
       "duration = \"10 s\", alpha = [\"0 deg\", \"4 deg\"]";
   EXPECT_TRUE(told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0"})
                   .says("DAMP_VLOW is 0 or missing"));
-  EXPECT_FALSE(told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0.001"}).says("DAMP_VLOW"));
+  EXPECT_FALSE(
+      told_by("magic_formula", slow, {"VXLOW = 1", "DAMP_VLOW = 0.001"}).says("DAMP_VLOW"));
   EXPECT_FALSE(told_by("magic_formula", kSweep, {"DAMP_VLOW = 0"}).says("DAMP_VLOW"));
 }
 
@@ -215,7 +228,8 @@ TEST(KnownLimits, TurnSlipWithoutItsCoefficientsIsToldBeforeTheTestRuns) {
   };
   expect_part(limits("on", {}), "turn_slip = \"on\" has no effect");
   EXPECT_EQ(limits("off", {}), "");
-  EXPECT_EQ(limits("on", {"QDRP1 = 1", "PHYP1 = 1", "QCRP1 = 0.2"}), "");
+  EXPECT_EQ(limits("on", {"QDRP1 = 1", "PHYP1 = 1", "QCRP1 = 0.2", "QDZ10 = 0.3"}), "");
+  expect_part(limits("on", {"QDRP1 = 1", "PHYP1 = 1", "QCRP1 = 0.2"}), "QDZ10 is 0, so that");
   expect_part(limits("off", {"FZMAX = 5000"}), "1 of 2 states lie outside of the ranges");
   expect_part(limits("off", kCurve), "1 of 2 states have a load beyond the last point");
 }
@@ -223,7 +237,9 @@ TEST(KnownLimits, TurnSlipWithoutItsCoefficientsIsToldBeforeTheTestRuns) {
 TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {
   for (const std::string& keys : {kRolling, kSweep, kDrum})
     for (const char* kind : {"magic_formula", "rigid_ring"})
-      EXPECT_TRUE(told_by(kind, keys, {"FZMIN = 100", "FZMAX = 12000"}).notes.empty()) << keys;
+      for (const std::string& note : told_by(kind, keys, {"FZMIN = 100", "FZMAX = 12000"}).notes)
+        expect_part(note,
+                    "a Magic Formula touches the road at one point");  // the word about the cleat
 }
 
 TEST(KnownLimits, APressureWithoutEffectIsTold) {

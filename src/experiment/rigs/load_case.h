@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "experiment/rigs/fe_tire/spin_speed.h"
 #include "experiment/rigs/inflation.h"
-#include "experiment/rigs/spin_speed.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/motion/rim_motion.h"
 

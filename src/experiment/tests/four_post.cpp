@@ -68,7 +68,11 @@ class FourPost : public Test {
         if (!row.taken_as.empty()) Ledger::use(row, by);
     return ledgers;
   }
-  void reads(std::vector<Ledger> ledgers) { ledgers_ = std::move(ledgers); }
+  /// `begin`: the first time of the record, s.
+  void reads(std::vector<Ledger> ledgers, double begin) {
+    ledgers_ = std::move(ledgers);
+    begin_ = begin;
+  }
   std::optional<Reach> reach(const std::string& channel) const override {
     if (channel != "time") return std::nullopt;
     return Reach{test_.times.front(), test_.times.back()};
@@ -84,8 +88,14 @@ class FourPost : public Test {
     const auto record = run(specimen);
     if (!record) return record.failure();
     tell(*record);
-    if (!frequencies_.are_recorded || frequencies_.note.empty()) return std::vector<std::string>();
-    return std::vector{frequencies_.note};
+    std::vector<std::string> notes;
+    if (begin_ != 0.0)
+      notes.push_back(
+          fmt::format("the record of the posts begins at {:.6g} s: the time of the "
+                      "result is counted from there, as 0",
+                      begin_));
+    if (frequencies_.are_recorded && !frequencies_.note.empty()) notes.push_back(frequencies_.note);
+    return notes;
   }
   Result<Details> details(Specimen& specimen) const override {
     auto car = specimen.find<Drives>()->car({});
@@ -146,6 +156,7 @@ class FourPost : public Test {
   Frequencies frequencies_;
   std::string words_;
   std::optional<PostSweep> sweep_;
+  double begin_ = 0.0;           // s, in the record of the posts
   std::vector<Ledger> ledgers_;  // the ledger of a table of heights; no users are noted yet
 };
 
@@ -197,22 +208,48 @@ Channels heights_of(const Node& root, const TestSource& source, std::vector<Ledg
   return channels;
 }
 
+/// Refuses uneven times and names the distance that differs most from the usual one.
+void refuse_uneven(const Node& root, const std::vector<double>& times) {
+  constexpr double kEven = 0.01;  // share of a step by which a time may be off
+  const double mean = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  bool is_even = mean > 0.0;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double off = times[i] - times[0] - mean * static_cast<double>(i);
+    is_even = is_even && std::abs(off) <= kEven * mean;
+    steps.push_back(times[i] - times[i - 1]);
+  }
+  if (is_even) return;
+  std::vector<double> sorted = steps;
+  const auto middle = sorted.begin() + std::ssize(sorted) / 2;
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double usual = *middle;
+  double most = 0.0;
+  for (const double step : steps) most = std::max(most, std::abs(step - usual));
+  const auto first = std::find_if(
+      steps.begin(), steps.end(), [&](double step) { return std::abs(step - usual) > 0.5 * most; });
+  const auto at = first == steps.end() ? steps.begin() : first;
+  root.reject("posts",
+              fmt::format("is not even in time at sample {}: it follows {:.6g} s after the sample "
+                          "before it, while {:.6g} s are usual; expected a record without gaps",
+                          at - steps.begin() + 2,
+                          *at,
+                          usual));
+}
+
+/// `begin` becomes the first time of the record, s; the times of the test are counted from it.
 FourPostTest recorded_posts(const Node& root,
                             const TestSource& source,
-                            std::vector<Ledger>& ledgers) {
+                            std::vector<Ledger>& ledgers,
+                            double& begin) {
   const Channels channels = heights_of(root, source, ledgers);
   FourPostTest test;
   test.times = channels["time"];
   for (std::size_t i = 0; i < 4; ++i) test.heights[i] = channels[of_corners("post")[i]];
   if (test.times.size() < 2) root.reject("posts", "has fewer than two samples");
-  const double step =
-      (test.times.back() - test.times.front()) / static_cast<double>(test.times.size() - 1);
-  for (std::size_t i = 0; i < test.times.size(); ++i)
-    if (!(step > 0.0) ||
-        std::abs(test.times[i] - test.times[0] - step * static_cast<double>(i)) > 0.01 * step)
-      root.reject("posts", fmt::format("is not even in time at sample {}", i + 1));
-  const double first = test.times.front();
-  for (double& time : test.times) time -= first;
+  refuse_uneven(root, test.times);
+  begin = test.times.front();
+  for (double& time : test.times) time -= begin;
   return test;
 }
 
@@ -376,7 +413,8 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
   if (root.has("posts")) {
     const FourPostTest steps = test;
     std::vector<Ledger> ledgers;
-    test = recorded_posts(root, source, ledgers);
+    double begin = 0.0;
+    test = recorded_posts(root, source, ledgers, begin);
     test.step = steps.step;
     test.sample_step = steps.sample_step;
     check_duration(root, "posts", test.times.back() - test.times.front(), test.step);
@@ -385,7 +423,7 @@ std::unique_ptr<Test> read_four_post(const Node& root, const TestSource& source)
         test,
         read_frequencies(root, which, test, usual.from, usual.to),
         fmt::format("four posts as recorded, {:.4g} s", test.times.back()));
-    recorded->reads(std::move(ledgers));
+    recorded->reads(std::move(ledgers), begin);
     return recorded;
   }
   PostSweep sweep{.mode = which};

@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
-#include "experiment/rigs/spin_speed.h"
+#include "experiment/rigs/fe_tire/spin_speed.h"
 #include "experiment/tests/load_deflection.h"
 #include "experiment/tests/test_kinds.h"
 

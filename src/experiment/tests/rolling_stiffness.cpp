@@ -13,7 +13,7 @@
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/duration_limit.h"
-#include "experiment/rigs/lift_watch.h"
+#include "experiment/rigs/slip/lift_watch.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
 

@@ -13,8 +13,8 @@
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/duration_limit.h"
-#include "experiment/rigs/lift_watch.h"
 #include "experiment/rigs/slip/flat_track.h"
+#include "experiment/rigs/slip/lift_watch.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
 

@@ -4,7 +4,7 @@
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
-#include "experiment/rigs/lift_watch.h"
+#include "experiment/rigs/slip/lift_watch.h"
 #include "experiment/rigs/uniformity_rig.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"

@@ -90,10 +90,10 @@ class DeckReader {
     if (kOutput.count(card.keyword)) return;
     const auto handler = kHandlers.find(card.keyword);
     if (handler == kHandlers.end())
-      throw InputError(
-          card.place,
-          fmt::format(
-              "keyword *{} is not supported{}", card.keyword.substr(0, 60), way_out(card.keyword)));
+      throw InputError(card.place,
+                       fmt::format("keyword *{} is not supported, expected one of a tire{}",
+                                   card.keyword.substr(0, 60),
+                                   way_out(card.keyword)));
     check_options(card);
     (this->*handler->second)(card);
   }

@@ -329,7 +329,8 @@ class TireReader {
       for (const int e : members(tread.elset, tread.place)) treads_.insert(e);
   }
 
-  /// Elements of the tire, by index, in a set that a remark names.
+  /// Returns the indices of the tire's elements in the element set `name`, which a comment of the
+  /// deck (`** latsch: ...`) mentions.
   std::vector<int> members(const std::string& name, const Place& place) const {
     const auto set = deck_.element_sets.find(name);
     if (set == deck_.element_sets.end())

@@ -53,8 +53,9 @@ struct OpenCrg {
   int gaps = 0;                         // number of heights missing in the file
   road::CrgGrid grid;
 
-  /// Throw InputError naming file, line (of digits) or record (of binary data), what was found and
-  /// expected; above 256 MB; for a file that ends before its header says.
+  /// Both functions throw InputError if the file is not valid, is larger than 256 MB, or has fewer
+  /// rows than its header states. The message names the file, the line (text) or record (binary
+  /// data), what was found and what was expected.
   static OpenCrg read(const std::filesystem::path& file);
   /// Refuses `$ROAD_CRG_FILE`.
   static OpenCrg parse(std::string bytes, std::string file_name);

@@ -27,6 +27,8 @@ constexpr Size kSizes[] = {{"LONGVL", "m/s", 1.0, 100.0},
                            {"ASPECT_RATIO", "", 0.1, 1.5},
                            {"FNOMIN", "N", 10.0, 1e6},
                            {"VERTICAL_STIFFNESS", "N/m", 1e3, 1e8},
+                           {"Q_RE0", "", 0.9, 1.1},
+                           {"LMUV", "", 0.0, 10.0},
                            {"VERTICAL_DAMPING", "N s/m", 0.0, 1e5},
                            {"BOTTOM_STIFF", "N/m", 1e3, 1e10},
                            {"NOMPRES", "Pa", 2e4, 1.2e6},
@@ -125,7 +127,7 @@ void examine_inertias(const Parameters& p, const AboutParameter& note) {
 /// asks for turn slip.
 void examine_turn_slip(const Parameters& p, const AboutParameter& note) {
   if (p.QDRP1 == 0.0 || p.PHYP1 == 0.0 || p.QCRP1 == 0.0) return;
-  constexpr double kLeast = 1e-9;  // as in Parameters::missing_of_turn_slip()
+  constexpr double kLeast = 1e-9;  // equals that of Parameters::missing_of_turn_slip()
   if (const std::string_view missing = p.missing_of_turn_slip(); !missing.empty()) {
     note(missing,
          fmt::format("{} is {:.4g}: the equations of turn slip divide by it, so that tests without "
@@ -136,7 +138,7 @@ void examine_turn_slip(const Parameters& p, const AboutParameter& note) {
     note("QDZ10",
          fmt::format("QDZ10 is {:.4g}: without camber at FNOMIN the tire has no stiffness against "
                      "spin, by which the equations of turn slip divide (4.100): with turn_slip = "
-                     "\"on\" Mz has no value there",
+                     "\"on\" the residual torque there does not fall with the slip angle",
                      p.QDZ10));
   }
   if (p.PHYP2 == 0.0 && p.PHYP3 == 0.0)

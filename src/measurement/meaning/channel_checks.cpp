@@ -31,6 +31,7 @@ struct UsualRange {
 };
 
 constexpr std::string_view kRadians = "is it in deg, and the file says rad, or says nothing?";
+constexpr std::string_view kLengths = "is it in m, cm, mm or in?";
 constexpr std::array kRanges = {
     UsualRange{"alpha", "deg", -90, -90, 90, 90, kRadians},
     UsualRange{"gamma", "deg", -90, -65, 65, 90, kRadians},
@@ -49,6 +50,11 @@ constexpr std::array kRanges = {
     UsualRange{"loaded_radius", "m", 0.01, 0.05, 3, 10, "is it in m, cm, mm or in?"},
     UsualRange{"R_e", "m", 0.01, 0.05, 3, 10, "is it in m, cm, mm or in?"},
     UsualRange{"kappa", "1", -100, -1.05, 1.5, 100, "is it in percent? Its unit is then %"},
+    UsualRange{"dx", "m", -10, -0.1, 0.1, 10, kLengths},
+    UsualRange{"dy", "m", -10, -0.1, 0.1, 10, kLengths},
+    UsualRange{"dz", "m", -10, -0.5, 0.5, 10, kLengths},
+    UsualRange{"travel", "m", -10, -0.5, 0.5, 10, kLengths},
+    UsualRange{"rack", "m", -10, -0.3, 0.3, 10, kLengths},
     UsualRange{"mux", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},
     UsualRange{"muy", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},
     UsualRange{"friction", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 namespace latsch {
 namespace {
@@ -70,6 +71,25 @@ TEST(ChannelChecks, TimeRisesFromSampleToSample) {
   EXPECT_NE(said_of_time({0.3, 0.2, 0.1, 0.0}).find("sign"), std::string::npos);
   EXPECT_NE(said_of_time({0.3, 0.4, 0.5, 0.0, 0.1}).find("goes back in 1 of 5"), std::string::npos);
   EXPECT_EQ(said_of_time({0.0, 0.1, 0.0, 0.1}, {2}), "");  // the second file begins anew
+}
+
+// Millimeters that are read as meters, such as the 0.113 mm of a hub under 4 kN.
+TEST(ChannelChecks, DoubtDisplacementsOfAnotherUnit) {
+  for (const auto& [name, usual, other] : {std::tuple{"dy", 0.02, 0.113},
+                                           {"dx", 0.02, 0.2},
+                                           {"lateral displacement", 0.02, 0.113},
+                                           {"dz", 0.1, 1.5},
+                                           {"travel", 0.1, 5.0},
+                                           {"rack", 0.05, 3.0}}) {
+    Channels good, bad;
+    good.add({name, "m", {-usual, 0.0, usual}});
+    bad.add({name, "m", {-other, 0.0, other}});
+    EXPECT_TRUE(doubts_about(good).empty()) << name;
+    const auto doubts = doubts_about(bad);
+    ASSERT_EQ(doubts.size(), 1u) << name;
+    EXPECT_NE(doubts[0].sentence.find("is it in m, cm, mm or in?"), std::string::npos)
+        << doubts[0].sentence;
+  }
 }
 
 // A force of one sample in four kilonewtons, read as newtons, or a spike.

@@ -64,9 +64,10 @@ LATSCH_INLINE SpinTorque<R> spin_torque(const TireOf<R>& tire,
   const R straight = Mzp_inf * (2.0 / kPi) * p.QCRP2 * Gyk / abs(BDrp * CDrp * DDrp);
   // Without load there is no torque to take a share of.
   s.share = select(Fz == 0.0, R(1.0), select(s.Drp == 0.0, straight, Mzp90 / abs(s.Drp)));
-  // Without stiffness against spin (4.100) has no value, and close to it none that means anything.
+  // Without stiffness against spin (4.100) has no value, and close to it none that means anything:
+  // the residual torque then does not depend on the slip angle.
   constexpr double kMostShare = 1e6;
-  s.share = select(s.share < kMostShare, s.share, R(std::numeric_limits<double>::quiet_NaN()));
+  s.share = select(s.share < kMostShare, s.share, R(1.0));
   return s;
 }
 

@@ -162,7 +162,8 @@ MagicFormulaTire::Carcass MagicFormulaTire::carcass(const WheelContact& contact,
   return c;
 }
 
-/// Returns the patch a `step` later if it slides with `at`; exact for constant velocities.
+/// Returns the state of the contact patch after `step` if its sliding velocities stay as in `at`.
+/// The relaxation equation is solved exactly for constant velocities.
 MagicFormulaTire::Patch MagicFormulaTire::relaxed_patch(const Sliding& at,
                                                         const Carcass& c,
                                                         double step) const {

@@ -375,8 +375,8 @@ GroundBounds CrgRoad::bounds(const GroundBox& box, double) const {
     highest = std::max(highest, z + grid_.line_height[row]);
   }
   if (grid_.banking.empty()) return {highest, false};
-  double lean = -std::numeric_limits<double>::infinity();  // maximum of banking times v, both
-                                                           // linear
+  // Maximum of banking times v: both are linear between the rows, so the maximum lies at a corner.
+  double lean = -std::numeric_limits<double>::infinity();
   for (int row = first.row; row <= last.row + 1; ++row) {
     for (const double v : {v0, v1}) lean = std::max(lean, grid_.banking[row] * v);
   }

@@ -80,8 +80,8 @@ TEST(RobustRows, TheLargerOfTwoIsNoSmallerAlongAnyDirection) {
   EXPECT_TRUE(larger(a, 0.5 * a).isApprox(a, 1e-12));
 }
 
-/// A line through 40 values with Gaussian noise of 0.1 and three values far off. u = (a, b), y = a +
-/// b x; the residuals are those after Huber's loss with a corner of 0.15.
+/// A line through 40 values with Gaussian noise of 0.1 and three values far off. u = (a, b),
+/// y = a + b x; the residuals are those after Huber's loss with a corner of 0.15.
 struct RobustLine {
   static constexpr int kValues = 40;
   RobustLoss loss{Loss::huber, 0.15};
@@ -138,7 +138,7 @@ TEST(RobustRows, ProfilesEndWhereTheIntervalsDo) {
       EXPECT_EQ(profile.verdict, Verdict::identifiable);
       const double width = own.upper - own.lower;
       EXPECT_NEAR(profile.interval.upper - profile.interval.lower, width, 0.1 * width);
-      EXPECT_LT(width, 0.6);  // that of 40 values with a noise of 0.1, not of the values far off
+      EXPECT_LT(width, 0.6);  // width by 40 values with a noise of 0.1
     }
   }
 }
@@ -167,7 +167,8 @@ TEST(RobustRows, SharedNoiseWidensTheIntervals) {
   }
 }
 
-// A variable that only a value beyond the corner shows is not determined: S does not curve along it.
+// A variable that only a value beyond the corner shows is not determined: S does not curve along
+// it.
 TEST(RobustRows, WhatOnlyAValueBeyondTheCornerShowsIsOpen) {
   Linearization at{Eigen::Vector3d::Constant(0.5), Eigen::VectorXd::Zero(8), {}};
   at.J = Eigen::MatrixXd::Zero(8, 3);
@@ -191,7 +192,7 @@ TEST(RobustRows, WhatOnlyAValueBeyondTheCornerShowsIsOpen) {
 // Groups with their own corners keep their own psi': values without a loss are not loosened by
 // values of another experiment far beyond their corner.
 TEST(RobustRows, ALossOfOneExperimentLeavesTheOthersAsExact) {
-  constexpr int m = 60;
+  constexpr int m = 600;
   RandomStream random(12, 0);
   Linearization at{Eigen::Vector2d::Constant(0.5), Eigen::VectorXd(m), Eigen::MatrixXd::Zero(m, 2)};
   std::vector<RobustLoss> losses(m);

@@ -55,7 +55,8 @@ TEST(DampedBfgs, FulfillsTheSecantEquationAndStaysPositiveDefinite) {
 }
 
 TEST(DifferenceDirections, AreIndependentAndStayInside) {
-  // In a corner of an equation, x1 + x2 + x3 = 1 at (1, 0, 0), two free directions remain.
+  // At the vertex (1, 0, 0) of the triangle x1 + x2 + x3 = 1, x >= 0, two independent feasible
+  // directions remain.
   const FeasibleRegion triangle(space_of({1, 0, 0}, {{0, 1}}, {equal({1, 1, 1}, 1)}));
   const Eigen::Vector3d corner(1, 0, 0);
   const Eigen::MatrixXd D = difference_directions(triangle, corner, 1e-4);

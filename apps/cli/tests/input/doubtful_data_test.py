@@ -380,7 +380,7 @@ class Rig(Data):
     def test_a_segment_has_to_hold_samples(self):
         self.assert_says(self.process(RIG.replace('"0.2 s"', '"0.0001 s"'), code=WRONG_INPUT), "0.2 samples", "expected")
         self.assert_says(self.process(RIG.replace('"0.2 s"', '"0.02 s"')), "50 Hz apart")
-        self.assert_says(self.process(RIG.replace('"0.2 s"', '"5 s"')), "longer than the passage")
+        self.assert_says(self.process(RIG.replace('"0.2 s"', '"5 s"'), code=WRONG_INPUT), "segment is 5 s", "lasts 0.72 s")
 
     def test_a_circumference_that_does_not_fit(self):
         self.assert_says(self.process(RIG.replace('"6 m"', '"12 m"')), "2 hits", "6 m")
@@ -421,6 +421,20 @@ class Rig(Data):
             out.writelines(f"{i / 200},{SPEED},{chance.gauss(4000, 10):.2f}\n" for i in range(4000))
         self.latsch("new", "none", "--drum", "flat.csv", "--cleat", "10 mm x 20 mm", code=WRONG_INPUT)
         self.assertFalse((self.folder / "none" / "rig.toml").exists())
+
+    def test_new_knows_the_names_of_laboratories(self):
+        self.process()
+        rows = (self.folder / "r.csv").read_text().split("\n", 1)[1]
+        for number, names in enumerate(("Zeit [s],Geschwindigkeit [m/s],Radlast [N]", "t_s,Vx_mps,FZ_N")):
+            (self.folder / f"n{number}.csv").write_text(names + "\n" + rows)
+            self.latsch("new", f"named{number}", "--drum", f"n{number}.csv", "--cleat", "10 mm x 20 mm")
+        with open(self.folder / "kph.csv", "w") as out:
+            out.write("t_s,V_kph,FZ_N\n")
+            for t, v, F in (row.split(",") for row in rows.splitlines()):
+                out.write(f"{t},{3.6 * float(v):.5f},{F}\n")
+        self.latsch("new", "kph", "--drum", "kph.csv", "--cleat", "10 mm x 20 mm")
+        held = [re.findall(r"\d+ km/h", (self.folder / n / "rig.toml").read_text()) for n in ("named0", "kph")]
+        self.assertEqual(*held)
 
     def test_new_doubts_a_diameter_of_two_turns(self):
         self.process()

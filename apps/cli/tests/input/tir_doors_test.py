@@ -3,6 +3,7 @@
 """The doors of .tir files, through the program: curves, rings, standing and rolling tests, and what a
 study says of the ranges that its tire leaves."""
 
+import html
 import json
 import pathlib
 import shutil
@@ -139,6 +140,31 @@ class TirDoors(unittest.TestCase):
                 found = [one for one in warnings if part in json.dumps(one, ensure_ascii=False).replace('\\"', '"')]
                 self.assertEqual(len(found), 1, (verb, part, warnings))
             self.assertTrue(any("test rolled: Fz is 4000 N" in json.dumps(one) for one in warnings), warnings)
+
+    def test_result_and_report_show_the_ranges_that_are_left(self):
+        self.prepare_study("FZMAX = 3000")
+        left = "test rolled: Fz is 4000 N in this test, above FZMAX = 3000 N"
+        for verb in ("simulate", "run"):
+            limits = self.answer(verb, "study.toml")["result"]["limits"]
+            self.assertEqual([left in one for one in limits], [True], limits)
+        page = html.unescape((self.folder / "study.html").read_text())
+        self.assertTrue("Warning: " + left in page)
+        self.assertTrue('"limits":["' + left in page, "the answers of its live view")
+
+    def test_compare_says_which_ranges_its_tires_leave(self):
+        self.tire("FZMAX = 3000")
+        (self.folder / "t.tir").rename(self.folder / "low.tir")
+        self.tire()
+        self.write("drum.toml", 'kind = "drum_cleat"\nspeed = "40 km/h"\nload = "4 kN"\ndrum_diameter = "2.5 m"\nrun_in = "0.1 s"\n'
+                                'duration = "0.256 s"\nlead = "0.03 s"\nsample_step = "1 ms"\n[cleat]\nheight = "10 mm"\nlength = "60 mm"\n')
+        self.write("c.toml", '[specimen]\nkind = "magic_formula"\nfile = "t.tir"\n[test.bar]\nfile = "drum.toml"\n'
+                             '[tire.low]\nkind = "rigid_ring"\nfile = "low.tir"\n[tire.full]\nkind = "magic_formula"\nfile = "t.tir"\n')
+        answer = self.answer("compare", "c.toml")
+        low, full = answer["result"]["tires"]
+        self.assertTrue(any("above FZMAX = 3000 N" in one and "(bar)" in one for one in low["limits"]), low)
+        self.assertFalse(any("FZMAX" in one for one in full["limits"]), full)
+        self.assertTrue(any("low: Fz is" in json.dumps(one) for one in answer["warnings"]), answer["warnings"])
+        self.assertIn("above FZMAX = 3000 N", (self.folder / "c.html").read_text())
 
     def test_a_study_within_the_ranges_says_nothing_of_them(self):
         self.prepare_study("FZMAX = 9000")

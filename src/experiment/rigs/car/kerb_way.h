@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The road that the wheels of a car meet in a kerb test, found without driving.
 //
-// Each wheel is taken as a rigid disk of radius R that rolls over the highest of nine lines over the
-// width of its tread, 0.2 m unless its file states one. Its axle then follows the envelope
+// Each wheel is taken as a rigid disk of radius R that rolls over the highest of nine lines over
+// the width of its tread, 0.2 m unless its file states one. Its axle then follows the envelope
 //   a(x) = max over |d| < R of z(x + d) + sqrt(R² - d²) - R
 // The rise of a over a length R is that of an obstacle which the tire has to swallow: an edge of
 // height h counts whole, a hill of the same height over some meters counts little, and a slot that
@@ -17,7 +17,7 @@ namespace latsch::experiment {
 /// Widths of a car's tires, m, each to either side of the wheel's middle.
 struct TreadWidth {
   double felt = 0.0;   // over which the tire's model feels the road; 0: one line
-  double tread = 0.1;  // of its real tread
+  double tread = 0.1;  // half of a real tread
 };
 
 /// A place at which a tread would stand on something that the tire's model does not feel.

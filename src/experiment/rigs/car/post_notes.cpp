@@ -8,7 +8,7 @@
 
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/post_spectra.h"
-#include "experiment/rigs/lift_watch.h"
+#include "experiment/rigs/slip/lift_watch.h"
 
 namespace latsch::experiment {
 

@@ -44,7 +44,7 @@ spin, -1 against it, 0 neither), "shape_later", the shape a quarter of a period 
                "states. Mass and inertias come from there, too."},
               {"standing_wave",
                "`true` computes the speed of rotation at which a wave stands still beside the "
-               "wheel."},
+               "wheel, among waves of at least three sectors of the mesh."},
               {"points",
                "Points in the wheel frame, on the undeformed tire, at which shapes are recorded; "
                "`{from = \"measurement.shapes\"}` takes its x, y, z. Without points no shapes are "

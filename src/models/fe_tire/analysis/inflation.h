@@ -22,7 +22,7 @@ Result<Inflated> inflate_sector(const RingElements& elements,
 /// Forces on the unknowns of a sector that are linear in the displacements of a state that is the
 /// same in all sectors: w_0 + W x, N.
 struct LinearLoad {
-  numerics::BandedHermitian W;  // of circumferential number 0
+  numerics::BandedHermitian W;  // matrix of circumferential number 0
   Eigen::VectorXd w_0;
 };
 

@@ -22,7 +22,7 @@ namespace latsch::fe_tire {
 enum class RimMotion {
   held,   // it does not move
   rigid,  // it is a rigid body on the springs of its RimBody
-  free,   // it is a rigid body that nothing but the tire holds, for a wheel hung on soft cords
+  free,   // it is a rigid body that only the tire holds, as on soft cords
 };
 
 struct Rim {

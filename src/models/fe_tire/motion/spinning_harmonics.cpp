@@ -20,14 +20,14 @@ using RimColumns = Eigen::Matrix<Complex, 24, 2>;
 constexpr double kSoft = 0.1;  // Hz
 
 /// An element of a sector as one harmonic sees it.
-struct Wave {
+struct ElementWave {
   RimColumns T;                        // displacements of its 24 unknowns by the rim
   Eigen::Matrix<Complex, 24, 1> turn;  // phase of each of its 24 unknowns
 };
 
-Wave wave_of(const Ring& ring, int element, int n) {
+ElementWave element_wave(const Ring& ring, int element, int n) {
   const Mesh& mesh = ring.mesh();
-  Wave wave;
+  ElementWave wave;
   wave.T.setZero();
   const Complex next = std::polar(1.0, 2.0 * std::numbers::pi * n / ring.sectors());
   for (int a = 0; a < 8; ++a) {
@@ -43,7 +43,7 @@ Wave wave_of(const Ring& ring, int element, int n) {
 /// Adds the rim's columns of an element matrix, Hermitian and in node frames.
 void add_border(const Ring& ring,
                 int element,
-                const Wave& wave,
+                const ElementWave& wave,
                 const ComplexMatrix24& H,
                 numerics::BorderedHermitian& sum) {
   const RimColumns HT = H * wave.T;
@@ -62,7 +62,12 @@ bool touches_rim(const Ring& ring, int element) {
 }  // namespace
 
 SpinningHarmonics::SpinningHarmonics(const RingElements& elements, const Rim& rim, double speed)
-    : elements_(&elements), rim_(rim), speed_(speed), spin_(elements), K_(elements.ring()) {}
+    : elements_(&elements),
+      rim_(rim),
+      speed_(speed),
+      spin_(elements),
+      flow_(elements),
+      K_(elements.ring()) {}
 
 Result<SpinningHarmonics> SpinningHarmonics::about(const RingElements& elements,
                                                    const Inflated& state,
@@ -81,25 +86,25 @@ Status SpinningHarmonics::evaluate(const Inflated& state) {
     return no_tangent(ring, worst);
   if (rim_.motion == RimMotion::held) return {};
   mass_ = mass_properties(*elements_, state.u);
-  const int alphas = ring.alphas_per_element();
-  ElementBatch batch;
-  batch.count = 1;
+  u_ = state.u;
   for (int e = 0; e < ring.elements_per_sector(); ++e) {
     if (!touches_rim(ring, e)) continue;
     RimElement& at = rim_elements_.emplace_back();
     at.element = e;
-    batch.set(0, ring.gather_axisymmetric(e, x), alpha.data() + e * alphas, alphas);
-    if (elements_->evaluate(0, e, state.pressure, Stiffness::exact, batch) == 0)
-      return no_tangent(ring, e);
-    Vector24 force;
-    batch.take(0, force, &at.K, alpha.data() + e * alphas, alphas);
-    spin_element(*elements_, e, at.M, at.C, at.MP);
+    Matrix24 MP;
+    spin_element(*elements_, e, at.M, at.C, MP);
   }
   return {};
 }
 
 std::optional<SpinningHarmonics::Equations> SpinningHarmonics::equations(int n) const {
-  const SectorSpin::Harmonic at = spin_.harmonic(n);
+  if (auto found = with_inertia(n, spin_.harmonic(n))) return found;
+  if (rim_.motions(n) > 0) return std::nullopt;
+  return with_inertia(n, {flow_.M.harmonic(n), flow_.G.harmonic_of_skew(n), flow_.W.harmonic(n)});
+}
+
+std::optional<SpinningHarmonics::Equations> SpinningHarmonics::with_inertia(
+    int n, const SectorSpin::Harmonic& at) const {
   const int width = rim_.motions(n);
   using numerics::BorderedHermitian;
   Equations equations{{BorderedHermitian(K_.harmonic(n), width),
@@ -112,11 +117,12 @@ std::optional<SpinningHarmonics::Equations> SpinningHarmonics::equations(int n) 
   G.banded.lower() *= speed_;
   if (width > 0) {
     add_rim(n, equations);
-    numerics::BandedCholesky factor;
-    if (!factor.factorize(K.banded)) return std::nullopt;
-    Eigen::MatrixXcd moved = K.border;
-    factor.solve(moved);
-    K.corner = K.border.adjoint() * moved;
+    // The force that holds the tire's nodes in a motion of the whole is what the rim exerts on
+    // them.
+    const Eigen::MatrixXcd moved = motions_of_whole(n);
+    K.banded.multiply(moved, K.border);
+    K.border *= -1.0;
+    K.corner = -moved.adjoint() * K.border;
     K.corner = (0.5 * (K.corner + K.corner.adjoint())).eval();
     const RimMatrices rim = rim_matrices(n, rim_);
     const Eigen::Vector2d springs = rim.springs / ring().sectors() + equations.soft;
@@ -126,16 +132,26 @@ std::optional<SpinningHarmonics::Equations> SpinningHarmonics::equations(int n) 
   return equations;
 }
 
+Eigen::MatrixXcd SpinningHarmonics::motions_of_whole(int n) const {
+  const Mesh& mesh = ring().mesh();
+  Eigen::MatrixXcd moved(ring().sector_unknowns(), 2);
+  for (int node = 0; node < mesh.nodes_per_sector(); ++node) {
+    const int first = ring().sector_dof(node);
+    if (first >= 0)
+      moved.middleRows<3>(first) = rim_displacements(n, mesh.X.col(node) + u_.col(node));
+  }
+  return moved;
+}
+
 void SpinningHarmonics::add_rim(int n, Equations& equations) const {
-  auto& [K, G, M] = equations.problem;
+  auto& G = equations.problem.G;
+  auto& M = equations.problem.M;
   const Complex i(0.0, 1.0);
   const double waves = n;
   for (const RimElement& at : rim_elements_) {
-    const Wave wave = wave_of(ring(), at.element, n);
+    const ElementWave wave = element_wave(ring(), at.element, n);
     const ComplexMatrix24 iC = i * at.C.cast<Complex>();
     const ComplexMatrix24 mass = at.M.cast<Complex>();
-    const ComplexMatrix24 W = at.MP.cast<Complex>() + 2.0 * waves * iC + waves * waves * mass;
-    add_border(ring(), at.element, wave, at.K.cast<Complex>() - speed_ * speed_ * W, K);
     add_border(ring(), at.element, wave, 2.0 * speed_ * (iC + waves * mass), G);
     add_border(ring(), at.element, wave, mass, M);
   }

@@ -5,9 +5,10 @@
 // in axes that stand, exp(i (n theta + omega t)), from the matrices in axes that spin along. omega
 // > 0 travels with the spin, because forward rolling carries material toward decreasing theta.
 //
-// A rim that moves adds two unknowns to n = 0 and n = 1 (rim_motion.h). Its stiffness without
-// springs follows from the fact that a wheel on which nothing acts can be moved as a whole without
-// force: it is what eliminating the tire's unknowns takes away.
+// A rim that moves adds two unknowns to n = 0 and n = 1 (rim_motion.h). What it exerts on the tire
+// follows from the fact that a wheel on which nothing acts can be moved as a whole without force,
+// pressure and centrifugal forces included: with T the motions of the tire's nodes in a motion of
+// the whole, the rim's columns of K are -K T and its corner is T* K T.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,7 +38,8 @@ class SpinningHarmonics {
     numerics::BorderedCholesky K_factor;
     Eigen::VectorXd soft;
   };
-  /// Returns nothing if K(n) - Omega^2 W(n) is not positive definite: the speed is above that of a
+  /// A wave that (W.2) loses too early has the inertia (W.1), see standing_wave.h. Returns nothing
+  /// if that leaves K(n) - Omega^2 W(n) not positive definite, too: the speed is above that of a
   /// standing wave, or the tire buckles.
   std::optional<Equations> equations(int n) const;
 
@@ -50,18 +52,23 @@ class SpinningHarmonics {
  private:
   SpinningHarmonics(const RingElements& elements, const Rim& rim, double speed);
   Status evaluate(const Inflated& state);
+  std::optional<Equations> with_inertia(int n, const SectorSpin::Harmonic& at) const;
+  /// Returns the displacements of the tire's unknowns by the motions of the whole wheel.
+  Eigen::MatrixXcd motions_of_whole(int n) const;
   void add_rim(int n, Equations& equations) const;
 
   const RingElements* elements_;
   Rim rim_;
   double speed_;  // rad/s
   SectorSpin spin_;
+  SectorFlow flow_;
   SectorBlocks K_;
   struct RimElement {
     int element;
-    Matrix24 K, M, C, MP;
+    Matrix24 M, C;
   };
   std::vector<RimElement> rim_elements_;
+  Eigen::Matrix3Xd u_;  // m, displacements in the state
   MassProperties mass_;
 };
 

@@ -16,6 +16,7 @@
 #include "models/fe_tire/analysis/mode_label.h"
 #include "models/fe_tire/motion/spinning_harmonics.h"
 #include "models/fe_tire/motion/spinning_tire.h"
+#include "models/fe_tire/motion/standing_wave.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -25,9 +26,9 @@ constexpr double kWholeWheel = 0.5;   // Hz, below which a free wheel moves as a
 constexpr double kPair = 1e-6;        // relative distance of the frequencies of a pair at rest
 constexpr double kNearCutoff = 1e-9;  // relative distance of frequencies that count as equal
 
-double to_hertz(double omega) { return omega / (2.0 * std::numbers::pi); }
+double in_hertz(double omega) { return omega / (2.0 * std::numbers::pi); }
 
-struct Wave {
+struct FoundWave {
   double omega;  // rad/s, negative: against the spin
   int n;
   Eigen::VectorXcd phi;
@@ -35,7 +36,7 @@ struct Wave {
 };
 
 /// True for n = 0 and n = S / 2, in which both signs of omega are the same motion.
-bool is_single(int n, int sectors) { return n == 0 || 2 * n == sectors; }
+bool is_one_motion(int n, int sectors) { return n == 0 || 2 * n == sectors; }
 
 /// Returns the frequency without the springs that keep a free wheel in its place: the root of the
 /// quadratic form of the shape nearest to omega. Its error is of second order in theirs.
@@ -56,18 +57,18 @@ double without_soft_springs(const SpinningHarmonics::Equations& equations,
   return std::abs(plus - omega) < std::abs(minus - omega) ? plus : minus;
 }
 
-class Search {
+class WaveSearch {
  public:
-  Search(const SpinningHarmonics& harmonics, int count, double tolerance)
+  WaveSearch(const SpinningHarmonics& harmonics, int count, double tolerance)
       : harmonics_(harmonics), count_(count), tolerance_(tolerance) {}
 
   /// Finds all modes below the cutoff, in no order.
-  Result<std::vector<Wave>> run();
+  Result<std::vector<FoundWave>> run();
 
  private:
   struct Number {  // modes of one n and sign
     int n, sign, asked = 0;
-    std::vector<Wave> waves = {};
+    std::vector<FoundWave> waves = {};
     double highest = 0.0;  // rad/s, of all found, also of those left out
     bool is_complete = false;
   };
@@ -81,14 +82,14 @@ class Search {
   std::vector<Number> numbers_;
 };
 
-Failure Search::lost(int n) const {
+Failure WaveSearch::lost(int n) const {
   return Failure{fmt::format(
       "modes: nothing holds a wave of circumferential number {} of the spinning tire: it spins "
       "above its standing-wave speed, or it buckles; check speed, pressure, thicknesses and moduli",
       n)};
 }
 
-Status Search::solve(const SpinningHarmonics::Equations& equations, Number& number, int asked) {
+Status WaveSearch::solve(const SpinningHarmonics::Equations& equations, Number& number, int asked) {
   const auto found = numerics::gyroscopic_modes(
       equations.problem, equations.K_factor, number.sign, asked, tolerance_);
   if (!found.converged)
@@ -113,7 +114,7 @@ Status Search::solve(const SpinningHarmonics::Equations& equations, Number& numb
                              ? without_soft_springs(equations, phi, found.omega[k])
                              : found.omega[k];
     number.highest = std::max(number.highest, std::abs(omega));
-    if (equations.soft.size() > 0 && std::abs(to_hertz(omega)) < kWholeWheel) continue;
+    if (equations.soft.size() > 0 && std::abs(in_hertz(omega)) < kWholeWheel) continue;
     number.waves.push_back(
         {omega, number.n, phi, kinetic_energy(phi.head(m), M_phi.col(0).head(m))});
   }
@@ -122,24 +123,25 @@ Status Search::solve(const SpinningHarmonics::Equations& equations, Number& numb
 }
 
 /// Returns the magnitude, rad/s, of the count-th lowest found; infinite if there are fewer.
-double Search::cutoff() const {
+double WaveSearch::cutoff() const {
   std::vector<double> all;
   for (const Number& number : numbers_) {
-    for (const Wave& wave : number.waves) all.push_back(std::abs(wave.omega));
+    for (const FoundWave& wave : number.waves) all.push_back(std::abs(wave.omega));
   }
   if (std::ssize(all) < count_) return std::numeric_limits<double>::infinity();
   std::nth_element(all.begin(), all.begin() + count_ - 1, all.end());
   return all[count_ - 1];
 }
 
-Result<std::vector<Wave>> Search::run() {
+Result<std::vector<FoundWave>> WaveSearch::run() {
   const Ring& ring = harmonics_.ring();
   const int S = ring.sectors();
   for (int n = 0; n <= S / 2; ++n) {
     const auto equations = harmonics_.equations(n);
+    if (!equations && n > most_waves(ring)) continue;  // an hourglass motion, no wave
     if (!equations) return lost(n);
     for (const int sign : {1, -1}) {
-      if (sign < 0 && is_single(n, S)) continue;
+      if (sign < 0 && is_one_motion(n, S)) continue;
       const double limit = cutoff();
       const bool is_beyond =
           limit < std::numeric_limits<double>::infinity() && equations->soft.size() == 0 &&
@@ -157,7 +159,7 @@ Result<std::vector<Wave>> Search::run() {
         return done.failure();
     }
   }
-  std::vector<Wave> waves;
+  std::vector<FoundWave> waves;
   for (Number& number : numbers_)
     waves.insert(waves.end(), number.waves.begin(), number.waves.end());
   return waves;
@@ -165,23 +167,26 @@ Result<std::vector<Wave>> Search::run() {
 
 /// Turns the largest entry of a complex shape onto the real axis. Its phase is arbitrary, and
 /// results must repeat.
-void fix_phase(Eigen::VectorXcd& phi) {
+void make_largest_real(Eigen::VectorXcd& phi) {
   Eigen::Index largest;
   phi.cwiseAbs2().maxCoeff(&largest);
   phi *= std::conj(phi[largest]) / std::abs(phi[largest]);
 }
 
-SpinningMode named(const SpinningHarmonics& harmonics, const Mesh& mesh, Wave wave, double speed) {
+SpinningMode named(const SpinningHarmonics& harmonics,
+                   const Mesh& mesh,
+                   FoundWave wave,
+                   double speed) {
   const int S = harmonics.ring().sectors(), n = mesh.nodes_per_sector();
-  const bool is_standing = is_single(wave.n, S) || speed == 0.0;
-  fix_phase(wave.phi);
+  const bool is_standing = is_one_motion(wave.n, S) || speed == 0.0;
+  make_largest_real(wave.phi);
   SpinningMode mode;
-  mode.frequency = to_hertz(std::abs(wave.omega));
-  mode.frequency_on_tire = to_hertz(std::abs(wave.omega - wave.n * speed));
+  mode.frequency = in_hertz(std::abs(wave.omega));
+  mode.frequency_on_tire = in_hertz(std::abs(wave.omega - wave.n * speed));
   if (!is_standing) mode.sense = wave.omega * speed > 0.0 ? Sense::with : Sense::against;
   mode.n = wave.n;
   mode.type = type_of(wave.n, wave.energy);
-  const double scale = std::sqrt((is_single(wave.n, S) ? 1.0 : 2.0) / S);
+  const double scale = std::sqrt((is_one_motion(wave.n, S) ? 1.0 : 2.0) / S);
   const Eigen::Matrix3Xcd section = scale * harmonics.displacements(wave.n, wave.phi);
   mode.shape.resize(3, S * n);
   for (int s = 0; s < S; ++s)
@@ -211,16 +216,16 @@ Result<std::vector<SpinningMode>> SpinningTire::modes(const Inflated& spinning,
   FeTire::Impl& tire = *tire_.impl_;
   const auto harmonics = SpinningHarmonics::about(tire.even_elements(), spinning, rim);
   if (!harmonics) return harmonics.failure();
-  auto waves = Search(*harmonics, count, tire.settings.mode_tolerance).run();
+  auto waves = WaveSearch(*harmonics, count, tire.settings.mode_tolerance).run();
   if (!waves) return waves.failure();
-  std::stable_sort(waves->begin(), waves->end(), [](const Wave& a, const Wave& b) {
+  std::stable_sort(waves->begin(), waves->end(), [](const FoundWave& a, const FoundWave& b) {
     return std::abs(a.omega) < std::abs(b.omega);
   });
   waves->resize(std::min<std::size_t>(waves->size(), count),
-                Wave{0.0, 0, {}, Eigen::Vector3d::Zero()});
+                FoundWave{0.0, 0, {}, Eigen::Vector3d::Zero()});
   std::vector<SpinningMode> modes;
   std::map<std::tuple<int, ModeType, Sense>, int> orders;
-  for (Wave& wave : *waves) {
+  for (FoundWave& wave : *waves) {
     modes.push_back(named(*harmonics, tire.ring.mesh(), std::move(wave), spinning.spin));
     SpinningMode& mode = modes.back();
     int& order = orders[{mode.n, mode.type, mode.sense}];

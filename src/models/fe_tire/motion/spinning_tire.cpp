@@ -49,7 +49,7 @@ Result<Inflated> grown(const RingElements& elements,
 }
 
 /// Returns the tangent of a sector about the state, without inertia.
-Result<SectorBlocks> tangent(const RingElements& elements, const Inflated& state) {
+Result<SectorBlocks> sector_tangent(const RingElements& elements, const Inflated& state) {
   const Ring& ring = elements.ring();
   SectorBlocks K(ring);
   Eigen::VectorXd f, alpha = state.alpha;
@@ -76,7 +76,7 @@ Result<Inflated> SpinningTire::inflate(const Inflated& at_rest, double speed) {
   const SectorFlow flow(elements);
   auto spinning = grown(elements, at_rest, flow, speed, tire_.impl_->settings);
   if (spinning) {
-    const auto K = tangent(elements, *spinning);
+    const auto K = sector_tangent(elements, *spinning);
     if (!K) return K.failure();
     if (!holds_every_wave(*K, flow, ring, std::abs(speed))) {
       const auto wave = standing_wave(at_rest);
@@ -110,7 +110,7 @@ Result<StandingWave> SpinningTire::standing_wave(const Inflated& at_rest) {
                               : grown(elements, at_rest, flow, speed, tire_.impl_->settings);
     if (!state) return state.failure();
     radius = state->radius;
-    const auto K = tangent(elements, *state);
+    const auto K = sector_tangent(elements, *state);
     if (!K) return K.failure();
     const auto wave = critical_wave(*K, flow, ring, kHighest);
     if (!wave)
@@ -126,7 +126,8 @@ Result<StandingWave> SpinningTire::standing_wave(const Inflated& at_rest) {
     const auto now = critical(speed);
     if (!now) return now.failure();
     if (std::abs(now->speed - speed) <= kSameSpeed * speed)
-      return StandingWave{now->speed, radius, now->n};
+      return StandingWave{
+          now->speed, radius, now->n, static_cast<int>(ring.sectors() / (2.0 * std::numbers::pi))};
     const double slope = (now->speed - last->speed) / (speed - last_speed);
     const double next = std::abs(slope) < 0.9 ? speed + (now->speed - speed) / (1.0 - slope)
                                               : 0.5 * (now->speed + speed);
@@ -144,13 +145,18 @@ Result<StandingWave> SpinningTire::standing_wave(const Inflated& at_rest) {
 Failure SpinningTire::above(const StandingWave& wave, double speed) {
   return Failure{fmt::format(
       "the tire spins at {:.5g} rad/s ({:.4g} km/h at its radius), not below its standing-wave "
-      "speed of {:.5g} rad/s ({:.4g} km/h), at which nothing holds a wave of n = {}: expected a "
+      "speed of {:.5g} rad/s ({:.4g} km/h), at which nothing holds a wave of n = {}{}: expected a "
       "lower speed",
       speed,
       kToKilometersPerHour * speed * wave.radius,
       wave.speed,
       kToKilometersPerHour * wave.speed * wave.radius,
-      wave.n)};
+      wave.n,
+      wave.n <= wave.resolved ? std::string()
+                              : fmt::format(" (the sectors resolve waves up to n = {}: finer "
+                                            "sectors lower this speed, and rubber "
+                                            "that is stiffer at its frequency raises it)",
+                                            wave.resolved))};
 }
 
 }  // namespace latsch::fe_tire

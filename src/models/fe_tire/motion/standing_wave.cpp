@@ -4,23 +4,30 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kExact = 1e-7;  // relative width of the last interval of a speed
+constexpr double kNarrow = 1e-7;  // relative width of the last interval of a speed
 
-/// True if K - speed^2 W is positive definite.
-bool is_held(const numerics::BandedHermitian& K, const numerics::BandedHermitian& W, double speed) {
-  numerics::BandedHermitian at = K;
-  at.lower() -= speed * speed * W.lower();
-  return numerics::BandedCholesky().factorize(at);
-}
+/// K and W of one circumferential number.
+struct StillWave {
+  numerics::BandedHermitian K, W;
+
+  /// True if K - speed^2 W is positive definite.
+  bool is_held_at(double speed) const {
+    numerics::BandedHermitian at = K;
+    at.lower() -= speed * speed * W.lower();
+    return numerics::BandedCholesky().factorize(at);
+  }
+};
 
 }  // namespace
+
+int most_waves(const Ring& ring) { return ring.sectors() / 3; }
 
 bool holds_every_wave(const SectorBlocks& K,
                       const SectorFlow& flow,
                       const Ring& ring,
                       double speed) {
-  for (int n = 0; n <= ring.sectors() / 2; ++n) {
-    if (!is_held(K.harmonic(n), flow.W.harmonic(n), speed)) return false;
+  for (int n = 0; n <= most_waves(ring); ++n) {
+    if (!StillWave{K.harmonic(n), flow.W.harmonic(n)}.is_held_at(speed)) return false;
   }
   return true;
 }
@@ -30,14 +37,14 @@ std::optional<CriticalWave> critical_wave(const SectorBlocks& K,
                                           const Ring& ring,
                                           double highest) {
   CriticalWave lowest{highest, -1};
-  for (int n = 0; n <= ring.sectors() / 2; ++n) {
-    const numerics::BandedHermitian K_n = K.harmonic(n), W_n = flow.W.harmonic(n);
-    if (is_held(K_n, W_n, lowest.speed)) continue;
+  for (int n = 0; n <= most_waves(ring); ++n) {
+    const StillWave wave{K.harmonic(n), flow.W.harmonic(n)};
+    if (wave.is_held_at(lowest.speed)) continue;
     double held = 0.0, lost = lowest.speed;
-    if (!is_held(K_n, W_n, held)) return std::nullopt;
-    while (lost - held > kExact * lost) {
+    if (!wave.is_held_at(held)) return std::nullopt;
+    while (lost - held > kNarrow * lost) {
       const double middle = 0.5 * (held + lost);
-      (is_held(K_n, W_n, middle) ? held : lost) = middle;
+      (wave.is_held_at(middle) ? held : lost) = middle;
     }
     lowest = {lost, n};
   }

@@ -18,7 +18,7 @@ namespace {
 constexpr double kInflation = 2.6e5;
 constexpr int kModes = 8;
 
-TireDescription small_tire() {
+TireDescription tire_for_slopes() {
   TireDescription tire = reference_tire_b();
   tire.cord_model = CordModel::rebar;
   tire.section.meridional = 13;
@@ -55,7 +55,7 @@ std::vector<Number> numbers() {
 }
 
 TireDescription moved(const Number& number, double step) {
-  TireDescription tire = small_tire();
+  TireDescription tire = tire_for_slopes();
   tire.pressure = kInflation;
   number.of(tire) += step;
   return tire;
@@ -279,7 +279,7 @@ TEST(TireSlopes, OfDeflectionAndPatchUnderALoadAreThoseOfWholeTrials) {
 }
 
 TEST(TireSlopes, OfAStateWithFrictionAreRefused) {
-  FeTire tire(small_tire());
+  FeTire tire(tire_for_slopes());
   const auto inflated = tire.inflate(kInflation);
   ASSERT_TRUE(inflated.ok());
   const auto states = tire.press(*inflated, Ground{.mu = 0.8}, {0.008});

@@ -104,8 +104,9 @@ bool MotionSlopes::begin_part(const StepTaken& part) {
   return t.factorize(q1_, rule_.acceleration, 1.0 - t.settings_.dissipation, rule_);
 }
 
-/// Sets the tire, restored to a beginning, to the end of a part with another motion, with nodes and
-/// sections unchanged. Returns false if other nodes may touch the road.
+/// Moves the rim of the tire, which was reset to the start of a partial step, to the end of that
+/// partial step under another motion. Nodes and sections keep their state. Returns false if other
+/// nodes may touch the road.
 bool MotionSlopes::place(const WheelMotion& motion) {
   tire_->predict(motion, *road_, part_time_, part_step_);
   if (tire_->section_.on()) {

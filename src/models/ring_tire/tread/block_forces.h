@@ -145,7 +145,8 @@ void keep_tips(const BlockSpan& at,
 
 /// Stiffness of the blocks, K = k_n N N^T + k_t (1 - N N^T - d d^T if it slides along d), summed
 /// over the lines: the six entries xx, xy, xz, yy, yz, zz of K, y K and y^2 K at the stations, 18
-/// columns. `normal` and `tangential` are dF/dT of a cell barely pressed.
+/// columns. `normal` and `tangential` are the stiffnesses, N/m, of one block that just touches the
+/// road.
 void level_stiffness(const BlockSpan& at,
                      const BlockLines& lines,
                      const BlockResults& results,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/spin_speed.h"
+#include "experiment/rigs/fe_tire/spin_speed.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/lift_watch.h"
+#include "experiment/rigs/slip/lift_watch.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "models/tire/free_wheel.h"
 
-namespace latsch::experiment {
+namespace latsch {
 namespace {
 
 /// Passes every call to a tire and tells a log the load at the end of each step.
@@ -94,4 +94,4 @@ std::unique_ptr<Tire> watched(std::unique_ptr<Tire> tire, LiftLog& log) {
   return std::make_unique<WatchedTire>(std::move(tire), log);
 }
 
-}  // namespace latsch::experiment
+}  // namespace latsch

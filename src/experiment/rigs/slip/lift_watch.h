@@ -10,7 +10,7 @@
 
 #include "models/tire/tire.h"
 
-namespace latsch::experiment {
+namespace latsch {
 
 class LiftLog {
  public:
@@ -31,4 +31,4 @@ class LiftLog {
 /// Returns the tire with a log of its steps. The log has to live longer than the tire.
 std::unique_ptr<Tire> watched(std::unique_ptr<Tire> tire, LiftLog& log);
 
-}  // namespace latsch::experiment
+}  // namespace latsch
