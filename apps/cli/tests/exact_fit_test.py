@@ -136,11 +136,10 @@ class ExactFit(unittest.TestCase):
 
     def test_exact_values_beside_one_far_off_have_intervals_as_narrow_as_the_corner(self):
         """The corner of the loss limits how far one wrong value moves the fit; the intervals contain the truth and do
-        not depend on the start or on how far off the value is. At an end of the curve Huber's loss leaves residuals
-        that share noise, and intervals are open there, which is not tested."""
+        not depend on the start, on how far off the value is, or on whether it is at an end of the curve."""
         starts = [{"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)}, {"a": (0, 10, 0), "b": (-5, 0, 0), "c": (0, 2, 2)},
                   {"a": (0, 10, 10), "b": (-5, 0, -5), "c": (0, 2, 0)}]
-        cases = [("huber", 2, -50.0), ("cauchy", 2, 3.0), ("cauchy", 4, 1.0)]
+        cases = [("huber", 2, -50.0), ("cauchy", 2, 3.0), ("huber", 0, 3.0), ("cauchy", 4, 1.0)]
         for loss, place, off in cases:
             halves = []
             for start in starts[:1 if place != 2 else 3]:
