@@ -23,12 +23,10 @@ constexpr double kNear = 1.5e-3;
 constexpr double kAlong = 1e10;
 /// Speed of rotation of a locked wheel, relative to rolling: (F.1) needs a flow, however slow.
 constexpr double kLocked = 1e-6;
-/// Accepted error of the load, relative, and of the drive, relative to load times height.
-constexpr double kBalanced = 1e-7;
 constexpr int kMostCorrections = 40;
-/// Longest corrections of the height, m, and of the spin, relative: a tire that slides as a whole
-/// tells no slope.
-constexpr double kMostSink = 3e-3, kMostSpin = 0.02;
+/// Longest corrections of the spin, relative: a tire that slides as a whole tells no slope. And
+/// farthest that height, m, and spin, relative, may go on one linear tire.
+constexpr double kMostTurn = 0.02, kMostSpin = 0.1, kMostSink = 2e-3;
 /// Steps for the slopes: of the height, m, and of the spin, relative.
 constexpr double kSinkStep = 2e-5, kSpinStep = 2e-5;
 
@@ -109,8 +107,8 @@ bool LinearRoller::condense_for(TreadBody& body) {
 Result<LinearRoller::Attempt> LinearRoller::stand(const RollingCase& of, GripState& states) {
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
   Attempt attempt;
-  attempt.body = std::make_unique<TreadBody>(
-      tread_, lines_, ground, kNormalPenalty, motion_of(of), u_, kNear);
+  attempt.body =
+      std::make_unique<TreadBody>(tread_, lines_, ground, kNormalPenalty, motion_of(of), u_, kNear);
   TreadBody& body = *attempt.body;
   if (body.rows().empty())
     return Failure{fmt::format("the tread is off the ground, {:.4g} mm below the wheel center",
@@ -153,13 +151,16 @@ Eigen::MatrixXd LinearRoller::slopes(const RollingCase& of,
 }
 
 /// Finds the height and the spin that are left open.
-Result<LinearRoller::Attempt> LinearRoller::balance(RollingCase& of, GripState& states) {
+Result<LinearRoller::Attempt> LinearRoller::balance(RollingCase& of,
+                                                    double enough,
+                                                    GripState& states) {
   auto now = stand(of, states);
   if (!now || !(of.load || of.drive)) return now;
+  const RollingCase start = of;
   Eigen::VectorXd error = errors(of, now->forces);
   for (int correction = 0; correction < kMostCorrections; ++correction) {
     const double before = error.norm();
-    if (error.cwiseAbs().maxCoeff() <= kBalanced) return now;
+    if (error.cwiseAbs().maxCoeff() <= enough) return now;
     if (by_.rows() != error.size()) by_ = slopes(of, error, states);
     if (by_.size() == 0) return Failure{"load and drive have no slopes in height and spin"};
     numerics::Lu lu;
@@ -167,11 +168,22 @@ Result<LinearRoller::Attempt> LinearRoller::balance(RollingCase& of, GripState& 
     Eigen::MatrixXd step = -error;
     lu.solve(step);
     if (!step.allFinite()) return Failure{"load and drive have no slopes in height and spin"};
-    if (of.load) step(0) = std::clamp(step(0), -kMostSink, kMostSink);
     const Eigen::Index last = error.size() - 1;
-    if (of.drive) step(last) = std::clamp(step(last), -kMostSpin * of.spin, kMostSpin * of.spin);
-    if (of.load) of.height += step(0);
-    if (of.drive) of.spin += step(last);
+    if (of.drive) step(last) = std::clamp(step(last), -kMostTurn * of.spin, kMostTurn * of.spin);
+    bool is_far = false;
+    const auto move = [&](double& value, double start, double most, double& by) {
+      const double next = std::clamp(value + by, start - most, start + most);
+      is_far = is_far || (next != value + by && next == value);
+      by = next - value;
+      value = next;
+    };
+    if (of.load) move(of.height, start.height, kMostSink, step(0));
+    if (of.drive) move(of.spin, start.spin, kMostSpin * start.spin, step(last));
+    if (is_far) {
+      now->is_balanced = false;
+      by_.resize(0, 0);
+      return now;
+    }
     now = stand(of, states);
     if (!now) return now;
     const Eigen::VectorXd next = errors(of, now->forces);
@@ -193,6 +205,7 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
                                                 const Eigen::VectorXd& x,
                                                 const Eigen::VectorXd& g,
                                                 double load,
+                                                double enough,
                                                 GripState& states,
                                                 int& passes) {
   Found found;
@@ -204,16 +217,18 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   load_ = load;
   passes_ = 0;
   rows_.clear();
-  auto attempt = balance(found.of, states);
+  auto attempt = balance(found.of, enough, states);
   passes += passes_;
   if (!attempt) return attempt.failure();
+  found.is_balanced = attempt->is_balanced;
   found.forces = attempt->forces;
   found.patch = std::move(attempt->patch);
   Eigen::VectorXd at = nodes_;
   condensed_.reduce(at);
   condensed_.expand(-attempt->contact.q, at);
   found.c.setZero(x.size());
-  const Eigen::VectorXd c = attempt->body->forces(attempt->contact.input, attempt->contact.tractions);
+  const Eigen::VectorXd c =
+      attempt->body->forces(attempt->contact.input, attempt->contact.tractions);
   for (std::size_t k = 0; k < rows_.size(); ++k)
     found.c[3 * tread_.block_rows()[rows_[k] / 3] + rows_[k] % 3] = c[static_cast<Eigen::Index>(k)];
   for (int a = 0; a < tread_.nodes(); ++a)

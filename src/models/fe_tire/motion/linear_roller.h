@@ -28,6 +28,7 @@ class LinearRoller {
   /// The state that solves (R.2).
   struct Found {
     RollingCase of;     // with the height and the spin found
+    bool is_balanced;   // false: load or drive ask for a height or a spin too far away for one step
     Eigen::VectorXd d;  // decrease of the unknowns
     Eigen::VectorXd c;  // the ground's forces on the unknowns, N
     RollingForces forces;
@@ -43,12 +44,14 @@ class LinearRoller {
   void forget();
 
   /// Solves (R.2) about the unknowns x with the forces g. `states`: of all points of the tread; the
-  /// start, then those found. `load`, N: the size of the ground's forces. `passes` counts active
+  /// start, then those found. `load`, N: the size of the ground's forces. `enough`: accepted error
+  /// of the load, relative, and of the drive, relative to load times height. `passes` counts active
   /// sets.
   Result<Found> solve(const RollingCase& of,
                       const Eigen::VectorXd& x,
                       const Eigen::VectorXd& g,
                       double load,
+                      double enough,
                       GripState& states,
                       int& passes);
 
@@ -58,9 +61,10 @@ class LinearRoller {
     RollingContactState contact;
     RollingForces forces;
     std::vector<RollingPatchPoint> patch;
+    bool is_balanced = true;
   };
   Result<Attempt> stand(const RollingCase& of, GripState& states);
-  Result<Attempt> balance(RollingCase& of, GripState& states);
+  Result<Attempt> balance(RollingCase& of, double enough, GripState& states);
   Eigen::MatrixXd slopes(const RollingCase& of, const Eigen::VectorXd& error, GripState states);
   Eigen::VectorXd errors(const RollingCase& of, const RollingForces& forces) const;
   bool condense_for(TreadBody& body);
@@ -70,16 +74,16 @@ class LinearRoller {
   const TreadLines& lines_;
   numerics::Factorization factor_;
   bool has_factor_ = false;
-  Eigen::MatrixXd S_;          // condensed to the tread's nodes
+  Eigen::MatrixXd S_;  // condensed to the tread's nodes
   CondensedTire condensed_;
-  std::vector<int> rows_;      // those of condensed_; empty: none
-  Eigen::VectorXd nodes_;      // right-hand side at the tread's nodes
-  Eigen::Matrix3Xd u_;         // displacements of the tread's nodes at x
-  Eigen::VectorXd q_;          // last solution on rows_, a start
+  std::vector<int> rows_;  // those of condensed_; empty: none
+  Eigen::VectorXd nodes_;  // right-hand side at the tread's nodes
+  Eigen::Matrix3Xd u_;     // displacements of the tread's nodes at x
+  Eigen::VectorXd q_;      // last solution on rows_, a start
   double load_ = 1.0;
   int passes_ = 0;
-  Eigen::MatrixXd by_;         // derivative of the errors of load and drive with respect to what is
-                               // found
+  Eigen::MatrixXd by_;  // derivative of the errors of load and drive with respect to what is
+                        // found
 };
 
 }  // namespace latsch::fe_tire

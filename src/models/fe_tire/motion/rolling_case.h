@@ -43,17 +43,17 @@ struct RollingPatchPoint {
 struct RollingForces {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m
-  double drive = 0.0;           // N m, moment of the drive about the spin axis, which holds the wheel
+  double drive = 0.0;  // N m, moment of the drive about the spin axis, which holds the wheel
   double friction_power = 0.0;  // W, lost by sliding
 };
 
 /// An equilibrium of the rolling tire, and the work that it took.
 struct RollingState {
-  RollingCase of;          // height and spin: those found
-  double pressure = 0.0;   // Pa
-  Eigen::Matrix3Xd u;      // m, [3 x nodes] of the whole ring, sector frames
-  Eigen::VectorXd alpha;   // internal parameters of the elements
-  GripState grip{0};       // states of all tread points; a start for a neighboring case
+  RollingCase of;         // height and spin: those found
+  double pressure = 0.0;  // Pa
+  Eigen::Matrix3Xd u;     // m, [3 x nodes] of the whole ring, sector frames
+  Eigen::VectorXd alpha;  // internal parameters of the elements
+  GripState grip{0};      // states of all tread points; a start for a neighboring case
   RollingForces forces;
   std::vector<RollingPatchPoint> patch;
   double residual = 0.0;  // N

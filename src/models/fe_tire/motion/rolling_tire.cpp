@@ -24,10 +24,25 @@ constexpr int kMostIterations = 25;
 /// Share of the residual before above which the tangent is renewed, and above which the iteration
 /// is given up. Renewing costs some ten passes over the elements.
 constexpr double kSlow = 0.2, kDiverging = 4.0;
+/// Residual of a first step, relative to the load, that the tangent at hand leads to the end.
+constexpr double kNearby = 0.1;
 /// Most halvings of a step that inverts elements.
 constexpr int kMostHalvings = 4;
+/// Longest motion of a step, relative to the section height. A longer one turns elements so far
+/// that cords, which hardly stretch, spoil the next residual.
+constexpr double kLongest = 0.04;
+/// Accepted error of load and drive (linear_roller.h) of a state, and of the iterations before.
+constexpr double kBalanced = 1e-7, kRoughly = 1e-2;
 /// Shortest part of a path.
 constexpr double kShortestPart = 1.0 / 128.0;
+
+/// Returns the distance of the tread from the rim, m.
+double section_height(const Mesh& mesh) {
+  double rim = mesh.outer_radius();
+  for (const int node : mesh.clamped)
+    rim = std::min(rim, std::hypot(mesh.X(0, node), mesh.X(2, node)));
+  return mesh.outer_radius() - rim;
+}
 
 }  // namespace
 
@@ -42,6 +57,7 @@ struct RollingTire::Impl {
   numerics::SymmetricMatrix K, W;
   Eigen::VectorXd w_0;
   LinearRoller linear;
+  double longest;  // m, motion of a step
 
   Impl(FeTire& of, const RingElements& with, TreadShape shape)
       : tire(of),
@@ -53,7 +69,8 @@ struct RollingTire::Impl {
         K(*assembly.pattern()),
         W(flow_stiffness(assembly, with)),
         w_0(flow_forces(unknowns, with, Eigen::Matrix3Xd::Zero(3, with.ring().mesh().nodes()))),
-        linear(assembly, tread, lines) {}
+        linear(assembly, tread, lines),
+        longest(kLongest * section_height(with.ring().mesh())) {}
 
   /// An iterate: unknowns and the forces g of (R.1) without the ground.
   struct Iterate {
@@ -61,11 +78,9 @@ struct RollingTire::Impl {
     Eigen::VectorXd g;
   };
   Status evaluate(Iterate& at, double pressure, double spin, bool with_tangent);
-  Status advance(Iterate& now, const LinearRoller::Found& found, double pressure);
-  Result<LinearRoller::Found> step(Iterate& now,
-                                   const RollingCase& of,
-                                   double load,
-                                   RollingState& state);
+  Result<double> advance(Iterate& now, const LinearRoller::Found& found, double pressure);
+  Result<LinearRoller::Found> step(
+      Iterate& now, const RollingCase& of, double load, double enough, RollingState& state);
   Result<RollingState> part(const RollingState& from, const RollingCase& of);
 };
 
@@ -84,24 +99,24 @@ Status RollingTire::Impl::evaluate(Iterate& at, double pressure, double spin, bo
   return {};
 }
 
-/// Moves to the state found on the linear tire, or a part of the way if elements would invert.
-Status RollingTire::Impl::advance(Iterate& now, const LinearRoller::Found& found, double pressure) {
-  double share = 1.0;
+/// Moves to the state found on the linear tire, or a part of the way to it. Returns the part.
+Result<double> RollingTire::Impl::advance(Iterate& now,
+                                          const LinearRoller::Found& found,
+                                          double pressure) {
+  double share = std::min(1.0, longest / found.d.cwiseAbs().maxCoeff());
   for (int halving = 0;; ++halving, share *= 0.5) {
     Iterate trial{{now.state.x - share * found.d, now.state.alpha}, {}};
     const Status done = evaluate(trial, pressure, found.of.spin, false);
     if (!done && halving < kMostHalvings) continue;
-    if (!done) return done;
+    if (!done) return done.failure();
     now = std::move(trial);
-    return {};
+    return share;
   }
 }
 
 /// Solves the linear tire on its ground. If it has no solution with an old tangent, that is renewed.
-Result<LinearRoller::Found> RollingTire::Impl::step(Iterate& now,
-                                                    const RollingCase& of,
-                                                    double load,
-                                                    RollingState& state) {
+Result<LinearRoller::Found> RollingTire::Impl::step(
+    Iterate& now, const RollingCase& of, double load, double enough, RollingState& state) {
   const bool is_old = linear.has_factor();
   const auto renew = [&] {
     ++state.factors;
@@ -110,11 +125,11 @@ Result<LinearRoller::Found> RollingTire::Impl::step(Iterate& now,
   if (!is_old)
     if (const Status done = renew(); !done) return done.failure();
   GripState grip = state.grip;
-  auto found = linear.solve(of, now.state.x, now.g, load, grip, state.passes);
+  auto found = linear.solve(of, now.state.x, now.g, load, enough, grip, state.passes);
   if (!found && is_old) {
     if (const Status done = renew(); !done) return done.failure();
     grip = state.grip;
-    found = linear.solve(of, now.state.x, now.g, load, grip, state.passes);
+    found = linear.solve(of, now.state.x, now.g, load, enough, grip, state.passes);
   }
   if (found) state.grip = std::move(grip);
   return found;
@@ -129,14 +144,20 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
   if (const Status done = evaluate(now, state.pressure, of.spin, false); !done)
     return done.failure();
   RollingCase at = of;
-  double before = 0.0;
+  double before = 0.0, enough = kRoughly;
   for (state.iterations = 1; state.iterations <= kMostIterations; ++state.iterations) {
-    const auto found = step(now, at, load, state);
+    const auto found = step(now, at, load, enough, state);
     if (!found) return found.failure();
     at = found->of;
-    if (const Status done = advance(now, *found, state.pressure); !done) return done.failure();
+    const auto share = advance(now, *found, state.pressure);
+    if (!share) return share.failure();
+    if (*share < 1.0) {
+      linear.forget();
+      before = 0.0;
+      continue;
+    }
     state.residual = (now.g - found->c).norm();
-    if (state.residual <= kAccepted * load) {
+    if (state.residual <= kAccepted * load && enough <= kBalanced && found->is_balanced) {
       state.of = at;
       state.forces = found->forces;
       state.patch = found->patch;
@@ -145,14 +166,16 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
       return state;
     }
     if (before > 0.0 && state.residual > kDiverging * before) break;
-    if (before > 0.0 && state.residual > kSlow * before) linear.forget();
+    if (state.residual > kSlow * (before > 0.0 ? before : kNearby * load)) linear.forget();
     before = state.residual;
+    enough = std::clamp(kRoughly * state.residual / load, kBalanced, kRoughly);
   }
-  return Failure{fmt::format("not in equilibrium after {} iterations; residual {:.3g} N, accepted "
-                             "{:.3g} N",
-                             std::min(state.iterations, kMostIterations),
-                             state.residual,
-                             kAccepted * load)};
+  return Failure{
+      fmt::format("not in equilibrium after {} iterations; residual {:.3g} N, accepted "
+                  "{:.3g} N",
+                  std::min(state.iterations, kMostIterations),
+                  state.residual,
+                  kAccepted * load)};
 }
 
 namespace {
@@ -175,13 +198,13 @@ Status check(const RollingCase& of) {
 
 /// Says which state of a path was not reached.
 Failure not_reached(const RollingCase& at, const std::string& why) {
-  return Failure{
-      fmt::format("rolling at {:.5g} m/s, {:.5g} rad/s, slip angle {:.4g} deg, camber {:.4g} deg: {}",
-                  at.speed,
-                  at.spin,
-                  at.slip_angle * 180.0 / std::numbers::pi,
-                  at.camber * 180.0 / std::numbers::pi,
-                  why)};
+  return Failure{fmt::format(
+      "rolling at {:.5g} m/s, {:.5g} rad/s, slip angle {:.4g} deg, camber {:.4g} deg: {}",
+      at.speed,
+      at.spin,
+      at.slip_angle * 180.0 / std::numbers::pi,
+      at.camber * 180.0 / std::numbers::pi,
+      why)};
 }
 
 }  // namespace

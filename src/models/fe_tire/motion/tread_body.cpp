@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "numerics/dense/lu.h"
+#include "numerics/sparse/front_algebra.h"
 
 namespace latsch::fe_tire {
 
@@ -77,6 +78,7 @@ void TreadBody::add_line(const TreadSurface& tread,
     times_.push_back(k == first ? 0.0
                                 : (lines.theta[of[k - 1]] - lines.theta[of[k]]) / motion_.spin);
   }
+  section.P_T = section.P.transpose();
   line.last = static_cast<int>(points_.size());
   lines_.lines.push_back(line);
   std::vector<int> rows = section.columns, all;
@@ -135,23 +137,39 @@ Eigen::VectorXd TreadBody::residual(const Eigen::VectorXd& q,
   return T_ * q + r_ - forces(input, tractions);
 }
 
-/// Derivatives of (x, y, p, share) of a line's points with respect to its columns [4 m x columns].
+/// Returns the derivatives of the forces on a line's points with respect to its columns [3 m x
+/// columns].
 Eigen::MatrixXd TreadBody::derivatives(const Section& section,
                                        const RollingLines::Line& line,
                                        const RollingInput& input,
+                                       const GripTractions& tractions,
                                        const Eigen::Matrix3Xd& x) const {
   const int m = line.last - line.first;
-  Eigen::MatrixXd D = Eigen::MatrixXd::Zero(4 * m, section.P.cols());
-  for (int i = 0; i < m; ++i) {
+  const auto columns = section.P.cols();
+  Eigen::MatrixXd by = Eigen::MatrixXd::Zero(columns, 3 * m);  // transposed: a point is contiguous
+  Eigen::MatrixXd before = Eigen::MatrixXd::Zero(columns, 2), now = before;
+  for (int i = 0; i < m; ++i, before.swap(now)) {
     const int k = line.first + i;
-    D.middleRows<2>(4 * i) = section.P.middleRows<2>(3 * i);
-    if (input.p[k] > 0.0) D.row(4 * i + 2) = -penalty_ * section.P.row(3 * i + 2);
-    if (i == 0 || !(input.p[k] > 0.0) || input.p[k - 1] > 0.0) continue;
-    const double here = x(2, k), before = x(2, k - 1), drop = here - before;
-    D.row(4 * i + 3) =
-        (here * section.P.row(3 * i - 1) - before * section.P.row(3 * i + 2)) / (drop * drop);
+    now.setZero();
+    if (!(input.p[k] > 0.0)) continue;
+    const GripLink& link = tractions.links[k];
+    const auto at = section.P_T.middleCols<3>(3 * i);
+    const Eigen::VectorXd dp = -penalty_ * at.col(2);
+    now.noalias() = dp * link.by_p.transpose();
+    if (i > 0) {
+      const auto last = section.P_T.middleCols<3>(3 * i - 3);
+      now.noalias() += (at.leftCols<2>() - last.leftCols<2>()) * link.by_step.transpose();
+      now.noalias() += before * link.by_before.transpose();
+      if (!(input.p[k - 1] > 0.0)) {
+        const double here = x(2, k), there = x(2, k - 1), drop = here - there;
+        const Eigen::VectorXd dshare = (here * last.col(2) - there * at.col(2)) / (drop * drop);
+        now.noalias() += dshare * link.by_share.transpose();
+      }
+    }
+    by.middleCols<2>(3 * i) = areas_[k] * now;
+    by.col(3 * i + 2) = areas_[k] * dp;
   }
-  return D;
+  return by;
 }
 
 bool TreadBody::solve(const Eigen::VectorXd& q,
@@ -159,23 +177,18 @@ bool TreadBody::solve(const Eigen::VectorXd& q,
                       const GripTractions& tractions,
                       const Eigen::VectorXd& R,
                       Eigen::VectorXd& dq) {
-  Eigen::MatrixXd J = T_;
+  Eigen::MatrixXd J = T_, tangent;
   const Eigen::Matrix3Xd x = positions(q);
   for (std::size_t s = 0; s < sections_.size(); ++s) {
     const RollingLines::Line& line = lines_.lines[s];
     const Section& section = sections_[s];
-    const int m = line.last - line.first;
-    const Eigen::MatrixXd D = derivatives(section, line, input, x);
-    const Eigen::MatrixXd dt = tractions.by[s] * D;
-    Eigen::MatrixXd on(3 * m, D.cols());
-    for (int i = 0; i < m; ++i) {
-      on.middleRows<2>(3 * i) = areas_[line.first + i] * dt.middleRows<2>(2 * i);
-      on.row(3 * i + 2) = areas_[line.first + i] * D.row(4 * i + 2);
-    }
-    const Eigen::MatrixXd tangent = section.P.transpose() * on;
-    for (std::size_t b = 0; b < section.columns.size(); ++b) {
-      for (std::size_t a = 0; a < section.columns.size(); ++a)
-        J(section.columns[a], section.columns[b]) -= tangent(a, b);
+    const Eigen::MatrixXd by = derivatives(section, line, input, tractions, x).transpose();
+    const int m = static_cast<int>(by.rows()), n = static_cast<int>(by.cols());
+    tangent.setZero(n, n);
+    numerics::subtract_transposed(n, n, m, section.P.data(), m, by.data(), tangent.data(), n);
+    for (int b = 0; b < n; ++b) {
+      double* column = J.col(section.columns[b]).data();
+      for (int a = 0; a < n; ++a) column[section.columns[a]] += tangent(a, b);
     }
   }
   numerics::Lu lu;

@@ -70,7 +70,7 @@ class TreadBody : public RollingBody {
   /// Points of a line and the columns of q on which they depend.
   struct Section {
     std::vector<int> columns;
-    Eigen::MatrixXd P;  // [3 points x columns]
+    Eigen::MatrixXd P, P_T;  // [3 points x columns], and transposed
   };
   void add_line(const TreadSurface& tread,
                 const TreadLines& lines,
@@ -80,6 +80,7 @@ class TreadBody : public RollingBody {
   Eigen::MatrixXd derivatives(const Section& section,
                               const RollingLines::Line& line,
                               const RollingInput& input,
+                              const GripTractions& tractions,
                               const Eigen::Matrix3Xd& x) const;
 
   GroundMotion motion_;
