@@ -341,7 +341,14 @@ std::vector<Finding> implausible(const Study& study) {
   const Document file = Document::read(study.file);
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (kind) append(experiment::findings_of_model(*kind, study.model, study.model_file), found);
-  if (kind) append(experiment::unusual_numbers(file), found);
+  // Only a model of our own says which quantity a number is; settings of a run are known.
+  append(experiment::unusual_numbers(file,
+                                     "",
+                                     [&](const std::string& path) {
+                                       return !kind && !path.starts_with("run.") &&
+                                              !path.starts_with("simulator.timeout");
+                                     }),
+         found);
   examine_variables(study, file, found);
   examine_repetitions(study, file, found);
   examine_sides(study, file, found);
