@@ -183,6 +183,34 @@ void narrow(const Node& table,
   words.push_back(fmt::format("{} {}: {} of {} samples", key, what, count(kept), count(before)));
 }
 
+/// Doubts a sweep whose direction changes every few samples: the channel is constant but for noise.
+void doubt_sweep(const std::vector<int>& directions,
+                 const Channel& channel,
+                 const Place& place,
+                 LabRecord& record) {
+  constexpr double kFewest = 4.0;  // samples between turning points; larger: coarse sweeps are
+                                   // doubted
+  double changes = 0.0, samples = 0.0;
+  int last = 0;
+  for (const int direction : directions) {
+    if (direction == 0) continue;
+    ++samples;
+    changes += last != 0 && direction != last;
+    last = direction;
+  }
+  if (changes < 2.0 || samples >= kFewest * (changes + 1.0)) return;
+  record.ledgers.front().doubts.push_back(
+      {record.written.at(channel.name).column,
+       fmt::format(
+           "sweep keeps samples by the direction of {}, which changes every {} samples: the "
+           "channel goes {} and may be constant but for noise; expected a channel that is "
+           "swept",
+           channel.name,
+           format_number(samples / (changes + 1.0), 2),
+           range_in_words(channel)),
+       place});
+}
+
 void read_sweeps(const Node& table,
                  LabRecord& record,
                  std::vector<bool>& kept,
@@ -196,6 +224,7 @@ void read_sweeps(const Node& table,
     const std::string way = sweep->choice(key, {"rising", "falling"});
     note_use(record, key, "sweep");
     const auto directions = directions_of(channel.values, stretches);
+    doubt_sweep(directions, channel, sweep->place(key), record);
     std::vector<bool> mask;
     for (const int one : directions) mask.push_back(one == (way == "rising" ? 1 : -1));
     narrow(*sweep, key, way, mask, record, kept, words);

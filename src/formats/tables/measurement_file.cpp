@@ -50,7 +50,7 @@ ModeColumns mode_columns(const CsvTable& table) {
                        "unknown column " + in_quotes(column) +
                            did_you_mean(column, {"frequency", "n", "type", "phase"}) +
                            "; a table of modes has frequency, n (the number of waves), type and "
-                           "phase: rename the column or cut it off");
+                           "phase: give the column one of these names or cut it off");
     *found->first = column;
   }
   return columns;

@@ -6,8 +6,8 @@
 // names is read as any measurement (correlation/laboratory/measurement.h).
 //
 // Modes, CSV: column "frequency" (also "f", "Eigenfrequenz" ...); if known "n" (also "order"),
-// "type" (torsional, lateral, radial) and "phase" (s, a), in any case; a cell may be empty. Or TOML,
-// one table for each mode:
+// "type" (torsional, lateral, radial) and "phase" (s, a), in any case; a cell may be empty. Or
+// TOML, one table for each mode:
 //
 //   [[mode]]
 //   frequency = "43.2 Hz"

@@ -158,6 +158,68 @@ class KcRig(doubtful_data_test.Data):
         self.assert_says(self.check(head="Fy [N],toe [']", code=WRONG_INPUT), '"arcmin"')
 
 
+    def test_loads_are_taken_at_the_point_of_their_frame(self):
+        for head, at, part in (("FyH", "", 'at = "wheel_center"'), ("FyC", "", 'in_frame = "W"'),
+                               ("FyW", 'at = "wheel_center"', 'at = "contact_patch"')):
+            self.write("rig.csv", f"{head} [N],toe [deg]\n-1000,0.1\n0,0\n1000,-0.1\n2000,-0.2\n")
+            study = KC.format(more="", compare="").replace('kind = "kc"', f'kind = "kc"\n{at}')
+            self.write("study.toml", study)
+            self.assert_says(self.latsch("check", "study.toml", code=WRONG_INPUT), "study.toml", part)
+        self.write("study.toml", study.replace(at, ""))
+        self.latsch("check", "study.toml")
+
+    def test_a_displacement_in_another_unit_is_told(self):
+        rows = "".join(f"{F},{1e-5 * F:.6f}\n" for F in range(-4000, 4001, 1000))  # mm: 100 kN/mm
+        compare = '[experiment.dy]\nkind = "curve"\nx = "A/Fy"\ny = "A/dy"\nmeasurement = "rig"\n'
+        for unit, told in (("mm", False), ("m", True)):
+            self.write("rig.csv", f"Fy [N],dy [{unit}],toe [deg]\n" + rows.replace("\n", ",0.01\n").replace("4000,0.04,0.01", "4000,0.04,0.02"))
+            self.write("study.toml", KC.format(more="", compare=compare))
+            self.assertEqual("has a stiffness of" in self.latsch("check", "study.toml"), told, unit)
+
+
+class Curves(doubtful_data_test.Data):
+    STUDY = doubtful_data_test.STUDY.split("[test.pressed]")[0] + """[variable.k]
+path = "VERTICAL_STIFFNESS"
+lower = "150 N/mm"
+upper = "250 N/mm"
+initial = "180 N/mm"
+[experiment.c]
+kind = "load_deflection"
+measurement = "m.csv"
+"""
+
+    def target(self, table, **options):
+        shutil.copy(doubtful_data_test.TIR, self.folder / "base.tir")
+        self.write("m.csv", table)
+        self.write("study.toml", self.STUDY)
+        said = self.latsch("simulate", "study.toml", "--json", **options)
+        return said if options else json.loads(said[said.index("{"):said.rindex("}") + 1])["result"]["target"]
+
+    def test_a_curve_under_other_names_is_the_same_curve(self):
+        plain = self.target("deflection [mm],force [N]\n10,1600\n20,3400\n30,5200\n")
+        for other in ("Einfederung [mm],Radlast [N]\n10,1600\n20,3400\n30,5200\n",
+                      "Vertical Deflection (mm),Vertical Load (kN)\n10,1.6\n20,3.4\n30,5.2\n",
+                      "Fz [N],deflection [mm],note [-]\n1600,10,1\n3400,20,1\n5200,30,1\n"):
+            self.assertAlmostEqual(self.target(other) / plain, 1.0, delta=1e-9)
+        self.latsch("check", "study.toml")
+        self.assert_says(self.target("dz [mm],Fz [N]\n10,1600\n20,3400\n", code=WRONG_INPUT),
+                         'column "deflection" is missing')
+
+    def test_statements_without_effect_are_told(self):
+        self.target("deflection [mm],force [N]\n10,1600\n20,3400\n30,5200\n")
+        for more, part in (('noise = "100 kN"\n', "more than the largest measured value"),
+                           ('[tie.a]\npath = "LATERAL_STIFFNESS"\nfollows = "k"\nfactor = 0\n', "with factor 0")):
+            self.write("study.toml", self.STUDY + more)
+            self.assert_says(self.latsch("check", "study.toml"), "warning", part)
+        self.write("study.toml", self.STUDY.replace('initial = "180 N/mm"',
+                                                    'initial = "180 N/mm"\nprior = "300 N/mm"\nprior_sigma = "5 N/mm"'))
+        self.assert_says(self.latsch("check", "study.toml"), "warning", "outside of its bounds")
+        self.write("m.csv", "deflection [mm],force [N]\n10,1600\n")
+        self.write("study.toml", self.STUDY + '[variable.R]\npath = "UNLOADED_RADIUS"\nlower = "0.3 m"\nupper = "0.34 m"\n'
+                                              'initial = "0.32 m"\n')
+        self.assert_says(self.latsch("check", "study.toml"), "warning", "1 value is fitted for 2 variables")
+
+
 class Show(doubtful_data_test.Data):
     def rows(self, table):
         self.write("t.csv", table)
