@@ -116,8 +116,8 @@ TEST(RollingStiffness, OfAFlexibleRingDoesNotDependOnTheStep) {
   EXPECT_NEAR(*slip_coarse, *slip, 2e-3 * *slip);
 }
 
-/// Returns the mean side force, N, of a cambered ring on a drum or on a belt that falls to one side,
-/// whose blocks have other kernels than those on level ground.
+/// Returns the mean side force, N, of a cambered ring on a road that is not level; its blocks have
+/// kernels of their own.
 double camber_force(const road::Road& road, double step) {
   constexpr double kSpeed = 10.0, kLean = 0.0174532925199, kTime = 0.25, kMean = 0.05;  // .., s
   ring_tire::RingTire tire = shipped_ring();

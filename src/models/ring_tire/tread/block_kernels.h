@@ -12,9 +12,9 @@ LATSCH_INLINE Lanes push(const BlockLaw& law, const Touch& touch, const Lanes& r
   return law.normal * (touch.depth + larger(fast, -touch.depth));
 }
 
-/// A motion within a step, over its share u: the cubic with these places, and these velocities times
-/// the step, at both ends. Tips come down where the belt bends within some steps, so that a velocity
-/// at one end tells little about the way.
+/// A motion within a step, over its share u: the cubic with these places, and these velocities
+/// times the step, at both ends. Tips come down where the belt bends within some steps, so a
+/// velocity at one end does not determine the way.
 struct StepCubic {
   Lanes begin, end, leaving, arriving;
 
@@ -33,8 +33,9 @@ struct StepCubic {
 /// Returns the share of the step after which the part of a cell that did not touch at its beginning
 /// came down. `depth` is that of the cell's middle, from which follows the mean depth of this part.
 LATSCH_INLINE Lanes share_at_touch(const Touch& touch, const Lanes& before, StepCubic depth) {
-  constexpr int kCorrections = 4;      // Newton's method, from the straight line
-  constexpr double kLeastSlope = 0.2;  // of the straight line's: a flatter cubic would throw it off
+  constexpr int kCorrections = 4;  // Newton's method, starting from the straight line
+  // Least slope of a correction over that of the straight line: a flatter cubic would throw it off.
+  constexpr double kLeastSlope = 0.2;
   const Lanes behind = 0.5 * (smaller(touch.share, before) + touch.share);
   const Lanes sunk = depth.end - depth.begin, straight = larger(sunk, all(1e-12));
   depth.end = larger(touch.deepest - behind * touch.range, all(0.0));

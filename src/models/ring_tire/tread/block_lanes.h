@@ -85,8 +85,8 @@ LATSCH_INLINE Lanes3 at_line(const BeltStation& s, const Height& H, double y) {
           at_line(s.p.z, s.G.z, s.A.z, H, y)};
 }
 
-/// The belt at eight stations at the beginning of the step, known if not all of their blocks touched
-/// then.
+/// The belt at eight stations at the beginning of the step, known if not all of their blocks
+/// touched then.
 struct BeltBefore {
   bool entering;
   BeltStation place, rate;

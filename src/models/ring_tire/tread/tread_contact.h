@@ -175,7 +175,7 @@ class RingTreadContact {
   static constexpr double kNoRoad = 1e6;  // m, below blocks of a line that are not evaluated
   /// Columns t, n and |x'| at the stations of a patch.
   enum FrameColumn { kT = 0, kN = 3, kLength = 6, kFrameColumns = 7 };
-  static constexpr int kStartColumns = 18;  // of BlockMemory::start
+  static constexpr int kStartColumns = 18;  // number of columns of BlockMemory::start
   /// Columns for the current segment: those of (10), or sums over the lines.
   enum StationColumn { kP = 0, kG = 3, kA = 6, kStationColumns = 18 };
 
