@@ -26,6 +26,7 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
     settings.pressure = pressure.value_or(settings.pressure);
     settings.log = log_;
     if (pressure) asked_pressure_ = pressure;
+    refuse_soft_pressure(parameters_, pressure.value_or(parameters_.INFLPRES), {file_, 0});
     auto tire = rigid_ring::RigidRingTire::make(parameters_, settings);
     if (!tire) throw InputError({file_, 0}, "makes no rigid ring: " + tire.failure().reason);
     return std::move(*tire);

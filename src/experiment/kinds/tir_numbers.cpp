@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/units.h"
 #include "formats/tire/kept_parts.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/standstill.h"
@@ -179,6 +180,20 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
       !magic_formula::pressure_acts(parameters))
     sentences.push_back("the pressure of the test has no effect: " + no_pressure_in_words());
   return sentences;
+}
+
+void refuse_soft_pressure(const Parameters& p, double pressure, const Place& place) {
+  const double factor = 1.0 + p.PFZ1 * (pressure / p.NOMPRES - 1.0);
+  if (p.PFZ1 == 0.0 || factor > 0.0) return;
+  throw InputError(
+      place,
+      fmt::format("the tire has no vertical stiffness at {}: its factor 1 + PFZ1 dpi is {:.3g}, "
+                  "with PFZ1 = {:g} and dpi = p / NOMPRES - 1; expected a pressure above {}, or a "
+                  "smaller PFZ1",
+                  format_quantity(pressure, "kPa", 4),
+                  factor,
+                  p.PFZ1,
+                  format_quantity(p.NOMPRES * (1.0 - 1.0 / p.PFZ1), "kPa", 4)));
 }
 
 std::string no_stiffness_of(const Parameters& p, const std::string& direction) {

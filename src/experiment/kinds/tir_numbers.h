@@ -42,6 +42,12 @@ std::vector<std::string> limits_met_by(const magic_formula::Parameters& paramete
                                        const magic_formula::RangeLog& log,
                                        const Inflation& asked_pressure);
 
+/// Throws InputError at `place` if a tire has no vertical stiffness at this pressure, Pa: its factor
+/// 1 + PFZ1 dpi is 0 or negative there.
+void refuse_soft_pressure(const magic_formula::Parameters& parameters,
+                          double pressure,
+                          const Place& place);
+
 /// Says why a standing tire has no stiffness in a direction (KnowsLimits::no_stiffness), and what
 /// is assumed for it.
 std::string no_stiffness_of(const magic_formula::Parameters& parameters,

@@ -312,6 +312,35 @@ TEST(KnownLimits, APressureWithoutEffectIsTold) {
   EXPECT_TRUE(told_by("magic_formula", pressed + "\"1 bar\"", {"PFZ1 = 0.7"}).notes.empty());
 }
 
+TEST(KnownLimits, APressureAtWhichTheVerticalStiffnessVanishesIsRefused) {
+  // 1 + PFZ1 (p / NOMPRES - 1) is 0 at 0.8 bar of 2.4 bar.
+  const std::vector<std::string> pole = {"PFZ1 = 1.5", "NOMPRES = 240000", "INFLPRES = 240000"};
+  for (const std::string pressure : {"0.8 bar", "0.5 bar"})
+    for (const char* kind : {"magic_formula", "rigid_ring"})
+      for (const std::string test : {"kind = \"load_deflection\", deflections = [\"20 mm\"]",
+                                     "kind = \"rolling_stiffness\", load = \"1 kN\""}) {
+        const Told told = told_by(kind, test + ", pressure = \"" + pressure + "\"", pole);
+        expect_part(told.refusal + told.failure,
+                    "no vertical stiffness at " + std::string(pressure[2] == '8' ? "80" : "50") +
+                        " kPa: its factor 1 + PFZ1 dpi is");
+      }
+  EXPECT_TRUE(told_by("magic_formula",
+                      "kind = \"load_deflection\", deflections = [\"20 mm\"], pressure = \"1 bar\"",
+                      pole)
+                  .refusal.empty());
+  expect_part(
+      told_of_states(
+          "kind = \"steady_states\"", "Fz [N],alpha [deg],p [kPa]", "4000,2,200\n4000,2,60\n", pole)
+          .refusal,
+      "s.csv:3: the tire has no vertical stiffness at 60 kPa");
+  // A sibling: the tire's own pressure.
+  expect_part(told_by("magic_formula",
+                      "kind = \"load_deflection\", deflections = [\"20 mm\"]",
+                      {"PFZ1 = 1.5", "NOMPRES = 240000", "INFLPRES = 70000"})
+                  .refusal,
+              "no vertical stiffness at 70 kPa");
+}
+
 TEST(KnownLimits, TheRimHoldsTheTireUp) {
   const std::string pressed = "kind = \"load_deflection\", deflections = ";
   for (const char* kind : {"magic_formula", "rigid_ring"}) {

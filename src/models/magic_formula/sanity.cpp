@@ -287,6 +287,10 @@ const std::vector<Factor>& factors() {
   using P = Parameters;
   using enum Condition;
   static const std::vector<Factor> all = {
+      {"of vertical stiffness",
+       pressure,
+       {"PFZ1"},
+       [](const P& p, double x) { return 1.0 + p.PFZ1 * x; }},
       {"of slip stiffness",
        pressure,
        {"PPX1", "PPX2"},

@@ -76,6 +76,7 @@ TEST(Sanity, AFaultNamesItsRowAndTheCoefficientThatMakesIt) {
            Case{&Parameters::QCZ1, 2.2, "QCZ1", "aligning moment"},
            Case{&Parameters::RBX1, 60.0, "RBX1", "friction ellipse"},
            Case{&Parameters::PPZ1, 8.0, "PPZ1", "factors"},
+           Case{&Parameters::PFZ1, 9.0, "PFZ1", "factors"},
            Case{&Parameters::PPY2, -9.0, "PPY2", "factors"},
            Case{&Parameters::QBZ4, -15.0, "QBZ4", "factors"},
        }) {
