@@ -26,6 +26,7 @@
 #include <mutex>
 #include <optional>
 
+#include "exchange/car_input_watch.h"
 #include "exchange/unit.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
@@ -64,6 +65,8 @@ class CarUnit final : public ExchangedModel {
     std::unique_ptr<car::Car> car;
   };
   car::CarInputs inputs(const car::Car& car, double since) const;
+  /// Records parameters, inputs and the deflections of the tires.
+  void watch(const car::Car& car, double time, double step);
   void take(const car::Car& car, const car::CarInputs& inputs);
 
   std::shared_ptr<experiment::Specimen> specimen_;
@@ -72,6 +75,7 @@ class CarUnit final : public ExchangedModel {
   std::shared_ptr<const std::vector<ExchangedVariable>> variables_;
   std::shared_ptr<Shared> shared_;  // set by the first start()
   std::optional<car::CarState> state_;
+  std::shared_ptr<CarInputWatch> watch_ = std::make_shared<CarInputWatch>();  // also of copies
   std::array<double, kGiven> given_{};      // parameters and inputs, in the table's order
   std::array<double, kAnswers> answers_{};  // outputs
 };
