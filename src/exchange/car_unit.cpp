@@ -241,8 +241,8 @@ Status CarUnit::start(double /*time*/) {
 Status CarUnit::step(double /*time*/, double step) {
   assert(state_ && step > 0.0);
   const double exact = step / given_[longest];
-  const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));  // 1 ms is five steps of 0.2
-                                                                        // ms despite rounding
+  // 1 ms is five steps of 0.2 ms despite rounding
+  const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));
   const double h = step / steps;
   const std::lock_guard lock(shared_->turn);
   car::Car& car = *shared_->car;

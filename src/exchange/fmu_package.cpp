@@ -73,8 +73,8 @@ class Zip {
 
  private:
   static constexpr zip_uint32_t kLevel = 3;  // a third of the time of level 9, a few percent larger
-  static constexpr zip_uint16_t kEpoch = (1 << 5) | 1;  // January 1, 1980: the first date of a ZIP
-                                                        // file
+  // January 1, 1980: the first date of a ZIP file
+  static constexpr zip_uint16_t kEpoch = (1 << 5) | 1;
 
   zip_source_t* source_ = nullptr;
   zip_t* zip_ = nullptr;

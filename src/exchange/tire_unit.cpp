@@ -84,8 +84,8 @@ std::string doubt_about_pressure(double pa) {
 }  // namespace
 
 double loaded_radius(const WheelMotion& motion, const road::Road& road, double time) {
-  constexpr int kCorrections = 3;  // iterations by which the plane below the found point is
-                                   // determined
+  // iterations by which the plane below the found point is determined
+  constexpr int kCorrections = 3;
   const Vector3d down = -motion.carrier.col(2);
   double radius = 0.0;
   for (int i = 0; i <= kCorrections; ++i) {

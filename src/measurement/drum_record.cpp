@@ -124,8 +124,8 @@ DrumRecord drum_record(Channels channels, const std::string& time_channel, std::
   for (const Channel& channel : channels.all()) check_values(channel, t.size(), source);
   const double step = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
   expect_rising(t, source);
-  expect_no_gap(t, source);  // checked first, because after a gap every earlier sample would seem
-                             // late
+  // checked first, because after a gap every earlier sample would seem late
+  expect_no_gap(t, source);
   expect_uniform(t, step, source);
   DrumRecord record;
   record.source = std::move(source);

@@ -14,10 +14,10 @@
 namespace latsch {
 namespace {
 
-constexpr double kLeastStrength = 0.25;  // least autocorrelation of a period's peak; noise alone
-                                         // reaches 4 / sqrt(samples)
-constexpr double kComb = 0.8;  // share of the highest peak that all earlier peaks of the comb must
-                               // reach
+// least autocorrelation of a period's peak; noise alone reaches 4 / sqrt(samples)
+constexpr double kLeastStrength = 0.25;
+// share of the highest peak that all earlier peaks of the comb must reach
+constexpr double kComb = 0.8;
 
 double mean(std::span<const double> x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());

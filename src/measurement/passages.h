@@ -21,8 +21,8 @@ namespace latsch {
 
 struct Period {
   double samples = 0.0;
-  double strength = 0.0;  // R at the period, per overlapping sample, over R(0): 1 for a periodic
-                          // signal
+  /// R at the period, per overlapping sample, over R(0): 1 for a periodic signal
+  double strength = 0.0;
 };
 
 /// Returns the period of x between `shortest` and `longest` samples, the first of several peaks of
@@ -31,17 +31,17 @@ struct Period {
 std::optional<Period> find_period(std::span<const double> x, double shortest, double longest);
 
 struct PassageSettings {
-  double hit_at = 0.25;           // share of a passage
-  double align_below = 250.0;     // Hz; passages are low-passed (without delay) for the alignment
-                                  // only. Above the tire's own response, noise correlated with
-                                  // noise would move the maximum. 0: no low-pass
-  double most_shift = 0.1;        // share of a period, relative to one period after the passage
-                                  // before
-  double least_likeness = 0.5;    // least normalized cross-correlation; passages below it are left
-                                  // out
-  bool align_to_average = false;  // true: aligns again, to the average of the passages aligned to
-                                  // the first
-  bool whole_samples = false;     // true: aligns to whole samples as the thesis did, for comparison
+  double hit_at = 0.25;  // share of a passage
+  /// Hz; passages are low-passed (without delay) for the alignment only. Above the tire's own
+  /// response, noise correlated with noise would move the maximum. 0: no low-pass
+  double align_below = 250.0;
+  /// share of a period, relative to one period after the passage before
+  double most_shift = 0.1;
+  /// least normalized cross-correlation; passages below it are left out
+  double least_likeness = 0.5;
+  /// true: aligns again, to the average of the passages aligned to the first
+  bool align_to_average = false;
+  bool whole_samples = false;  // true: aligns to whole samples as the thesis did, for comparison
 };
 
 struct Passages {

@@ -29,15 +29,15 @@ struct SyntheticMode {
 struct SyntheticRun {
   std::vector<double> speeds;  // m/s, one for each plateau
   double hold = 20.0;          // s, length of each plateau
-  double drift = 0.002;        // relative change of the speed from the beginning to the end of a
-                               // plateau
-  double load = 4000.0;        // N
-  double growth = 0.3;         // exponent of the hits' strength over speed: (v / v_first)^growth
+  /// relative change of the speed from the beginning to the end of a plateau
+  double drift = 0.002;
+  double load = 4000.0;  // N
+  double growth = 0.3;   // exponent of the hits' strength over speed: (v / v_first)^growth
   std::vector<SyntheticMode> modes;
-  double noise = 15.0;       // N
-  bool dummy_rim = false;    // true: seen through the rig's response
-  std::uint64_t number = 0;  // run number; determines the noise and the initial position of the
-                             // drum
+  double noise = 15.0;     // N
+  bool dummy_rim = false;  // true: seen through the rig's response
+  /// run number; determines the noise and the initial position of the drum
+  std::uint64_t number = 0;
 };
 
 struct SyntheticRig {

@@ -13,8 +13,8 @@
 namespace latsch::report {
 namespace {
 
-constexpr std::size_t kDots = 200;      // dots drawn at most; a channel may have millions of
-                                        // samples
+// dots drawn at most; a channel may have millions of samples
+constexpr std::size_t kDots = 200;
 constexpr std::size_t kCorners = 2000;  // corners of a line drawn at most; a picture shows no more
 constexpr double kKeyRow = 18.0;        // pixels, height of a row of the key
 

@@ -17,11 +17,11 @@ struct ProfileCurve {
   bool logarithmic = false;
   std::vector<double> x;           // SI, ascending
   std::vector<std::string> shown;  // x as text for a person, one for each: "73 N/mm^2"
-  std::vector<double> rise;        // S minus its minimum, over the threshold of the interval: 1 is
-                                   // its end
-  double found = 0.0;              // SI
-  std::string verdict;             // "identifiable"
-  std::string interval;            // "9.8 .. 10.3 N/mm^2"
+  /// S minus its minimum, over the threshold of the interval: 1 is its end
+  std::vector<double> rise;
+  double found = 0.0;    // SI
+  std::string verdict;   // "identifiable"
+  std::string interval;  // "9.8 .. 10.3 N/mm^2"
 };
 
 struct LeftOutExperiment {
@@ -46,16 +46,16 @@ struct Gain {
 
 struct IdentifiabilityPage {
   std::vector<std::string> variables;
-  std::vector<std::string> values;                 // "10.02 N/mm^2"
-  std::vector<std::string> intervals;              // "9.8 .. 10.3 N/mm^2"
-  std::vector<std::string> interval_sources = {};  // "data", "data and a bound", "bounds",
-                                                   // "not known"
-  std::vector<std::string> shifts;          // interval of each variable, "9.8 .. 10.3 N/mm^2"
-  int residuals = 0;                        // number of measured values used
-  int priors = 0;                           // number of priors of variables, each counted as one
-                                            // more value
-  std::vector<double> deviations;           // one for each direction, in ranges, best determined
-                                            // first
+  std::vector<std::string> values;     // "10.02 N/mm^2"
+  std::vector<std::string> intervals;  // "9.8 .. 10.3 N/mm^2"
+  /// "data", "data and a bound", "bounds", "not known"
+  std::vector<std::string> interval_sources = {};
+  std::vector<std::string> shifts;  // interval of each variable, "9.8 .. 10.3 N/mm^2"
+  int residuals = 0;                // number of measured values used
+  /// number of priors of variables, each counted as one more value
+  int priors = 0;
+  /// one for each direction, in ranges, best determined first
+  std::vector<double> deviations;
   std::vector<std::string> directions;      // for example "matrix up, carcass down"
   Eigen::MatrixXd correlation;              // correlation of the variables
   std::vector<ProfileCurve> profiles;       // may be empty

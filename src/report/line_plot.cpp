@@ -41,8 +41,8 @@ PlotLine thinned(const PlotLine& line) {
   for (std::size_t s = 0; s < stretches; ++s) {
     const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
     std::size_t low = first, high = first;
-    for (std::size_t k = first; k < end; ++k) {  // a value that is no number is never chosen beside
-                                                 // one that is
+    // a value that is no number is never chosen beside one that is
+    for (std::size_t k = first; k < end; ++k) {
       if (std::isnan(line.y[low]) || line.y[k] < line.y[low]) low = k;
       if (std::isnan(line.y[high]) || line.y[k] > line.y[high]) high = k;
     }
@@ -128,8 +128,8 @@ std::string line_plot(const LinePlot& plot) {
   }
   if (xs.empty() || ys.empty()) return "";
   const auto legend = legend_places(lines, plot.width);
-  const double more = legend.back().y() - legend.front().y();  // height of the legend's rows beyond
-                                                               // the first
+  // height of the legend's rows beyond the first
+  const double more = legend.back().y() - legend.front().y();
   const double top = kTop + more, bottom = plot.height + more - kBottom;
   const auto [lowest, highest] = std::minmax_element(xs.begin(), xs.end());
   const Axis x(*lowest, *highest, kLeft, plot.width - kRight);

@@ -10,9 +10,9 @@
 namespace latsch::report {
 
 struct PlotLine {
-  std::string name;                            // name in the legend; empty: none
-  std::vector<double> x, y;                    // in the units a person reads; values that are not
-                                               // finite are left out
+  std::string name;  // name in the legend; empty: none
+  /// in the units a person reads; values that are not finite are left out
+  std::vector<double> x, y;
   int color = 0;                               // index of a category, see color_map.h
   std::vector<double> spread;                  // half width of a band around y; may be empty
   bool are_dots = false;                       // draws dots that are not joined

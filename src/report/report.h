@@ -25,8 +25,9 @@ struct Variable {
   std::string unit = "1";
   double initial = 0.0, found = 0.0, lower = 0.0, upper = 0.0;
   bool logarithmic = false;
-  std::string known = {};  // number found, with the digits that its uncertainty supports: "73";
-                           // empty if no uncertainty is known
+  /// number found, with the digits that its uncertainty supports: "73"; empty if no uncertainty is
+  /// known
+  std::string known = {};
 };
 
 /// One experiment's part of the target.
@@ -34,9 +35,9 @@ struct ExperimentRow {
   std::string name;
   std::string kind;        // for example "load_deflection", "modes", "curve"
   std::string conditions;  // for example "2.6 bar, friction 0.8"
-  std::string compared;  // for example "force", "root of force", "frequency", with the exponent if
-                         // it is not 1
-  bool fitted = true;    // false: predicted only
+  /// for example "force", "root of force", "frequency", with the exponent if it is not 1
+  std::string compared;
+  bool fitted = true;  // false: predicted only
   double weight = 1.0;
   int values = 0;                            // number of measured values compared
   double value = 0.0;                        // T_e
@@ -50,16 +51,16 @@ struct ExperimentRow {
   /// Least error that an earlier stage of the fit left, and its name; empty if no stage counts.
   std::string own_stage = "";
   double own_stage_error = 0.0;
-  bool is_spoiled = false;  // true if the error is more than a twentieth worse than after that
-                            // stage
+  /// true if the error is more than a twentieth worse than after that stage
+  bool is_spoiled = false;
 };
 
 /// Limits of the 95 % band of a computed value, due to the uncertainty of the variables; empty: not
 /// known, NaN: not known for that value.
 struct Band {
   std::vector<double> lower, upper;
-  std::string inside = {};  // for example "19 of 20 measured values": inside band and noise; empty:
-                            // not known
+  /// for example "19 of 20 measured values": inside band and noise; empty: not known
+  std::string inside = {};
 };
 
 /// Measured and simulated forces of one load-deflection experiment.
@@ -85,13 +86,13 @@ struct MeasuredCurve {
   std::string x_name, y_name;  // for example "time"; x_name empty: sample by sample
   std::string x_unit = "1", y_unit = "1";
   std::vector<double> x_measured, y_measured;
-  std::vector<double> errors;                    // (measured - simulated) / scale, one for each
-                                                 // sample
+  /// (measured - simulated) / scale, one for each sample
+  std::vector<double> errors;
   std::vector<double> x_simulated, y_simulated;  // every sample of the program, at the found point
   std::vector<double> x_initial, y_initial;      // at the initial point; may be empty
-  bool of_design = false;                        // true for the best trial of a design: nothing was
-                                                 // fitted
-  std::vector<double> x_band;                    // abscissas at which the band is known
+  /// true for the best trial of a design: nothing was fitted
+  bool of_design = false;
+  std::vector<double> x_band;  // abscissas at which the band is known
   Band band = {};
   /// Samples that belong together, such as those of one load, drawn as one line. Empty: all samples
   /// belong together. With pieces, measured, simulated and initial samples have equal length and
@@ -150,10 +151,10 @@ struct Surface {
   std::string x_name, y_name;
   std::string x_unit = "1", y_unit = "1";
   bool x_logarithmic = false, y_logarithmic = false;
-  std::vector<double> x, y;                       // SI, ascending levels
-  Eigen::MatrixXd target;                         // (x, y); NaN: a failed trial
-  std::string held;                               // held variables, "belt = 22.3 N/mm^2"; may be
-                                                  // empty
+  std::vector<double> x, y;  // SI, ascending levels
+  Eigen::MatrixXd target;    // (x, y); NaN: a failed trial
+  /// held variables, "belt = 22.3 N/mm^2"; may be empty
+  std::string held;
   std::optional<Eigen::Vector2d> initial, found;  // SI; points of the study to mark
 };
 
@@ -183,12 +184,12 @@ struct RunFacts {
   std::string method;  // for example "GSS", "full factorial 5 x 5"
   std::string ended;   // text of Run::ending, for example "at a minimum: ..."
   int trials = 0, failures = 0, workers = 1;
-  double wall_time = 0.0;                                    // s
-  double cpu_time = 0.0;                                     // s over all trials
-  std::vector<std::pair<std::string, int>> failure_reasons;  // sentence and its number of
-                                                             // occurrences
-  double program_time = 0.0;                                 // s, part of cpu_time in outside
-                                                             // programs
+  double wall_time = 0.0;  // s
+  double cpu_time = 0.0;   // s over all trials
+  /// sentence and its number of occurrences
+  std::vector<std::pair<std::string, int>> failure_reasons;
+  /// s, part of cpu_time in outside programs
+  double program_time = 0.0;
 };
 
 /// Distance of the mesh's result from the converged tire.
@@ -246,8 +247,8 @@ struct StudyReport {
   double target = 0.0;                 // target at the found point
   std::optional<double> initial_target;
   std::vector<LinePlot> slip_plots;  // force over slip of the found tire
-  std::string target_in_words;       // for example "mean square of the errors, its root 2.45 %";
-                                     // may be empty
+  /// for example "mean square of the errors, its root 2.45 %"; may be empty
+  std::string target_in_words;
   std::string target_definition;     // one line, "1/2 (mean |df| + mean |dF|)"; may be empty
   std::vector<std::string> remarks;  // assumptions and warnings
 

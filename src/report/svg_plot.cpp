@@ -307,8 +307,8 @@ void draw_band(Svg& svg,
 std::vector<double> with_band(const std::vector<double>& values,
                               const std::vector<double>& lower,
                               const std::vector<double>& upper) {
-  constexpr double kBeyond = 0.5;  // share of the range of the values by which a band may widen the
-                                   // axis
+  // share of the range of the values by which a band may widen the axis
+  constexpr double kBeyond = 0.5;
   std::vector<double> all;
   for (const double value : values) {
     if (std::isfinite(value)) all.push_back(value);

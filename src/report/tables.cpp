@@ -11,8 +11,8 @@
 namespace latsch::report {
 namespace {
 
-constexpr double kBoundShare = 0.005;  // share of the range: a nearer value counts as "at the
-                                       // bound"
+// share of the range: a nearer value counts as "at the bound"
+constexpr double kBoundShare = 0.005;
 
 double share_of_range(const Variable& v, double value) {
   if (v.logarithmic && v.lower > 0.0)

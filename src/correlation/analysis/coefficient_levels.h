@@ -16,8 +16,8 @@ std::vector<double> driven_at(const Study& study, const std::string& condition, 
 
 struct UntoldCoefficient {
   std::string variable;
-  std::string reason;      // for example "PPY4 is of order 2 in the pressure, of which there are 2
-                           // levels: ..."
+  /// for example "PPY4 is of order 2 in the pressure, of which there are 2 levels: ..."
+  std::string reason;
   std::string stage = {};  // the stage that frees the coefficient; empty: no stages
 };
 

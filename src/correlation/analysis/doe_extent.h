@@ -18,8 +18,8 @@ struct DoeExtent {
   double level = 0.0;                  // upper limit of the target
   int points = 0;                      // points with a target of at most this level
   DesignPoint lower = {}, upper = {};  // bounding box of these points
-  std::vector<double> share = {};      // share of each variable's range that the box covers, on the
-                                       // variable's scale
+  /// share of each variable's range that the box covers, on the variable's scale
+  std::vector<double> share = {};
 };
 
 /// Considers the points among the trials that fulfill the constraints. Returns nullopt if no target

@@ -31,8 +31,8 @@ double value_at(const DesignSpace& space, int variable, double u) {
 class Forecast {
  public:
   RunProgress of(RunProgress progress, double share) {
-    constexpr double kTellsSomething = 0.03;  // below this share of the work done, no forecast is
-                                              // made
+    // below this share of the work done, no forecast is made
+    constexpr double kTellsSomething = 0.03;
     known_ = progress.known;
     const auto total = std::lround(static_cast<double>(known_) / std::max(share, kTellsSomething));
     progress.known += before_;
@@ -250,8 +250,8 @@ std::optional<Result<Identifiability>> identify(const Study& study,
                                                 const RunOptions& options) {
   RunOptions enough = options;
   enough.max_steps = kMostIdentificationTrials;
-  enough.on_failure.then = FailurePolicy::Then::proceed;  // a trial may fail at the end of a
-                                                          // profile
+  // a trial may fail at the end of a profile
+  enough.on_failure.then = FailurePolicy::Then::proceed;
   const Objective residuals = residual_objective(study);
   Forecast forecast;
   const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const Share& share) {
@@ -434,8 +434,8 @@ namespace {
 
 /// Returns the bound that holds the variable in words; "" if none does.
 std::string held_text(const Study& study, const Identifiability& what, int variable) {
-  constexpr double kThere = 1e-6;  // distance from a bound that counts as at the bound, share of
-                                   // the range
+  // distance from a bound that counts as at the bound, share of the range
+  constexpr double kThere = 1e-6;
   const auto i = static_cast<size_t>(variable);
   const Bound held = what.identification.confidence().held[i];
   if (held == Bound::none) return "";

@@ -18,9 +18,10 @@
 namespace latsch::correlation {
 
 enum class Depth {
-  at_the_point,  // Computes the intervals at the point as it is. A search that did not reach its
-                 // end is not continued, because that would cost far more trials than it has had.
-  intervals,     // Moves to a better point if one is found by the analysis.
+  /// Computes the intervals at the point as it is. A search that did not reach its end is not
+  /// continued, because that would cost far more trials than it has had.
+  at_the_point,
+  intervals,  // Moves to a better point if one is found by the analysis.
   profiles
 };
 

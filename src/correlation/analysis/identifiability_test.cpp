@@ -382,8 +382,8 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   InlineExecutor executor(springs);
   const auto result = identify(s, s.space.initial(), Depth::intervals, executor, journal, {});
   ASSERT_TRUE(result && *result);
-  EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);  // deviation along the
-                                                                        // valley
+  // deviation along the valley
+  EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);
 
   const auto points = prediction_points(s, **result);
   EXPECT_FALSE(predicted_channels(s, points));

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kMostValues = 20;
 constexpr double kUsualNoise = 0.01;  // relative noise assumed for a value that states none
 constexpr double kMissed = 3.0;       // multiple of the noise above which a value is missed
-constexpr double kNothing = 0.1;      // share of the noise: a smaller effect of a whole range
-                                      // counts as none
+// share of the noise: a smaller effect of a whole range counts as none
+constexpr double kNothing = 0.1;
 
 /// A value with its difference d and the derivatives dd/du.
 struct Row {

@@ -25,13 +25,13 @@ struct MissedValue {
   };
   Error missed;
   bool fitted = true;
-  std::optional<int> variable = {};  // index of the variable that moves the value most; empty if
-                                     // none moves it
-  double effect = 0.0;               // change of the error over that variable's whole range
-  bool within_bounds = true;         // true if the variable alone can correct the value inside its
-                                     // bounds
-  std::optional<Error> payer = {};  // the other fitted value whose error grows most, with its error
-                                    // after the change
+  /// index of the variable that moves the value most; empty if none moves it
+  std::optional<int> variable = {};
+  double effect = 0.0;  // change of the error over that variable's whole range
+  /// true if the variable alone can correct the value inside its bounds
+  bool within_bounds = true;
+  /// the other fitted value whose error grows most, with its error after the change
+  std::optional<Error> payer = {};
 
   std::string in_words(const DesignSpace& space) const;
 };

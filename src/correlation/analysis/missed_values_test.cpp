@@ -120,8 +120,8 @@ TEST_F(MissedValues, OfPredictionsAreToldAsSoonAsTheyAreSimulated) {
   EXPECT_EQ(found[0].missed.name, "press, 10 mm");
   EXPECT_NEAR(found[0].missed.error, 200.0 / 9.0 / 30.0 - 1.0, 1e-9);
   EXPECT_EQ(found[0].variable, 0);
-  EXPECT_NEAR(found[0].effect, 0.01 / 30.0 * 25.0 / 81.0 * 9e3, 0.02);  // the differences are
-                                                                        // one-sided
+  // the differences are one-sided
+  EXPECT_NEAR(found[0].effect, 0.01 / 30.0 * 25.0 / 81.0 * 9e3, 0.02);
   ASSERT_TRUE(found[0].payer);
   EXPECT_EQ(found[0].payer->name.substr(0, 5), "alone");
   EXPECT_NE(found[0].in_words(study_.space).find("(it is not fitted)"), std::string::npos);

@@ -28,8 +28,8 @@ struct ParetoFront {
   std::vector<ParetoTrial> others = {};
   ParetoTrial best = {};  // trial of the least target by the weights of the study
   std::vector<std::string> best_values = {};  // one text for each variable, such as "73 N/mm^2"
-  std::string no_best = {};                   // why it is no best point (search/search_standing.h);
-                                              // empty: it is one
+  /// why it is no best point (search/search_standing.h); empty: it is one
+  std::string no_best = {};
 };
 
 /// Throws InputError if an experiment of that name is not fitted, because then its channels are not

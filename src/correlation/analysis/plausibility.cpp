@@ -79,8 +79,8 @@ void examine_deflection(const TireSize& size,
                         const std::string& name,
                         double deflection,
                         std::vector<Finding>& found) {
-  constexpr double kDeep = 0.6;  // share of the section's height: deeper deflections come close to
-                                 // the rim
+  // share of the section's height: deeper deflections come close to the rim
+  constexpr double kDeep = 0.6;
   const bool impossible = deflection > size.section_height;
   if (deflection <= kDeep * size.section_height) return;
   found.push_back({place,
@@ -135,8 +135,8 @@ void examine_load_deflection(const StudyExperiment& experiment,
                              const TireSize& size,
                              std::vector<Finding>& found) {
   constexpr double kGrowth = 1.1;  // allows for inflation, and for a tire softer than described
-  constexpr double kFirst = 0.03;  // share of the section's height: below, the first touch decides
-                                   // the force
+  // share of the section's height: below, the first touch decides the force
+  constexpr double kFirst = 0.03;
   if (measured.force.empty()) return;
   std::optional<formats::CsvTable> table;
   if (!experiment.measurement) table = formats::CsvTable::read(experiment.measurement_file);

@@ -19,8 +19,8 @@ namespace latsch::correlation {
 /// own scatter at given variables and the change of the delay with the variables.
 struct DelayBand {
   double value = 0.0, lower = 0.0, upper = 0.0;
-  bool at_end = false;  // true if the delay lies at an end of its search range; there is no
-                        // interval then
+  /// true if the delay lies at an end of its search range; there is no interval then
+  bool at_end = false;
 
   /// Returns for example "12.31 ms, 95 %: 12.2 .. 12.42 ms".
   std::string in_words() const;
@@ -30,10 +30,10 @@ struct DelayBand {
 struct ExperimentBand {
   std::vector<double> computed;      // at the best point; NaN for a mode without a partner
   std::vector<double> lower, upper;  // ends of the 95 % band; NaN: not known; empty: none known
-  std::vector<double> noise;         // standard deviation of each measured value, stated or
-                                     // estimated
-  int inside = 0, compared = 0;      // number of measured values inside band and noise, and number
-                                     // compared
+  /// standard deviation of each measured value, stated or estimated
+  std::vector<double> noise;
+  /// number of measured values inside band and noise, and number compared
+  int inside = 0, compared = 0;
   std::vector<std::string> remarks;  // reasons why the band is wide, one-sided or not known
 
   std::optional<DelayBand> delay = {};

@@ -265,8 +265,8 @@ TEST_F(MagicBands, HoldTheTruthNineteenTimesOfTwenty) {
   for (int draw = 0; draw < 100; ++draw) {
     measure(truth["steady/Fy"], 60.0, static_cast<std::uint64_t>(draw));
     Study study = read(kHeldOut);
-    study.space = study.space.starting_at(truth_);  // a start at the truth saves time; the fit ends
-                                                    // elsewhere
+    // a start at the truth saves time; the fit ends elsewhere
+    study.space = study.space.starting_at(truth_);
     std::filesystem::remove(study.run.journal);
     fit_all(study);
     const Journal journal = Journal::read(study.run.journal);

@@ -40,8 +40,8 @@ std::unique_ptr<Journal> opened(const Journal& journal, bool writes) {
     return kept->identity() == identity ? std::move(kept) : nullptr;
   }
   if (std::filesystem::exists(file) && Journal::read(file).identity() != identity) {
-    for (const char* part : {"", "-wal", "-shm", "-journal"})  // files that SQLite leaves after a
-                                                               // kill
+    // files that SQLite leaves after a kill
+    for (const char* part : {"", "-wal", "-shm", "-journal"})
       std::filesystem::remove(file.string() + part);
   }
   return std::make_unique<Journal>(Journal::open(file, identity));

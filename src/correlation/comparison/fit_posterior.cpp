@@ -52,8 +52,8 @@ Eigen::MatrixXd axes_of(const Identifiability& what, double held_out) {
     axes.conservativeResize(axis.size(), axes.cols() + 1);
     axes.rightCols(1) = axis;
   };
-  constexpr double kWorthwhile = 0.1;  // share of the rise that ends an interval; a smaller
-                                       // distance is not added
+  // share of the rise that ends an interval; a smaller distance is not added
+  constexpr double kWorthwhile = 0.1;
   if (c.left_to_gain > kWorthwhile * c.threshold()) add(c.free.axes * c.free.left);
   for (int i = 0; i < u.size(); ++i)
     if (c.held[static_cast<std::size_t>(i)] != Bound::none) add(held_axis(u, c, i));

@@ -32,18 +32,18 @@ namespace latsch::correlation {
 struct FitSource {
   std::string name;
   std::shared_ptr<const Study> study;
-  std::vector<std::string> at;  // names that lead to the fit's model in the compared models; "":
-                                // the whole model
+  /// names that lead to the fit's model in the compared models; "": the whole model
+  std::vector<std::string> at;
   Place place = {};
 };
 
 struct FitPosterior {
   std::string name;
-  DesignPoint point;      // best trial of the fit
-  Eigen::MatrixXd axes;   // n x k, columns in the unit cube
-  double excess = 1.0;    // factor of the residuals over their stated noise; contained in the axes
-  double held_out = 1.0;  // factor of held-out errors over what noise and variables explain;
-                          // contained in the axes
+  DesignPoint point;     // best trial of the fit
+  Eigen::MatrixXd axes;  // n x k, columns in the unit cube
+  double excess = 1.0;   // factor of the residuals over their stated noise; contained in the axes
+  /// factor of held-out errors over what noise and variables explain; contained in the axes
+  double held_out = 1.0;
   SpectralDiscrepancy discrepancy;
   std::vector<std::string> remarks;  // remarks about the fit's own intervals
 };

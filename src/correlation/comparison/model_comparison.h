@@ -40,10 +40,10 @@ struct ModelRun {
   std::vector<numerics::Density> densities;
   std::vector<std::vector<double>> distance, decibels;  // [band][channel]
   std::vector<std::vector<double>> lower, upper;        // [channel][line]; empty: no bands
-  std::vector<double> coverage;     // share of lines in the first band; empty: no bands
-  std::vector<double> reach;        // mean half width of the band of ln S, each channel
-  std::vector<double> told;         // means of the `told` channels; NaN: the model does not record
-                                    // that channel
+  std::vector<double> coverage;  // share of lines in the first band; empty: no bands
+  std::vector<double> reach;     // mean half width of the band of ln S, each channel
+  /// means of the `told` channels; NaN: the model does not record that channel
+  std::vector<double> told;
   std::vector<std::string> limits;  // sentences on what the model or the test lacks
   double cpu = 0.0;                 // CPU time of the run itself, s
 

@@ -133,9 +133,9 @@ struct ModelComparisonFile {
   std::vector<GridTest> tests;
   std::vector<ComparedCase> cases;
   std::vector<ComparedModel> models;
-  std::vector<std::string> factors;                              // two factors, or none
-  std::array<std::array<std::size_t, 2>, 2> factorial_models{};  // indices of models, by level of
-                                                                 // first and second factor
+  std::vector<std::string> factors;  // two factors, or none
+  /// indices of models, by level of first and second factor
+  std::array<std::array<std::size_t, 2>, 2> factorial_models{};
   std::vector<Uncertainty> uncertainties;
   std::vector<FitSource> fits;
   int samples = 0;

@@ -40,8 +40,8 @@ MovedModel moved_along(const FitSource& source,
     }
     return least;
   };
-  constexpr double kLeast = 0.01;  // share of a deviation: least step even if a variable lies on
-                                   // its bound
+  // share of a deviation: least step even if a variable lies on its bound
+  constexpr double kLeast = 0.01;
   const double up = room(1.0), down = room(-1.0);
   const double step = up >= down ? std::max(up, kLeast) : -std::max(down, kLeast);
   auto place = u;

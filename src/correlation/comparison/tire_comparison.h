@@ -35,8 +35,9 @@ struct TireRun {
   std::vector<ComparedRecord> channels;
   std::vector<double> time_error, psd_error;  // ratios, one for each channel
   double cpu_over_time = 0.0;                 // CPU time over simulated time
-  std::vector<std::string> limits;  // sentences on limits that the tire met: ranges of its file
-                                    // that it left, loss of the road, what its model lacks
+  /// sentences on limits that the tire met: ranges of its file that it left, loss of the road, what
+  /// its model lacks
+  std::vector<std::string> limits;
 };
 
 struct TestComparison {
@@ -48,11 +49,11 @@ struct TestComparison {
 
 /// Errors of one tire over all tests.
 struct TireSummary {
-  std::vector<double> time_error, psd_error;     // means over the tests, one for each channel
-  std::vector<std::vector<double>> level_error;  // dB, [channel][band]; NaN: noise hides it in all
-                                                 // tests
-  std::vector<FrequencyBand> follows;            // Hz, each channel; from 0 to 0: no band
-  double cpu_over_time = 0.0;                    // mean
+  std::vector<double> time_error, psd_error;  // means over the tests, one for each channel
+  /// dB, [channel][band]; NaN: noise hides it in all tests
+  std::vector<std::vector<double>> level_error;
+  std::vector<FrequencyBand> follows;  // Hz, each channel; from 0 to 0: no band
+  double cpu_over_time = 0.0;          // mean
 };
 
 struct TireComparison {

@@ -49,8 +49,8 @@ struct LabRecord {
   std::map<std::string, std::string> left_out;          // columns that are no channels, and why
   std::map<std::string, AxisFrame> turned_from;  // original frame of the channels that were turned
   std::vector<Ledger> ledgers;                   // one for each file
-  std::map<std::string, std::vector<std::string>> ambiguous;  // further columns that claim a
-                                                              // channel
+  /// further columns that claim a channel
+  std::map<std::string, std::vector<std::string>> ambiguous;
   std::vector<SuspectSamples> suspects;
 
   std::size_t samples() const { return places.size(); }

@@ -44,18 +44,18 @@ class Measurement {
     std::map<std::string, StatedColumn> written;          // a channel as named in the file
     std::map<std::string, StatedColumn> stated;           // the table `columns`
     std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
-    std::map<std::string, AxisFrame> turned_from;         // the original frame of each channel that
-                                                          // in_frame has turned
+    // the original frame of each channel that in_frame has turned
+    std::map<std::string, AxisFrame> turned_from;
     AxisConvention axes = AxisConvention::iso;
     std::shared_ptr<std::vector<Ledger>> ledgers;  // one for each file
     std::map<std::string, std::string> ambiguous;  // channels that two columns claim, in words
-    std::vector<LedgerDoubt> suspects;  // numbers that are hardly measured; an error only counts
-                                        // if something uses the channel
-    Channels recorded;                  // all samples as read, in Latsch's names and
-                                        // axes
-    Channels channels;                  // processed and selected samples
-    std::vector<Place> places;          // index in the file of each selected sample
-    std::vector<double> numbers;        // number of each selected sample, from 1
+    // numbers that are hardly measured; an error only counts if something uses the channel
+    std::vector<LedgerDoubt> suspects;
+    // all samples as read, in Latsch's names and axes
+    Channels recorded;
+    Channels channels;            // processed and selected samples
+    std::vector<Place> places;    // index in the file of each selected sample
+    std::vector<double> numbers;  // number of each selected sample, from 1
   };
   explicit Measurement(Told told) : told_(std::move(told)) {}
 

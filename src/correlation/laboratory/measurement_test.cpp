@@ -62,8 +62,8 @@ class LabMeasurement : public testing::Test {
 TEST_F(LabMeasurement, HasOurNamesAxesAndUnits) {
   const Measurement run = read("axes = \"sae\"\n");
   EXPECT_EQ(run.samples(), 8u);
-  EXPECT_NEAR(run.values("alpha", "rad")[0], 2 * kDegree, 1e-15);  // SAE reverses y and with it
-                                                                   // alpha
+  // SAE reverses y and with it alpha
+  EXPECT_NEAR(run.values("alpha", "rad")[0], 2 * kDegree, 1e-15);
   EXPECT_EQ(run.values("Fy", "N")[0], -205.0);
   EXPECT_EQ(run.values("Fz", "N")[3], 1500.0);
   EXPECT_EQ(run.values("Mz", "N m")[0], 4.0);

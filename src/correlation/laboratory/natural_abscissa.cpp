@@ -19,17 +19,18 @@ namespace latsch::correlation {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kVaries = 0.05;        // share of the usual range: smaller variation is the rig's
-                                        // scatter
-constexpr double kApart = 0.15;         // share of a condition's range: a gap of this size
-                                        // separates two levels
-constexpr double kNear = 0.05;          // a gap of this size does, too, between distinct levels:
-constexpr double kDistinct = 3.0;       // the gaps between them are so many times those inside,
-constexpr std::size_t kFilled = 4;      // and each has so many samples on average
-constexpr std::size_t kSparse = 2;      // with fewer samples a level no values form levels: a load
-                                        // that rises with the travel of a rig is a result
-constexpr std::size_t kMostLevels = 8;  // a condition with more levels is a sweep and forms no
-                                        // groups
+// share of the usual range: smaller variation is the rig's scatter
+constexpr double kVaries = 0.05;
+// share of a condition's range: a gap of this size separates two levels
+constexpr double kApart = 0.15;
+constexpr double kNear = 0.05;      // a gap of this size does, too, between distinct levels:
+constexpr double kDistinct = 3.0;   // the gaps between them are so many times those inside,
+constexpr std::size_t kFilled = 4;  // and each has so many samples on average
+// with fewer samples a level no values form levels: a load that rises with the travel of a rig is a
+// result
+constexpr std::size_t kSparse = 2;
+// a condition with more levels is a sweep and forms no groups
+constexpr std::size_t kMostLevels = 8;
 
 struct Usual {
   const char* name;

@@ -13,8 +13,8 @@ using experiment::ModeRecord;
 
 constexpr double kMixing = 0.05;  // relative distance over which shapes may mix
 constexpr double kDouble = 1e-5;  // modes nearer than this may be one double mode
-constexpr double kAsGood = 0.01;  // largest distance from the measured frequency for a member of a
-                                  // double mode
+// largest distance from the measured frequency for a member of a double mode
+constexpr double kAsGood = 0.01;
 
 struct Share {
   double value, slope;  // s, ds/dg

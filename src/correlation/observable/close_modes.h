@@ -33,8 +33,8 @@ struct ComparedFrequency {
   int measured = 0;            // index of the measured mode
   double frequency = 0.0;      // Hz
   std::vector<double> slopes;  // derivatives by each variable; empty: not known
-  int beside = -1;             // index of the measured mode whose frequency contributes to this
-                               // one; -1: none
+  /// index of the measured mode whose frequency contributes to this one; -1: none
+  int beside = -1;
 };
 
 /// True if n and phase of two modes agree as far as the phases are known; n has to be known.

@@ -28,11 +28,11 @@ namespace latsch::correlation {
 
 /// Delay of one trial.
 struct FittedDelay {
-  double value = 0.0;      // s; positive: recorded later than simulated
-  double stiffness = 0.0;  // a'a, 1/s^2, of differences in units of their scale. The deviation of
-                           // the delay at given variables is the deviation of a difference over the
-                           // root of this number.
-  bool at_end = false;     // true if the least sum of squares lies at an end of the range
+  double value = 0.0;  // s; positive: recorded later than simulated
+  /// a'a, 1/s^2, of differences in units of their scale. The deviation of the delay at given
+  /// variables is the deviation of a difference over the root of this number.
+  double stiffness = 0.0;
+  bool at_end = false;              // true if the least sum of squares lies at an end of the range
   std::vector<double> slopes = {};  // d delay / d variable, s; empty: not known
 };
 

@@ -123,8 +123,8 @@ TEST_F(Delays, NoneIsFittedUnlessAskedFor) {
 }
 
 TEST_F(Delays, TheEndOfTheRangeIsTold) {
-  measure([](double t) { return hit(t - 0.25); });  // a quarter of the record: beyond the limit of
-                                                    // a tenth
+  // a quarter of the record: beyond the limit of a tenth
+  measure([](double t) { return hit(t - 0.25); });
   const Comparison found = compared(study(kFree), simulated(hit));
   EXPECT_TRUE(found.delay->at_end);
 }

@@ -39,9 +39,9 @@ struct ObjectiveSettings {
   double weight = 1.0;                  // >= 0
   double exponent = 1.0;                // k > 0
   Compared compared = Compared::force;  // used by load-deflection experiments
-  double missing_mode = 1.0;            // |df| of a mode without a partner; used by modal
-                                        // experiments
-  PairingSettings pairing;              // used by modal experiments
+  /// df| of a mode without a partner; used by modal experiments
+  double missing_mode = 1.0;
+  PairingSettings pairing;  // used by modal experiments
 };
 
 /// The part of one experiment in the target.
@@ -50,11 +50,12 @@ struct Comparison {
   double mean_error = 0.0;     // mean |dF| or mean |df|, independent of `compared` and exponent
   double largest_error = 0.0;  // the largest |dF| or |df|
   std::vector<double> differences;  // d, signed, as compared
-  std::vector<double> errors;       // signed dF_j or df_i as in (1), (2), one for each measured
-                                    // value; missing_mode if a mode is missing
-  ModePairing pairing;              // for modal experiments
-  std::vector<ComparedFrequency> compared = {};  // for modes: one for each pair, in the order of
-                                                 // `pairing`
+  /// signed dF_j or df_i as in (1), (2), one for each measured value; missing_mode if a mode is
+  /// missing
+  std::vector<double> errors;
+  ModePairing pairing;  // for modal experiments
+  /// for modes: one for each pair, in the order of `pairing`
+  std::vector<ComparedFrequency> compared = {};
   /// d difference / d variable, one row for each difference; empty: not known.
   std::vector<double> slopes = {};
   std::optional<FittedDelay> delay = {};  // for a curve whose delay is fitted

@@ -20,8 +20,8 @@ void read_channels(const Node& table, RigFile& rig) {
   if (!rig.pulses.empty() && table.has("speed"))
     table.reject("pulses", "is given beside speed, expected one of them");
   if (!rig.pulses.empty())
-    rig.speed = "speed of " + rig.pulses;  // a name that differs from the
-                                           // file's own speed
+    // a name that differs from the file's own speed
+    rig.speed = "speed of " + rig.pulses;
   rig.force = table.text("force");
   if (table.has("also")) rig.also = table.texts("also");
   for (std::size_t i = 0; i < rig.also.size(); ++i) {

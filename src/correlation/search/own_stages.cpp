@@ -12,9 +12,9 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kWorse = 1.05;       // multiple of the error at the end of the own stage
-constexpr double kNegligible = 1e-6;  // share of 100 %; smaller differences are rounding of a
-                                      // finished search
+constexpr double kWorse = 1.05;  // multiple of the error at the end of the own stage
+// share of 100 %; smaller differences are rounding of a finished search
+constexpr double kNegligible = 1e-6;
 
 /// Returns the noise that the study states, not that of the fit, in the experiment's own measure.
 double stated_noise(const StudyExperiment& experiment) {

@@ -20,11 +20,11 @@ namespace latsch::correlation {
 
 /// The stage that ended with the least error of one experiment.
 struct OwnStage {
-  std::string stage = {};                                  // empty: the experiment counted in no
-                                                           // stage
-  double error = std::numeric_limits<double>::infinity();  // in the experiment's own measure, 1 =
-                                                           // 100 %
-  double rms = std::numeric_limits<double>::infinity();    // rms_error() at the end of that stage
+  /// empty: the experiment counted in no stage
+  std::string stage = {};
+  /// in the experiment's own measure, 1 = 100 %
+  double error = std::numeric_limits<double>::infinity();
+  double rms = std::numeric_limits<double>::infinity();  // rms_error() at the end of that stage
 
   bool is_known() const { return !stage.empty(); }
 };

@@ -20,8 +20,9 @@ struct StageRun {
   int number = 0;                    // counted from 0
   bool is_last = true;               // false: another stage follows
   bool next_shares_journal = false;  // true if the next stage adds its trials to the same journal
-  Study study;  // the study with the model, start, variables, experiments, noise, optimizer, and
-                // journal of the stage
+  /// the study with the model, start, variables, experiments, noise, optimizer, and journal of the
+  /// stage
+  Study study;
 };
 
 /// Result of a stage, with the journal that holds its trials. The journal must exist until
@@ -36,8 +37,9 @@ using RunStage = std::function<std::optional<StageResult>(const StageRun&)>;
 
 /// The stages of a study as far as they were run.
 struct StagesRun {
-  Study study;                   // in the state of the last stage: its noise, the experiments that
-                                 // count, the variables that move; as far as that is known
+  /// in the state of the last stage: its noise, the experiments that count, the variables that
+  /// move; as far as that is known
+  Study study;
   std::vector<Fit> fits = {};    // one for each stage that made a step
   RunEnd end = RunEnd::stopped;  // end of the stage that was run last
   bool has_ended = false;        // true if that is the last stage, and it was not stopped

@@ -21,9 +21,9 @@ namespace latsch::correlation {
 namespace {
 
 constexpr const char* kMark = "start";
-constexpr int kModels = 2;            // quadratic models whose points a run receives
-constexpr int kMostScattered = 5000;  // limit on points: the search for neighbors costs the square
-                                      // of their number
+constexpr int kModels = 2;  // quadratic models whose points a run receives
+// limit on points: the search for neighbors costs the square of their number
+constexpr int kMostScattered = 5000;
 
 /// Extent of a journal when a search began.
 struct KnownAtStart {

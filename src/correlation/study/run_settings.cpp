@@ -14,8 +14,8 @@ namespace {
 
 constexpr long kMostWorkers = 1024;
 constexpr long kMostRetries = 100;
-constexpr long kMostHalvings = 52;      // after this many halvings two numbers are adjacent in
-                                        // double precision
+// after this many halvings two numbers are adjacent in double precision
+constexpr long kMostHalvings = 52;
 constexpr double kMostStraggler = 1e6;  // multiple of the median
 constexpr long kMostLookAhead = 1000;   // points for each worker; all are computed at every step
 constexpr double kLeastMemory = 16e6;   // bytes; with less a worker does not start

@@ -26,8 +26,8 @@ struct RunSettings {
   FailurePolicy on_failure;
   bool intervals = true;  // computed after a fit
   std::filesystem::path journal;
-  double straggler_factor = RunOptions{}.straggler_factor;  // multiple of the median time; 0: no
-                                                            // trial counts as a straggler
+  /// multiple of the median time; 0: no trial counts as a straggler
+  double straggler_factor = RunOptions{}.straggler_factor;
   int look_ahead = RunOptions{}.look_ahead;
 };
 

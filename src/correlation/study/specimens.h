@@ -31,8 +31,8 @@ struct StudyTest {
   std::shared_ptr<const experiment::Test> test;
   std::string identity;                           // copied from experiment::ReadTest
   std::vector<std::filesystem::path> files = {};  // files the test was read from
-  bool is_own = false;                            // true if the test is stated in the experiment of
-                                                  // the same name
+  /// true if the test is stated in the experiment of the same name
+  bool is_own = false;
 
   /// Returns the name a person finds in the study: "test slow", "experiment stiffness".
   std::string in_words() const { return (is_own ? "experiment " : "test ") + name; }

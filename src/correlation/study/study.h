@@ -39,12 +39,12 @@ struct StageSettings {
   OptimizerSettings optimizer;  // method and its options in this stage
   long max_steps = 1000;        // number of steps after which the stage ends
   StartSettings start = {};     // start of the stage's search
-  double bounds = 1.0;          // width of the bounds over that of the
-                                // study's
+  /// width of the bounds over that of the study's
+  double bounds = 1.0;
   std::vector<std::pair<std::string, double>> numbers = {};  // numbers of the model by path, SI
-  std::vector<int> free = {};                                // indices of the variables that move;
-                                                             // empty: all
-  std::vector<std::string> experiments = {};                 // experiments that count; empty: all
+  /// indices of the variables that move; empty: all
+  std::vector<int> free = {};
+  std::vector<std::string> experiments = {};  // experiments that count; empty: all
 };
 
 /// Table [refined]: refinement.h.
@@ -71,22 +71,22 @@ struct Study {
   RunSettings run;  // workers, time limits and journal; they do not change results
   std::shared_ptr<const Specimens> specimens = {};  // made from `model` or an outside program
   std::vector<StudyTest> tests = {};                // tests of the study and the experiments' own
-  std::vector<ChannelConstraint> constraints = {};  // on channels; linear constraints belong to the
-                                                    // space
+  /// on channels; linear constraints belong to the space
+  std::vector<ChannelConstraint> constraints = {};
 
   Laboratory laboratory = {};                 // every [measurement.NAME], for their ledgers
   StartSettings start = {};                   // start of the search
   std::vector<StageSettings> stages = {};     // empty: one run, as [optimizer] says
   std::optional<Refinement> refinement = {};  // none without [refined]
   std::string stage = {};                     // name of the stage that this study is; empty: none
-  std::vector<int> free = {};                 // indices of the variables that this stage moves;
-                                              // empty: all
+  /// indices of the variables that this stage moves; empty: all
+  std::vector<int> free = {};
   std::optional<DesignPoint> held_at = {};  // values of the held variables in this stage, if known
   bool asks_slopes = false;                 // true if trials must record slopes: study_slopes.h
-  std::string search_key = {};              // everything a search depends on, for the journal's
-                                            // marks
-  std::string target_key = {};              // the part of it on which the targets of trials and
-                                            // the choice of the best one depend
+  /// everything a search depends on, for the journal's marks
+  std::string search_key = {};
+  /// the part of it on which the targets of trials and the choice of the best one depend
+  std::string target_key = {};
 };
 
 /// Returns the tests that fitted experiments and constraints name.

@@ -19,9 +19,9 @@ enum class DesignKind { full_factorial, latin_hypercube, sobol, morris };
 
 struct StudyDesign {
   DesignKind kind = DesignKind::full_factorial;
-  std::vector<int> levels = {};  // used by full factorial: one number for each variable; 1: not
-                                 // varied
-  int points = 0;                // used by the other designs
+  /// used by full factorial: one number for each variable; 1: not varied
+  std::vector<int> levels = {};
+  int points = 0;  // used by the other designs
   std::uint64_t seed = 0;
 
   /// Returns for example "maximin Latin hypercube".

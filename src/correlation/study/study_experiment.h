@@ -36,15 +36,15 @@ struct StudyExperiment {
   bool fitted = true;                     // false: predicted only
   std::optional<MeasurementNoise> noise;  // standard deviation of a measured value
   bool estimates_noise = false;           // noise from the fit: target/estimated_noise.h
-  bool noise_of_own_stage = false;        // true if the noise is the least error that an earlier
-                                          // stage left
+  /// true if the noise is the least error that an earlier stage left
+  bool noise_of_own_stage = false;
   RobustLoss loss = {};
   std::filesystem::path measurement_file;  // first file of a [measurement.NAME]; empty: none
   std::shared_ptr<const Measurement> measurement = {};  // nullptr: the observable read the file
-  std::shared_ptr<const Measurement> read_from = {};    // the measurement, stated or not; its
-                                                        // ledger is used
-  std::filesystem::path shapes_file;                    // empty: no shapes
-  int measured_modes = 0;                               // number measured, or planned in a twin
+  /// the measurement, stated or not; its ledger is used
+  std::shared_ptr<const Measurement> read_from = {};
+  std::filesystem::path shapes_file;  // empty: no shapes
+  int measured_modes = 0;             // number measured, or planned in a twin
   std::shared_ptr<const Observable> observable = {};
 
   /// Returns the number of measured values compared.

@@ -25,8 +25,8 @@ struct ExportedBy {
 struct FittedModel {
   Document numbers;
   experiment::Provenance provenance;
-  bool is_fitted = false;  // false: no trial has succeeded yet, so the numbers are the initial
-                           // values
+  /// false: no trial has succeeded yet, so the numbers are the initial values
+  bool is_fitted = false;
   bool search_has_ended = true;  // false: the numbers are those of the best trial so far
 };
 

@@ -141,8 +141,8 @@ double noise_alone(const Study& study) {
     const double w = experiment.objective.weight, N = static_cast<double>(experiment.values());
     if (w > 0.0 && experiment.loss.loss != Loss::squares) return 0.0;
     if (experiment.estimates_noise)
-      return 0.0;  // the target of an estimated noise has no floor:
-                   // all remaining error is noise
+      // the target of an estimated noise has no floor: all remaining error is noise
+      return 0.0;
     mean += w * N;
     variance += 2.0 * w * w * N;
   }

@@ -24,8 +24,8 @@ namespace latsch::correlation {
 
 struct Check {
   std::string name, source;
-  std::optional<StudyExperiment> experiment;        // experiment with limits of its errors;
-                                                    // nullopt: a number is checked
+  /// experiment with limits of its errors; nullopt: a number is checked
+  std::optional<StudyExperiment> experiment;
   std::optional<double> mean_error, largest_error;  // shares of 1
   ChannelConstraint number = {};
 };

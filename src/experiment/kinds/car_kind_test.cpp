@@ -77,8 +77,8 @@ class CarFile : public testing::Test {
   }
 
   struct Straight {
-    double side = 0.0, mean = 0.0, drift = 0.0;  // N, side force at the start, sum and mean of
-                                                 // |Fy|; m
+    // N, side force at the start, sum and mean of |Fy|; m
+    double side = 0.0, mean = 0.0, drift = 0.0;
   };
   /// Drives straight on for half a second.
   static Straight run(car::Car& car, double speed, double lasts = 0.5) {

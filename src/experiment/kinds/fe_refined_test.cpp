@@ -24,8 +24,8 @@ TireDescription shipped(const char* name) {
 class RefinedTires : public testing::TestWithParam<const char*> {};
 
 TEST_P(RefinedTires, AnInflatedTireHoldsInEveryCircumferentialNumber) {
-  constexpr int kOfEach = 3;  // modes of each number in the first search; all but two of them are
-                              // pairs
+  // modes of each number in the first search; all but two of them are pairs
+  constexpr int kOfEach = 3;
   const TireDescription description = shipped(GetParam());
   for (const int along : {2, 4}) {
     const MeshRefinement refinement(1, along, 1);

@@ -16,8 +16,8 @@ using formats::InpDeck;
 using formats::InpNumber;
 
 constexpr std::size_t kLargestDeck = 256u << 20;
-constexpr double kLightest = 300.0, kHeaviest = 2.0e4;  // kg/m^3, range of densities of tire
-                                                        // materials
+// kg/m^3, range of densities of tire materials
+constexpr double kLightest = 300.0, kHeaviest = 2.0e4;
 
 /// FNV-1a, 64 bits: distinguishes texts but protects against no intent. [Fowler, Noll, Vo,
 /// draft-eastlake-fnv]

@@ -17,8 +17,9 @@ namespace latsch::experiment {
 
 /// Meaning of a key. Several keys with one meaning are separated by ", ": "Fx, Fy, Fz".
 struct KeySentence {
-  std::string path;            // below the section's table; "*" stands for a name that is free, and
-                               // at the end for any path: "columns.*"
+  /// below the section's table; "*" stands for a name that is free, and at the end for any path:
+  /// "columns.*"
+  std::string path;
   std::string sentence;        // Markdown
   std::string otherwise = "";  // default in words, if the recorded one depends on the sample
   std::string range = "";      // range in words, if the recorded one depends on the sample
@@ -41,8 +42,9 @@ struct KeySection {
   std::vector<std::string> samples = {};    // TOML; the first is the example of the page
   std::vector<SharedKeys> shared = {};
   std::vector<std::string> refused =
-      {};  // keys that the reader tests for only to refuse them: they
-           // belong elsewhere, or to an older form
+      // keys that the reader tests for only to refuse them: they belong elsewhere, or to an older
+      // form
+      {};
 };
 
 /// One way in which a reader takes a key: all that DeclaredKey says except value and default.

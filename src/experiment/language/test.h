@@ -58,8 +58,8 @@ struct ChannelInfo {
   std::string name, unit;   // SI
   std::string frame = "";   // "W", "H" or "C" for a force or moment
   bool is_compared = true;  // false: belongs to another quantity, such as the shape of a mode
-  std::optional<Regression> regression = {};  // numbers by which the channel is differentiated,
-                                              // also in a recording
+  /// numbers by which the channel is differentiated, also in a recording
+  std::optional<Regression> regression = {};
 };
 /// Returns the channel of a slope: "dz_by_Fz" for "dz".
 ChannelInfo slope_of(const std::string& moved, const std::string& unit, const SlopesBy& slopes);
@@ -195,10 +195,10 @@ struct MeasuredAbscissa {
 
 /// A kind of test: its name, and how it is read from a file.
 struct TestKind {
-  std::string name;                // "drum_cleat"
-  std::string in_words;            // "rolls over a cleat on the drum"
-  std::vector<std::string> needs;  // names of capabilities, of which a specimen must have at least
-                                   // one
+  std::string name;      // "drum_cleat"
+  std::string in_words;  // "rolls over a cleat on the drum"
+  /// names of capabilities, of which a specimen must have at least one
+  std::vector<std::string> needs;
   /// Reads its keys except `kind`. Throws InputError naming the place.
   std::unique_ptr<Test> (*read)(const Node& root, const TestSource& source);
   /// Returns the sentences and samples of its keys; nullptr: the reference has no section of it.

@@ -15,9 +15,9 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
-constexpr double kFirstShare = 0.25;       // share of the radius; greatest first guess of the
-                                           // deflection
-constexpr double kFastest = 200.0;         // m/s; a greater value means another unit in the file
+// share of the radius; greatest first guess of the deflection
+constexpr double kFirstShare = 0.25;
+constexpr double kFastest = 200.0;  // m/s; a greater value means another unit in the file
 
 road::DrumRoad::Settings drum_of(const DrumTest& test) {
   road::DrumRoad::Settings settings;

@@ -72,8 +72,8 @@ TEST(DrumTest, ATurnByASegmentChangesNothing) {
     return most;
   };
   EXPECT_LT(distance(*same), 0.1);
-  EXPECT_GT(distance(*other), 1.0);  // this dependence on the wheel's angle is what averaging
-                                     // removes
+  // this dependence on the wheel's angle is what averaging removes
+  EXPECT_GT(distance(*other), 1.0);
 }
 
 // Passages may therefore be simulated in parallel.

@@ -30,8 +30,8 @@ struct KcTest {
   bool at_wheel_center = false;
   Eigen::Matrix<double, 6, Eigen::Dynamic> loads;  // N, N m; one column for each state
   std::array<bool, 6> stated = {};                 // loads that are recorded
-  std::optional<SlopesBy> slopes = {};             // slopes of the motion by one of the stated
-                                                   // loads
+  /// slopes of the motion by one of the stated loads
+  std::optional<SlopesBy> slopes = {};
 };
 
 /// Stiffnesses, by joint and axis, that depend on a varied number.

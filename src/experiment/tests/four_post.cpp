@@ -255,8 +255,8 @@ FourPostTest recorded_posts(const Node& root,
 
 constexpr std::array<const char*, 4> kPostModes = {"heave", "pitch", "roll", "warp"};
 
-constexpr double kFewestPeriods = 2.0;  // periods of the lowest frequency in a record; fewer make
-                                        // the response unreliable
+// periods of the lowest frequency in a record; fewer make the response unreliable
+constexpr double kFewestPeriods = 2.0;
 
 /// Refuses frequencies that the posts' record does not contain: a response there would consist of
 /// rounding errors.

@@ -22,8 +22,8 @@ using multibody::ForceCharacteristic;
 constexpr std::array<const char*, 6> kBusAxes = {"FX", "FY", "FZ", "TX", "TY", "TZ"};
 constexpr std::array<const char*, 6> kBusAxesInWords = {
     "x", "y", "z", "about x", "about y", "about z"};
-constexpr double kStraight = 1e-9;  // share of the largest force; smaller deviations from a
-                                    // straight line are ignored
+// share of the largest force; smaller deviations from a straight line are ignored
+constexpr double kStraight = 1e-9;
 
 /// SI values of one unit of a row's two numbers.
 struct BusScale {

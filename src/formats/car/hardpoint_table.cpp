@@ -62,8 +62,8 @@ std::vector<Hardpoint> read_hardpoints(const std::filesystem::path& file,
   table.expect_only({"of", "name", "x", "y", "z"});
   const auto chosen = chosen_rows(table, of);
   const auto names = table.texts("name");
-  table.numbers({{"x", "m"}, {"y", "m"}, {"z", "m"}});  // also checks that all coordinates are
-                                                        // lengths
+  // also checks that all coordinates are lengths
+  table.numbers({{"x", "m"}, {"y", "m"}, {"z", "m"}});
   std::vector<Hardpoint> points;
   std::map<std::string, int> lines;
   for (int row = 0; row < table.rows(); ++row) {

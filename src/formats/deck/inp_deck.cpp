@@ -146,8 +146,8 @@ class DeckReader {
     std::vector<int> added;
     for (std::size_t i = 0; i < card.lines.size();) {
       Kind element{0, {}, card.at(card.lines[i])};
-      std::vector<int> numbers;  // number of the element and its nodes, which may continue on
-                                 // further lines
+      // number of the element and its nodes, which may continue on further lines
+      std::vector<int> numbers;
       for (; i < card.lines.size() && numbers.size() < kNodes + 1; ++i)
         for (std::size_t k = 0; k < card.lines[i].fields.size(); ++k)
           numbers.push_back(card.integer(card.lines[i], k));

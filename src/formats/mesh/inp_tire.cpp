@@ -429,8 +429,8 @@ class TireReader {
     mesh.sensors = choose_sensors(mesh);
     try {
       fe_tire::check(mesh);
-    } catch (const InputError& error) {  // the reader of the deck does not know the name of the
-                                         // file
+      // the reader of the deck does not know the name of the file
+    } catch (const InputError& error) {
       throw InputError({deck_.file, 0}, error.what());
     }
   }

@@ -254,8 +254,8 @@ TEST(InpTire, ElementsMayComeInAnyOfTheirTwentyFourNumberings) {
   InpDeck deck = parse_inp(deck_of(tire), "small.inp");
   // Every third element is turned by an even permutation of its axes, and its loaded faces with it.
   static constexpr int kTurned[8] = {0, 3, 7, 4, 1, 2, 6, 5};  // new axes (eta, zeta, xi)
-  static constexpr int kFace[7] = {0, 3, 5, 0, 0, 0, 0};       // faces of zeta = -1, +1 after
-                                                               // turning
+  // faces of zeta = -1, +1 after turning
+  static constexpr int kFace[7] = {0, 3, 5, 0, 0, 0, 0};
   const Mesh mesh = build_mesh(tire);
   InpDeck original = deck;
   for (auto& [number, element] : deck.elements)

@@ -12,8 +12,8 @@ namespace latsch::formats {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kTolerance = 2e-6;  // relative to the tire's radius; decks have seven digits or
-                                     // more
+// relative to the tire's radius; decks have seven digits or more
+constexpr double kTolerance = 2e-6;
 
 /// Node positions as (angle, ring), rings in ascending order of size.
 class Rings {

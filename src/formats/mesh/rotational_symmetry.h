@@ -29,10 +29,10 @@ struct RingOfNodes {
 
 /// One sector of a ring.
 struct Sector {
-  int sectors = 1;                     // 1: no symmetry, everything unchanged
-  std::vector<double> theta;           // angles of the planes, rad; empty: sectors are equal
-  std::vector<int> nodes;              // nodes of the ring, in the order of the sector's own
-                                       // numbering
+  int sectors = 1;            // 1: no symmetry, everything unchanged
+  std::vector<double> theta;  // angles of the planes, rad; empty: sectors are equal
+  /// nodes of the ring, in the order of the sector's own numbering
+  std::vector<int> nodes;
   std::vector<int> elements;           // elements of the ring
   std::vector<HexNodes> connectivity;  // a node of the next sector counts nodes.size() higher
 };

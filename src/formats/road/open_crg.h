@@ -46,11 +46,11 @@ struct OpenCrg {
   std::string comment;                  // $CT
   std::string format;                   // "LRFI"
   std::vector<std::string> statements;  // options and modifiers of the surface, as in the file
-  std::vector<std::string> kept;        // "name = value": statements that do not concern the
-                                        // surface
-  std::vector<std::string> warnings;    // for the user: statements whose meaning may have been
-                                        // different
-  int gaps = 0;                         // number of heights missing in the file
+  /// "name = value": statements that do not concern the surface
+  std::vector<std::string> kept;
+  /// for the user: statements whose meaning may have been different
+  std::vector<std::string> warnings;
+  int gaps = 0;  // number of heights missing in the file
   road::CrgGrid grid;
 
   /// Both functions throw InputError if the file is not valid, is larger than 256 MB, or has fewer

@@ -16,9 +16,9 @@ using Kind = OpenCrgHeader::Channel::Kind;
 
 constexpr double kDefaultIncrement = 0.01;  // m, default of OpenCRG along u and v
 constexpr double kLeastSpacing = 1e-6;      // m, least value allowed by OpenCRG
-constexpr double kEvenLine = 3e-2;          // relative, by OpenCRG: tolerance of the spacing of
-                                            // points of the line
-constexpr double kLargestPlace = 1e9;       // m; no road is longer, no position farther away
+// relative, by OpenCRG: tolerance of the spacing of points of the line
+constexpr double kEvenLine = 3e-2;
+constexpr double kLargestPlace = 1e9;  // m; no road is longer, no position farther away
 constexpr double kMostRows = 1e8;
 
 Vector2d direction(double phi) { return {std::cos(phi), std::sin(phi)}; }

@@ -43,8 +43,8 @@ struct OpenCrgHeader {
   std::vector<Channel> channels;
   std::vector<std::string> warnings;  // file, line and interpretation
   std::vector<Reference> references;  // lines of $ROAD_CRG_FILE, unchanged
-  std::size_t data_begin = 0;         // first byte behind the line $$$$; npos: there is no such
-                                      // line
+  /// first byte behind the line $$$$; npos: there is no such line
+  std::size_t data_begin = 0;
   int data_line = 0;
 
   std::optional<double> find(const Values& values, std::string_view name) const;

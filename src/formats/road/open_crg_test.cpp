@@ -250,8 +250,8 @@ TEST(OpenCrg, ReferenceLineWithAnEndMeetsIt) {
 TEST(OpenCrg, ClosedTrackComesRound) {
   std::string text = with("$KD_", "$ROAD_CRG_OPTS\nrefline_continuation = 1\n$\n$KD_");
   text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1", text);
-  text = with("= 1.0 !", "= 1.0471975512 !", text);  // a sixtieth of the circumference of a circle
-                                                     // of 10 m
+  // a sixtieth of the circumference of a circle of 10 m
+  text = with("= 1.0 !", "= 1.0471975512 !", text);
   text = text.substr(0, text.find("$$$$$$")) + "$$$$\n";
   for (int i = 0; i < 60; ++i) {  // one step is missing, so the line is open
     char line[64];

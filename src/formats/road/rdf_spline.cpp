@@ -15,9 +15,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kStation = 0.5;        // m, between cross-sections
-constexpr double kMostPieces = 200.0;   // most cross-sections in an interval; a longer interval has
-                                        // a larger distance between them
+constexpr double kStation = 0.5;  // m, between cross-sections
+// most cross-sections in an interval; a longer interval has a larger distance between them
+constexpr double kMostPieces = 200.0;
 constexpr double kLargestSpline = 1e6;  // m
 constexpr double kLeastStep = 1e-3;     // m, between points in plan
 

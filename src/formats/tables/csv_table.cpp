@@ -20,9 +20,8 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kLargestTable = 1u << 30;  // bytes
-constexpr int kStride = 1024;                    // rows between two stored positions; a larger
-                                                 // stride saves memory and slows access to single
-                                                 // rows
+// rows between two stored positions; a larger stride saves memory and slows access to single rows
+constexpr int kStride = 1024;
 
 std::string called(std::string_view column) { return "column " + in_quotes(column); }
 

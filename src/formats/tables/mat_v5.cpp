@@ -102,8 +102,8 @@ class MatReading {
   MatElement next(std::string_view& bytes, bool aligned) const {
     if (bytes.size() < 8) fail("ends within the head of an element");
     const auto first = number_at<std::uint32_t>(bytes, 0);
-    if (const std::uint32_t size = first >> 16; size > 0) {  // a small element of eight bytes in
-                                                             // total
+    // a small element of eight bytes in total
+    if (const std::uint32_t size = first >> 16; size > 0) {
       if (size > 4) fail(fmt::format("has a small element of {} bytes, expected at most 4", size));
       const MatElement element{first & 0xffff, bytes.substr(4, size)};
       bytes.remove_prefix(8);

@@ -99,8 +99,8 @@ Recording parse(std::shared_ptr<const MappedFile> source,
   const bool decimal_comma = fields.separator() != ',';
   const CsvHeader header = read_csv_header(fields, file);
   std::vector<Column> columns = columns_of(header, units, file);
-  constexpr std::size_t kUsualCell = 9;  // bytes; an estimate of the number of rows, which avoids
-                                         // copies
+  // bytes; an estimate of the number of rows, which avoids copies
+  constexpr std::size_t kUsualCell = 9;
   for (Column& column : columns) column.values.reserve(size / (kUsualCell * columns.size()));
   DecimalMarks marks(file);
   std::string scratch;

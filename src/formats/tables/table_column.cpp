@@ -236,8 +236,8 @@ std::string missing_columns(const std::vector<std::string>& missing,
                                 names.begin() + std::min<long>(kMostNamed, std::ssize(names)));
   std::string listed = list_of(some);
   if (some.size() < names.size()) listed += fmt::format(" and {} more", names.size() - some.size());
-  const bool few = names.size() <= kMostCompared;  // the nearest name is searched among few names
-                                                   // only
+  // the nearest name is searched among few names only
+  const bool few = names.size() <= kMostCompared;
   if (missing.size() == 1)
     return "column " + in_quotes(missing[0]) + " is missing" +
            (few ? did_you_mean(missing[0], names) : "") + " (columns: " + listed + ")";

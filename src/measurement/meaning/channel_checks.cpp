@@ -146,13 +146,13 @@ std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRang
 
 /// Checks that the loads are positive, as those of a wheel on the ground.
 std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
-  constexpr double kHop = 0.02;   // share of the largest load: noise about 0 while the wheel is in
-                                  // the air
+  // share of the largest load: noise about 0 while the wheel is in the air
+  constexpr double kHop = 0.02;
   constexpr double kLeast = 5.0;  // N; the load of every tire is larger
   const std::size_t all = numbers_in(channel.values);
   if (all == 0) return std::nullopt;
-  constexpr double kAboutZero = 0.05;  // mean over largest value: below it the channel holds
-                                       // changes of a load, not loads
+  // mean over largest value: below it the channel holds changes of a load, not loads
+  constexpr double kAboutZero = 0.05;
   double most = 0.0, sum = 0.0;
   for (const double value : channel.values)
     if (!std::isnan(value)) most = std::max(most, std::abs(value)), sum += value;

@@ -79,8 +79,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
  private:
   enum class State : std::uint8_t { reading, answering, writing, lingering };
-  static constexpr std::size_t kSpare = 1024;  // bytes of buffer beyond the limit, so that the
-                                               // parser detects the limit
+  /// bytes of buffer beyond the limit, so that the parser detects the limit
+  static constexpr std::size_t kSpare = 1024;
   static constexpr std::size_t kPiece = 512;
   static constexpr std::size_t kMostThrownAway = 4 << 20;  // bytes
   static constexpr std::chrono::milliseconds kLinger{1000};
@@ -142,8 +142,8 @@ inline void Connection::read_request() {
   head_ = {};
   parser_.emplace();
   parser_->header_limit(static_cast<std::uint32_t>(limits_.head));
-  parser_->body_limit(std::numeric_limits<std::uint64_t>::max());  // the sender is checked first,
-                                                                   // then the size
+  /// the sender is checked first, then the size
+  parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
   http::async_read_header(
       socket_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
         self->read_head_done(error);

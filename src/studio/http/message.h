@@ -16,8 +16,8 @@ struct Request {
   std::string path;
   std::map<std::string, std::string> query;
   std::string body;
-  std::stop_token stop;  // set when the server ends: a long handler may then throw or answer
-                         // anything
+  /// set when the server ends: a long handler may then throw or answer anything
+  std::stop_token stop;
 };
 
 struct Response {

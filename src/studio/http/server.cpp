@@ -28,11 +28,11 @@ namespace {
 using net::ip::tcp;
 
 constexpr std::chrono::milliseconds kSweep{200};  // between two checks for overdue connections
-constexpr std::chrono::milliseconds kGather{20};  // events within this time go to a client in one
-                                                  // write
-constexpr std::size_t kMostPublished = 8 << 20;   // bytes waiting for the thread of the sockets
-constexpr int kAcceptedAtOnce = 32;               // connections accepted before others have their
-                                                  // turn
+// events within this time go to a client in one write
+constexpr std::chrono::milliseconds kGather{20};
+constexpr std::size_t kMostPublished = 8 << 20;  // bytes waiting for the thread of the sockets
+// connections accepted before others have their turn
+constexpr int kAcceptedAtOnce = 32;
 constexpr int kBacklog = 4096;
 
 /// The flags close the socket in programs that this one starts, also in those started by another
@@ -64,8 +64,8 @@ int listening_socket(const tcp::endpoint& endpoint) {
   const int fd = ::socket(endpoint.protocol().family(), SOCK_STREAM | kSocketFlags, 0);
   if (fd < 0) cannot_listen(endpoint, errno);
   const int yes = 1;
-  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);  // allows reuse while ended
-                                                                 // connections linger
+  // allows reuse while ended connections linger
+  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   if (::bind(fd, endpoint.data(), static_cast<socklen_t>(endpoint.size())) != 0 ||
       ::listen(fd, kBacklog) != 0) {
     const int error = errno;
@@ -150,8 +150,8 @@ Server::Impl::~Impl() {
   stop_.request_stop();
   io_.stop();
   thread_.join();
-  end_connections();  // ended at once; then the pool waits for its handlers, whose answers nobody
-                      // receives
+  // ended at once; then the pool waits for its handlers, whose answers nobody receives
+  end_connections();
 }
 
 void Server::Impl::run() {
@@ -160,8 +160,8 @@ void Server::Impl::run() {
     try {
       io_.run();
       return;
-    } catch (const std::exception& failure) {  // for example no memory; the sweep ends open
-                                               // connections
+      // for example no memory; the sweep ends open connections
+    } catch (const std::exception& failure) {
       if (options_.report) options_.report(failure.what());
     }
   }

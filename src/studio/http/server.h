@@ -45,10 +45,10 @@ struct ServerLimits {
   std::size_t head = 16 << 10;    // bytes of a request's first line and fields
   std::size_t connections = 384;  // with more, the slowest makes room for the newest
   std::size_t event_clients = 256;
-  std::size_t waiting = 128;                 // requests waiting for a handler's thread
-  std::size_t unread_events = 256 << 10;     // bytes by which a client of events may lag behind
-  std::chrono::milliseconds request{8000};   // for head and body together, from the start of the
-                                             // connection
+  std::size_t waiting = 128;              // requests waiting for a handler's thread
+  std::size_t unread_events = 256 << 10;  // bytes by which a client of events may lag behind
+  /// for head and body together, from the start of the connection
+  std::chrono::milliseconds request{8000};
   std::chrono::milliseconds idle{60000};     // between two requests of a connection
   std::chrono::milliseconds stalled{15000};  // time in which an answer makes no progress
   std::chrono::milliseconds alive{2000};     // between two `alive` events
@@ -57,11 +57,11 @@ struct ServerLimits {
 struct ServerOptions {
   std::string listen = "127.0.0.1";  // an address of this machine; 0.0.0.0 or ::, all addresses
   std::uint16_t port = 0;            // 0: any free port
-  std::string token;                 // empty: 128 random bits; otherwise 16 or more of A-Z a-z 0-9
-                                     // - _
-  int threads = 2;                   // number of handler threads
-  std::vector<Asset> assets;         // empty: GET / reports that there is no page
-  std::vector<std::string> names;    // further names of this machine accepted in requests
+  /// empty: 128 random bits; otherwise 16 or more of A-Z a-z 0-9 - _
+  std::string token;
+  int threads = 2;                 // number of handler threads
+  std::vector<Asset> assets;       // empty: GET / reports that there is no page
+  std::vector<std::string> names;  // further names of this machine accepted in requests
   /// Receives exceptions of a handler other than InputError; the client receives no details. Called
   /// by any thread.
   std::function<void(std::string_view)> report;

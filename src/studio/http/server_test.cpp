@@ -275,8 +275,8 @@ TEST(Server, TellsWhyItCannotListen) {
     return "";
   };
   EXPECT_THAT(why("127.0.0.1", server.port()), HasSubstr("another program does"));
-  EXPECT_THAT(why("192.0.2.1", 0), HasSubstr("no such address"));  // reserved for documentation
-                                                                   // [RFC 5737]
+  // reserved for documentation [RFC 5737]
+  EXPECT_THAT(why("192.0.2.1", 0), HasSubstr("no such address"));
   EXPECT_THAT(why("evil.example", 0), HasSubstr("expected an address"));
   EXPECT_EQ(why("localhost", 0), "");
 }

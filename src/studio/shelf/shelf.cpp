@@ -133,8 +133,8 @@ bool Shelf::search() {
   if (!fs::is_directory(root_, none)) return false;
   std::map<std::string, fs::path> found;
   for (const fs::path& file : find_studies(folder_))
-    found.emplace(file.lexically_relative(folder_).generic_string(), file);  // symbolic links are
-                                                                             // not resolved
+    // symbolic links are not resolved
+    found.emplace(file.lexically_relative(folder_).generic_string(), file);
   const std::lock_guard lock(mutex_);
   const std::size_t before = studies_.size();
   const auto gone = std::erase_if(studies_, [&](const auto& one) {

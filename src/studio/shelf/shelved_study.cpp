@@ -137,8 +137,8 @@ bool ShelvedStudy::is_out_of_date() const {
 
 void ShelvedStudy::read_files() {
   is_read_ = true;
-  read_at_ = {{file_, time_of(file_)}};  // taken before reading, so that changes meanwhile are
-                                         // noticed
+  // taken before reading, so that changes meanwhile are noticed
+  read_at_ = {{file_, time_of(file_)}};
   const fs::path folder = file_.parent_path();
   const auto folder_was = time_of(folder);
   whole_.reset();
@@ -172,8 +172,8 @@ void ShelvedStudy::show_stage() {
       journal_fault_.empty())
     correlation::take_stage(
         correlation::with_estimated_noise(*whole_, Journal::read(whole_->run.journal)), shown);
-  table_ = std::make_unique<TrialTable>(shown);  // must come first: an exception must not leave a
-                                                 // study without a table
+  // must come first: an exception must not leave a study without a table
+  table_ = std::make_unique<TrialTable>(shown);
   study_ = std::make_shared<const Study>(std::move(shown));
 }
 

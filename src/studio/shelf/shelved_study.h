@@ -53,8 +53,9 @@ class ShelvedStudy {
     StudyState state;
     std::string error;          // error of the file, or of the journal
     long of_another_study = 0;  // number of trials of the journal if none belongs to the study
-    std::string no_best;  // reason why no trial is the best of the study as it stands; empty: one
-                          // is, or none has succeeded
+    // reason why no trial is the best of the study as it stands; empty: one is, or none has
+    // succeeded
+    std::string no_best;
     std::shared_ptr<const correlation::Study>
         study;                // the study in the stage that is shown; nullptr: broken
     const TrialTable* table;  // nullptr: broken

@@ -24,8 +24,8 @@ StudyText read_study_text(const std::filesystem::path& file);
 using EditedValue = std::variant<std::monostate, std::string, double, bool>;
 
 struct Edit {
-  std::vector<std::string> table;  // path of table names, {"variable", "sidewall"}; empty: the top
-                                   // of the file
+  /// path of table names, {"variable", "sidewall"}; empty: the top of the file
+  std::vector<std::string> table;
   std::string key;
   EditedValue value;
 };

@@ -25,8 +25,8 @@ namespace latsch::studio {
 struct TableRow {
   DesignPoint point;
   std::optional<correlation::TargetParts> parts;  // nullopt: the trial failed
-  int reason = -1;                                // index of the failure's reason in
-                                                  // TrialTable::reasons
+  /// index of the failure's reason in TrialTable::reasons
+  int reason = -1;
   Cause cause = Cause::point;
   float seconds = 0.0F;  // duration of the trial
 };

@@ -25,8 +25,8 @@ class KeptAnswers {
   template <class Find>
   std::shared_ptr<const Answer> get(const Question& question, Find&& find) {
     std::promise<std::shared_ptr<const Answer>> promise;
-    const auto mine = std::make_shared<int>();  // another answer may have replaced the entry
-                                                // meanwhile
+    // another answer may have replaced the entry meanwhile
+    const auto mine = std::make_shared<int>();
     {
       std::unique_lock lock(mutex_);
       for (const Kept& one : kept_) {

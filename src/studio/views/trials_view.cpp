@@ -62,8 +62,8 @@ Json convergence_view(const ShelvedStudy& study,
     const long to = stretch.to <= 0 ? total : std::clamp(stretch.to, from, std::max(from, total));
     const long most = std::clamp(stretch.most, kFewestPoints, kMostPoints);
     const long count = std::max(0L, std::min(to, total) - from + 1);
-    const long width = std::max(1L, (3 * count + most - 1) / most);  // trials in a stretch of three
-                                                                     // points
+    // trials in a stretch of three points
+    const long width = std::max(1L, (3 * count + most - 1) / most);
 
     std::vector<double> targets(static_cast<std::size_t>(total));
     std::vector<double> best(static_cast<std::size_t>(total));

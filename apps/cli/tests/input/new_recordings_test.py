@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Recordings that `latsch new --magic-formula` cannot use: each is refused with what is missing and the columns that may
-be it.
+"""Tests recordings that `latsch new --magic-formula` cannot use. Each is refused, and the message names the missing
+channel and the columns that may contain it.
 
-    new_recordings_test.py PATH/TO/latsch
-"""
+   new_recordings_test.py PATH/TO/latsch"""
 import math
 import pathlib
 import sys

@@ -25,8 +25,8 @@ constexpr int kPoints = 121;
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kMostAlpha = 15.0 * kDegree, kMostKappa = 0.3;
 constexpr double kBar = 1e5;
-constexpr double kNothing = 1e-6;  // share of the nominal load, in N and N m; a smaller force
-                                   // counts as none
+// share of the nominal load, in N and N m; a smaller force counts as none
+constexpr double kNothing = 1e-6;
 
 /// A test condition other than slip, with its name in the legend.
 struct Varied {

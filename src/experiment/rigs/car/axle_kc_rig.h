@@ -30,13 +30,13 @@ struct AxleKcTest {
   bool springs_locked = false;
   bool at_wheel_center = false;
   std::vector<Channel> prescribed;  // stated loads and positions, recorded beside the motion
-  Eigen::Matrix<double, 12, Eigen::Dynamic> loads;  // left and right wheel, N, N m; one column for
-                                                    // each state
-  std::optional<std::array<std::vector<double>, 2>> travel;  // m, of the wheel centers, imposed by
-                                                             // pads
-  std::vector<double> rack;                                  // m, one value for each state
-  std::optional<SlopesBy> slopes;                            // variables of the regressed slopes of
-                                                             // the motion
+  /// left and right wheel, N, N m; one column for each state
+  Eigen::Matrix<double, 12, Eigen::Dynamic> loads;
+  /// m, of the wheel centers, imposed by pads
+  std::optional<std::array<std::vector<double>, 2>> travel;
+  std::vector<double> rack;  // m, one value for each state
+  /// variables of the regressed slopes of the motion
+  std::optional<SlopesBy> slopes;
 
   Eigen::Index states() const { return loads.cols(); }
 };

@@ -22,8 +22,8 @@ struct FourPostTest {
   std::vector<double> times;                   // s, equally spaced
   std::array<std::vector<double>, 4> heights;  // m, FL, FR, RL, RR
   double step = 2e-4, sample_step = 1e-3;      // s
-  double still = 0.0;  // s, during which the posts rest at their final heights until the car is at
-                       // rest again
+  /// s, during which the posts rest at their final heights until the car is at rest again
+  double still = 0.0;
 };
 
 /// Directions in which a sweep moves the four posts.

@@ -47,8 +47,8 @@ struct FiledRoad {
   std::shared_ptr<const road::Road> road;
   Eigen::Vector2d start = Eigen::Vector2d::Zero();  // m, in the file's axes
   double heading = 0.0;                             // rad, counterclockwise from the file's x axis
-  bool continues = false;                           // true: beyond its edge the road continues as
-                                                    // its kind defines
+  /// true: beyond its edge the road continues as its kind defines
+  bool continues = false;
 };
 
 struct KerbTest {

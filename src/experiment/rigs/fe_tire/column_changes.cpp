@@ -55,8 +55,8 @@ Eigen::ArrayXd limit(const Eigen::ArrayXd& twice, const Eigen::ArrayXd& thrice) 
   return (twice == 0.0 || thrice == 0.0).select(kLeft * twice, thrice + kBeyond * (thrice - twice));
 }
 
-constexpr int kMore = 4;  // additional modes on finer meshes, because the order of neighboring
-                          // modes may change
+// additional modes on finer meshes, because the order of neighboring modes may change
+constexpr int kMore = 4;
 
 }  // namespace
 

@@ -69,8 +69,8 @@ struct Judged {
 
 /// Changes by the columns of a mesh, relative.
 struct ColumnChanges {
-  Eigen::ArrayXXd column;  // [quantities x columns], each column halved: magnitudes whose sum is
-                           // the whole change
+  /// [quantities x columns], each column halved: magnitudes whose sum is the whole change
+  Eigen::ArrayXXd column;
 };
 
 /// Returns the error of halved sectors on the ground as a multiple of that of the unloaded tire. It

@@ -31,8 +31,8 @@ struct ColumnPlacementSettings {
   int modes = 20;
   int rounds = 6;               // most rounds of moving columns
   bool choose_sectors = false;  // true: chooses an even number of sectors, too
-  double deflection = 0.0;      // m; > 0: columns and sectors are then exchanged according to
-                                // errors on the ground
+  /// m; > 0: columns and sectors are then exchanged according to errors on the ground
+  double deflection = 0.0;
 };
 
 struct ColumnPlacement {

@@ -53,10 +53,10 @@ struct DiscretizationRow {
 };
 
 struct DiscretizationStudy {
-  std::vector<DiscretizationRow> unloaded;       // growth, then modes by label
-  std::vector<DiscretizationRow> loaded;         // Fz, then modes by label
-  std::vector<DiscretizationRow> loaded_by_few;  // loaded rows by the default method, if
-                                                 // `loaded_thoroughly`
+  std::vector<DiscretizationRow> unloaded;  // growth, then modes by label
+  std::vector<DiscretizationRow> loaded;    // Fz, then modes by label
+  /// loaded rows by the default method, if `loaded_thoroughly`
+  std::vector<DiscretizationRow> loaded_by_few;
 };
 
 /// Measured values on one mesh, by name and in order: "growth" in m, "Fz ..." in N, all other names

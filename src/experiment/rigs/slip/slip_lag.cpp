@@ -199,8 +199,8 @@ Channels lagging_answers(const MagicFormula& tire,
   }
   Channels found = answers(tire, lagging);
   if (!parameters.empty()) {
-    std::vector<std::string> variables = parameters;  // and the slips, because the parameters
-                                                      // change these
+    // and the slips, because the parameters change these
+    std::vector<std::string> variables = parameters;
     variables.insert(variables.end(), {"kappa", "alpha"});
     const auto n = static_cast<Eigen::Index>(parameters.size());
     const Eigen::VectorXd tangent = Eigen::VectorXd::Map(y.x.data(), std::ssize(y.x));

@@ -23,12 +23,12 @@ struct KinematicsTest {
   suspension::TravelOf at = suspension::TravelOf::contact;
   std::vector<double> travel, rack;  // m; equally many of each
   bool with_rates = false, with_anti_roll_bar = false;
-  double outer_share = 0.5;                        // share of the lateral force on the outer wheel,
-                                                   // for the force-based roll center
-  std::optional<suspension::VehicleData> vehicle;  // for anti-dive and the other shares of the load
-                                                   // transfer
-  std::optional<double> wheelbase;                 // m; for Ackermann
-  std::optional<double> rack_per_turn;             // m per turn of the steering wheel
+  /// share of the lateral force on the outer wheel, for the force-based roll center
+  double outer_share = 0.5;
+  /// for anti-dive and the other shares of the load transfer
+  std::optional<suspension::VehicleData> vehicle;
+  std::optional<double> wheelbase;      // m; for Ackermann
+  std::optional<double> rack_per_turn;  // m per turn of the steering wheel
 };
 
 /// The axle in one state of the test; `own` is the wheel of the file.

@@ -17,12 +17,12 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using report::Scene;
 
-constexpr int kMostAround = 40;         // points of a tire's ring
-constexpr double kWidthOfRadius = 0.6;  // share of the radius; assumed if the tire's width is
-                                        // unknown
-constexpr double kPost = 0.36;          // m, side of a post's plate
-constexpr double kBefore = 1.2;         // m of road behind the rear axle and before the front one
-constexpr double kBeside = 0.5;         // m of road beside the wheels
+constexpr int kMostAround = 40;  // points of a tire's ring
+// share of the radius; assumed if the tire's width is unknown
+constexpr double kWidthOfRadius = 0.6;
+constexpr double kPost = 0.36;   // m, side of a post's plate
+constexpr double kBefore = 1.2;  // m of road behind the rear axle and before the front one
+constexpr double kBeside = 0.5;  // m of road beside the wheels
 
 /// Returns every k-th point of a closed line.
 Matrix3Xd thinned(const Matrix3Xd& line) {

@@ -58,11 +58,11 @@ class CarFilm {
   report::Scene::Mesh mesh_;
   std::vector<report::Scene::Arrow> arrows_;
   std::array<Ring, car::kCorners> rings_{};
-  std::uint32_t contacts_ = 0, posts_ = 0;  // first points in the mesh: one for each wheel, four
-                                            // for each post
-  double rear_ = 0.0, front_ = 0.0;         // m, ends of the road that is shown
-  double side_ = 0.0;                       // m, from the car's middle
-  double y_ = 0.0;                          // m, of that
+  /// first points in the mesh: one for each wheel, four for each post
+  std::uint32_t contacts_ = 0, posts_ = 0;
+  double rear_ = 0.0, front_ = 0.0;  // m, ends of the road that is shown
+  double side_ = 0.0;                // m, from the car's middle
+  double y_ = 0.0;                   // m, of that
   std::vector<report::Scene::Step> steps_;
 };
 
