@@ -5,9 +5,9 @@
 //   instantiated ─► initializing ─► stepping ─► terminated
 //
 // reset() returns from any state to `instantiated`. No function throws: errors are logged and
-// become a status. A refused call changes nothing. In the state `initializing` the unit computes its
-// initial outputs when an output is read or at the end of the state, and again after every change of
-// inputs.
+// become a status. A refused call changes nothing. In the state `initializing` the unit computes
+// its initial outputs when an output is read or at the end of the state, and again after every
+// change of inputs.
 #pragma once
 
 #include <cstddef>

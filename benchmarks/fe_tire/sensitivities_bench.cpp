@@ -3,7 +3,7 @@
 // trial, and accuracy judged by differences.
 //
 //   ./bench.sh sensitivities [SEED]           all tires, some of their parameters drawn at random
-//   ./bench.sh sensitivities all [TIRE [PATH]]  all parameters, or one tire, or one of its parameters
+//   ./bench.sh sensitivities all [TIRE [PATH]]  all parameters, of one tire, one of them
 //
 // A trial inflates the tire, presses it in five steps and finds 20 modes: of the loaded tire, or
 // for tire A of the unloaded one, as in its study. The derivatives are those of the five loads and

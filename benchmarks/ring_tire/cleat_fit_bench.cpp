@@ -28,15 +28,15 @@
 // The residual method fits forces over time, the other objective of the thesis: if the peaks of two
 // densities do not overlap, their difference has no derivative. Forces are weighted by their noise,
 // which is white and known, and the prior of the parameters is added: this gives the most probable
-// parameters if two tests leave some of them undetermined. The genetic algorithm fits the densities,
-// as the thesis did. The "floor" is the error of the model with the specimen's own parameters;
-// "noise alone" is the effect of another draw of the noise.
+// parameters if two tests leave some of them undetermined. The genetic algorithm fits the
+// densities, as the thesis did. The "floor" is the error of the model with the specimen's own
+// parameters; "noise alone" is the effect of another draw of the noise.
 //
 // Requirements are in units of the floor, so that a fit that is equally bad in all tests does not
-// pass. With --specimen friction, the fitted model lacks the law of friction, and no parameters reach
-// the floor, which is that of the model with friction; the requirement is that held-out tests suffer
-// no more from the missing law than fitted ones. Passages are simulated in parallel, one on each
-// core; the result does not depend on the number of cores.
+// pass. With --specimen friction, the fitted model lacks the law of friction, and no parameters
+// reach the floor, which is that of the model with friction; the requirement is that held-out tests
+// suffer no more from the missing law than fitted ones. Passages are simulated in parallel, one on
+// each core; the result does not depend on the number of cores.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs solvers on the identification set. A data profile is the share of the runs that reach
 //   f <= f_L + tau (f_0 - f_L)      within k (n + 1) evaluations,
-// where f is the value without the disturbance, f_0 that at the start, and f_L the least value known.
-// f_L is the best of two runs of sequential quadratic programming that know which corner of the
-// design space fails, one from the true values and one from the start, or a lower value that a
+// where f is the value without the disturbance, f_0 that at the start, and f_L the least value
+// known. f_L is the best of two runs of sequential quadratic programming that know which corner of
+// the design space fails, one from the true values and one from the start, or a lower value that a
 // solver of this benchmark found.
 #pragma once
 

@@ -11,7 +11,7 @@
 namespace latsch::report {
 namespace {
 
-// share of the range: a nearer value counts as "at the bound"
+// Share of the range: a value nearer to a bound than this counts as at the bound.
 constexpr double kBoundShare = 0.005;
 
 double share_of_range(const Variable& v, double value) {
@@ -33,7 +33,7 @@ bool is_force(const ExperimentRow& row) { return row.kind == "load_deflection"; 
 bool is_frequency(const ExperimentRow& row) { return row.kind == "modes"; }
 bool is_curve(const ExperimentRow& row) { return row.kind == "curve"; }
 
-/// Returns the mean over the fitted experiments of one kind.
+/// Returns the mean error of the fitted experiments for which `of_kind` is true.
 std::optional<double> mean_error(const StudyReport& report, bool (*of_kind)(const ExperimentRow&)) {
   double sum = 0.0;
   int count = 0;
@@ -46,8 +46,8 @@ std::optional<double> mean_error(const StudyReport& report, bool (*of_kind)(cons
   return sum / count;
 }
 
-/// Draws the lower and upper bound as the ends of a line, the initial value as a ring, the found
-/// one as a dot.
+/// Draws the range of a variable: its bounds as the ends of a line, the initial value as a ring,
+/// the fitted value as a dot.
 std::string track(const Variable& v) {
   const auto left = [&](double value) {
     const double share = share_of_range(v, value);

@@ -13,9 +13,9 @@
 //   {"verb": "run", "exit_code": 0, "status": "done", "warnings": [], "result": {...}}
 //   {"verb": "run", "exit_code": 2, "status": "wrong input", "warnings": [], "error": {"message":
 //    "...", "file": "...", "line": 7}}
-// "status" is "done", "failed", "wrong input" or "stopped"; a run that the user stops has no "error".
-// All output of say, warn, complain and the progress is appended to the log file, with the time of
-// the start and of the end.
+// "status" is "done", "failed", "wrong input" or "stopped"; a run that the user stops has no
+// "error". All output of say, warn, complain and the progress is appended to the log file, with the
+// time of the start and of the end.
 #pragma once
 
 #include <fmt/format.h>

@@ -22,9 +22,10 @@ namespace {
 using correlation::Study;
 using Sight = ShelvedStudy::Sight;
 
-constexpr std::size_t kNamedTrials = 20;  // trials named for one reason
+constexpr std::size_t kNamedTrials = 20;  // most trials named for one reason of failure
 constexpr std::size_t kReasons = 50;
-constexpr double kNoWeight = 1e-6;  // share of the largest weight that counts as none
+// share of the largest weight below which a weight counts as zero
+constexpr double kNoWeight = 1e-6;
 
 Json variables(const Study& study, const DesignPoint* best) {
   Json list = Json::array();
@@ -104,7 +105,7 @@ Json failures(const TrialTable& table) {
   return list;
 }
 
-/// Returns warnings before or during a run.
+/// Returns the warnings about a study before or during its run.
 Json warnings(const Study& study, const Sight& sight) {
   Json list = Json::array();
   if (!sight.error.empty()) list.push_back(sight.error);
@@ -135,15 +136,15 @@ double seconds_since(std::filesystem::file_time_type time) {
       .count();
 }
 
-/// Returns the number of points of the design still to come; nullopt if it is not known, because a
-/// search ends when it has found a minimum.
+/// Returns the number of points of the design of experiments that are still to come; nullopt for a
+/// search, whose end is not known in advance.
 std::optional<double> trials_to_come(const Sight& sight, const StudyRuns::Run& run) {
   if (!run.is_alive || run.verb != RunVerb::doe || !sight.study->doe) return std::nullopt;
   const auto points = plan(*sight.study->doe, sight.study->space).points.size();
   return std::max(0.0, static_cast<double>(points) - static_cast<double>(sight.table->total()));
 }
 
-/// Returns the present run, or the last run that this page started.
+/// Returns the run in progress, or the last run that this page started.
 Json run_of(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Run& run) {
   if (!sight.holder && !run.is_ours) return nullptr;
   Json view{{"workers", sight.study->run.workers},
@@ -187,7 +188,7 @@ Json best_of(const Study& study, const TrialTable& table, std::size_t place) {
           {"shown", shown}};
 }
 
-/// Adds the counts of trials, as `latsch check --json` gives them.
+/// Adds the counts of trials that `latsch check --json` also gives.
 void add_counts(Json& view, const Sight& sight) {
   const bool is_other = sight.of_another_study > 0;
   const correlation::TrialCounts counts = sight.table->counts_read();
