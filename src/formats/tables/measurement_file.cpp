@@ -15,7 +15,8 @@ namespace latsch::formats {
 namespace {
 
 const std::vector<std::string> kModeTypes = {"torsional", "lateral", "radial"};
-/// Waves around the tire. Rigs find some fifteen; forty are shorter than a contact patch.
+/// Largest number of waves around the tire. Rigs find about fifteen; forty waves would be shorter
+/// than a contact patch.
 constexpr long kMostWaves = 40;
 
 template <class Measurement>
@@ -26,7 +27,7 @@ void check(const Measurement& measurement, const CsvTable& table) {
                    fault->message);
 }
 
-/// Reads the labels in a row of the table of modes; an empty cell means not known.
+/// Reads the labels of a mode from a row of the table; an empty cell means not known.
 MeasuredMode read_label(const CsvTable& table, int row) {
   MeasuredMode mode;
   const auto cell = [&](const char* column) {
@@ -106,7 +107,7 @@ std::string mode_toml(const ModeTable& table) {
   return text;
 }
 
-/// Returns any text as one line.
+/// Returns the text as one line, for a comment.
 std::string comment_line(std::string comment) {
   std::replace(comment.begin(), comment.end(), '\n', ' ');
   return comment.empty() ? "" : fmt::format("# {}\n", comment);
