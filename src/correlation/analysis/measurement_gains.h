@@ -17,11 +17,11 @@
 namespace latsch::correlation {
 
 struct MeasurementGain {
-  /// for example "modes once more", "stiffness at 20 mm once more", "footprint"
+  /// For example "modes once more", "stiffness at 20 mm once more", "footprint".
   std::string measurement;
   double shrinkage = 1.0;  // factor by which the volume of the confidence region shrinks
   int helps = 0;           // index of the variable whose deviation falls by the largest factor
-  /// its standard deviation without and with the measurement, in ranges of the variable
+  /// Standard deviation of that variable without and with the measurement, in units of its range.
   double before = 0.0, after = 0.0;
 };
 

@@ -13,7 +13,7 @@ namespace latsch::correlation {
 
 namespace {
 
-/// Limits at a point, which terminal, page and report ask for one after the other.
+/// The limits at a point, kept because terminal, page and report request them one after the other.
 struct KnownLimits {
   std::string of;  // identity of the study and the point
   std::vector<std::string> sentences;

@@ -146,7 +146,7 @@ struct ModelComparisonFile {
   std::size_t find_case(const std::string& name) const;  // returns cases.size() if there is none
 };
 
-/// True if the file is a comparison of models: it has tables of models.
+/// True if the file is a comparison of models: it contains tables [model.NAME].
 bool compares_models(const std::filesystem::path& file);
 
 /// Throws InputError naming the place.

@@ -32,7 +32,7 @@ class ProgramTest : public experiment::Test {
   explicit ProgramTest(std::vector<OutputReader> outputs) : outputs_(std::move(outputs)) {}
 
   std::string in_words() const override { return "a run of the program"; }
-  // The identity of the program is in Specimens::identity.
+  // Specimens::identity contains the identity of the program, so the test adds nothing to it.
   std::vector<std::string> needs() const override { return {RunsAsProgram::kName}; }
   std::vector<experiment::ChannelInfo> channels() const override {
     std::vector<experiment::ChannelInfo> channels;
