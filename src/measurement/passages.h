@@ -34,8 +34,9 @@ std::optional<Period> find_period(std::span<const double> x, double shortest, do
 
 struct PassageSettings {
   double hit_at = 0.25;  // share of a passage
-  /// Hz; passages are low-pass filtered (without delay) for the alignment only. Above the
-  /// frequencies of the tire's response, correlated noise would shift the maximum. 0: no filter.
+  /// Frequency, Hz: passages are low-pass filtered (without delay) for the alignment only. Above
+  /// the frequencies of the tire's response, correlated noise would shift the maximum. 0: no
+  /// filter.
   double align_below = 250.0;
   /// Share of a period; largest shift relative to one period after the passage before.
   double most_shift = 0.1;

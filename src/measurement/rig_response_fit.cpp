@@ -179,7 +179,7 @@ FittedResponse fit_to_rims(const std::vector<RimPair>& pairs,
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     cases.push_back(lines_of(pairs[i], rate, band));
     count += 2 * static_cast<Eigen::Index>(cases.back().size());
-    x[4 + i] = first_delay(pairs[i], rate, start) * start.f;  // as an angle, which is of order 1
+    x[4 + i] = first_delay(pairs[i], rate, start) * start.f;  // an angle, which is of order 1
   }
   if (count < x.size()) throw InputError("the band of the fit holds too few lines of the passages");
   const auto residuals = [&](const Eigen::VectorXd& x) {

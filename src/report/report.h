@@ -198,7 +198,7 @@ struct RunFacts {
   double cpu_time = 0.0;   // s, sum over all trials
   /// Reasons of failed trials, and how often each occurred.
   std::vector<std::pair<std::string, int>> failure_reasons;
-  /// S, the part of cpu_time that outside programs used.
+  /// Part of cpu_time, s, that outside programs used.
   double program_time = 0.0;
 };
 

@@ -16,7 +16,7 @@ using multibody::BushingParameters;
 constexpr std::array<const char*, 6> kBushingAxes = {
     "x", "y", "z", "about x", "about y", "about z"};
 constexpr int kBushingDigits = 6, kCurvePoints = 200;
-// m and rad: range in which a linear curve is drawn.
+// Range, m and rad, in which a linear curve is drawn.
 constexpr double kBushingReach = 1e-3, kTurn = 0.1;
 
 const multibody::ForceCharacteristic* curve_of(const BushingParameters& bushing, int axis) {

@@ -66,7 +66,7 @@ class StudyTrials {
       }
     }
     reuse_.give_back(std::move(specimen));
-    // Whether the trial can be compared is decided later by the objective, because a study may be
+    // The objective decides later whether the trial can be compared, because a study may be
     // corrected after the trial.
     return trial;
   }

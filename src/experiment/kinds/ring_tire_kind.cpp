@@ -27,7 +27,8 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
     ring_tire::RingTire tire(parameters_at(test.pressure));
     return experiment::run(tire, test);
   }
-  /// A straight section stands on the highest point of what is below it (docs/ring_tire.md).
+  /// Returns the limit that a rigid cross section rests on the highest point below it
+  /// (docs/ring_tire.md).
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     if (std::abs(cleat.angle) < kStraightCleat || parameters_.belt.bending_across > 0.0) return {};
     return {
@@ -72,7 +73,8 @@ class RingTireKind : public SpecimenKind {
   std::string describe(const Document& numbers) const override {
     return SpecimenKind::describe(numbers) + ", " + side_in_words(numbers);
   }
-  /// A ring without ply steer and conicity is its own mirror image.
+  /// Adds a note on the side of the tire, except for a ring without ply steer and conicity, which
+  /// equals its mirror image.
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
     const Document numbers = Document::read(file);
     const auto belt = ring_tire::read_ring_tire(numbers.root()).belt;
@@ -84,7 +86,7 @@ class RingTireKind : public SpecimenKind {
   }
   Document read(const std::filesystem::path& file) const override {
     Document document = Document::read(file);
-    RingSpecimen{document};  // errors are reported for the file as written
+    RingSpecimen{document};  // throws for a wrong file; messages then refer to the file as written
     return document;
   }
   std::unique_ptr<Specimen> build(const Document& numbers,

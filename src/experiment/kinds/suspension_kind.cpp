@@ -60,11 +60,12 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
   suspension::SuspensionCorner corner_;
 };
 
-/// Returns a sentence on every hardpoint at which hardly any suspension has it: exchanged ball
-/// joints, a contact point beside its wheel, the outer end of a link outside of the wheel.
+/// Returns a sentence for every hardpoint at a position that hardly any suspension has: exchanged
+/// ball joints, a contact point beside its wheel, the outer end of a link outside of the wheel.
 std::vector<std::string> doubts_about_hardpoints(const Node& root) {
-  constexpr double kFarBeside = 0.5;   // share of the wheel's height over the ground
-  constexpr double kFarOutside = 1.5;  // share of that height, center to a link's end
+  constexpr double kFarBeside = 0.5;  // share of the height of the wheel center above the ground
+  // share of that height; distance from the wheel center to the end of a link
+  constexpr double kFarOutside = 1.5;
   const suspension::CornerGeometry geometry = suspension::read_corner(root).geometry;
   const Eigen::Vector3d center = geometry.linkage.wheel.center;
   const Eigen::Vector3d contact = suspension::read_point(root.table("hardpoint"), "contact");
@@ -110,7 +111,7 @@ class SuspensionKind : public SpecimenKind {
     const ComposedSuspension composed = composed_suspension(written, file.parent_path());
     try {
       SuspensionSpecimen{composed.document};
-    } catch (const InputError& error) {  // errors are reported for the file as written
+    } catch (const InputError& error) {  // messages refer to the file as written
       const Place there = error.place();
       if (there.file != written.file() || composed.added.empty()) throw;
       const std::string words = error.what();

@@ -45,12 +45,12 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured = {
 /// Runs any tire; the tire keeps its final state.
 Result<Channels> run(Tire& tire, const DrumTest& test);
 
-/// Returns a Failure if a deflection, m, is deeper than the section of any tire of this radius. A
-/// tire whose file states its rim refuses less.
+/// Returns a Failure if a deflection, m, exceeds the section height of any tire of this radius. If
+/// the tire's file states its rim radius, the limit is lower.
 Status check_depth(const Tire& tire, double deflection);
 
-/// Longest distance, m, that a tire may move in one step: a block of its tread gains and loses
-/// contact within some steps.
+/// Largest distance, m, that a tire may move in one time step: a block of its tread makes and loses
+/// contact within a few steps.
 constexpr double kFarthestStep = 0.02;
 /// Throws InputError if a step moves the tire farther at this speed.
 void check_step(const Node& test, double speed, double step);

@@ -79,7 +79,7 @@ std::vector<double> measured_values(const Node& table,
 double measured_mean(const Node& table,
                      const MeasuredCondition& condition,
                      const MeasuredConditions& measured) {
-  // greatest standard deviation over mean; rigs hold speed and load closer
+  // Largest ratio of standard deviation to mean; rigs hold speed and load closer.
   constexpr double kHeld = 0.05;
   const auto values = samples_of(table, condition, measured);
   const auto count = static_cast<double>(values.size());

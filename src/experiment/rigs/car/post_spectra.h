@@ -32,8 +32,8 @@ namespace latsch::experiment {
 
 struct PostSpectra {
   double segment = 4.0;          // s, length
-  double from = 0.5, to = 30.0;  // Hz, band of the lines
-  /// s from the start in which the posts move, used for densities; 0: the whole record
+  double from = 0.5, to = 30.0;  // Hz, band of the computed lines
+  /// Time from the start, s, in which the posts move, used for densities; 0: the whole record.
   double moving = 0.0;
 };
 

@@ -9,7 +9,7 @@
 namespace latsch {
 namespace {
 
-// error that remains after halving, as a share of the change
+// Error that remains after halving, as a share of the change, for second order.
 constexpr double kSecondOrder = 1.0 / 3.0;
 
 RoughLimit of_few(const std::vector<double>& v) {

@@ -24,7 +24,7 @@ using fe_tire::Inflated;
 using fe_tire::Standing;
 using fe_tire::TireState;
 
-// N/m, for a first guess of the deflection under a load
+// Stiffness, N/m, for a first guess of the deflection under a load.
 constexpr double kTypicalStiffness = 2.0e5;
 constexpr int kEvenSteps = 5;
 

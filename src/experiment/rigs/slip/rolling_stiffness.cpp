@@ -11,8 +11,8 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kFree = 2.0,
-                 // m, at least: distance rolled freely and then with the slip before the force is
-    // averaged
+                 // Least distance, m, rolled freely, and then with the slip, before the force is
+    // averaged.
     kSettled = 2.0;
 
 struct Steady {
