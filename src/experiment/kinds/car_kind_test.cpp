@@ -154,7 +154,7 @@ TEST_F(CarFile, ARigidRingRollsOnACarWhereTheCarSaysSo) {
   const Straight found = run(*car, 20.0, 0.1);
   EXPECT_NEAR(found.side, 0.0, 1e-6);
   EXPECT_LT(found.drift, 1e-6);
-  // The tire is a rigid ring, whose belt vibrates, not a Magic Formula with the same numbers.
+  // The tires are rigid rings, whose belts vibrate, not Magic Formulas with the same coefficients.
   const auto formula = car_of("front_tire = \"tire.tir\"\nrear_tire = \"tire.tir\"\n");
   const auto a = car->settle(road::PlaneRoad{}, 20.0, {}),
              b = formula->settle(road::PlaneRoad{}, 20.0, {});

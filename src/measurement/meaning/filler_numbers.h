@@ -3,7 +3,7 @@
 // missing value, limits of an analog-digital converter, and a value at which a sensor saturates.
 //
 //   filler           999, 9999, 99999 ... with decimals (999.9), 8888 ..., 7777 ..., both signs;
-//                    32767, 32768, 65535, 8388607, 2147483647 ... (limits of integers); 1e30 or more
+//                    32767, 32768, 65535, 8388607, 2147483647 ... (integer limits); 1e30 or more
 //   certain          the filler is farther from all other values than these are from each other
 //                    and from 0, or far from its neighbors in time while the others change little
 //   possible         the filler lies outside of the other values, or occurs in several samples
