@@ -43,12 +43,12 @@ struct ExperimentRow {
   double value = 0.0;  // T_e
   /// mean of |dF| or |df|, the relative differences of forces or frequencies
   double mean_error = 0.0;
-  double largest_error = 0.0;                // largest |dF| or |df|
-  std::optional<double> initial_mean_error;  // mean error at the initial values of the variables
+  double largest_error = 0.0;  // largest |dF| or |df|
   /// The experiment's contribution to the target, T_e, as an error in its own measure (1 = 100 %):
-  /// the RMS if T_e is a mean square.
+  /// the RMS if T_e is a mean square. It is the number that every page shows.
   double error = 0.0;
-  std::string measure = "mean";  // name of the measure: "mean", "RMS"
+  std::optional<double> initial_error = {};  // that error at the initial values of the variables
+  std::string measure = "mean";              // name of the measure: "mean", "RMS"
   /// value that corresponds to 100 %, if it is the same for all values: "4000 N"
   std::string whole = "";
   /// The least error that an earlier stage of the fit reached, and the name of that stage; empty if

@@ -23,6 +23,7 @@
 #include "correlation/laboratory/lab_record.h"
 #include "correlation/laboratory/measurement_noise.h"
 #include "measurement/channels.h"
+#include "measurement/meaning/absent_channel.h"
 
 namespace latsch::correlation {
 
@@ -50,6 +51,8 @@ class Measurement {
     // Doubts about numbers that are probably not measured values; such an error counts only if
     // something uses the channel.
     std::vector<LedgerDoubt> suspects;
+    // structs of the MAT file, if none of them was chosen
+    std::vector<std::string> structs;
     // all samples as read, in Latsch's names and axes
     Channels recorded;
     Channels channels;            // processed and selected samples
@@ -124,6 +127,13 @@ class Measurement {
 
  private:
   NamedChannel named(const std::string& channel) const;
+  /// Returns what to state if a channel is missing, to follow its sentence: the columns that may be
+  /// it, or the structs of the file.
+  std::string way_out_of_missing(const std::string& channel, const std::string& unit) const;
+  /// Returns what to do if a column is the missing channel: `say columns = {toe = "toe_left"}`.
+  std::string advice_for(const std::string& channel,
+                         const std::string& unit,
+                         const MayBe& column) const;
   /// Returns a message that a channel has no unit or one of another dimension, with the remedy.
   std::string other_dimension(const std::string& found,
                               const std::string& wanted,

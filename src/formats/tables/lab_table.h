@@ -3,7 +3,8 @@
 //
 //   .csv .txt                 csv_table.h
 //   .dat                      files of tire test consortia (below)
-//   .mat                      mat_file.h
+//   .mat                      mat_file.h; a single number with a known name and a unit becomes a
+//                             channel with the same value in all samples
 //   .tdx .tydex .tda .tdb     tydex_file.h; a constant that is no channel (INFLPRES) becomes a
 //                             channel with the same value in all samples
 //
@@ -47,7 +48,9 @@ struct LabTable {
   std::map<std::string, std::string> left_out;  // name -> why
   std::vector<TableColumn> left_columns;        // the columns left out, as the file states them
   Place header;                                 // line of the names
-  std::string assumed_encoding;  // encoding assumed for a text that is not UTF-8, in words
+  std::string assumed_encoding;      // encoding assumed for a text that is not UTF-8, in words
+  std::string assumed_struct;        // the only struct with known channels, if none is stated
+  std::vector<std::string> structs;  // structs of the file, if none of them was chosen
 
   /// Returns the place of a sample for messages: the line, or the file alone.
   Place place(std::size_t sample) const;
@@ -56,12 +59,16 @@ struct LabTable {
 /// `units` are the units of columns for which the file states none; an empty unit only says that
 /// the column is required. `expected` returns the unit that a column with a given name must have: a
 /// unit of another dimension is then an error, and a unit with several meanings is read in that
-/// dimension. Throws InputError that names file, line and column for: an unknown extension, a
-/// broken file, ragged rows, two columns of the same name, and columns of `units` that do not exist
-/// or have another unit in the file.
+/// dimension. If `part` is not empty, only the channels of that part of the file are read: of a
+/// struct of a MAT file, given by its path, or of the columns of a .csv file whose names begin with
+/// the part and a dot. The part is then omitted from their names. Throws InputError that names
+/// file, line and column for: an unknown extension, a broken file, ragged rows, two columns of the
+/// same name, columns of `units` that do not exist or have another unit in the file, and a part
+/// that does not exist.
 LabTable read_lab_table(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {},
-                        const ExpectedUnit& expected = {});
+                        const ExpectedUnit& expected = {},
+                        const std::string& part = "");
 
 /// Returns the extensions of the files that read_lab_table() reads, in lower case: ".csv", ... A
 /// new kind of file needs a reader and a line in lab_table.cpp; all parts of the program that

@@ -7,6 +7,8 @@
 //             whose name contains that of the channel ("tan alpha", "|SA|"); a column with the
 //             channel's name that was stated to be another channel; the channel of one wheel
 //             (alpha_FL)
+//   alpha     also a plain number of an unknown name whose values are like those of a slip, such
+//             as tan alpha or Vy / Vx
 //   alpha     also toe and steer, which are the slip angle on a rig that turns the wheel; and Vy
 //             with Vx, from which it can be computed
 //   kappa     also SL, the slip of the loaded radius; and omega with Vx, from which it can be
@@ -28,6 +30,7 @@ struct OtherColumn {
   bool has_unit = false;  // false if the file and its reader know no unit
   std::string taken_as = {};
   bool is_used = false;
+  bool is_slip_like = false;  // plain numbers of both signs, all below 1.5: may be a tangent
 };
 
 /// A column that may be a missing channel.
@@ -35,10 +38,12 @@ struct MayBe {
   std::string column;  // in the file
   std::string words;   // words that follow the name: "a steer angle"; empty: nothing more is known
   bool is_as_it_stands = true;  // false if the channel has to be computed from the column
+  bool has_its_name = false;    // the name contains that of the channel
 };
 
-/// Returns the columns that may be the missing channel, whose SI unit is `unit`, in the order of
-/// the file. Columns from which the channel has to be computed come last.
+/// Returns the columns that may be the missing channel `channel`, whose SI unit is `unit`: first
+/// those whose name contains that of the channel, last those from which the channel has to be
+/// computed, each in the order of the file.
 std::vector<MayBe> columns_that_may_be(std::string_view channel,
                                        std::string_view unit,
                                        const std::vector<OtherColumn>& columns);

@@ -25,6 +25,10 @@ constexpr double kRoundingOfValues = 1e-13;  // share of the largest singular va
 /// Share of the stated noise: residuals with less spread contain no noise. An autoregression with
 /// kappa = 0.99975, the strongest looked for, still leaves 0.03 beside a constant in 20 values.
 constexpr double kNoNoise = 1e-3;
+/// Share of the root mean square of psi: if a few values beyond their corner pull the fit off exact
+/// ones, a curved model leaves this much of a smooth pattern in these, which is no noise that
+/// neighbors share. A larger share misses weak noise that they do share.
+constexpr double kPulled = 0.05;
 /// Share of a variable's deviation: a bound does not hold a variable that would leave it by less.
 /// In a fit without noise, rounding decides whether it does.
 constexpr double kHeldBy = 1e-3;
@@ -333,7 +337,9 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   const Eigen::MatrixXd H = rows.is_limited() ? weighted_rows(rows.X(), rows.own_weights()) : at.J;
   // The noise is estimated with all variables: residuals that a held variable could explain are not
   // noise.
-  const double rounding = options.sigma ? kNoNoise * *options.sigma : options.least_noise;
+  double rounding = options.sigma ? kNoNoise * *options.sigma : options.least_noise;
+  if (rows.beyond() > 0)
+    rounding = std::max(rounding, kPulled * rows.psi().norm() / std::sqrt(at.r.size()));
   const ResidualNoise noise(rows.psi(), rows.X(), options.traits, rounding);
   take_spread(noise, options, rows, c);
   c.held = held_variables(at.u, H, gradient, c.sigma);

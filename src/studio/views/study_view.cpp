@@ -7,9 +7,11 @@
 
 #include "base/units.h"
 #include "correlation/analysis/beyond_data.h"
+#include "correlation/analysis/test_limits.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_experiment.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 #include "experiment/language/usual_numbers.h"
 #include "studio/views/json_values.h"
@@ -56,7 +58,7 @@ Json experiments(const Study& study, const TrialTable& table, std::optional<std:
     if (experiment.fitted && parts) {
       const double target = weighting.target(*parts);
       share = target > 0.0 ? finite(weighting.share(*parts, fitted) / target) : Json(nullptr);
-      error = finite(parts->mean_errors[fitted]);
+      error = finite(parts->errors[fitted]);
     }
     if (experiment.fitted) ++fitted;
     list.push_back({{"name", experiment.name},
@@ -68,7 +70,8 @@ Json experiments(const Study& study, const TrialTable& table, std::optional<std:
                     {"weight", experiment.objective.weight},
                     {"exponent", experiment.objective.exponent},
                     {"values", experiment.values()},
-                    {"mean_error", error},
+                    {"measure", measure_in_words(experiment)},
+                    {"error", error},
                     {"share", share}});
   }
   return list;
@@ -117,6 +120,7 @@ Json warnings(const Study& study, const Sight& sight) {
     for (const LedgerDoubt& doubt : ledger.doubts)
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
         list.push_back(doubt.sentence);  // the page shows each sentence once
+  for (const std::string& limit : correlation::limits_of_tests(study)) list.push_back(limit);
   for (const std::string& words : sight.spoiled) list.push_back(words);
   for (const std::string& words : correlation::untold_in_words(study)) list.push_back(words);
   double largest = 0.0;
