@@ -47,7 +47,7 @@ struct ExperimentRow {
   /// The experiment's contribution to the target, T_e, as an error in its own measure (1 = 100 %):
   /// the RMS if T_e is a mean square. It is the number that every page shows.
   double error = 0.0;
-  std::optional<double> initial_error = {};  // that error at the initial values of the variables
+  std::optional<double> initial_error = {};  // `error` at the initial values of the variables
   std::string measure = "mean";              // name of the measure: "mean", "RMS"
   /// value that corresponds to 100 %, if it is the same for all values: "4000 N"
   std::string whole = "";

@@ -417,7 +417,8 @@ class DrumPassage {
   double rate_;
   const ProcessedPlateau& plateau_;
   std::string name_, table_;
-  std::vector<std::string> frames_;  // of the columns' names; empty: they state none
+  /// axis frames stated in the names of the columns; empty: no name states one
+  std::vector<std::string> frames_;
   long hit_ = 0;
   double before_ = 0.0, behind_ = 0.0;  // s, parts of the window before and behind the hit
   double moved_ = 0.0, alike_ = 0.0;

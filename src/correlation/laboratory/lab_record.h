@@ -55,7 +55,7 @@ struct LabRecord {
   /// For each channel, further columns that claim the same channel.
   std::map<std::string, std::vector<std::string>> ambiguous;
   std::vector<SuspectSamples> suspects;
-  std::vector<std::string> structs;  // of the first file, if none of them was chosen
+  std::vector<std::string> structs;  // structs of the first file, if none of them was chosen
 
   std::size_t samples() const { return places.size(); }
   std::vector<std::string> names() const;

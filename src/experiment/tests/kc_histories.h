@@ -17,8 +17,9 @@ namespace latsch::experiment {
 
 /// A quantity that a rig prescribes.
 struct Prescribed {
-  std::string name, unit;  // SI
-  std::string frame = "";  // of a load: W acts at the contact patch, H at the wheel center
+  std::string name, unit;  // SI unit
+  /// point of action of a load: W: contact patch, H: wheel center
+  std::string frame = "";
 };
 
 /// Histories by name, all of one length; only stated quantities.

@@ -18,7 +18,7 @@ struct Side {
   std::shared_ptr<const correlation::Study> study;
   std::optional<DesignPoint> best;
   Json target = nullptr;
-  std::map<std::string, double> errors;  // of each experiment, in its own measure
+  std::map<std::string, double> errors;  // errors of the experiments, each in its own measure
   Json convergence;
   KeptIdentifiability kept;
   std::string no_intervals;  // reason why there are no intervals
