@@ -54,7 +54,8 @@ void Document::set(std::string_view path, double value) {
   if (!std::isfinite(value))
     throw InputError(tree_->place(index),
                      std::string(path) + " cannot become " + format_number(value));
-  // Other copies of this document and nodes read from it keep the earlier numbers.
+  // Copies the changed numbers first if another document or Node shares them, so that those keep
+  // the earlier numbers.
   if (changes_.use_count() > 1) changes_ = std::make_shared<DocumentChanges>(*changes_);
   (*changes_)[index] = value;
 }

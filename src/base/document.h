@@ -153,8 +153,8 @@ class Document {
 
  private:
   std::shared_ptr<const DocumentTree> tree_;
-  std::shared_ptr<std::map<int, double>> changes_;  // changed only while this document is the only
-                                                    // owner
+  // Changed only while this document is the only owner.
+  std::shared_ptr<std::map<int, double>> changes_;
 };
 
 }  // namespace latsch

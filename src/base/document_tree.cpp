@@ -16,10 +16,10 @@ namespace {
 constexpr int kDeepest = 16;
 constexpr int kMostValues = 50000;
 
-/// Rejects deep nesting and too many values before the parser sees them: the parser's own limit of
-/// depth is generous, dotted keys have none, and a value needs a hundred times the memory of its
-/// text. Counts brackets, dots and separators outside of texts and comments; the exact depth is
-/// checked later.
+/// Rejects deep nesting and too many values in a TOML text before the parser reads it: the parser
+/// allows very deep nesting, does not limit dotted keys, and needs a hundred times the memory of
+/// the text for a value. Counts brackets, dots and separators outside of texts and comments; the
+/// exact depth is checked later.
 void check_size_of_source(std::string_view source, const std::string& file) {
   int line = 1, brackets = 0, dots = 0, values = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {

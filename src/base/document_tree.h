@@ -37,7 +37,7 @@ struct DocumentValue {
   bool flag = false;
   std::string unit;           // unit named by {unit, values}; "" if every number has its own
   std::vector<int> children;  // elements of a table or list, in the order of the file
-  std::optional<DocumentNumber> number;  // none if the value stands for no finite number
+  std::optional<DocumentNumber> number;  // nullopt if the value is not a finite number
 };
 
 /// Numbers (SI) that replace those of the file, by the index of their value.

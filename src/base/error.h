@@ -22,7 +22,7 @@ struct Place {
 /// such as "22 deg"`.
 class InputError : public std::runtime_error {
  public:
-  /// The message is preceded by the place.
+  /// The text of the error is the place followed by the message.
   InputError(const Place& place, const std::string& message);
   /// An error that concerns no file.
   explicit InputError(const std::string& message);

@@ -183,8 +183,9 @@ void flush_folder(const std::filesystem::path& folder) {
 constexpr const char* kNotWritten = "cannot be written";
 constexpr int kMostLinks = 40;  // links followed; the system's own limit
 
-/// Returns the file at the end of a chain of links, which need not exist; nullopt if the chain
-/// leads through /proc to an open file, whose name identifies nothing.
+/// Follows a chain of symbolic links and returns the file at its end, which need not exist. Returns
+/// nullopt if the chain leads through /proc to an open file, because the name of such a link
+/// identifies no file.
 std::optional<std::filesystem::path> followed(std::filesystem::path file) {
   const std::filesystem::path asked = file;
   for (int links = 0; links <= kMostLinks; ++links) {

@@ -31,8 +31,8 @@ namespace latsch {
 /// would never end. Every function that reads a file of the user calls this.
 void expect_no_pipe(const std::filesystem::path& file);
 
-/// Throws InputError naming the path and the reason: missing, a folder, a pipe, no permission,
-/// above the limit.
+/// Throws InputError naming the path and the reason: the file is missing, is a folder or a pipe,
+/// may not be read, or is larger than the limit.
 std::string read_text_file(const std::filesystem::path& file, std::size_t limit = 64u << 20);
 
 /// Writes what `write` puts into the stream. Throws InputError naming the path and the reason, such

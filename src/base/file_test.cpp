@@ -98,7 +98,7 @@ struct stat status_of(const std::filesystem::path& file) {
   return status;
 }
 
-/// Runs `action` in a process of its own; true if it returned true there.
+/// Runs `action` in a child process. Returns true if `action` returned true there.
 bool elsewhere(const std::function<bool()>& action) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -130,8 +130,8 @@ TEST_F(File, ADeviceIsWrittenToAndStays) {
 }
 
 TEST_F(File, ADiskIsRefused) {
-  const auto disk = folder_ / "disk";  // major number 42 is reserved for demonstration: no driver
-                                       // has it
+  // The major number 42 is reserved for demonstration, so no driver has it.
+  const auto disk = folder_ / "disk";
   if (!make_device(disk, S_IFBLK, 42, 0)) GTEST_SKIP() << "devices cannot be made here";
   EXPECT_NE(complaint_of_writing(disk, "x").find("is a disk"), std::string::npos);
   EXPECT_TRUE(S_ISBLK(status_of(disk).st_mode));
@@ -215,7 +215,7 @@ TEST_F(File, LinksInACircleAreNamed) {
   EXPECT_EQ(entries(), 2);
 }
 
-// The names that a temporary file may use are links to somebody else's file here.
+// The names that a temporary file may use are taken here by symbolic links to another user's file.
 TEST_F(File, NoTemporaryFileFollowsALink) {
   write_text_file(folder_ / "theirs", "theirs");
   const auto file = folder_ / "a";
@@ -232,7 +232,7 @@ TEST_F(File, NoTemporaryFileFollowsALink) {
 TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
   if (::geteuid() != 0) GTEST_SKIP() << "needs root to become somebody else";
   constexpr uid_t kNobody = 65534;
-  const auto guarded = folder_ / "guarded";  // its folder is writable
+  const auto guarded = folder_ / "guarded";  // a write-protected file in a folder that is not
   write_text_file(guarded, "old");
   ASSERT_EQ(::chmod(guarded.c_str(), 0444), 0);
   ASSERT_EQ(::chmod(folder_.c_str(), 0777), 0);
@@ -241,7 +241,7 @@ TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
   }));
   EXPECT_EQ(read_text_file(guarded), "old");
 
-  const auto given = folder_ / "given";  // its folder is not writable
+  const auto given = folder_ / "given";  // a file in a write-protected folder
   write_text_file(given, "old and longer");
   ASSERT_EQ(::chmod(given.c_str(), 0666), 0);
   ASSERT_EQ(::chmod(folder_.c_str(), 0755), 0);
@@ -255,7 +255,8 @@ TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
 }
 
 TEST_F(File, WhatIsPrintedToIsWrittenToInItsTurn) {
-  const auto file = folder_ / "printed", ours = folder_ / "stdout";  // the case of /dev/stdout
+  // `ours` is a link to the standard output of this process, as /dev/stdout is.
+  const auto file = folder_ / "printed", ours = folder_ / "stdout";
   std::filesystem::create_symlink("/proc/self/fd/1", ours);
   for (const auto& name : {ours, file}) {
     EXPECT_TRUE(elsewhere([&] {

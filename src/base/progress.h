@@ -28,9 +28,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of `total` are finished; total 0: the total is unknown. `note` is one short text, such
-  /// as the best value so far. Prints the first and the last call, and the calls between them that
-  /// are due.
+  /// `done` of `total` evaluations are finished; if `total` is 0, it is unknown. `note` is one
+  /// short text, such as the best value so far. Prints the first and the last state, and the states
+  /// between them at intervals.
   void update(long done, long total, const std::string& note = "");
 
  private:

@@ -32,7 +32,8 @@ constexpr struct {
 } kAdditions[] = {
     {"deg", "arc_degree"}, {"rev", "6.283185307179586 rad"}, {"Nm", "N m"}, {"kph", "km/h"}};
 
-/// Name and example of values of a dimension; the first row of a dimension has its SI unit.
+/// Noun and example for the quantities of a dimension. The first row of each dimension has its SI
+/// unit.
 struct KnownDimension {
   const char *unit, *noun, *example;
 };
@@ -94,7 +95,8 @@ class Database {
     return database;
   }
 
-  /// `text` is trimmed. If it has several meanings, the usual one is returned.
+  /// Finds the unit that the trimmed `text` names. If the text has several meanings, the usual one
+  /// is returned.
   std::optional<Entry> find(std::string_view text) {
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(text); known != known_.end()) return known->second;
@@ -164,7 +166,7 @@ class Database {
     return entry;
   }
 
-  /// Fails for logarithmic units (decibel) and for times since a date.
+  /// Returns false for logarithmic units (decibel) and for times since a date.
   bool find_dimension(const ut_unit* unit, Unit::Dimension& dimension) const {
     struct Visit {
       const Database* database;
@@ -255,8 +257,8 @@ std::string Unit::exact_number(double value) const {
     std::from_chars(digits.data(), digits.data() + digits.size(), read);
     return to_si(read) == value;
   };
-  // A number that was computed, not typed, needs all digits of a double or more: fewer are not
-  // tried.
+  // A value that a person typed is reproduced by few digits. Any other value needs all digits of a
+  // double or more, so intermediate numbers of digits are not tried.
   int precision = gives_back(kUsual) ? kFewest : kUsual + 1;
   while (!gives_back(precision) && precision < kMost) ++precision;
   return digits;

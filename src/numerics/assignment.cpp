@@ -63,8 +63,8 @@ std::vector<int> assign(const Eigen::MatrixXd& cost) {
   for (double c : cost.reshaped()) {
     if (c < kForbidden) largest = std::max(largest, std::abs(c));
   }
-  // A forbidden pair costs more than any set of allowed ones, so as few as possible are chosen, and
-  // these are dropped.
+  // A forbidden pair costs more than any set of allowed pairs, so the assignment contains as few of
+  // them as possible. They are removed from the result.
   const double forbidden = (2.0 * largest + 1.0) * static_cast<double>(std::min(rows, columns) + 1);
   Eigen::MatrixXd finite = cost.unaryExpr([&](double c) { return c < kForbidden ? c : forbidden; });
   std::vector<int> partner(rows, -1);

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kMany = 1000.0;  // degrees of freedom above which the cubic root is used
 
-/// Returns sum_k z^k / ((a + 1) ... (a + k)), the series of 8.7.1 over its first term.
+/// Returns sum_k z^k / ((a + 1) ... (a + k)), the series of equation 8.7.1 divided by its first
+/// term.
 double series(double a, double z) {
   double sum = 1.0, term = 1.0;
   for (double k = a + 1.0; term > 1e-17 * sum; k += 1.0) {
@@ -20,7 +21,7 @@ double series(double a, double z) {
   return sum;
 }
 
-/// Evaluates the continued fraction of 8.9.2 from its end inward.
+/// Evaluates the continued fraction of equation 8.9.2 from its last term backward.
 double continued_fraction(double a, double z) {
   constexpr int kTerms = 500;
   double tail = z;
@@ -50,7 +51,8 @@ double chi_square_probability(double x, double nu) {
   return z < a + 1.0 ? front / a * series(a, z) : 1.0 - front * continued_fraction(a, z);
 }
 
-/// Uses Newton's method inside a bracket.
+/// Solves F(x; nu) = p by Newton's method; a step that leaves the bracket of the solution is
+/// replaced by bisection.
 double chi_square_quantile(double p, double nu) {
   assert(0.0 < p && p < 1.0);
   constexpr int kMost = 200;  // bisection alone reaches the last digit of a double by then

@@ -50,8 +50,9 @@ TEST(ChiSquare, IsOneCurveWhereItsFormulasMeet) {
   }
 }
 
-// The cubic root is used above a thousand degrees of freedom. The step there must be less than a
-// thousandth of the deviation, which is sqrt(2/nu) of the mean.
+// Above a thousand degrees of freedom the cube-root approximation replaces the exact quantile. The
+// step at this limit must be less than a thousandth of the standard deviation, which is sqrt(2/nu)
+// of the mean.
 TEST(ChiSquare, PassesToTheCubicRootWithoutAStep) {
   for (const double z : {-3.0, -1.645, 0.0, 1.645, 3.0})
     EXPECT_NEAR(

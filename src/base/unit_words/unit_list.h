@@ -17,7 +17,7 @@ struct UnitRow {
 };
 
 // clang-format off
-/// Known also in other cases: "KPA", "Newton".
+// These words are recognized in other letter cases, too: "KPA", "Newton".
 inline constexpr UnitRow kWords[] = {
     // Length.
     {"m", "m"}, {"meter", "m"}, {"meters", "m"}, {"metre", "m"}, {"metres", "m"}, {"mm", "mm"},

@@ -248,7 +248,8 @@ class Reading {
       return "";
     }
     const char digit = text_[at++];
-    // "C1" and "N0" are names of channels.
+    // The exponents 0 and 1 are refused unless they are marked as powers: "C1" and "N0" are names
+    // of channels.
     if (digit == '0' || (digit == '1' && sign.empty() && !power)) is_wrong_ = true;
     const std::string exponent = "^" + sign + digit;
     if (bracket && (at >= text_.size() || text_[at++] != ')')) is_wrong_ = true;
@@ -296,7 +297,7 @@ class Reading {
   std::vector<Piece> pieces_;
 };
 
-/// Some texts mean something else than the product of their words.
+/// Looks up texts whose meaning is not the product of the meanings of their words.
 void read_together(UnitMeanings& result) {
   for (const auto& row : unit_list::kTogether)
     for (std::string& text : result.texts)

@@ -33,7 +33,8 @@ struct UnitMeanings {
   std::string refusal;
 };
 
-/// `is_foreign(word, meaning)` says whether UDUNITS knows `word` as something else than `meaning`.
+/// Returns the meanings of the unit `written`. `is_foreign(word, meaning)` returns true if UDUNITS
+/// reads `word` as a unit other than `meaning`.
 UnitMeanings unit_meanings(
     std::string_view written,
     const std::function<bool(std::string_view word, const std::string& meaning)>& is_foreign);

@@ -66,8 +66,8 @@ TEST(BlasCore, ReplacesAnOldFallbackAndIsFaster) {
   ASSERT_TRUE(use_blas_core(chosen));
 }
 
-TEST(BlasCore,
-     IsOneOpenBlasWithoutThreads) {  // whatever the system's libblas.so.3 and libopenblas.so.0 are
+// Holds whichever libblas.so.3 and libopenblas.so.0 the system has.
+TEST(BlasCore, IsOneOpenBlasWithoutThreads) {
   EXPECT_NE(blas_configuration().find("SINGLE_THREADED"), std::string::npos)
       << blas_configuration();
   std::ifstream maps("/proc/self/maps");

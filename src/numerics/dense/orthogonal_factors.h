@@ -24,8 +24,8 @@ class HouseholderQr {
   Eigen::VectorXd coefficients_;  // 2 / |reflection|^2
 };
 
-/// Factorization A P = Q R. Each next column is the one farthest from the span of those before, so
-/// that the rank shows.
+/// Factorization A P = Q R with column pivoting: each next column is the one farthest from the span
+/// of the columns before it, so that the diagonal of R reveals the rank.
 struct PivotedQr {
   Eigen::MatrixXd Q;       // m x m: the first `rank` columns span the range
   std::vector<int> order;  // order of the n columns: the first `rank` are independent

@@ -47,7 +47,8 @@ TEST(SelfAdjointEigen, FindsThemWhereTheCouplingsHaveAnyPhase) {
   expect_pairs_of_second_differences(tridiagonal(2.0, std::polar(1.0, 0.7)));
 }
 
-// Linear elements with consistent mass, held at both ends, have 6 (1 - cos a) / (2 + cos a).
+// A bar of linear finite elements with consistent mass, fixed at both ends, has the eigenvalues 6
+// (1 - cos a) / (2 + cos a), a = k pi / (n + 1).
 TEST(SelfAdjointEigen, FindsTheFrequenciesOfABar) {
   const Eigen::VectorXd lambda =
       generalized_eigenvalues(tridiagonal(2.0, -1.0), tridiagonal(4.0 / 6.0, 1.0 / 6.0));

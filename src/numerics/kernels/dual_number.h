@@ -90,7 +90,8 @@ struct DualNumber {
 /// Returns by_a a + by_b b; one of the two may be nullptr.
 const SlopeBlock* combined(const SlopeBlock* a, double by_a, const SlopeBlock* b, double by_b);
 
-/// Returns the slopes of x times a factor without one direction; nullptr if there is no other.
+/// Returns the slopes of x multiplied by `factor`, leaving out one direction; nullptr if no other
+/// direction has a slope.
 const SlopeBlock* without(const DualNumber& x, int direction, double factor);
 
 /// Returns f(x) with its slope f'(x).
@@ -144,8 +145,8 @@ inline DualNumber pow(const DualNumber& x, const DualNumber& y) {
   return with_slopes(f, x, y.v * f / x.v, y, f * std::log(x.v));
 }
 
-/// True if a number may differ from 0. A term with a coefficient of 0 must not be skipped if its
-/// slope is wanted.
+/// True if a number or one of its slopes differs from 0. A term whose coefficient is 0 must be kept
+/// if the slope of the coefficient is wanted.
 inline bool matters(double x) { return x != 0.0; }
 inline bool matters(const DualNumber& x) { return x.v != 0.0 || x.slopes != nullptr; }
 inline double value(double x) { return x; }

@@ -31,7 +31,7 @@
 
 namespace latsch::LATSCH_KERNELS {
 
-/// Combines two T to one of twice the width.
+/// Masks and registers of twice the width of T, made of two T each.
 template <class T>
 struct TwiceMask {
   T lo, hi;
@@ -173,7 +173,7 @@ LATSCH_INLINE void store(const Lanes4& v, double* p) { v.save(p); }
 LATSCH_INLINE Lanes4 four(double a, double b, double c, double d) {
   return {Doubles2{a, b}, Doubles2{c, d}};
 }
-/// Returns (0 + 2) + (1 + 3).
+/// Returns the sum of four lanes in the order (x0 + x2) + (x1 + x3).
 LATSCH_INLINE double sum_of_four(const Lanes4& x) {
   const Doubles2 two = x.lo.v + x.hi.v;
   return two[0] + two[1];

@@ -175,7 +175,7 @@ struct Register4 : Arithmetic<Register4> {
 LATSCH_INLINE Register4 four(double a, double b, double c, double d) {
   return _mm256_set_pd(d, c, b, a);
 }
-/// Returns (0 + 2) + (1 + 3).
+/// Returns the sum of the four doubles in the order (x0 + x2) + (x1 + x3).
 LATSCH_INLINE double sum_of_four(const Register4& x) {
   const __m128d two = _mm_add_pd(_mm256_castpd256_pd128(x.v), _mm256_extractf128_pd(x.v, 1));
   return _mm_cvtsd_f64(_mm_add_sd(two, _mm_unpackhi_pd(two, two)));

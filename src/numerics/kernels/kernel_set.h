@@ -51,8 +51,8 @@ inline KernelSet kernel_set() {
   return set == detail::kNotChosen ? detail::choose_kernel_set() : static_cast<KernelSet>(set);
 }
 
-/// Uses another set of kernel_sets() during its lifetime, so that tests and benchmarks can run all
-/// of them.
+/// Selects another set of kernel_sets() while the object lives, so that tests and benchmarks can
+/// run all of them.
 class WithKernelSet {
  public:
   explicit WithKernelSet(KernelSet set);

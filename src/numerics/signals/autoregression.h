@@ -26,7 +26,8 @@ class Autoregression {
   int order() const { return static_cast<int>(partial_.size()); }
   const std::vector<double>& partial() const { return partial_; }
 
-  /// Returns L^-1 X, column by column. A column of such noise becomes white noise of variance 1.
+  /// Returns L^-1 X, column by column. A column of noise that follows the model becomes white noise
+  /// of variance 1.
   Eigen::MatrixXd whitened(const Eigen::MatrixXd& X) const;
   /// Returns L' X. The squared norm of the result for a column x is x' R x.
   Eigen::MatrixXd colored(const Eigen::MatrixXd& X) const;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr LevelResolution kPressure{1.5e3, 20e3};  // Pa
 
-/// Returns set points with noise of a deviation, and a slow transition from each to the next.
+/// Returns a signal that rests at each of the set points, with noise of the given standard
+/// deviation, and moves slowly from each to the next.
 std::vector<double> held(const std::vector<double>& points, double deviation, int samples) {
   std::mt19937 chance(3);
   std::normal_distribution<double> noise(0.0, deviation);

@@ -73,7 +73,8 @@ TEST(LocalResponse, OfAnOscillatorItIsItsClosedForm) {
   }
 }
 
-// The record has another mean at its start, and another at its end.
+// The record rests at one level at its start and at another level at its end. Neither level may
+// change the response.
 TEST(LocalResponse, WhereARecordRestsDoesNotCount) {
   std::vector<double> x = sweep(), y(x.size());
   const std::vector<double> f = lines();
@@ -85,8 +86,8 @@ TEST(LocalResponse, WhereARecordRestsDoesNotCount) {
   for (const std::complex<double>& h : found.response) EXPECT_LT(std::abs(h + 3.0), 1e-9);
 }
 
-// A body that oscillates for a long time: a fit of the same order without a delay represents it
-// less well.
+// The response of a body that oscillates for a long time is represented less well by a fit of the
+// same order without a delay.
 TEST(LocalResponse, ADelayFollowsWhatRingsLonger) {
   const std::vector<double> x = sweep(), f = lines();
   const double frequency = 1.25, zeta = 0.1;
@@ -106,8 +107,9 @@ TEST(LocalResponse, ADelayFollowsWhatRingsLonger) {
   EXPECT_LT(delayed, at_once);
 }
 
-// The square of a sweep is no linear response to it. Narrow bands of lines appear coherent with it
-// all the same, unless it is known beside the record.
+// The square of a sweep is not a linear response to the sweep. In narrow bands of frequency it
+// nevertheless appears coherent with it, unless the fit is told that the square has no linear
+// relation to the sweep.
 TEST(LocalResponse, WhatIsKnownNotToFollowLowersTheCoherence) {
   const std::vector<double> x = sweep();
   std::vector<double> squares(x.size());

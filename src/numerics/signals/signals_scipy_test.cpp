@@ -174,7 +174,7 @@ TEST_F(SciPySignal, WelchIsTheSameInEveryConvention) {
              x_, kRate, {301, 100, 512, SpectralWindow::hamming_periodic, Detrend::segment_line})
              .value);
   const auto octave = welch_settings(Convention::octave, kSamples);
-  EXPECT_EQ(octave.segment, 64);  // next power of two above sqrt(1600) = 40
+  EXPECT_EQ(octave.segment, 64);  // the next power of two above sqrt(1600) = 40
   agrees("octave", power_density(x_, kRate, octave).value);
   const auto matlab = welch_settings(Convention::matlab, kSamples);
   EXPECT_EQ(segment_count(kSamples, matlab),

@@ -55,8 +55,8 @@ TEST(TimeDelay, ValuesBetweenSamplesAreThoseOfTheSine) {
   EXPECT_NEAR(values_between(x, 100.0, 1)[0], x[100], 1e-13);
 }
 
-// H1 of a noise-free delay has its response, |z| on the unit circle. The transient of a segment
-// leaks, so the tolerance is a percent.
+// The estimate H1 of a noise-free delay is exp(-i omega delay), so its magnitude is 1. Each segment
+// is cut from a transient, which causes leakage, so the tolerance is one percent.
 TEST(Welch, ResponseOfAPureDelayHasItsPhase) {
   std::vector<double> x(20000), y(20000, 0.0);
   for (int i = 0; i < 20000; ++i) x[i] = std::sin(0.001 * i * i);  // sweeps over all frequencies

@@ -80,7 +80,8 @@ std::vector<double> frequencies(double rate, int length) {
   return f;
 }
 
-/// Converts sums to the mean over the segments, per Hz, with both halves of the spectrum in one.
+/// Divides sums over the segments by their number and converts them to one-sided densities per Hz:
+/// the power of negative frequencies is added to that of positive ones.
 template <class T>
 void scale(std::vector<T>& sums, double rate, double window_power, int segments, int length) {
   const double factor = 1.0 / (rate * window_power);

@@ -46,8 +46,9 @@ struct WelchSettings {
 
 enum class Convention { scipy, octave, matlab };
 
-/// Returns the settings that the program uses for a record of `samples` if only the segment is
-/// given, or not even that. A segment longer than the record becomes the record.
+/// Returns the settings that the named program uses by default for a record of `samples`, with the
+/// given length of segments or, if none is given, with its own. A segment longer than the record is
+/// shortened to the record.
 WelchSettings welch_settings(Convention convention,
                              int samples,
                              std::optional<int> segment = std::nullopt);

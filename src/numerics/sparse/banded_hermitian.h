@@ -60,7 +60,7 @@ struct BorderedHermitian {
   int size() const { return banded.size() + static_cast<int>(corner.rows()); }
   /// Adds `factor` times a matrix of the same shape.
   void add(double factor, const BorderedHermitian& other);
-  /// Computes Y = this X.
+  /// Computes Y = A X, where A is this matrix.
   void multiply(const Eigen::Ref<const Eigen::MatrixXcd>& X, Eigen::Ref<Eigen::MatrixXcd> Y) const;
 };
 

@@ -135,7 +135,7 @@ inline __attribute__((always_inline)) void eliminate_one(
   }
 }
 
-/// Substitutes with one right-hand side; the spare numbers after v must be zero.
+/// Computes x <- L^-T (x - B' b) for one right-hand side; the spare numbers after v must be zero.
 template <int width>
 inline __attribute__((always_inline)) void substitute_one(
     const float* L, int ld, int j, int rows, float* v) {
@@ -217,7 +217,8 @@ void multiply(int block_rows,
         y[j + c] = mul_add(sum, b[3 * c + 2], x2);
       }
     }
-    y[3 * i] = y0;  // Rows below add to it later.
+    // Later rows of the loop add to this result.
+    y[3 * i] = y0;
     y[3 * i + 1] = y1;
     y[3 * i + 2] = y2;
   }

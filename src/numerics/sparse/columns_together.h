@@ -17,8 +17,9 @@ void eliminate_columns(int pivots, int rows, const float* panel, float* v);
 /// Computes x <- L^-T (x - B' b).
 void substitute_columns(int pivots, int rows, const float* panel, float* v);
 
-/// Work as the functions above for one column. kRoom numbers after v are overwritten (the second
-/// function sets them to zero). As many are read after the panel; they must be finite.
+/// Work as the functions above for one column. The kRoom numbers after v are overwritten (the
+/// second function sets them to zero). kRoom numbers after the panel are read, so they must exist
+/// and be finite.
 void eliminate_column(int pivots, int rows, const float* panel, float* v);
 void substitute_column(int pivots, int rows, const float* panel, float* v);
 

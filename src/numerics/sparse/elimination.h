@@ -34,8 +34,9 @@ struct Elimination {
 Elimination eliminate(const SymmetricPattern& pattern);
 /// `interface`: block rows that are eliminated last, together, in this order.
 Elimination eliminate(const SymmetricPattern& pattern, const std::vector<int>& interface);
-/// Takes the order of all other rows from `whole`, of the same pattern without an interface. Its
-/// separators also separate the remaining rows, if not as well, and the dissection is saved.
+/// Takes the order of all other rows from `whole`, the elimination of the same pattern without an
+/// interface. The separators of `whole` also separate the remaining rows, though less well, and no
+/// new dissection has to be computed.
 Elimination eliminate(const SymmetricPattern& pattern,
                       const std::vector<int>& interface,
                       const Elimination& whole);

@@ -31,9 +31,9 @@ struct Elimination;  // elimination.h
 struct FactorStatus {
   enum class Outcome {
     definite,
-    not_positive,  // a pivot is zero or negative: the matrix is indefinite or, to rounding,
-                   // singular
-    failed,        // values that are not numbers
+    // A pivot is zero or negative: the matrix is indefinite or, to rounding, singular.
+    not_positive,
+    failed,  // values that are not numbers
   };
   Outcome outcome = Outcome::failed;
   std::string reason;  // empty if definite
@@ -43,10 +43,12 @@ struct FactorStatus {
 
 enum class Precision {
   full,  // double
-  /// Float inside, double outside, for a preconditioner. `definite` refers to the rounded matrix.
+  /// The factor is in single precision, right-hand sides and solutions are in double: for a
+  /// preconditioner. `definite` refers to the matrix rounded to single precision.
   single,
-  /// Single, with solutions refined to double by the matrix itself, so that matrix and pattern must
-  /// stay unchanged. If the rounded matrix is not definite, full is used.
+  /// The factor is in single precision, and solutions are refined to double by products with the
+  /// matrix itself, so that matrix and pattern must stay unchanged. If the matrix rounded to single
+  /// precision is not definite, a factor in double precision is used.
   refined,
 };
 
@@ -69,12 +71,13 @@ class Factorization {
 
   /// Computes x <- A^-1 x in place.
   void solve(Eigen::Ref<Eigen::VectorXd> x) const;
-  /// Solves for every column of X in place; many columns together cost less than one by one.
-  /// Refined solutions are iterated until the residual is `enough` of the right-hand side, or
-  /// rounding.
+  /// Solves for every column of X in place; many columns together cost less than one by one. With
+  /// Precision::refined, iterates until the residual of each column, relative to its right-hand
+  /// side, is below `enough` or at the level of rounding errors.
   void solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough = 0.0) const;
 
-  /// Works as solve_columns() without refinement, in the factor's own precision: a preconditioner.
+  /// Works as solve_columns() in the precision of the factor, without refinement: for use as a
+  /// preconditioner.
   void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) const;
 
   // If the order has an interface of m unknowns (Elimination::interface), A = [A_ii A_ic; A_ci

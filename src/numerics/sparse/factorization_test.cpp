@@ -30,8 +30,8 @@ TEST(Factorization, SolvesAsADenseSolverDoes) {
   EXPECT_LT((x - X.col(4)).norm(), 1e-12 * x.norm());
 }
 
-TEST(Factorization,
-     InSinglePrecisionIsAPreconditioner) {  // float rounds at 6e-8; two iterations square that away
+// float rounds at 6e-8; two iterations square the error.
+TEST(Factorization, InSinglePrecisionIsAPreconditioner) {
   const Lattice lattice({6, 4, 3}, 3);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix A(pattern);
@@ -58,7 +58,8 @@ TEST(Factorization,
 }
 
 TEST(Factorization, IsThatOfAPositiveMatrixAndOfNoOther) {
-  // The matrix is shifted to either side of its lowest eigenvalue, and far into the spectrum.
+  // The matrix is shifted so that its lowest eigenvalue is just above or just below zero, or so
+  // that many of its eigenvalues are negative.
   const Lattice lattice({4, 3, 3}, 3);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix A(pattern);
@@ -128,8 +129,8 @@ TEST(Factorization, SolvesWhereUnknownsStandAloneOrInParts) {
   }
 }
 
-TEST(Factorization,
-     KeepsItsAccuracyBesideAStiffPenalty) {  // contact: one node a million times stiffer
+// A contact makes one node a million times stiffer than the others.
+TEST(Factorization, KeepsItsAccuracyBesideAStiffPenalty) {
   const Lattice lattice({6, 4, 3}, 3);
   auto elements = lattice.elements();
   elements.push_back({0, 1, 2});
@@ -175,7 +176,7 @@ TEST(Factorization, MayShareTheOrderOfElimination) {
   EXPECT_EQ(x, y);
 }
 
-/// A lattice with an interface of some of its nodes, neither first nor adjacent.
+/// A lattice some of whose nodes form an interface. They are neither the first nodes nor adjacent.
 struct WithInterface {
   Lattice lattice{{6, 5, 4}, 3};
   SymmetricPattern pattern{lattice.size(), lattice.elements()};
@@ -187,7 +188,8 @@ struct WithInterface {
       std::make_shared<const Elimination>(eliminate(pattern, block_rows, eliminate(pattern)))};
 
   WithInterface() { lattice.assemble_random(A, 5); }
-  /// Returns the order with the interface's unknowns first, in their order, then all others.
+  /// Returns the order in which the unknowns of the interface come first, in their own order, and
+  /// all others follow.
   Eigen::PermutationMatrix<Eigen::Dynamic> order() const {
     std::vector<int> unknowns;
     for (int row : block_rows) {

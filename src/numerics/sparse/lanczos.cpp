@@ -22,16 +22,16 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr double kDependent =
-    1e-12;  // relative length below which a direction is rounding, not new
-// Largest overlap accepted after normalizing; if it is larger, another pass follows. The second
-// constant is relative to the tolerance.
+constexpr double kDependent = 1e-12;  // relative length below which a direction is only rounding
+// Largest inner product of two directions that is accepted after normalizing; if it is larger,
+// another pass of orthogonalization follows. The second constant is a multiple of the tolerance.
 constexpr double kOrthogonal = 1e-10, kOrthogonalOfTolerance = 1e-5;
 constexpr double kNearEigenvector = 0.02;  // largest residual of a start vector that is kept
 constexpr int kSpareDirections = 20;       // basis beyond twice the wanted pairs before a restart
 constexpr int kKeptBeyondWanted = 6;       // Ritz vectors kept at a restart beyond the wanted ones
-constexpr int kStepsBetweenChecks =
-    3;  // for narrow blocks, because the small problem has a cost too
+// Steps between two checks of convergence if the block is narrow; each check costs the solution of
+// a projected eigenproblem.
+constexpr int kStepsBetweenChecks = 3;
 
 /// Returns a number in (-1, 1) that depends only on the index. [Steele, Lea & Flood, SplitMix64,
 /// OOPSLA 2014]
@@ -101,8 +101,8 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::scattered_block(int columns) {
   return X;
 }
 
-/// Appends to the pool the part of W outside the basis. Returns C with W = (basis part) + (new
-/// directions) C.
+/// Appends to the pool the part of W that is orthogonal to the basis. Returns C in the
+/// decomposition W = (part in the basis) + (new directions) C.
 template <class Scalar>
 typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
   Matrix C = Matrix::Identity(W.cols(), W.cols());
@@ -135,7 +135,7 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
         condition < 1e4) {
       break;
     }
-    smallest = 0.25;  // W is normalized now: parts that vanish in the second pass were rounding
+    smallest = 0.25;  // W is normalized now: what vanishes in the second pass was rounding
   }
   const auto needed = before + W.cols();
   if (V_.cols() < needed) {
@@ -147,8 +147,8 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
   return C;
 }
 
-/// Adds directions to the pool that are not products of multiplied ones. The old residuals have no
-/// components along them.
+/// Adds to the pool directions that are not products with the operator. The residuals so far have
+/// no components along them.
 template <class Scalar>
 void Lanczos<Scalar>::add_to_pool(Matrix X) {
   const auto fresh = new_directions(std::move(X)).rows();
@@ -157,9 +157,9 @@ void Lanczos<Scalar>::add_to_pool(Matrix X) {
   pool_ += static_cast<int>(fresh);
 }
 
-/// True if start vectors are near eigenvectors, judged by the first of them. Start vectors of a
-/// more distant problem err in as many directions as there are vectors, and to follow all of these
-/// costs more than one Krylov sequence from scratch.
+/// True if the start vectors are close to eigenvectors, judged by the first of them. Start vectors
+/// from a problem that differs more have errors in as many directions as there are vectors.
+/// Correcting all of these costs more than a Krylov sequence from random vectors.
 template <class Scalar>
 bool Lanczos<Scalar>::good(const Matrix& start) {
   if (start.cols() == 0) return false;
@@ -191,8 +191,8 @@ void Lanczos<Scalar>::begin(const Matrix& start) {
   }
 }
 
-/// Rotates the pool so that its first columns are the directions in which the wanted Ritz vectors
-/// have the largest errors.
+/// Rotates the pool by an orthogonal matrix so that its first columns are the directions in which
+/// the wanted Ritz vectors have the largest errors.
 template <class Scalar>
 void Lanczos<Scalar>::rotate_pool(int width) {
   if (pool_ <= width || done_ == 0) return;
@@ -293,7 +293,8 @@ EigenPairs<Scalar> Lanczos<Scalar>::run(const Matrix& start) {
   begin(start);
   int since_check = 0;
   for (int steps = 0; steps < settings_.max_steps; ++steps) {
-    // The pool is empty at the start, and if an invariant subspace is complete but too small.
+    // The pool is empty at the start. It becomes empty again if the basis spans an invariant
+    // subspace, which may have too few vectors.
     if (pool_ == 0 && done_ < n_) add_to_pool(scattered_block(settings_.block));
     if (pool_ == 0) break;
     const int width = std::min(pool_, settings_.block);

@@ -17,12 +17,13 @@ namespace {
 
 constexpr int kColumnsTogether = 32;  // right-hand sides
 
-/// Successive rows of a front's update that also have successive target rows.
+/// Successive rows of a front's update matrix that are added to successive rows of the target.
 struct Run {
   int start, target, length;
 };
 
-/// Sizes and positions of a front, in unknowns, known before the numbers.
+/// Sizes and positions of a front, in unknowns. They follow from the pattern alone, before the
+/// matrix has values.
 struct FrontPlan {
   int first, pivots, rows;
   int parent;
@@ -35,7 +36,8 @@ struct FrontPlan {
   int below() const { return rows - pivots; }
 };
 
-/// A block of the matrix, column-major, and the index of its first number in the panel.
+/// A block of the matrix (column-major) and the index of its first number in the panel of the
+/// front.
 struct Entry {
   int source;
   bool transposed;
@@ -97,10 +99,10 @@ class Multifrontal final : public Factorization::Impl {
   std::vector<Entry> entries_;
   size_t panels_ = 0;  // count of the factor's numbers
   LargeArray<Real> factor_;
-  // Updates that wait for their parents, the last on top. One stack holds updates of fronts an even
-  // number of steps from the last front, the other stack all others. So an update is stored on one
-  // stack while the updates of its children are read from the other. The stacks exist only during
-  // factorization.
+  // Update matrices that have not been added to their parents yet, the last on top. One stack holds
+  // the updates of fronts at an even distance from the root of the elimination tree, the other
+  // stack those at an odd distance, so that a front's update is written to one stack while its
+  // children's updates are read from the other. The stacks exist only during factorization.
   std::array<LargeArray<Real>, 2> stacks_;
   std::array<size_t, 2> highest_{};
   std::array<size_t, 2> top_{};
@@ -217,8 +219,8 @@ void Multifrontal<Real>::enter(const SymmetricMatrix& A, int front) {
   }
 }
 
-/// Adds the columns of a child's update that belong to pivots of its parent to the parent's panel,
-/// or the other columns to the parent's own update.
+/// Adds those columns of a child's update that belong to pivots of its parent to the parent's
+/// panel, and the other columns to the parent's own update.
 template <class Real>
 void Multifrontal<Real>::add_update(const FrontPlan& child,
                                     const Real* update,
@@ -448,7 +450,7 @@ void Multifrontal<Real>::make_room(int columns) {
 }
 
 /// Stores a right-hand side in the order of elimination, scaled to the middle of the exponent
-/// range, because float has no 1e-40. Returns the scale.
+/// range, because float cannot represent 1e-40. Returns the scale.
 template <class Real>
 double Multifrontal<Real>::take(const Eigen::Ref<const Eigen::VectorXd>& x, int column) {
   const double largest = x.cwiseAbs().maxCoeff();
