@@ -26,11 +26,11 @@ class Executor {
   /// Starts the point on an idle worker. Another worker may be running it already.
   virtual void start(const DesignPoint& point) = 0;
 
-  /// Waits at most `patience` seconds until a trial ends, and returns the ended trials; with a
-  /// patience of 0, those that have ended already. A trial whose worker was lost without a fault of
-  /// its own is a failure with Cause::transient, or with Cause::not_begun if no worker can have
-  /// tried it; the number of the latter is limited. Never throws because of an evaluation. Throws
-  /// InputError if workers cannot be started at all.
+  /// Waits at most `patience` seconds until a trial ends, and returns the trials that have ended;
+  /// with a patience of 0 it does not wait. If a worker was lost without a fault of its own, its
+  /// trial is returned as a failure with Cause::transient, or with Cause::not_begun if no worker
+  /// can have tried it; the number of the latter is limited. Never throws because of an evaluation.
+  /// Throws InputError if workers cannot be started at all.
   virtual std::vector<Trial> wait(double patience) = 0;
 
   /// Forgets the running trials of this point and frees their workers as soon as possible.

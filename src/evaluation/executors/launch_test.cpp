@@ -40,7 +40,8 @@ TEST(Launch, IsReadFromTheEnvironment) {
   EXPECT_TRUE(of(step).is_job);  // --mpi=pmix
 }
 
-// SLURM_NTASKS is the size of the job, not the number of runs of the script.
+// SLURM_NTASKS is the number of tasks of the job. A batch script runs only once, whatever this
+// number.
 TEST(Launch, AScriptOfABatchJobIsOneProcess) {
   const Launch script = of({{"SLURM_NTASKS", "3"}, {"SLURM_NPROCS", "3"}, {"SLURM_PROCID", "0"}});
   EXPECT_EQ(script.tasks, 1);

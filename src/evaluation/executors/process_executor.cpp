@@ -19,15 +19,17 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
-// A program whose processes end this often in a row before they are ready is no worker.
+// Number of processes in a row that end before they are ready, after which the program is taken to
+// be no worker.
 constexpr int kMostFailedStarts = 3;
-// A cause that kills this many processes in a row from outside, such as a lack of memory, counts as
-// permanent.
+// Number of processes in a row that are killed from outside while they start, after which the
+// reason, such as a lack of memory, is taken to be permanent.
 constexpr int kMostKilledStarts = 20;
-// Longest start of a worker that a busy machine delays, as a multiple of ProcessOptions::
-// start_timeout. A larger one lets a run wait longer for a disk that never answers.
+// Longest time that a worker may need to start on a busy machine, as a multiple of
+// ProcessOptions::start_timeout. A larger value lets a run wait longer for a disk that never
+// answers.
 constexpr double kLongestStart = 20.0;
-// Least limit of that kind, s, for short limits.
+// Lower bound of this longest time, s, for short values of start_timeout.
 constexpr double kLeastLongestStart = 90.0;
 
 Steady::duration seconds(double s) {
@@ -42,7 +44,8 @@ struct Slot {
   std::uint64_t trial = 0;   // number of its trial; messages contain it
   Steady::time_point since;  // start of the process until it is ready, then start of the trial
   Steady::time_point seen;   // when the start of the process was last found to proceed
-  double used = 0.0;         // processor time until then, s
+  // Processor time that the process had used at `seen`, s.
+  double used = 0.0;
 };
 
 }  // namespace
@@ -51,7 +54,7 @@ struct ProcessExecutor::Impl {
   ProcessOptions options;
   std::vector<Slot> slots;
   int failed_starts = 0;     // consecutive, over all workers
-  int killed_starts = 0;     // consecutive kills from outside
+  int killed_starts = 0;     // consecutive processes killed from outside while they started
   std::uint64_t trials = 0;  // number of trials started so far
 
   void start_process(Slot& slot) {
@@ -72,7 +75,7 @@ struct ProcessExecutor::Impl {
     return {*std::exchange(slot.point, std::nullopt), std::move(outcome)};
   }
 
-  /// Returns the trial of a lost worker as failed.
+  /// Returns the trial of a lost worker as a failed trial.
   Trial finish_lost(Slot& slot, Failure failure) {
     const double wall_time = std::chrono::duration<double>(Steady::now() - slot.since).count();
     slot.process.reset();
@@ -86,8 +89,8 @@ struct ProcessExecutor::Impl {
 
   /// Returns the ended trial of a worker; nullopt while it continues.
   std::optional<Trial> listen(Slot& slot) {
-    const bool ended = slot.process->ended();  // must come first, so that everything written before
-                                               // the end is received
+    // Must be read first, so that everything written before the end is received.
+    const bool ended = slot.process->ended();
     slot.process->receive();
     while (const auto frame = slot.process->frames().next()) {
       if (frame->kind == FrameKind::ready) {
@@ -184,7 +187,8 @@ struct ProcessExecutor::Impl {
     return slot.point ? slot.since + seconds(options.timeout) : Steady::time_point::max();
   }
 
-  /// Sleeps until a worker sends something, a deadline, or `until`. Returns false after a signal.
+  /// Sleeps until a worker sends something, a deadline passes or the time `until` is reached.
+  /// Returns false after a signal.
   bool sleep(Steady::time_point until) const {
     std::vector<pollfd> entries;
     for (const Slot& slot : slots) {

@@ -20,9 +20,10 @@ struct ProcessOptions {
   std::vector<std::string> arguments;  // the worker's program and its arguments
   int workers = 1;                     // number of processes
   double timeout = 600.0;              // s, wall time of one trial
-  /// Limit for the start of a worker, s: it ends if it has used this much processor time before it
-  /// is ready, or has neither computed nor waited for a processor or a disk for this long. On a
-  /// machine with many other processes a start may take twenty times as long.
+  /// Limit for the start of a worker, s. The worker is ended if it has used this much processor
+  /// time before it is ready, or if for this long it has neither computed nor waited for a
+  /// processor or a disk. On a machine with many other processes a start may take up to twenty
+  /// times as long.
   double start_timeout = 60.0;
   double memory_limit = 0.0;  // bytes of address space of each worker; 0: unlimited
 };

@@ -61,7 +61,8 @@ TEST(ProcessTree, WhatDescendsFromAProcessIsKilledAndTheProcessItselfNotEvenStop
   EXPECT_EQ(end.revents & POLLHUP, POLLHUP);
 }
 
-// Reading /proc of a process that ends meanwhile fails with ESRCH, which stream iterators throw.
+// A process may end while its files in /proc are read. The read then fails with ESRCH, for which
+// stream iterators throw.
 TEST(ProcessTree, ProcessesThatEndWhileItLooksDoNotDisturb) {
   const pid_t churn = ::fork();
   if (churn == 0) {

@@ -42,8 +42,8 @@ std::optional<Frame> read_frame(int fd, FrameReader& reader) {
   }
 }
 
-/// Ends this process with its group, because the process that started it has ended. Nobody waits
-/// for the trial, nor for the outside program it may have started in the same group.
+/// Ends this process and its process group, because the process that started it has ended: nobody
+/// waits for the trial any more, nor for an outside program that runs in the same group.
 void end_with_group(int) { ::kill(::getpgrp() == ::getpid() ? 0 : ::getpid(), SIGKILL); }
 
 }  // namespace
@@ -61,7 +61,8 @@ int serve(const Evaluator& evaluator, int in_fd, int out_fd) {
     const auto point = asked ? decode_point(asked->rest) : std::nullopt;
     if (frame->kind != FrameKind::point || !point) return 2;
     const Outcome outcome = evaluate(evaluator, *point);
-    if (::getpid() != self) ::_exit(0);  // an evaluator that forks returns twice
+    // An evaluator that calls fork(2) returns in two processes; only the worker itself answers.
+    if (::getpid() != self) ::_exit(0);
     std::fflush(nullptr);
     const std::string answer = numbered(asked->number, encode(outcome));
     if (!write_all(out_fd, encode_frame(FrameKind::outcome, answer))) return 1;

@@ -34,7 +34,7 @@ constexpr int kFreeDescriptors = 10;       // first descriptor numbers, left to 
       fmt::format("cannot start the worker program \"{}\": {}", program, std::strerror(error)));
 }
 
-/// Returns the file with a descriptor above the numbers that dup2 will use in the worker.
+/// Duplicates the file to a descriptor above the numbers that dup2(2) uses in the worker.
 Descriptor moved_up(int fd, const std::string& program) {
   const Descriptor low(fd);
   Descriptor high(::fcntl(fd, F_DUPFD_CLOEXEC, kFreeDescriptors));

@@ -48,8 +48,8 @@ class WorkerProcess {
   /// Returns what the worker and its descendants have used.
   ProcessUse use() const { return use_of_tree(pid_); }
 
-  /// Kills the rest of the process group and returns how the worker ended: "was killed by signal 11
-  /// (Segmentation fault)", with the last line it printed.
+  /// Kills the rest of the process group. Returns a text that says how the worker ended, such as
+  /// "was killed by signal 11 (Segmentation fault)", with the last line that it printed.
   std::string end();
 
   /// Valid after end(). True if the signal came from somebody else (a person, the system short of

@@ -54,7 +54,7 @@ std::vector<std::string> this_program(const std::string& test) {
           "--gtest_filter=" + test};
 }
 
-// These are the two programs of the test below.
+// These are the two programs that the test below starts.
 TEST(CrashTest, DISABLED_Worker) {
   std::_Exit(serve([](const DesignPoint& point) {
     std::this_thread::sleep_for(3ms);
@@ -85,7 +85,7 @@ pid_t start_study() {
   return child;
 }
 
-/// Returns the number of trials in the journal, read beside the process that writes it.
+/// Returns the number of trials in the journal, which another process writes meanwhile.
 long trials_in(const std::filesystem::path& file) {
   try {
     return std::filesystem::exists(file) ? Journal::read(file).size() : 0;
@@ -99,8 +99,8 @@ bool has_ended(pid_t child) {
   return ::waitid(P_PID, child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
 
-/// Kills the study a moment after its journal holds this number of trials. Returns true if it ended
-/// by itself.
+/// Runs the study and kills it at the given moment after its journal holds this number of trials.
+/// Returns true if the study ended by itself.
 bool run_until(const std::filesystem::path& file, long trials, std::chrono::microseconds moment) {
   const pid_t child = start_study();
   while (!has_ended(child) && trials_in(file) < trials) std::this_thread::sleep_for(500us);

@@ -3,13 +3,14 @@
 // its channels or its failure, and a hash on every row. A trial is acknowledged once it is on the
 // disk. A restart reads the file again.
 //
-// One process writes (a lock file beside the journal names it); any number may read meanwhile. If
-// somebody deletes, moves or replaces the file while it is written, the writer notices when it
-// next writes or reads: it saves all trials and throws JournalError naming where they are.
+// One process writes (a lock file beside the journal names it); any number of processes may read
+// meanwhile. If somebody deletes, moves or replaces the file while it is written, the writer
+// notices this at its next read or write: it saves all trials under another name and throws a
+// JournalError that contains this name.
 //
 // SQLite's write-ahead log needs memory that reader and writer share, which network file systems do
 // not offer. On these the journal uses a rollback log. A commit then waits for the disk several
-// times instead of once, and for readers.
+// times instead of once, and waits until readers have finished.
 #pragma once
 
 #include <filesystem>
@@ -36,7 +37,7 @@ class Journal : public TrialStore {
   /// if it is in use (naming the process). A journal of an older format is converted to the present
   /// one; a copy of the original stays beside it.
   static Journal open(const std::filesystem::path& file, const StudyIdentity& identity);
-  /// Opens the journal with the given log, wherever it lies.
+  /// Opens the journal with the given type of log, whatever its file system.
   static Journal open(const std::filesystem::path& file, const StudyIdentity& identity, Log log);
 
   /// Assigns the trials of a journal to this study although the version of the model or of an
@@ -68,7 +69,8 @@ class Journal : public TrialStore {
   /// Visits only the requested trials (asked_trials.h), from which results are taken.
   void for_each_asked(const std::function<void(const Trial&)>& visit) const;
 
-  /// Stores the requested points as marks, if these add information.
+  /// Begins to record which points the search requests; marks are written for them if these add
+  /// information.
   void begin_asking() override;
   /// Stores these points as requested by the search.
   void keep_asked(const std::set<std::string>& points) override;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kPatience = 2000;  // ms
 
-/// The file that a path leads to now.
+/// Identity, size and time of last change of the file at a path.
 struct FileThere {
   dev_t device;
   ino_t number;
@@ -76,9 +76,9 @@ struct JournalFollower::Impl {
     state = hash_of(identity);
   }
 
-  /// True if the last visited row is still in the file and belongs to the same study; checked if
-  /// the file was written. Another journal can be copied over this one, which leaves the file
-  /// number unchanged and SQLite with pages of the old journal.
+  /// True if the row visited last is still in the file and belongs to the same study. This is
+  /// checked whenever the file was written, because another journal can be copied over this one:
+  /// the inode stays the same then, and SQLite keeps pages of the old journal.
   bool has_what_was_handed_on() {
     const auto there = file_at(file);
     if (!there || !opened->is_same_file(*there)) return false;
@@ -93,7 +93,7 @@ struct JournalFollower::Impl {
       SQLite::Statement select(*database, "SELECT hash FROM trials WHERE number = ?");
       select.bind(1, number);
       return select.executeStep() && select.getColumn(0).getInt64() == stored(state);
-    } catch (const std::runtime_error&) {  // half written; the next read reports the fault
+    } catch (const std::runtime_error&) {  // the file is half written; the next read reports it
       return false;
     }
   }
@@ -129,7 +129,8 @@ struct JournalFollower::Impl {
       if (!file_at(file)) return news;
       open();
     }
-    SQLite::Transaction snapshot(*database);  // tally, marks and rows of one moment
+    // Reads number of trials, marks and rows as they were at one moment.
+    SQLite::Transaction snapshot(*database);
     const auto tally = read_tally(*database, format);
     if (!tally) damaged(number + 1, "or the tally of the trials is missing");
     if (tally->trials < number) damaged(number, "is gone");

@@ -54,7 +54,8 @@ TEST_F(Followed, EveryTrialIsHandedOnOnceWhileAnotherWrites) {
   for (int i = 0; i < 40; ++i) {
     journal.append(trial_with(i));
     for (const double one : news(i % 3))
-      seen.push_back(one);  // may also be none, or fewer than there are
+      // A read may visit no trial at all, or fewer than there are.
+      seen.push_back(one);
   }
   while (true) {
     const auto more = news(7);
@@ -95,7 +96,7 @@ TEST_F(Followed, AJournalInTheOthersPlaceIsReadFromItsBeginning) {
   EXPECT_FALSE(last_.begins_anew);
 }
 
-// After cp other.latsch study.latsch the file has the same inode.
+// After the command cp other.latsch study.latsch, study.latsch still has the same inode.
 TEST_F(Followed, AJournalCopiedOverTheOtherIsReadFromItsBeginning) {
   const auto other = folder_ / "other.latsch";
   const auto write = [](const std::filesystem::path& path, int first, int count) {
@@ -113,7 +114,7 @@ TEST_F(Followed, AJournalCopiedOverTheOtherIsReadFromItsBeginning) {
   EXPECT_FALSE(last_.begins_anew);
   EXPECT_TRUE(news().empty());
   EXPECT_EQ(follower_.total(), 5);
-  // A journal that continues is the same journal.
+  // A journal to which trials were only added counts as the same journal.
   write(file(), 15, 1);
   EXPECT_EQ(news(), std::vector{15.0});
   EXPECT_FALSE(last_.begins_anew);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Admits one writer for each journal, by an advisory lock on a file beside it that names the
-// process holding it, and by a second lock on the journal itself, which a hard link in any folder
-// shares. The system releases both locks when that process ends, however it ends.
+// Admits one writer at a time for each journal, by two advisory locks. The first is on a file
+// beside the journal that names the process holding it. The second is on the journal itself, so
+// that hard links in other folders share it. The system releases both locks when that process ends,
+// however it ends.
 #pragma once
 
 #include <filesystem>
@@ -39,9 +40,9 @@ class JournalLock {
 
   std::filesystem::path journal_;
   std::filesystem::path file_;
-  int fd_ = -1;      // file beside the journal
-  int itself_ = -1;  // the journal; closed after its database, because close(2) releases the
-                     // locks of SQLite
+  int fd_ = -1;  // file beside the journal
+  // The journal. It is closed after its database, because close(2) releases the locks of SQLite.
+  int itself_ = -1;
   bool is_local_ = true;
 };
 

@@ -25,8 +25,8 @@ constexpr std::array kLocal{FileSystem{0xEF53, "ext4"},  // also ext2, ext3
                             FileSystem{0x52654973, "ReiserFS"},
                             FileSystem{0x01021994, "tmpfs"},
                             FileSystem{0x858458F6, "ramfs"},
-                            FileSystem{0x794C7630, "overlay"},  // used by containers; its upper
-                                                                // layer is local
+                            // Used by containers; its upper layer is local.
+                            FileSystem{0x794C7630, "overlay"},
                             FileSystem{0x4D44, "FAT"},
                             FileSystem{0x2011BAB0, "exFAT"},
                             FileSystem{0x7366746E, "NTFS"}};
@@ -71,8 +71,8 @@ std::optional<std::string> shared_file_system(const std::filesystem::path& file)
   const auto folder = (none ? std::filesystem::absolute(file) : target).parent_path();
   struct statfs info {};
   if (::statfs(folder.c_str(), &info) != 0)
-    return std::nullopt;  // opening the journal reports the
-                          // reason
+    // Opening the journal will report the reason.
+    return std::nullopt;
   return shared_file_system(static_cast<unsigned long>(info.f_type));
 }
 

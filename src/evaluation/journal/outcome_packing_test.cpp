@@ -42,7 +42,8 @@ std::vector<Outcome> search(int trials, double ripple = 0.0) {
   return all;
 }
 
-/// Packs, unpacks and compares bit by bit. Returns the packed size as a share of the plain size.
+/// Packs and unpacks the outcomes and compares them bit by bit. Returns the ratio of the packed to
+/// the plain size.
 double share(const std::vector<Outcome>& outcomes) {
   OutcomePacker packer;
   OutcomeUnpacker unpacker;
@@ -64,8 +65,8 @@ TEST(OutcomePacking, KeepsEveryBitOfSmoothChannelsInAFifthOfTheRoom) {
 
 // Rounding and solver tolerances are noise, which earlier outcomes cannot predict.
 TEST(OutcomePacking, RoughChannelsTakeWhatTheirNoiseTakes) {
-  const double rough = share(search(100, 1e-3));  // forces near 1e3 N: 20 of 53 bits can be
-                                                  // predicted
+  // Forces near 1e3 N with noise of 1e-3 N: 20 of the 53 bits can be predicted.
+  const double rough = share(search(100, 1e-3));
   EXPECT_LE(rough, 0.5);
 }
 

@@ -29,9 +29,9 @@ namespace latsch {
 
 class PowerLoss {
  public:
-  /// Acts as the file system of all databases opened during its life. The power fails at the
-  /// operation with number `fails_at`, counted from 1: writes, truncations, syncs and removals
-  /// count.
+  /// While the object exists, it acts as the file system of all databases that are opened. The
+  /// power fails at the operation with number `fails_at`, counted from 1; writes, truncations,
+  /// syncs and removals count as operations.
   PowerLoss(std::uint64_t seed, long fails_at)
       : random_(seed, 7), fails_at_(fails_at), usual_(sqlite3_vfs_find(nullptr)), vfs_(*usual_) {
     vfs_.zName = "power_loss";
@@ -53,7 +53,7 @@ class PowerLoss {
   void fail() { failed_ = true; }
   bool failed() const { return failed_; }
   long operations() const { return operations_; }
-  /// Returns the number of sectors lost at the last loss.
+  /// Returns the number of sectors that were lost when the power failed last.
   long sectors_lost() const { return sectors_lost_; }
 
   /// Reduces the files to the data that the disk has kept. Must be called when no database is open
@@ -91,14 +91,14 @@ class PowerLoss {
   struct File {
     sqlite3_file base;
     PowerLoss* disk;
-    Image* image;  // nullptr: a temporary file, of no interest
+    Image* image;  // nullptr for a temporary file, which is not simulated
     sqlite3_file* usual() { return reinterpret_cast<sqlite3_file*>(this + 1); }
   };
 
   static File& file_of(sqlite3_file* file) { return *reinterpret_cast<File*>(file); }
   static sqlite3_file* usual(sqlite3_file* file) { return file_of(file).usual(); }
 
-  /// Returns false if the power is off.
+  /// Counts an operation. Returns false if the power has failed.
   bool counted() {
     if (++operations_ >= fails_at_) failed_ = true;
     return !failed_;
@@ -148,7 +148,8 @@ class PowerLoss {
   static int open(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags, int* out) {
     auto& disk = *static_cast<PowerLoss*>(vfs->pAppData);
     File& opened = file_of(file);
-    opened.base.pMethods = nullptr;  // SQLite then does not close it
+    // SQLite does not close a file without methods.
+    opened.base.pMethods = nullptr;
     if (disk.failed_) return SQLITE_CANTOPEN;
     const bool is_new = !name || !std::filesystem::exists(name);
     opened.disk = &disk;
@@ -252,8 +253,8 @@ class PowerLoss {
   std::map<std::string, Image> images_;  // one for each path
 };
 
-inline const sqlite3_io_methods PowerLoss::kMethods{2,  // without mapped files, whose writes are
-                                                        // not seen
+// The methods offer no mapped files, because writes to these would not be noticed.
+inline const sqlite3_io_methods PowerLoss::kMethods{2,
                                                     close,
                                                     read,
                                                     write,

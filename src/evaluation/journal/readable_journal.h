@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens a journal's file for reading, whichever process writes it.
+// Opens a journal's file for reading, also while another process writes it.
 //
 // SQLite reads a file with a write-ahead log only if it can create the memory that readers and
 // writers share, which is a file beside it. A journal in a read-only folder is therefore opened

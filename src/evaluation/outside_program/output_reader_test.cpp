@@ -41,8 +41,8 @@ TEST(OutputReader, TableHasItsUnitsInTheFile) {
   expect_failure(reader, "", "output \"out\" (table)");
 }
 
-// Every spelling of the table gives the number computed by hand, or a failure that names unit and
-// line.
+// Every spelling of the table of units is read with the factor stated in the table, or gives a
+// failure that names unit and line.
 TEST(OutputReader, UnitsOfTablesAreThoseOfAllReaders) {
   int count = 0;
   for (const UnitSpelling& spelling : unit_spellings::kAll) {

@@ -28,8 +28,8 @@ extern char** environ;
 namespace latsch {
 namespace {
 
-constexpr long kTail = 4096;  // bytes at the end of the printed output in which the last line is
-                              // searched
+// Number of bytes at the end of the printed output in which the last line is searched.
+constexpr long kTail = 4096;
 
 std::string tail_of(const std::filesystem::path& printed) {
   std::ifstream file(printed, std::ios::binary | std::ios::ate);

@@ -31,8 +31,8 @@ std::string host_name() {
   return name.data();
 }
 
-/// Removes folders "...-HOST-PROCESS" of ended processes of this machine. A killed trial cannot
-/// remove its own folder, and its files may have filled the disk.
+/// Removes folders with names "...-HOST-PROCESS" that belong to processes of this machine that have
+/// ended. A killed trial cannot remove its own folder, and its files may have filled the disk.
 void remove_abandoned(const fs::path& scratch) {
   const std::string ours = fmt::format("-{}-", host_name());
   std::error_code ignored;
@@ -107,8 +107,8 @@ Result<Channels> run(const Simulator& simulator,
   return channels;
 }
 
-/// Returns why nothing more can be written after the program's printed output; empty if it can.
-/// Programs report a full disk in many ways or not at all.
+/// Returns why the program's printed output cannot be continued, such as a full disk; empty if it
+/// can. Programs report a full disk in many different ways or not at all.
 std::string full_disk(const fs::path& printed) {
   const int file = ::open(printed.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
   if (file < 0) return errno == ENOSPC || errno == EDQUOT ? std::strerror(errno) : "";
@@ -124,8 +124,8 @@ std::string full_disk(const fs::path& printed) {
   return !is_written && is_restored && is_full ? std::strerror(error) : "";
 }
 
-/// Returns the command line program: this process, the program beside it (for a benchmark), or the
-/// one in the search path.
+/// Returns the path of the program latsch: this process itself, the program in the same folder (if
+/// this is a benchmark), or the one in the search path.
 std::string this_program() {
   const std::string name = "latsch";
   std::error_code ignored;
@@ -174,7 +174,8 @@ namespace {
 
 constexpr std::uintmax_t kLargestRead = std::uintmax_t{256} << 20;
 
-/// Returns "python3: 6831736 bytes, 0123456789abcdef", which does not depend on the file's folder.
+/// Returns a text that identifies a file independently of its folder, such as "python3: 6831736
+/// bytes, 0123456789abcdef".
 std::string told(const std::string& argument, const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
@@ -187,8 +188,8 @@ std::string told(const std::string& argument, const fs::path& file) {
       "{}: {} bytes, {:016x}\n", argument, size, hash(read_text_file(file, kLargestRead)));
 }
 
-/// Returns the program and the files among its arguments. This program itself is identified by its
-/// versions.
+/// Returns a text that identifies the program and the files among its arguments. If the program is
+/// Latsch itself, its versions identify it.
 std::string program_files(const Simulator& simulator) {
   const std::vector<std::string> arguments = command(simulator);
   std::string text;

@@ -10,15 +10,16 @@
 
 namespace latsch {
 
-/// Reaction to a failed trial. A design of experiments, which has no optimizer, supports only the
-/// first two.
+/// Reaction to a failed trial. A design of experiments, which has no optimizer, supports only
+/// `proceed` and `abort`.
 struct FailurePolicy {
   enum class Then {
-    proceed,       // The optimizer treats the point as worse than any that succeeded.
-    abort,         // The run ends.
-    recover,       // The optimizer receives `penalty`; see failure_answer.h.
-    continuation,  // The optimizer receives the value of the last successful point on the path to
-                   // the failed point.
+    proceed,  // The optimizer treats the point as worse than any that succeeded.
+    abort,    // The run ends.
+    recover,  // The optimizer receives `penalty`; see failure_answer.h.
+    // The optimizer receives the value of the last successful point on the path to the failed
+    // point.
+    continuation,
   };
   Then then = Then::proceed;
   /// Number of repeats of a failed trial before it counts as failed. No point is started more than
@@ -31,8 +32,9 @@ struct FailurePolicy {
 
 /// Data for a progress bar.
 struct RunProgress {
-  long known = 0;        // wanted points so far whose outcome is known
-  long planned = 0;      // upper limit of `known`: the plan's size or the largest number of steps
+  long known = 0;  // wanted points so far whose outcome is known
+  // Upper limit of `known`: the size of the sampling plan or the largest number of steps.
+  long planned = 0;
   long evaluated = 0;    // trials that ran in this process
   long failed = 0;       // failed trials among `evaluated`
   long repeated = 0;     // trials started again because their worker was lost or they failed
@@ -51,17 +53,17 @@ struct RunOptions {
   long max_steps = 1000;  // outcomes the optimizer may observe
   int look_ahead = 4;     // points proposed ahead for every worker, if there are several
   FailurePolicy on_failure = {};
-  /// A trial that runs this many times longer than the median is a straggler and is started a
-  /// second time if a worker is idle; 0: no trial is.
+  /// A trial that runs more than this many times as long as the median is a straggler; a second
+  /// copy of it is started if a worker is idle. If the value is 0, no trial counts as a straggler.
   double straggler_factor = 3.0;
-  /// Stops a straggler if its point is no longer named and a wanted point waits for a worker.
+  /// Stops a straggler if its point is no longer requested and a wanted point waits for a worker.
   bool stop_unwanted = true;
   /// False for a simulated world, in which a commit must not take real time.
   bool commit_in_background = true;
   /// Called after every outcome and about ten times a second.
   std::function<void(const RunProgress&)> on_progress = {};
-  /// Called about ten times a second. After it returns true, running trials get `stop_patience`
-  /// seconds to end.
+  /// Called about ten times a second. Once it returns true, running trials get `stop_patience`
+  /// seconds to end, and the run stops.
   std::function<bool()> stop_requested = {};
   double stop_patience = 1.0;
 };

@@ -20,7 +20,8 @@ double cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Returns the CPU time of the programs this process has waited for, and of those they waited for.
+/// Returns the CPU time of the programs that this process has waited for, including the programs
+/// that these have waited for.
 double program_seconds() {
   rusage usage{};
   ::getrusage(RUSAGE_CHILDREN, &usage);

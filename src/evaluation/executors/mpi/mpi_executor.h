@@ -6,11 +6,12 @@
 //
 // Every working rank runs its trials in a worker process of its own, as ProcessExecutor does, so
 // that a crash or a timeout costs the trial and not the rank. Every rank reports each second that
-// it is alive. Rank 0 does so in a thread, because reading a journal, proposing a step or writing a
-// page may take minutes. A rank that is silent for too long is lost with its trial, which is
-// repeated on another rank. The lost trial counts as tried if the rank had reported that its worker
-// began it. Only the time in which rank 0 listened counts as silence. Without --enable-recovery,
-// mpirun ends the whole job if a rank dies; the same command then resumes from the journal.
+// it is alive. Rank 0 does so in a separate thread, because reading a journal, proposing a step or
+// writing a page may take minutes. If a rank is silent for too long, it counts as lost, and its
+// trial is repeated on another rank. The lost trial counts as tried if the rank had reported that
+// its worker began it. Only the time in which rank 0 listened counts as silence. Without
+// --enable-recovery, mpirun ends the whole job if a rank dies; the same command then resumes from
+// the journal.
 #pragma once
 
 #include <condition_variable>
@@ -56,15 +57,15 @@ class MpiJob {
   const MpiPatience& patience() const { return patience_; }
   /// True if every rank has the same value. Every rank must call this.
   bool agrees(std::uint64_t value);
-  /// Declares that a rank has been lost, so that the end does not wait for it.
+  /// Declares that a rank has been lost, so that the destructor does not wait for it.
   void ends_alone() { ends_alone_ = true; }
   bool is_alone() const { return ends_alone_; }
 
-  /// Does not wait until the message is received, because a lost rank never receives it.
+  /// Sends a message without waiting until it is received, because a lost rank never receives it.
   void send(int rank, int tag, std::string bytes);
   /// Returns nullopt if no message has arrived.
   std::optional<MpiMessage> poll();
-  /// Sends no more messages to that rank.
+  /// Marks a rank as lost, to which no more messages are sent.
   void lose(int rank);
 
  private:
@@ -91,8 +92,8 @@ class MpiExecutor : public Executor {
  public:
   /// Must be called on rank 0 of a job of at least two ranks.
   explicit MpiExecutor(MpiJob& job);
-  /// Tells the ranks to end and waits until they have; for a lost rank, no longer than its
-  /// permitted silence.
+  /// Tells the ranks to end and waits until they have ended. For a lost rank it waits no longer
+  /// than the permitted silence.
   ~MpiExecutor() override;
 
   int workers() const override { return static_cast<int>(ranks_.size()); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests ranks with a master that is busy elsewhere, with short time limits:
+// Tests working ranks whose master is busy with other work, with short time limits:
 //
 //   mpirun -n 3 mpi_executor_test         rank 0 tests, the others work
 #include "evaluation/executors/mpi/mpi_executor.h"
@@ -27,7 +27,7 @@ Result<Channels> square(const DesignPoint& point) {
   return channels;
 }
 
-/// Expects that all ranks answer to a point.
+/// Sends one point to every rank and expects that all of them return its outcome.
 void expect_answers(MpiExecutor& executor, double first) {
   const int ranks = executor.workers();
   for (int i = 0; i < ranks; ++i) executor.start({{first + i}});
