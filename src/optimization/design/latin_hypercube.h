@@ -24,8 +24,8 @@
 
 namespace latsch {
 
-inline constexpr int kMostLatinHypercubePoints =
-    300;  // The cost of the exchanges grows with the cube of the points; use Sobol for more.
+// The time of the exchanges grows with the cube of the number of points; for more points use Sobol.
+inline constexpr int kMostLatinHypercubePoints = 300;
 
 /// Throws InputError for less than two points or more than kMostLatinHypercubePoints.
 SamplingPlan latin_hypercube(const DesignSpace& space, int points, std::uint64_t seed = 0);

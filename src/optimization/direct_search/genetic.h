@@ -39,14 +39,14 @@ struct GeneticOptions {
 
 class Genetic : public Optimizer {
  public:
-  /// The first individual is the initial point of the space. Throws InputError for options out of
-  /// range.
+  /// Begins with a population whose first individual is the initial point of the space. Throws
+  /// InputError for options out of range.
   explicit Genetic(const DesignSpace& space, const GeneticOptions& options = {});
   ~Genetic() override;
 
-  /// Proposes the rest of the generation.
+  /// Proposes the points of the present generation whose outcomes are not known yet.
   std::vector<DesignPoint> propose(int count) const override;
-  /// Points that the search did not propose join the parents.
+  /// Observes an outcome. A point that the search did not propose joins the parents.
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
 

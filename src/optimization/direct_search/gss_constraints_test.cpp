@@ -40,7 +40,8 @@ TEST(GssAmongConstraints, SolvesProblemsOfHockAndSchittkowski) {
     EXPECT_NEAR(found.f, problem.least, 1e-4 * std::max(1.0, std::abs(problem.least)))
         << problem.name;
     for (size_t i = 0; i < found.x.size(); ++i) {
-      // x of a target that is flat at its minimum is accurate to the root of the target's accuracy.
+      // A target that is flat at its minimum determines x only to the square root of the target's
+      // accuracy.
       EXPECT_NEAR(found.x[i], problem.x[i], 0.02 * std::max(1.0, std::abs(problem.x[i])))
           << problem.name << " x" << i + 1;
     }

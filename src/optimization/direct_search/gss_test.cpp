@@ -47,8 +47,8 @@ Found minimize(const DesignSpace& space, const Function& function, const GssOpti
   return found;
 }
 
-/// Two basins in y: the function of Fig. 1 of Hempel and Oertel, KGK 04/2016, with a local minimum
-/// at (-0.15, 0.79) and the global one at (-0.15, -1.15).
+/// The function of Fig. 1 of Hempel and Oertel, KGK 04/2016. Along y it has a local minimum at
+/// (-0.15, 0.79) and the global one at (-0.15, -1.15).
 double two_basins(const std::vector<double>& x) {
   const double a = 0.79, b = -1.15, s = 0.0;  // df/dy = (y - a) (y - b) (y - s)
   const double y = x[1];
@@ -96,7 +96,8 @@ double rosenbrock(const std::vector<double>& x) {
 }
 
 TEST(GeneratingSet, HasADirectionDownhillForEveryGradient) {
-  // The cosine between any vector and the nearest corner of a regular simplex is at least 1/n.
+  // The cosine between any vector and the nearest direction to a vertex of a regular simplex in n
+  // dimensions is at least 1/n.
   for (const int turn : {0, 1, 2, 17, 400}) {
     const auto directions = generating_set(std::vector<Bound>(3, Bound::none), turn);
     ASSERT_EQ(directions.size(), 4u);
@@ -124,8 +125,8 @@ TEST(Gss, FindsTheMinimumOfAQuadratic) {
     const double a = x[0] - 1.0, b = x[1] - 0.5, c = x[2] + 2.0;
     return a * a + 10.0 * b * b + 100.0 * c * c + 3.0 * a * b;
   });
-  // A model step on a quadratic is exact; the step tolerance 1e-3 of a range of 10 limits the
-  // accuracy.
+  // The quadratic model is exact for a quadratic target. The step tolerance of 1e-3 of the range of
+  // 10 limits the accuracy to 0.01.
   EXPECT_NEAR(found.x[0], 1.0, 0.01);
   EXPECT_NEAR(found.x[1], 0.5, 0.01);
   EXPECT_NEAR(found.x[2], -2.0, 0.01);
@@ -167,7 +168,8 @@ TEST(Gss, AFullFactorialDesignLeadsToTheGlobalBasin) {
 }
 
 TEST(Gss, DoesNotStopAtKinks) {
-  // At (t, t, t) all six coordinate directions point uphill, but the minimum is at the origin.
+  // At points (t, t, t) the target rises in all six coordinate directions, although the minimum is
+  // at the origin.
   const Found found = minimize(box({3.0, 2.0, 1.5}, -4.0, 5.0), [](const auto& x) {
     return 10.0 * (std::abs(x[0] - x[1]) + std::abs(x[1] - x[2])) + std::abs(x[0] + x[1] + x[2]);
   });

@@ -40,7 +40,7 @@ Penalty penalty_of(std::string_view name);
 /// True if the penalty is differentiable where a constraint becomes violated.
 bool is_smoothed(Penalty penalty);
 
-/// Returns p of the constraints of a score, without the factor rho.
+/// Returns the penalty p of the constraints of a score, without the factor rho.
 double penalty(Penalty kind, const Score& score, double alpha);
 
 }  // namespace latsch

@@ -30,11 +30,11 @@ struct LeftOut {
 
 class CrossValidation {
  public:
-  /// `group`: the group of every residual of the common fit `best`, < 0 for residuals that are
-  /// never left out; at least two groups are required. `tolerance` as in BroydenFitOptions; `free`:
-  /// the variables that may move, ascending; empty: all. `values`: number of residuals of each
-  /// group, if the rows of `best` and of the observed outcomes are reduced (reduced_rows.h); empty:
-  /// one per row.
+  /// `group` holds the group of every residual of the common fit `best`, or a negative number if
+  /// the residual is never left out; at least two groups are required. `tolerance` is that of
+  /// BroydenFitOptions. `free` lists the variables that may move, in ascending order; empty: all.
+  /// `values` holds the number of residuals of each group, if the rows of `best` and of the
+  /// observed outcomes are reduced (reduced_rows.h); empty: one per row.
   CrossValidation(const DesignSpace& space,
                   const Linearization& best,
                   const std::vector<int>& group,

@@ -30,8 +30,8 @@ struct DOptimality {
   Eigen::VectorXd deviations;                      // with the measurement, by variable; in ranges
 };
 
-/// Returns the candidates, most useful first. `J` belongs to the present data, each row divided by
-/// its noise.
+/// Returns the candidates, the most useful first. `J` belongs to the present data; each row is
+/// divided by its noise.
 std::vector<DOptimality> d_optimality(const Eigen::MatrixXd& J,
                                       const std::vector<Candidate>& candidates);
 

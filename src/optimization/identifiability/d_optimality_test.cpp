@@ -8,8 +8,9 @@
 namespace latsch {
 namespace {
 
-// The data determine u0 + u1 only. A measurement of this sum adds little; one of the difference
-// determines the flat direction. With M = 12 I + a a' / s^2, all determinants are products.
+// The data determine only the sum u0 + u1. A measurement of this sum adds little; one of the
+// difference determines the direction that was unknown. With M = 12 I + a a' / s^2, all
+// determinants are products.
 TEST(DOptimality, RanksFirstWhatRepairsTheFlatDirection) {
   const double s = 0.01;
   const Eigen::MatrixXd J = Eigen::MatrixXd{{1, 1}} / s;

@@ -3,22 +3,22 @@
 // and a profile with a verdict for every variable.
 //
 // Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
-//   1. the center and a step to both sides in each variable for the derivatives (slope_search.h),
-//      2n + 1 points, and more if these suggest a better step length; the center alone if the model
-//      computes its slopes there; moves along directions with little effect, whose derivatives
-//      may be errors of the differences (weak_directions.h)
-//   2. a refit of all variables (broyden_fit.h), because the fit may have ended early or have
-//      minimized another target over the same residuals; without profiles only if the derivatives
-//      promise an improvement, and then only a few steps
-//   3. the profiles, two branches a variable side by side (profile.h)
-// If any round finds a point better than the center by more than kWorthwhile of the threshold of an
-// interval, all rounds start again there, at most most_centers - 1 times: intervals and profiles
+//   1. The derivatives: the center and a step to both sides in each variable (slope_search.h),
+//      2n + 1 points, and more if these suggest a better step length. If the model computes its
+//      derivatives at the center, the center alone suffices. Then steps along directions with
+//      little effect, whose derivatives may be errors of the differences (weak_directions.h).
+//   2. A refit of all variables (broyden_fit.h), because the fit may have ended early or may have
+//      minimized another target over the same residuals. Without profiles, the refit is made only
+//      if the derivatives promise an improvement, and then only for a few steps.
+//   3. The profiles, two branches for each variable in parallel (profile.h).
+// If any round finds a point better than the center by more than kWorthwhile times the threshold of
+// an interval, all rounds start again there, at most most_centers - 1 times: intervals and profiles
 // belong to the best point known.
 //
 //   Identification identification(space, best_point);
 //   while (!identification.wanted().empty()) identification.observe(evaluate(wanted()));
 //
-// If evaluations bring slopes, these are used, also in the refits.
+// If evaluations return derivatives, these are used, also in the refits.
 //
 // A residual that is NaN in round 1 is not known, for example an unpaired mode, and is left out.
 #pragma once
@@ -55,10 +55,11 @@ class Identification {
 
   /// Empty when done.
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
-  /// Records the outcomes of the wanted points, in their order; a Failure if the evaluation failed.
-  /// `evaluated` may hold only the first if is_enough() is true for it.
+  /// Records the outcomes of the wanted points, in their order; a Failure if an evaluation failed.
+  /// `evaluated` may hold only the first outcome if is_enough() is true for it.
   void observe(const std::vector<Result<Evaluated>>& evaluated);
-  /// True if the first of the wanted points makes the others needless: the center with its slopes.
+  /// True if the outcome of the first wanted point makes the others needless: it is the center and
+  /// contains the model's derivatives.
   bool is_enough(const Result<Evaluated>& first) const {
     return !r_ && first && first->has_slopes();
   }
@@ -70,29 +71,30 @@ class Identification {
   const DesignPoint& center() const { return center_; }
   /// Returns the quality of the derivatives, one entry for each variable.
   const std::vector<SlopeQuality>& slopes() const { return qualities_; }
-  /// Returns directions of the unit cube along which the differences contain only their own errors.
+  /// Returns directions of the unit cube along which the differences contain nothing but their own
+  /// errors.
   const std::vector<Eigen::VectorXd>& unknown_directions() const { return unknown_; }
-  /// Returns the lengths of the differences, one for each variable, in the unit cube.
+  /// Returns the step lengths of the differences, one for each variable, in the unit cube.
   const Eigen::VectorXd& lengths() const { return lengths_; }
-  /// One term of a derivative in a variable, which is the sum of weight * value over the trials.
-  /// The same sum gives the derivative of any other quantity. The list is empty if the model
-  /// computed its slopes.
+  /// One term of the derivative with respect to a variable, which is the sum of weight * value over
+  /// trials. The same sum gives the derivative of any other quantity of the trials. The list of
+  /// terms is empty if the model computed its derivatives.
   struct Term {
     DesignPoint point;  // point of a trial
     double weight;      // factor of the trial's value
   };
-  /// Returns the terms of the derivative in this variable, of the unit cube.
+  /// Returns the terms of the derivative with respect to this variable of the unit cube.
   std::vector<Term> derivative(int variable) const;
   /// True if linearization and confidence exist: not before round 1 is done, nor while it is
   /// repeated at a better point.
   bool is_linearized() const { return at_.has_value(); }
-  /// True if the wanted points are those of profiles. If refitted() is exact, their outcomes may be
-  /// reduced to reduced_rows() of one group, that of the used residuals.
+  /// True if the wanted points are those of profiles. If refitted() is exact, their outcomes may
+  /// then be passed as reduced_rows() with all used residuals in one group.
   bool is_profiling() const { return !branches_.empty() && !wanted_.empty(); }
-  /// Returns the share of the rungs of all profiles that is done, estimated from the lengths of the
-  /// remaining ladders; rungs that are halved or refitted from behind are not included.
+  /// Returns the share of the steps of all profiles that is done, estimated from the remaining
+  /// length of each profile. Steps that are halved or repeated are not included.
   double share_done() const;
-  /// At the center.
+  /// Residuals and derivatives at the center.
   const Linearization& linearization() const { return *at_; }
   /// Intervals, correlations and directions, from the linearization.
   const Confidence& confidence() const { return *confidence_; }

@@ -8,7 +8,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kLeastShare = 0.1;  // share of a band's width: less is not reported
+// Smallest share of a band's width for which its cause is reported.
+constexpr double kLeastShare = 0.1;
 
 }  // namespace
 

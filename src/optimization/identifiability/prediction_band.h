@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes how uncertain a computed value is that depends on fitted variables. The value may have
+// Computes the uncertainty of a value that is computed from fitted variables. The value may have
 // been fitted or only predicted.
 //
 // y(u) has the derivatives g = dy/du at a fitted point. In linear approximation, with the letters
@@ -8,17 +8,18 @@
 //   y +- (t sqrt(g' C g) + |g' d|)          95 % band
 //   y +- sqrt(band^2 + (t sigma_y)^2)       range of a measured value whose noise is sigma_y
 // [Bates, Watts, Nonlinear Regression Analysis and Its Applications, 1988, p. 58]. The band of y =
-// u_i is the interval of u_i, inside the cube. If intervals contain more than C, bands do too:
-//   - a direction v_k along which the interval covers all of the cube is open: it takes no part in
+// u_i is the interval of u_i, inside the cube. Where the intervals include other contributions than
+// C, the bands include them, too:
+//   - a direction v_k along which the interval covers all of the cube is open: it is left out of
 //     C, and y moves by g' v_k times the extent of the cube along v_k;
 //   - a variable held at its bound moves inward to the end of its one-sided interval, and the
 //     others follow by their refit: this widens the band to one side;
-//   - y moves no further than anywhere in the cube.
+//   - y moves no further than it can move within the cube.
 // These contributions are added, which is the widest they can be together.
 //
 // Limits: the band is that of one value, not of all values of a curve at once. It is linear, which
-// is a guess along an open direction, because that covers all of the cube. If neighbors share
-// noise, t is the largest of the variables' intervals.
+// is a guess along an open direction, because that direction covers all of the cube. If neighbors
+// share noise, t is the largest of the variables' intervals.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,10 +32,12 @@ namespace latsch {
 /// Deviations of a value from the value at the point.
 struct PredictionBand {
   double lower = 0.0, upper = 0.0;  // <= 0, >= 0
-  /// The open direction, a column of FreeDirections::axes, that makes up most of the band, at least
-  /// a tenth; -1: none.
+  /// The open direction (a column of FreeDirections::axes) that contributes most to the band, and
+  /// at least a tenth of it; -1: none.
   int open = -1;
-  int held = -1;  // variable held at a bound that does so; -1: none
+  // The variable held at a bound that contributes most to the band, and at least a tenth of it; -1:
+  // none.
+  int held = -1;
 };
 
 /// Bands of values computed from the variables, for one confidence.
@@ -47,7 +50,7 @@ class PredictionBands {
   PredictionBand of(const Eigen::VectorXd& g) const;
 
  private:
-  /// Change of a value from u to the faces of the cube along a direction.
+  /// The changes of a value if the point moves from u along a direction to the faces of the cube.
   struct Reach {
     double lower = 0.0, upper = 0.0;  // <= 0, >= 0
 

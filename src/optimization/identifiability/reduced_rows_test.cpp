@@ -42,13 +42,15 @@ TEST(ReducedRows, HaveTheProductsOfTheirGroup) {
   }
 }
 
-/// a exp(b t) at nine times against itself at (2, -1.3) with a wave added to it.
+/// Returns the residuals of a exp(b t) at nine times against its values at (2, -1.3) with a wave
+/// added.
 Evaluated exponential(const DesignPoint& p) {
   Evaluated one(Eigen::VectorXd(9), Eigen::MatrixXd(9, 2));
   for (int i = 0; i < 9; ++i) {
     const double t = 0.3 * i, e = std::exp(p.values[1] * t);
     one.r[i] = p.values[0] * e - 2.0 * std::exp(-1.3 * t) + 0.05 * std::sin(7.0 * t);
-    one.J.row(i) << 4.0 * e, 3.0 * p.values[0] * t * e;  // derivatives by the unit cube
+    one.J.row(i) << 4.0 * e,
+        3.0 * p.values[0] * t * e;  // derivatives with respect to the unit cube
   }
   return one;
 }
@@ -99,7 +101,7 @@ TEST(ReducedRows, GiveTheSameProfiles) {
   }
 }
 
-/// Each group is left out three times, by reduced rows or by whole ones.
+/// Leaves out each of the three groups in turn, with reduced rows or with whole ones.
 std::vector<LeftOut> left_out_of_exponential(bool reduced) {
   const DesignSpace space = space_of_exponential();
   const Identification identification = identification_of_exponential(false, {});

@@ -28,8 +28,9 @@
 
 namespace latsch {
 
-/// Deviation of every residual in units of sigma, the curve it is a sample of, with neighbors side
-/// by side, and its loss. Empty: all deviations are 1, all residuals independent, no loss.
+/// Traits of the residuals: the standard deviation of each in units of sigma; the curve of which it
+/// is a sample, with neighboring samples in successive rows; and its robust loss. Empty lists mean
+/// that all deviations are 1, all residuals are independent and none has a loss.
 struct ResidualTraits {
   std::vector<double> deviations = {};
   std::vector<int> curves = {};         // < 0: independent
@@ -41,31 +42,33 @@ struct ResidualTraits {
 
 class ResidualNoise {
  public:
-  /// Takes the residuals r at a fit and the derivatives J in all variables that might explain them.
-  /// A spread of the residuals at or below `least_seen` is rounding of the simulations and not
-  /// noise, so no correlation is looked for in it. Rounding has no pattern from sample to sample:
-  /// an autoregression of it may be as good as a constant, which would leave nothing known.
+  /// Takes the residuals r at a fit and their derivatives J with respect to all variables that
+  /// might explain them. A spread at or below `least_seen` counts as rounding errors of the
+  /// simulations and not as noise, so no correlation is estimated. Rounding errors have no pattern
+  /// from sample to sample: an autoregression may fit them as well as a constant does, which would
+  /// leave no independent sample.
   ResidualNoise(const Eigen::VectorXd& r,
                 const Eigen::MatrixXd& J,
                 const ResidualTraits& traits,
                 double least_seen = 0.0);
 
-  /// Standard deviation of a residual of deviation 1; NaN if nothing is left to estimate it from.
+  /// Standard deviation of a residual whose own deviation is 1; NaN if no residual is left to
+  /// estimate it from.
   double sigma() const { return sigma_; }
   /// Number of residuals minus the number of variables they determine.
   double freedom() const { return freedom_; }
   bool is_white() const;
 
-  /// Scales the columns of Y: the squared norm of a column y becomes  y' D R D y,  the variance of
-  /// y' r in units of sigma^2.
+  /// Scales the columns of Y so that the squared norm of a column y becomes  y' D R D y,  the
+  /// variance of y' r in units of sigma^2.
   Eigen::MatrixXd colored(const Eigen::MatrixXd& Y) const;
   /// Returns for every residual, in units of sigma, its deviation times the root of the number of
   /// its neighbors that together hold as much information as one independent residual.
   Eigen::VectorXd effective_deviations() const;
 
-  /// Degrees of freedom of an estimated variance  c sigma^2 |colored(Y)|^2,  [Satterthwaite,
-  /// Biometrics Bulletin 2 (1946) 110]: fewer if the correlations are uncertain too. `known` is
-  /// true if sigma is known.
+  /// Returns the degrees of freedom of an estimated variance  c sigma^2 |colored(Y)|^2
+  /// [Satterthwaite, Biometrics Bulletin 2 (1946) 110]. There are fewer if the correlations are
+  /// uncertain, too. `known` is true if sigma is known.
   double freedom_of(const Eigen::VectorXd& y, bool known) const;
 
  private:

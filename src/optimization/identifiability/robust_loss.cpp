@@ -71,7 +71,7 @@ GaussianLoss RobustLoss::expected(double sigma) const {
   const auto slope = [own](double x) {
     return cauchy_psi_slope(x * x / (own * own)) * normal_density(x);
   };
-  double mean = 0.0;  // psi' changes most near the corner
+  double mean = 0.0;  // psi' changes most near the corner, so the integral is split there
   for (const auto& [from, to] :
        {std::pair(0.0, c), {c, std::min(10.0 * c, kFar)}, {10.0 * c, kFar}})
     if (from < to) mean += 2.0 * integral(from, to, slope);

@@ -41,8 +41,8 @@ class RobustRows {
   bool is_limited() const { return is_limited_; }
   /// Returns psi, m, in the unit of the residuals.
   const Eigen::VectorXd& psi() const { return psi_; }
-  /// Returns the derivatives before the loss, m x n. A row whose loss leaves less than a millionth
-  /// of its slope is 0.
+  /// Returns the derivatives before the loss, m x n. The row of a residual is 0 if the slope dr/dx
+  /// of its loss is less than a millionth.
   const Eigen::MatrixXd& X() const { return X_; }
   /// Returns dr/dx, m.
   const Eigen::VectorXd& slopes() const { return slopes_; }
@@ -51,18 +51,21 @@ class RobustRows {
   /// Returns the number of residuals with a loss, and how many of these lie beyond the corner.
   int with_loss() const { return with_loss_; }
   int beyond() const { return beyond_; }
-  /// Returns the share beyond the corner that Gaussian noise of deviation sigma leaves.
+  /// Returns the expected share of values beyond the corner for Gaussian noise of standard
+  /// deviation sigma.
   double expected_beyond(double sigma) const;
 
-  /// Returns psi' of every value, m; and the mean psi' of its group over K.
+  /// These return the weights psi' of A, m: own_weights() that of every value, common_weights() the
+  /// mean of its group divided by K.
   const Eigen::VectorXd& own_weights() const { return psi_slopes_; }
   Eigen::VectorXd common_weights() const;
 
-  /// Deviations of psi, m each.
+  /// Standard deviations of psi in the two versions of the covariance, m each.
   struct Spreads {
     Eigen::VectorXd common, own;
   };
-  /// Returns the deviations, for noise of the stated deviation, or estimated.
+  /// Returns the deviations of psi, for noise of the stated standard deviation or, if none is
+  /// stated, estimated from the residuals but at least `least`.
   Spreads spreads(const std::optional<double>& stated, double least) const;
 
  private:
@@ -78,11 +81,11 @@ class RobustRows {
   bool is_limited_ = false;
 };
 
-/// Returns rows H with H'H = J' diag(w) J. Along a direction where the negative weights outweigh
-/// the others, H'H keeps a hundredth of the positive part.
+/// Returns rows H with H'H = J' diag(w) J. If the negative weights w outweigh the positive ones
+/// along a direction, H'H is a hundredth of the positive part there.
 Eigen::MatrixXd weighted_rows(const Eigen::MatrixXd& J, const Eigen::VectorXd& w);
 
-/// Returns the matrix that is the larger of two positive semidefinite ones along every direction in
+/// Returns the larger of two positive semidefinite matrices along every direction in a basis in
 /// which both are diagonal. `a` must be positive definite.
 Eigen::MatrixXd larger(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 

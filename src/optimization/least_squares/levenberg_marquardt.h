@@ -56,22 +56,22 @@
 
 namespace latsch {
 
-/// Lengths are in the unit cube: 1 is the whole range of a variable.
+/// Options of the search. Lengths are in the unit cube: 1 is the whole range of a variable.
 struct LevenbergMarquardtOptions {
-  /// First Delta: |p| of a move of all variables by this length. It may be wide, because the slopes
-  /// are exact.
+  /// First radius Delta: the length of a step p in which all variables move by this value. It may
+  /// be large, because the slopes are exact.
   double initial_step = 0.5;
-  /// The search ends if the next step is shorter.
+  /// The search ends if the next step is shorter than this length.
   double step_tolerance = 1e-6;
   /// The search ends if the linear model predicts a gain of less than this share of f for the full
   /// step.
   double gain_tolerance = 1e-10;
-  /// The search ends if three accepted steps together gain less than this share of f and the linear
-  /// model predicts less than half of that for the full step: the path along a curved valley or a
-  /// kink may be long. 0 accepts any gain; a study may set it from its noise
-  /// [optimizer_choice.cpp].
+  /// The search ends if three accepted steps together decrease f by less than this share of f and
+  /// the linear model predicts less than half of that for the full step: the path along a curved
+  /// valley or a kink may be long. The value 0 accepts any decrease; a study may set it from its
+  /// noise [optimizer_choice.cpp].
   double progress_tolerance = 0.0;
-  /// Largest number of steps back to the floor of a valley after one step that led up its side; 0:
+  /// Largest number of steps back to the floor of a valley after a step that ended on its side; 0:
   /// none.
   int most_returns = 6;
 };

@@ -14,14 +14,17 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRadiusSlack = 0.1;  // share of the radius to which mu is solved for
-// Share of the bracket: a secant nearer to its ends is not trusted.
+// Accuracy to which the step is made as long as the radius, as a share of the radius.
+constexpr double kRadiusSlack = 0.1;
+// Distance from the ends of a bracket, as a share of its width, within which the result of a secant
+// step is not trusted.
 constexpr double kMargin = 1e-3;
-constexpr double kMostDampingOfStep = 1e12;  // multiple of the mu for the radius
-// Largest number of mu tried; each at least halves the bracket.
+// Largest damping mu that is tried if a step gains nothing, as a multiple of the mu for the radius.
+constexpr double kMostDampingOfStep = 1e12;
+// Largest number of values of mu that are tried; each at least halves the bracket.
 constexpr int kMostDampings = 30;
-constexpr double kLeastConvexity =
-    1e-12;  // relative to the largest curvature, for a quadratic program
+// Smallest curvature in a quadratic program relative to the largest one.
+constexpr double kLeastConvexity = 1e-12;
 
 /// Returns the first rows of Q'A, as many as A has columns, with Q from the factors.
 MatrixXd rotated(const numerics::HouseholderQr& factors, const MatrixXd& A, Eigen::Index rows) {
@@ -128,7 +131,8 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
   double at_low = excess(full_);
   LevenbergMarquardtStep step = damped(high);
   double at_high = excess(step);
-  const bool is_cut = full_.length <= longest;  // short enough, but without gain
+  // The full step is short enough but was rejected because it predicts no decrease.
+  const bool is_cut = full_.length <= longest;
   for (int k = 0; k < kMostDampings && !is_cut; ++k) {
     if (step.length >= shortest && step.length <= longest) break;
     double mu = low - at_low * (high - low) / (at_high - at_low);
@@ -139,7 +143,8 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
     (step.length > radius ? low : high) = mu;
     (step.length > radius ? at_low : at_high) = excess(step);
   }
-  // Variables held at faces can spoil a step; ever shorter steps go down the slope.
+  // If variables are held at faces of the cube, a step may predict no decrease. Shorter and shorter
+  // steps approach the direction of steepest descent, which does.
   const double most = kMostDampingOfStep * of_radius;
   for (double mu = step.mu; !(step.promised > 0.0) && mu < most; mu *= 10.0) {
     step = damped(10.0 * mu);

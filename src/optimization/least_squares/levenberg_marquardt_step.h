@@ -47,11 +47,12 @@ class LevenbergMarquardtSteps {
   LevenbergMarquardtStep within(double radius) const;
   /// Returns the solution of (1) for a given mu.
   LevenbergMarquardtStep damped(double mu) const;
-  /// Upper limit of the gain that a step inside the bounds predicts: the value for the variables
-  /// not held, without bounds.
+  /// Returns an upper limit of the decrease predicted for a step inside the bounds: that of the
+  /// step without bounds in the variables that are not held.
   double most_promised() const { return most_promised_; }
-  /// Returns a lower limit of the gain predicted for the best move of a single free variable. If J
-  /// loses rank, joint steps of all variables predict an improvement that no step achieves.
+  /// Returns a lower limit of the decrease: that predicted for the best move of a single free
+  /// variable. If J is nearly singular, joint moves of all variables may predict a decrease that no
+  /// real step achieves.
   double promised_by_one() const { return promised_by_one_; }
 
  private:

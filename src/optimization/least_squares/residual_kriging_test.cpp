@@ -35,7 +35,8 @@ ResidualSamples sample(const Function& function, int count, double noise = 0.0) 
 TEST(ResidualKriging, IsExactForLinearResidualsFromAsManySamplesAsVariables) {
   const ResidualKriging model(sample(linear, 3), 0.0);
   const Eigen::Vector3d z(0.3, -0.7, 0.5);
-  // Slopes have variance 1e4 and curvatures variance 1, so the error is a share of 1e-4.
+  // The prior variance of slopes is 1e4 and that of curvatures 1, so the error of the slopes is
+  // about 1e-4.
   EXPECT_LT((model.residuals(z) - linear(z)).norm(), 1e-2);
 }
 
@@ -121,7 +122,7 @@ TEST(BoxLeastSquares, EndsAtBoundsThatHoldIt) {
   EXPECT_NEAR(z[2], 0.5, 1e-5);
 }
 
-// |r|^2 scatters by 2 s |r| if every residual scatters by s.
+// If every residual scatters by s, |r|^2 scatters by 2 s |r|.
 TEST(ResidualKriging, TellsWhatNoiseMakesOfTheTarget) {
   const Eigen::VectorXd r_c = Eigen::VectorXd::LinSpaced(100, 1.0, 3.0);
   const double s = 0.05;

@@ -143,7 +143,7 @@ TEST(DesignSpace, SaysWhereForeignPointsLie) {
   EXPECT_THROW(space.place({{1.0}}), InputError);
 }
 
-/// r and dr/dx are written by hand.
+/// Returns a score whose residuals r and derivatives dr/dx are given in closed form.
 Score with_jacobian(const std::vector<double>& x) {
   return {.residuals = {x[0] * x[1], std::sin(x[0]), x[1] * x[1]},
           .jacobian = {x[1], x[0], std::cos(x[0]), 0.0, 0.0, 2.0 * x[1]}};
