@@ -98,8 +98,8 @@ struct Journal::Impl {
   OutcomePacker packer;
   std::string opened_as = {};         // name of the journal with links followed
   std::optional<FileId> log_id = {};  // write-ahead log of this writer
-  std::optional<std::string> lost =
-      {};  // message for later calls, set once the file is no longer in its place
+  // Message for later calls, set once the file is no longer in its place.
+  std::optional<std::string> lost = {};
 
   [[noreturn]] void refuse(const std::string& message) const {
     throw InputError({file.string(), 0}, message);

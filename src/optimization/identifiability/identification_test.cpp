@@ -150,8 +150,8 @@ TEST(Identification, ASignThatCannotBeSeenMakesTwoMinima) {
   const TargetProfile& p = a.identification.profiles()[0];
   EXPECT_EQ(p.verdict, Verdict::several_minima);
   ASSERT_EQ(p.other_minima.size(), 1u);
-  EXPECT_NEAR(
-      -1.6 + 3.2 * p.points[p.other_minima[0]].u[0], -1.0, 0.16);  // half a step of the profile
+  // The tolerance is half a step of the profile.
+  EXPECT_NEAR(-1.6 + 3.2 * p.points[p.other_minima[0]].u[0], -1.0, 0.16);
   EXPECT_EQ(a.identification.profiles()[1].verdict, Verdict::identifiable);
 }
 

@@ -49,8 +49,8 @@ Evaluated exponential(const DesignPoint& p) {
   for (int i = 0; i < 9; ++i) {
     const double t = 0.3 * i, e = std::exp(p.values[1] * t);
     one.r[i] = p.values[0] * e - 2.0 * std::exp(-1.3 * t) + 0.05 * std::sin(7.0 * t);
-    one.J.row(i) << 4.0 * e,
-        3.0 * p.values[0] * t * e;  // derivatives with respect to the unit cube
+    // The derivatives are those with respect to the unit cube.
+    one.J.row(i) << 4.0 * e, 3.0 * p.values[0] * t * e;
   }
   return one;
 }

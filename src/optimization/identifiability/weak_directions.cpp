@@ -130,8 +130,8 @@ Eigen::MatrixXd WeakDirections::checked(
     }
     // The model fails at the points along the direction, so only the differences of J are left.
     if (slopes.size() == 1) continue;
-    // Of two slopes that agree, the one over the shorter length is used; if one of them is J v, it
-    // is kept.
+    // If two slopes agree, the one over the shorter length is used; if one of them is J v, J v is
+    // kept.
     const SlopeAlong* held = nullptr;
     for (size_t a = 0; a < slopes.size() && !held; ++a)
       for (size_t b = a + 1; b < slopes.size() && !held; ++b)

@@ -17,7 +17,7 @@ namespace latsch {
 class FeasibleRegion {
  public:
   explicit FeasibleRegion(const DesignSpace& space) : FeasibleRegion(space, space.constraints()) {}
-  /// Uses the given constraints in the cube of the space.
+  /// Creates the region of the cube of `space` that fulfills the given constraints.
   FeasibleRegion(const DesignSpace& space, const std::vector<LinearConstraint>& constraints);
 
   /// True without linear constraints: there are only bounds.
@@ -27,26 +27,28 @@ class FeasibleRegion {
   const Eigen::MatrixXd& A() const { return A_; }
   const Eigen::VectorXd& b() const { return b_; }
 
-  /// The largest distance by which u lies outside a row; 0 inside.
+  /// The largest distance by which u violates a constraint; 0 inside the region.
   double violation(const Eigen::VectorXd& u) const;
-  /// True up to rounding.
+  /// True if u fulfills all constraints up to rounding.
   bool contains(const Eigen::VectorXd& u) const;
 
   /// Outward normals of the inequalities nearer to u than `distance`, as columns.
   Eigen::MatrixXd normals_within(const Eigen::VectorXd& u, double distance) const;
 
-  /// Returns the last point of the region on the line from x, which is inside, to u. In the cube u
-  /// is moved onto the bounds instead, variable by variable.
+  /// Returns the last point inside the region on the line from x, which is inside, to u. If the
+  /// region is the cube, each variable of u is instead moved onto its bound.
   Eigen::VectorXd cut_off(const Eigen::VectorXd& x, const Eigen::VectorXd& u) const;
 
   /// Returns u, which is inside, moved onto all constraints that are nearer than `distance`.
-  /// Returns u itself in the cube and if these constraints have no point in common.
+  /// Returns u unchanged if the region is the cube, or if these constraints have no point in
+  /// common.
   Eigen::VectorXd snapped(const Eigen::VectorXd& u, double distance) const;
 
   /// Returns the point of the region nearest to u.
   Eigen::VectorXd nearest(const Eigen::VectorXd& u) const;
 
-  /// Names the constraints and bounds that leave no point; empty if there is one.
+  /// Returns the names of constraints and bounds that contradict each other, so that the region is
+  /// empty; an empty text if the region contains a point.
   std::string contradiction() const;
 
  private:

@@ -3,9 +3,9 @@
 //
 //   lower <= sum_i a_i x_i <= upper
 //
-// Equal bounds make an equation. Optimizers use the constraints of a space in its unit cube
-// (feasible_region.h). A logarithmic variable would bend the plane there, so rows with one are
-// refused.
+// If the bounds are equal, the constraint is an equation. Optimizers use the constraints of a space
+// in its unit cube (feasible_region.h). A logarithmic variable would make the constraint a curved
+// surface there, so constraints with such a variable are refused.
 #pragma once
 
 #include <limits>

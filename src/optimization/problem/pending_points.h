@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The points whose outcomes an ask/tell method waits for (optimizer.h), most urgent first, each
-// with the data the method needs when its outcome arrives; and the plan of different points that
-// the method proposes.
+// with the data that the method needs when the outcome arrives. The header also has the plan of
+// different points that a method proposes.
 #pragma once
 
 #include <algorithm>
@@ -54,7 +54,7 @@ class PendingPoints {
   std::vector<Pending> points_;
 };
 
-/// The result of propose(count): at most `count` points, none twice.
+/// The points that propose(count) returns: at most `count`, all different.
 class Plan {
  public:
   explicit Plan(int count) : count_(count) {}

@@ -54,7 +54,7 @@ TEST(QuadraticProgram, FulfillsTheConditionsOfKarushKuhnAndTucker) {
     qp.A = draw(inequalities, n);
     const VectorXd inside = draw(n, 1);
     qp.f = qp.E * inside;
-    // In half of the trials all planes meet at the point.
+    // In half of the trials all planes pass through the point.
     qp.b = qp.A * inside + draw(inequalities, 1).cwiseAbs() * (trial % 2);
     const QuadraticSolution s = solve(qp);
     ASSERT_TRUE(s.is_feasible());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses a new start if a method's start failed: on the line from there to the middle of the
-// region.
+// Chooses another start if the start of a method failed: a point on the line from it to the middle
+// of the region.
 #pragma once
 
 #include <optional>

@@ -25,13 +25,13 @@ struct SmoothValues {
   double violation() const;
 };
 
-/// nullopt if a value is not finite.
+/// Returns the values of a score; nullopt if one is not finite.
 std::optional<SmoothValues> smooth_values(const Score& score);
 
-/// True if both have equally many residuals and constraints.
+/// True if both have equal numbers of residuals and of constraints.
 bool same_shape(const SmoothValues& a, const SmoothValues& b);
 
-/// Gradient of f and Jacobians of the others, one row for each function.
+/// The gradient g of f and the Jacobians of the other functions, one row for each function.
 struct SmoothSlopes {
   Eigen::VectorXd g;
   Eigen::MatrixXd r, c, h;
@@ -41,7 +41,8 @@ struct SmoothSlopes {
 /// f; then c and h.
 Eigen::VectorXd all_values(const SmoothValues& values);
 
-/// `J` holds the derivatives of all_values(values), one row for each value.
+/// Returns the slopes from `J`, which holds the derivatives of all_values(values), one row for each
+/// value.
 SmoothSlopes slopes_at(const SmoothValues& values, const Eigen::MatrixXd& J);
 
 /// Returns the J with J D = S of least norm. Columns of D are directions, columns of S differences.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cascade: the result of one run starts the next, with tightened bounds around it.
+// Cascade: several searches one after the other, each within tightened bounds around the result of
+// the one before.
 //
 // Each stage is a separate optimizer on the space of the stage before, narrowed by a factor in the
 // unit cube. It observes the value of the point it starts from. The steps of a stage are relative
@@ -15,7 +16,7 @@
 
 namespace latsch {
 
-/// Number of stages and their bounds.
+/// Number of stages, and the width of their bounds.
 struct CascadeOptions {
   int stages = 2;            // number of searches, one after the other
   double tightening = 0.25;  // width of a stage's bounds relative to those of the stage before
@@ -29,7 +30,7 @@ class Cascade : public Optimizer {
   /// Throws InputError for less than one stage or a tightening that is not between 0 and 1.
   Cascade(const DesignSpace& space, CascadeOptions options, MakeOptimizer make_optimizer);
 
-  /// Proposes no points beyond the present stage.
+  /// Proposes points of the present stage only.
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;

@@ -45,7 +45,8 @@ std::vector<DesignPoint> Ensemble::propose(int count) const {
   for (const EnsembleMember& member : members_) {
     const bool ended = member.optimizer->converged();
     wishes.push_back(ended ? std::vector<DesignPoint>{} : member.optimizer->propose(count));
-    std::reverse(wishes.back().begin(), wishes.back().end());  // the next point comes last
+    // The points are reversed, so that the next one is at the end.
+    std::reverse(wishes.back().begin(), wishes.back().end());
     has_wishes.push_back(!wishes.back().empty());
   }
   std::vector<long> turns = turns_;

@@ -11,7 +11,7 @@
 namespace latsch {
 namespace {
 
-/// Returns r = (x - 1, y - 2, z - 3 x y) with its Jacobian.
+/// Returns the residuals r = (x - 1, y - 2, z - 3 x y) and their Jacobian.
 Score product(const DesignPoint& p) {
   const double x = p.values[0], y = p.values[1], z = p.values[2];
   Score score;

@@ -12,12 +12,14 @@ namespace {
 constexpr long kMostOutstanding = 1024;
 constexpr long kMostRestarts = 1000;
 constexpr long kMostIndividuals = 1'000'000;
-// F is 1 for each value in units of the noise; a step of one standard deviation in one variable
-// increases it by as much. A linear model that predicts a gain of a thousandth of that is a
-// thirtieth of a standard deviation from its minimum.
+// Share of the noise's contribution to the target below which a gain is ignored. If values are in
+// units of their noise, a step of one standard deviation in one variable increases the target by 1.
+// A model that predicts a gain of a thousandth of that is a thirtieth of a standard deviation away
+// from its minimum.
 constexpr double kFeltByNobody = 1e-3;
 
-/// Reads the keys that methods share; `longest` limits the first step.
+/// Reads the initial step and the step tolerance, which most methods have; `longest` limits the
+/// first step.
 void read_lengths(const Node& node, double longest, double& initial, double& tolerance) {
   initial = node.quantity("initial_step", "1", Range{0.0, longest, true}, initial);
   tolerance = node.quantity("step_tolerance", "1", Range{0.0, longest, true}, tolerance);

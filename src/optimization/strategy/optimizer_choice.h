@@ -3,13 +3,13 @@
 //
 //   residual_trust_region  the target is a sum over residuals, smooth between failures, with or
 //                          without linear constraints: fewest evaluations by far
-//   levenberg_marquardt    such a target, if trials bring the derivatives of their residuals
-//   gss                    no residuals, kinks, or most points fail
+//   levenberg_marquardt    the same, if trials also return the derivatives of their residuals
+//   gss                    no residuals, a target with kinks, or most points fail
 //   sqp                    nonlinear constraints, and residuals or a smooth target
 //   gss_nlc                nonlinear constraints and no residuals
-//   nelder_mead            on request: few variables, no assumptions
-//   genetic                no residuals and many basins, or more variables than a pattern can poll
-//   ensemble               on request: several of these at once, each observing all points
+//   nelder_mead            only on request: few variables, no assumptions
+//   genetic                no residuals and many local minima, or too many variables for polling
+//   ensemble               only on request: several of these at once, each observing all points
 #pragma once
 
 #include <memory>
@@ -47,7 +47,7 @@ std::string_view in_words(Method method);
 /// Returns the names of all methods, and "auto".
 const std::vector<std::string>& method_names();
 
-/// The facts a choice depends on.
+/// The properties of a problem on which the choice of a method depends.
 struct ProblemTraits {
   int variables = 1;                       // their number
   bool has_residuals = false;              // the target is a sum over residuals
@@ -60,7 +60,7 @@ struct ProblemTraits {
   double noise_alone = 0.0;                // sum of squares caused by noise, if noise is stated
 };
 
-/// A method with the reason of its choice.
+/// The chosen method, and the reason for the choice.
 struct MethodChoice {
   Method method;       // the chosen method
   std::string reason;  // a full sentence
@@ -92,13 +92,13 @@ struct MemberSettings {
   OptimizerSettings settings;  // for any method but ensemble
 };
 
-/// Returns the method of the settings; for "auto", the chosen one. Throws InputError for an unknown
-/// name.
+/// Returns the method that the settings name; if they say "auto", the one that suits the traits.
+/// Throws InputError for an unknown name.
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits);
 
-/// Throws InputError if the traits have constraints that the method, or a member of an ensemble,
-/// does not support; also for an ensemble without members or within another. `traits` also serve to
-/// choose a member's method if that is auto.
+/// Creates the optimizer. Throws InputError if the traits include constraints that the method, or a
+/// member of an ensemble, does not support, and for an ensemble without members or inside another
+/// ensemble. `traits` also determine the method of a member whose settings say "auto".
 std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
                                           const OptimizerSettings& settings,

@@ -30,9 +30,9 @@ struct FrameLengths {
   double longest;   // share of a range, in every variable
 };
 
-/// `J` is dr/du at u; if it is not finite, no direction counts as having an effect. `r` is the norm
-/// of the residuals, or the intended size of their change. `along` has orthonormal columns:
-/// directions along the equations, in widths.
+/// Returns the frame at u. `J` is dr/du; if it is not finite, no direction counts as having an
+/// effect. `r` is the norm of the residuals, or the intended size of their change. `along` has
+/// orthonormal columns: the directions along the equations, in units of the widths.
 NaturalFrame natural_frame(const Eigen::MatrixXd& J,
                            double r,
                            const Eigen::VectorXd& u,

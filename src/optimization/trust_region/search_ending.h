@@ -8,10 +8,10 @@ namespace latsch {
 
 enum class Ending {
   none,       // not ended
-  verified,   // fresh slopes predict no gain
-  noise,      // fresh slopes predict no gain above noise and ripple
+  verified,   // recomputed slopes predict no gain
+  noise,      // recomputed slopes predict no gain above noise and ripple
   edge,       // steps that would gain fail
-  rough,      // steps do not achieve the gain that fresh slopes predict
+  rough,      // steps do not achieve the gain that recomputed slopes predict
   blind,      // along some direction no slope could be computed
   known,      // the model's own slopes predict no gain
   explained,  // almost nothing is left of the residuals

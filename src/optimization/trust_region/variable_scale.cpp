@@ -5,7 +5,8 @@ namespace latsch {
 namespace {
 
 constexpr double kExponent = 0.5;
-constexpr double kInsensitive = 1e-3;  // share of the largest D_i: smaller ones count as this
+// Smallest D_i as a share of the largest; smaller ones are replaced by it.
+constexpr double kInsensitive = 1e-3;
 
 }  // namespace
 
