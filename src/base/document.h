@@ -35,7 +35,7 @@ struct Range {
   static Range between(double lower, double upper) { return {lower, upper, false}; }
 };
 
-class DocumentTree;  // parsed file, see document_tree.h
+class DocumentTree;  // the parsed file; see document_tree.h
 
 /// One table of a Document. Every getter remembers its key; close() then rejects keys that no
 /// getter has read.
@@ -115,7 +115,7 @@ class Node {
 
  private:
   friend class Document;
-  struct Impl;  // see document_node.h
+  struct Impl;  // defined in document_node.h
   explicit Node(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<const Impl> impl_;
 };

@@ -130,7 +130,8 @@ std::string fingerprint(std::string_view text) {
 }
 
 std::string fingerprint_of_file(const std::filesystem::path& file) {
-  constexpr std::size_t kLargest = std::size_t{4} << 30;  // bytes; more than any reader accepts
+  // Bytes; more than any reader of files accepts.
+  constexpr std::size_t kLargest = std::size_t{4} << 30;
   if (file.extension() == ".toml") {
     try {
       return fingerprint(canonical_text(Document::read(file)));
@@ -204,7 +205,7 @@ std::string DocumentRecord::text() const {
     } else if (!key.is_there) {
       value = key.fallback.value_or("");
     } else if (value.empty() && key.kind != DeclaredKey::Kind::table) {
-      value = written(path);  // a key that was tested for, but whose value no getter read
+      value = written(path);  // the key was tested for, but no getter read its value
     }
     if (!value.empty()) values[path] = std::move(value);
   }

@@ -38,7 +38,7 @@ struct DeclaredKey {
     texts
   };
   Kind kind = Kind::presence;
-  std::vector<std::string> units = {};    // SI; a single unit, or that of every column
+  std::vector<std::string> units = {};    // units in SI: a single one, or one for each column
   Range range = {};                       // for numbers
   std::vector<std::string> choices = {};  // for a choice
   // Requirement in words, "a share such as 3 %", for a text that its reader analyzes.

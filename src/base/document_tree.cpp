@@ -30,7 +30,8 @@ void check_size_of_source(std::string_view source, const std::string& file) {
       for (i += closing.size(); i < source.size() && source.substr(i, closing.size()) != closing;
            ++i) {
         if (source[i] == '\n') ++line;
-        if (source[i] == '\n' && !multiline) break;  // an unclosed text; the parser will report it
+        // A text without end, which the parser will report.
+        if (source[i] == '\n' && !multiline) break;
         if (source[i] == '\\' && c == '"') ++i;
       }
       if (multiline) i += 2;
@@ -85,7 +86,7 @@ class SourceMap {
  private:
   std::string_view source_;
   std::vector<std::size_t> starts_;
-  std::size_t line_ = 0, column_ = 1, at_ = 0;  // end of the last search
+  std::size_t line_ = 0, column_ = 1, at_ = 0;  // position at which the last search ended
 };
 
 }  // namespace
@@ -181,7 +182,8 @@ class DocumentBuilder {
     } else if (const auto* integer = node.as_integer()) {
       value.kind = Kind::number;
       value.integer = true;
-      value.text = std::to_string(**integer);  // decimal, even if the file has it in hexadecimal
+      // Written in decimal, even if the file has it in hexadecimal.
+      value.text = std::to_string(**integer);
     } else if (node.is_floating_point()) {
       value.kind = Kind::number;
       std::erase(value.text, '_');
@@ -201,7 +203,8 @@ DocumentTree::DocumentTree(std::string_view source, std::string file) : file_(st
   if (source.size() > kLargestFile)
     throw InputError({file_, 0},
                      fmt::format("is {} bytes, expected at most {}", source.size(), kLargestFile));
-  if (source.starts_with("\xef\xbb\xbf")) source.remove_prefix(3);  // byte order mark
+  // Removes the byte order mark of UTF-8.
+  if (source.starts_with("\xef\xbb\xbf")) source.remove_prefix(3);
   source_ = source;
   check_size_of_source(source_, file_);
   try {

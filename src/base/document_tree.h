@@ -30,9 +30,9 @@ struct DocumentValue {
   std::string key;        // the last part of the path
   std::string path;       // "section.contour.3.1"
   int line = 0;           // counted from 1
-  std::size_t begin = 0;  // bytes of a text, number or flag in the source
+  std::size_t begin = 0;  // offset in the source of a text, number or flag, bytes
   std::size_t end = 0;
-  std::string text;      // content of a text; for other scalars the characters in the source
+  std::string text;      // the content of a text; of other scalars, the characters in the source
   bool integer = false;  // a number without decimal point
   bool flag = false;
   std::string unit;           // unit named by {unit, values}; "" if every number has its own

@@ -11,7 +11,7 @@ namespace latsch {
 /// A line of a user's file. Line 0 is the file as a whole; an empty file name means that no file is
 /// concerned.
 struct Place {
-  std::string file;  // name in messages
+  std::string file;  // name of the file in messages
   int line = 0;      // counted from 1; 0: the file as a whole
 
   /// Returns file and line, such as "tire_b.toml:41".

@@ -118,7 +118,8 @@ int write_all(int descriptor, std::string_view text) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written >= 0) {
       text.remove_prefix(written);
-    } else if (errno == EAGAIN) {  // another program may have made our output a non-blocking pipe
+      // Another program may have made this process's output non-blocking.
+    } else if (errno == EAGAIN) {
       pollfd room{descriptor, POLLOUT, 0};
       ::poll(&room, 1, -1);
     } else if (errno != EINTR) {
@@ -181,7 +182,7 @@ void flush_folder(const std::filesystem::path& folder) {
 }
 
 constexpr const char* kNotWritten = "cannot be written";
-constexpr int kMostLinks = 40;  // links followed; the system's own limit
+constexpr int kMostLinks = 40;  // largest number of links followed; that of the system
 
 /// Follows a chain of symbolic links and returns the file at its end, which need not exist. Returns
 /// nullopt if the chain leads through /proc to an open file, because the name of such a link
@@ -290,7 +291,7 @@ void write_to_path(const std::filesystem::path& file, const Write& write) {
     throw InputError({file.string(), 0},
                      "is read by this command, which would replace it by its output: expected "
                      "another name for the output");
-  std::fflush(stdout);  // earlier output precedes the file's text
+  std::fflush(stdout);  // earlier output must precede the text of the file
   for (const int printed : {STDOUT_FILENO, STDERR_FILENO}) {
     if (is_open_as(printed, there)) return write_through(file, Descriptor(::dup(printed)), write);
   }

@@ -141,7 +141,7 @@ TEST_F(File, ADiskIsRefused) {
 TEST_F(File, APipeIsWrittenToAndStays) {
   const auto pipe = folder_ / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  const std::string text(300000, 'x');  // more than a pipe holds
+  const std::string text(300000, 'x');  // more bytes than a pipe holds
   std::string read;
   std::thread reader([&] {
     std::ifstream written(pipe);

@@ -19,7 +19,7 @@ namespace latsch {
 namespace {
 
 constexpr std::size_t kInMemory = 64u << 20;  // bytes
-constexpr std::size_t kBlock = 1u << 20;      // bytes copied at once
+constexpr std::size_t kBlock = 1u << 20;      // number of bytes copied at once
 
 bool is_same(const struct stat& a, const struct stat& b) {
   return a.st_ino == b.st_ino && a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec &&
@@ -129,7 +129,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
     ::madvise(mapping_, size, MADV_SEQUENTIAL);
     return;
   }
-  text_ = read_settled_file(file, limit);  // throws if the file cannot be read
+  text_ = read_settled_file(file, limit);  // throws an InputError if the file cannot be read
   view_ = text_;
 }
 

@@ -22,7 +22,7 @@ namespace latsch {
 namespace {
 
 constexpr std::size_t kLongestUnit = 64;
-constexpr int kLargestPower = 9;  // power of a base unit; units typed by a person have one digit
+constexpr int kLargestPower = 9;  // largest exponent of a base unit; exponents of one digit suffice
 constexpr const char* kBase[] = {"m", "kg", "s", "A", "K", "mol", "cd", "rad"};
 
 /// Units that people often type but the database lacks.
@@ -123,7 +123,7 @@ class Database {
   using UnitPointer = std::unique_ptr<ut_unit, FreeUnit>;
 
   Database() {
-    ut_set_error_message_handler(ut_ignore);  // the default handler would write to stderr
+    ut_set_error_message_handler(ut_ignore);  // the default handler would write to standard error
     system_ = ut_read_xml(nullptr);
     if (!system_)
       throw InputError(
@@ -138,7 +138,8 @@ class Database {
   UnitMeanings meanings_of(std::string_view text) const {
     if (!may_be_unit(text)) return {};
     return unit_meanings(text, [this](std::string_view word, const std::string& meaning) {
-      constexpr long double kSame = 1e-5L;  // relative; UDUNITS rounds some factors to six digits
+      // Relative tolerance; UDUNITS rounds some factors to six digits.
+      constexpr long double kSame = 1e-5L;
       const auto by_letter = parse(std::string(word)), meant = parse(meaning);
       if (!by_letter || !meant) return false;
       return by_letter->dimension != meant->dimension || by_letter->offset != meant->offset ||
@@ -212,7 +213,7 @@ class Database {
   }
 
   std::mutex mutex_;
-  ut_system* system_ = nullptr;  // lives as long as the program
+  ut_system* system_ = nullptr;  // never freed; it lives as long as the program
   std::array<UnitPointer, 8> base_;
   std::map<std::string, Entry, std::less<>> known_;
 };
@@ -240,7 +241,8 @@ Unit Unit::of(std::string_view text) {
 
 double Unit::to_si(long double number) const {
   const long double si = number * factor_;
-  return static_cast<double>(offset_ == 0.0L ? si : si + offset_);  // -0 + 0 would lose the sign
+  // Adding 0 to -0 would lose the sign.
+  return static_cast<double>(offset_ == 0.0L ? si : si + offset_);
 }
 
 double Unit::from_si(double value) const {

@@ -56,7 +56,7 @@ class Unit {
 /// A number and its unit as a person writes them.
 struct Quantity {
   std::string number;  // unchanged text
-  Unit unit;           // the written unit
+  Unit unit;           // the unit as it was written
   double si = 0.0;     // the value in SI
 };
 
@@ -65,8 +65,8 @@ std::optional<Quantity> parse_quantity(std::string_view text);
 
 /// The number at the beginning of a text and what follows it, both trimmed.
 struct NumberAndRest {
-  long double number = 0.0L;      // in the unit that follows
-  std::string_view digits, rest;  // parts of the text: the number, and all behind it
+  long double number = 0.0L;      // in the unit that follows the number
+  std::string_view digits, rest;  // parts of the text: the number, and everything after it
 };
 /// Returns nullopt if the text does not begin with a number.
 std::optional<NumberAndRest> split_number(std::string_view text);

@@ -13,13 +13,13 @@ std::vector<int> assign_all_rows(const Eigen::MatrixXd& cost) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(rows + 1),
                   v = Eigen::VectorXd::Zero(columns + 1);  // dual prices
   std::vector<int> row_of(columns + 1, 0),
-      previous(columns + 1, 0);  // one-based; column 0 is the root of a path
+      previous(columns + 1, 0);  // columns are counted from 1; column 0 is the root of a path
   for (int i = 1; i <= rows; ++i) {
     std::vector<double> distance(columns + 1, std::numeric_limits<double>::infinity());
     std::vector<char> reached(columns + 1, false);
     row_of[0] = i;
     int j = 0;
-    do {  // Dijkstra from row i to the nearest free column
+    do {  // Dijkstra's shortest path from row i to a free column
       reached[j] = true;
       int next = 0;
       double step = std::numeric_limits<double>::infinity();

@@ -8,7 +8,8 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr double kMany = 1000.0;  // degrees of freedom above which the cubic root is used
+// Degrees of freedom above which the cube-root approximation is used.
+constexpr double kMany = 1000.0;
 
 /// Returns sum_k z^k / ((a + 1) ... (a + k)), the series of equation 8.7.1 divided by its first
 /// term.
@@ -55,7 +56,8 @@ double chi_square_probability(double x, double nu) {
 /// replaced by bisection.
 double chi_square_quantile(double p, double nu) {
   assert(0.0 < p && p < 1.0);
-  constexpr int kMost = 200;  // bisection alone reaches the last digit of a double by then
+  // Number of steps in which bisection alone reaches the last digit of a double.
+  constexpr int kMost = 200;
   double low = 0.0, high = nu + 1.0;
   while (chi_square_probability(high, nu) < p) high *= 2.0;
   double x = 0.5 * (low + high);

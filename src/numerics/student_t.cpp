@@ -49,7 +49,7 @@ double student_t_quantile(double p, double nu) {
   if (p < 0.5) return -student_t_quantile(1.0 - p, nu);
   double low = 0.0, high = 1.0;
   while (student_t_probability(high, nu) < p) high *= 2.0;
-  for (int i = 0; i < 100 && low < high; ++i) {  // bisection to the last digit of a double
+  for (int i = 0; i < 100 && low < high; ++i) {  // bisects to the last digit of a double
     const double middle = 0.5 * (low + high);
     (student_t_probability(middle, nu) < p ? low : high) = middle;
   }

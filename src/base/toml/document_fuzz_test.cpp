@@ -92,7 +92,7 @@ void use(const std::string& text, RandomStream& random) {
     }
   }
   if (!paths.empty()) {
-    EXPECT_THROW(root.close(), InputError);  // most keys were never read
+    EXPECT_THROW(root.close(), InputError);  // no getter has read most of the keys
   }
 }
 

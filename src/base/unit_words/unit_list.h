@@ -137,7 +137,7 @@ struct Ambiguous {
   std::string_view written;
   std::string_view meanings[2];
   bool any_case, only_by_dimension;
-  std::string_view way_out;  // advice that follows the text in a message
+  std::string_view way_out;  // advice that ends the message
 };
 inline constexpr Ambiguous kAmbiguousWords[] = {
     {"lb", {"lbf", "lbm"}, true, false, "which may be a force or a mass: write \"lbf\" or \"lbm\""},

@@ -12,7 +12,7 @@ namespace latsch {
 struct UnitSpelling {
   const char* written;
   const char* si;  // unit of the measured quantity
-  double factor;   // kRefused: a reader must refuse the text
+  double factor;   // factor to SI; kRefused: a reader must refuse the text
   double offset = 0.0;
 };
 

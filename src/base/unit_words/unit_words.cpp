@@ -16,7 +16,8 @@ namespace {
 using unit_list::Ambiguous;
 using IsForeign = std::function<bool(std::string_view, const std::string&)>;
 
-constexpr std::size_t kMostAmbiguous = 4;  // words in one text; limits the number of combinations
+// Largest number of ambiguous words in one text, which limits the combinations.
+constexpr std::size_t kMostAmbiguous = 4;
 
 std::string_view without_outer_blanks(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -171,7 +172,7 @@ class Reading {
 
  private:
   struct Piece {
-    std::string before;     // operator, bracket, exponent before the word
+    std::string before;     // operators, brackets and exponents before the word
     std::string word = {};  // the word in the file
     std::string text = {};  // meaning
     const Ambiguous* ambiguous = nullptr;

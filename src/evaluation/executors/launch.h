@@ -20,8 +20,8 @@ namespace latsch {
 
 struct Launch {
   int tasks = 1;
-  int task = 0;         // number of this task
-  std::string by;       // launcher, "srun"; empty: a single process without launcher
+  int task = 0;         // number of this task among all tasks
+  std::string by;       // launcher, such as "srun"; empty: a single process without launcher
   bool is_job = false;  // true if MPI joins the tasks into one job
 };
 

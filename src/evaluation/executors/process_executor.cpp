@@ -41,9 +41,9 @@ struct Slot {
   std::unique_ptr<WorkerProcess> process;
   bool ready = false;  // true once the process has reported that it listens
   std::optional<DesignPoint> point;
-  std::uint64_t trial = 0;   // number of its trial; messages contain it
+  std::uint64_t trial = 0;   // number of the slot's trial, which messages contain
   Steady::time_point since;  // start of the process until it is ready, then start of the trial
-  Steady::time_point seen;   // when the start of the process was last found to proceed
+  Steady::time_point seen;   // time at which the start of the process was last found to proceed
   // Processor time that the process had used at `seen`, s.
   double used = 0.0;
 };
@@ -53,7 +53,7 @@ struct Slot {
 struct ProcessExecutor::Impl {
   ProcessOptions options;
   std::vector<Slot> slots;
-  int failed_starts = 0;     // consecutive, over all workers
+  int failed_starts = 0;     // consecutive processes, over all workers, that failed to start
   int killed_starts = 0;     // consecutive processes killed from outside while they started
   std::uint64_t trials = 0;  // number of trials started so far
 
@@ -252,7 +252,7 @@ std::vector<Trial> ProcessExecutor::wait(double patience) {
       if (auto trial = impl_->listen(slot)) finished.push_back(std::move(*trial));
     }
     if (!finished.empty() || Steady::now() >= until) return finished;
-    if (!impl_->sleep(until)) return finished;  // after a signal the caller may want to stop
+    if (!impl_->sleep(until)) return finished;  // a signal arrived, and the caller may want to stop
   }
 }
 

@@ -18,14 +18,14 @@ namespace latsch {
 /// The worker processes and the limits of their trials.
 struct ProcessOptions {
   std::vector<std::string> arguments;  // the worker's program and its arguments
-  int workers = 1;                     // number of processes
-  double timeout = 600.0;              // s, wall time of one trial
+  int workers = 1;                     // number of worker processes
+  double timeout = 600.0;              // limit of the wall time of one trial, s
   /// Limit for the start of a worker, s. The worker is ended if it has used this much processor
   /// time before it is ready, or if for this long it has neither computed nor waited for a
   /// processor or a disk. On a machine with many other processes a start may take up to twenty
   /// times as long.
   double start_timeout = 60.0;
-  double memory_limit = 0.0;  // bytes of address space of each worker; 0: unlimited
+  double memory_limit = 0.0;  // address space of each worker, bytes; 0: unlimited
 };
 
 class ProcessExecutor : public Executor {

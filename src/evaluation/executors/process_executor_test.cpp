@@ -31,7 +31,8 @@
 #include "evaluation/schedule/scheduler.h"
 #include "evaluation/trial/encoding.h"
 
-#if defined(__SANITIZE_ADDRESS__)  // otherwise the sanitizer turns a worker's signal into an exit
+// The address sanitizer would otherwise turn a worker's signal into an exit.
+#if defined(__SANITIZE_ADDRESS__)
 extern "C" const char* __asan_default_options() { return "handle_segv=0"; }
 #endif
 
@@ -119,7 +120,7 @@ Result<Channels> faulty(const DesignPoint& point) {
       std::raise(SIGTERM);
       break;
     case forks:
-      if (::fork() < 0) std::abort();  // both processes continue
+      if (::fork() < 0) std::abort();  // both processes continue from here
       break;
     case answers_twice: {
       const std::string old = encode_frame(

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 struct Process {
   pid_t parent = 0;
-  char state = 'Z';             // R: computes or waits for a processor, D: waits for a disk
+  // R: computes or waits for a processor; D: waits for a disk; Z: has ended.
+  char state = 'Z';
   double processor_time = 0.0;  // s
 };
 
@@ -27,7 +28,7 @@ struct Process {
 /// and NAME may contain any character; fields 14 to 17 are the times of the process and of its
 /// ended children]
 std::map<pid_t, Process> processes() {
-  constexpr int kBetween = 9;  // fields between the parent and the times
+  constexpr int kBetween = 9;  // number of fields between the parent and the times
   const double tick = 1.0 / static_cast<double>(::sysconf(_SC_CLK_TCK));  // s
   std::map<pid_t, Process> all;
   std::error_code ended;

@@ -17,8 +17,9 @@ void kill_descendants(pid_t root);
 
 /// The use of the machine by a process and its descendants.
 struct ProcessUse {
-  double processor_time = 0.0;  // s, of user and system, with that of children that have ended
-  bool is_held_up = false;      // true if one of them computes or waits for a processor or a disk
+  // S, user and system time, including that of children that have ended.
+  double processor_time = 0.0;
+  bool is_held_up = false;  // true if a process computes or waits for a processor or a disk
 };
 
 /// Returns the use by a process and its descendants; zero if the process has ended.

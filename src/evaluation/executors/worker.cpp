@@ -50,7 +50,7 @@ void end_with_group(int) { ::kill(::getpgrp() == ::getpid() ? 0 : ::getpid(), SI
 
 int serve(const Evaluator& evaluator, int in_fd, int out_fd) {
   std::signal(SIGHUP, end_with_group);
-  ::prctl(PR_SET_PDEATHSIG, SIGHUP);  // a trial nobody waits for must not run for hours
+  ::prctl(PR_SET_PDEATHSIG, SIGHUP);  // nobody waits for the trial if the parent process ends
   ::fcntl(in_fd, F_SETFD, FD_CLOEXEC);
   ::fcntl(out_fd, F_SETFD, FD_CLOEXEC);
   if (!write_all(out_fd, encode_frame(FrameKind::ready, {}))) return 1;

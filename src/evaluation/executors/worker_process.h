@@ -63,7 +63,7 @@ class WorkerProcess {
   void take_printed();
 
   pid_t pid_ = -1;
-  int status_ = 0;  // status of waitpid(2)
+  int status_ = 0;  // exit status from waitpid(2)
   Descriptor socket_;
   Descriptor printed_;  // the worker's stdout and stderr
   Descriptor process_;  // readable once the worker has ended

@@ -89,7 +89,7 @@ pid_t start_study() {
 long trials_in(const std::filesystem::path& file) {
   try {
     return std::filesystem::exists(file) ? Journal::read(file).size() : 0;
-  } catch (const std::exception&) {  // the file is being created
+  } catch (const std::exception&) {  // the file is just being created
     return 0;
   }
 }
@@ -126,7 +126,8 @@ TEST(CrashTest, KillAtRandomMomentsLosesAndRepeatsNothing) {
     const long more = static_cast<long>(random.below(12));
     const std::chrono::microseconds moment(random.below(5'000));
     ended = run_until(file, std::ssize(before) + more, moment);
-    if (!std::filesystem::exists(file)) continue;  // killed before its first action
+    // The process was killed before it created the file.
+    if (!std::filesystem::exists(file)) continue;
     const std::vector<Trial> after = Journal::open(file, kCrashStudy).trials();
     ASSERT_GE(after.size(), before.size());
     for (std::size_t i = 0; i < before.size(); ++i) {

@@ -87,7 +87,7 @@ class PackedForGood {
 
 struct Journal::Impl {
   std::filesystem::path file;
-  std::optional<JournalLock> lock;  // held by a writer
+  std::optional<JournalLock> lock;  // set if this process writes the journal
   std::unique_ptr<SQLite::Database> database;
   // Declared after the database, so that it is destroyed before the database.
   std::optional<SQLite::Statement> insert;
@@ -96,8 +96,9 @@ struct Journal::Impl {
   Tally tally;
   std::vector<JournalMark> marks;
   OutcomePacker packer;
-  std::string opened_as = {};         // name of the journal with links followed
-  std::optional<FileId> log_id = {};  // write-ahead log of this writer
+  // Name by which the journal was opened, with symbolic links resolved.
+  std::string opened_as = {};
+  std::optional<FileId> log_id = {};  // identity of the write-ahead log of this writer
   // Message for later calls, set once the file is no longer in its place.
   std::optional<std::string> lost = {};
 

@@ -21,8 +21,8 @@ using namespace journal_format;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestFile = std::size_t{16} << 30;
-constexpr int kShownDamages = 5;   // shown lines of SQLite's list of damages
-constexpr long kShownTrials = 12;  // trial numbers listed in one sentence
+constexpr int kShownDamages = 5;   // lines shown of SQLite's list of damages
+constexpr long kShownTrials = 12;  // numbers of trials listed in one sentence
 
 std::string read_if_there(const fs::path& file) {
   return fs::exists(file) ? read_text_file(file, kLargestFile) : std::string();

@@ -53,8 +53,8 @@ struct JournalFollower::Impl {
   std::vector<JournalMark> marks;
   std::optional<RowDecoder> decoder;
   std::int64_t number = 0;  // number of the last row visited
-  std::uint64_t state = 0;  // hash of the chain at this row
-  std::int64_t total = 0;   // number of rows at the last read
+  std::uint64_t state = 0;  // hash of the chain at the last row visited
+  std::int64_t total = 0;   // number of rows at the time of the last read
   std::int64_t marks_seen = -1;
 
   void close() {
@@ -68,8 +68,8 @@ struct JournalFollower::Impl {
 
   void open() {
     opened = file_at(file);
-    identity = Journal::read(file).identity();  // throws an InputError that describes any fault of
-                                                // the file
+    // Throws an InputError that describes any fault of the file.
+    identity = Journal::read(file).identity();
     database = open_for_reading(file, kPatience);
     format = database->execAndGet("PRAGMA user_version").getInt();
     decoder.emplace(format);

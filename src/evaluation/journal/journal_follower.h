@@ -31,8 +31,8 @@ class JournalFollower {
     // call starts at the beginning of the present one.
     bool begins_anew = false;
     long trials = 0;         // number of trials visited by this call
-    bool has_more = false;   // true if `most` was reached
-    bool has_marks = false;  // true if marks() changed
+    bool has_more = false;   // true if the limit `most` was reached
+    bool has_marks = false;  // true if marks() has changed
   };
 
   /// Visits at most `most` trials, in the order of the journal. Throws InputError if the file is no

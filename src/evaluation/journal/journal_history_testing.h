@@ -20,7 +20,8 @@ struct PowerHistory {
   long kept = 0;
   long sectors_lost = 0;
   bool while_open = false;  // true if the power failed before the journal was closed
-  std::string wrong;        // empty if nothing acknowledged was lost or changed
+  // The broken condition; empty if nothing acknowledged was lost or changed.
+  std::string wrong;
 };
 
 /// Returns a trial that depends only on its number. Every fifth trial is large, so that some test

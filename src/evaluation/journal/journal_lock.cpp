@@ -87,7 +87,7 @@ std::optional<Named> named_in(const std::string& holder) {
   Named named;
   std::array<char, 256> host{};
   if (std::sscanf(holder.c_str(), "process %d on %255s", &named.process, host.data()) != 2)
-    return std::nullopt;  // the lock was just taken, or its holder's disk is full
+    return std::nullopt;  // the lock was just taken, or the disk of its holder is full
   named.host = host.data();
   return named;
 }

@@ -14,7 +14,7 @@ namespace latsch {
 /// The process that writes a journal.
 struct JournalHolder {
   std::string words;           // "process 4711 on lab7 since 2026-03-01 10:12:44 UTC"
-  std::optional<int> process;  // process on this machine; nullopt: on another one, or not known
+  std::optional<int> process;  // number of the process; nullopt: on another machine, or not known
 };
 
 class JournalLock {
@@ -40,7 +40,7 @@ class JournalLock {
 
   std::filesystem::path journal_;
   std::filesystem::path file_;
-  int fd_ = -1;  // file beside the journal
+  int fd_ = -1;  // descriptor of the lock file beside the journal
   // The journal. It is closed after its database, because close(2) releases the locks of SQLite.
   int itself_ = -1;
   bool is_local_ = true;

@@ -189,7 +189,7 @@ void for_each_frame(const std::string& log, const Visit& visit) {
 
 struct Checksum {
   std::uint32_t s0 = 0, s1 = 0;
-  bool big = false;  // byte order of the checksums, from the magic number
+  bool big = false;  // true if checksums are big-endian, which the magic number states
 
   void add(std::string_view bytes) {
     for (std::size_t at = 0; at + 8 <= bytes.size(); at += 8) {

@@ -22,7 +22,7 @@ namespace latsch {
 std::vector<journal_format::Row> rows_on_pages(const std::string& database, const std::string& log);
 
 struct LogState {
-  long frames = 0;  // pages written to the present log
+  long frames = 0;  // number of pages before the first one with a wrong checksum
   long intact = 0;  // pages before the first one with a wrong checksum
 };
 LogState check_log(const std::string& log);

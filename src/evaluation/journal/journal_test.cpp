@@ -117,7 +117,7 @@ TEST(Journal, RefusesForeignFilesAndOtherVersions) {
 
 TEST(Journal, PackedTrialsAreTheSameAfterAnyNumberOfOpenings) {
   const ScratchFolder folder;
-  constexpr int kTrials = 150;  // more than a block
+  constexpr int kTrials = 150;  // more trials than a block of packed rows has
   for (int i = 0; i < kTrials;) {
     Journal journal = Journal::open(folder / "a", kStudy);
     for (int group = 0; group < 40 && i < kTrials; ++group) journal.append(long_trial(i++));
@@ -280,14 +280,15 @@ TEST(Journal, AHardLinkWithoutTheLogOfAKilledWriterIsRefused) {
   if (writer == 0) {
     Journal journal = Journal::open(folder / "a", kStudy, Journal::Log::write_ahead);
     journal.append(trial(1));
-    std::_Exit(0);  // without closing it
+    std::_Exit(0);  // ends without closing the journal
   }
   ::waitpid(writer, nullptr, 0);
   ASSERT_TRUE(std::filesystem::exists(folder / "a-wal"));
   std::filesystem::create_hard_link(folder / "a", folder / "b");
   expect_contains(complaint([&] { Journal::open(folder / "b", kStudy); }), "open it by that name");
   EXPECT_EQ(Journal::open(folder / "a", kStudy).size(), 1);
-  EXPECT_EQ(Journal::open(folder / "b", kStudy).size(), 1);  // the log is merged by now
+  // The log was merged when the journal was opened.
+  EXPECT_EQ(Journal::open(folder / "b", kStudy).size(), 1);
 }
 
 /// Returns the message of a JournalError.
@@ -426,7 +427,7 @@ TEST(Journal, APowerLossLosesNothingThatWasAcknowledged) {
       sectors += history.sectors_lost;
       while_open += history.while_open;
     }
-    EXPECT_GT(sectors, 100);  // confirms that data was at risk
+    EXPECT_GT(sectors, 100);  // confirms that unsynced data existed
     EXPECT_GT(while_open, 10);
   }
 }
@@ -443,7 +444,8 @@ TEST(Journal, OnlyAFileSystemKnownToBeLocalGetsAWriteAheadLog) {
     EXPECT_EQ(shared_file_system(local), std::nullopt) << std::hex << local;
   }
   EXPECT_EQ(shared_file_system(0x6969), "NFS");
-  EXPECT_EQ(shared_file_system(0xFFFFFFFFFF534D42), "CIFS");  // a 32-bit number with extended sign
+  // A 32-bit number whose sign was extended.
+  EXPECT_EQ(shared_file_system(0xFFFFFFFFFF534D42), "CIFS");
   // The numbers belong to file systems of VirtualBox and VMware folders, of Coda, Orange, IBM and
   // Quantum, and to an unknown one.
   for (const unsigned long shared :

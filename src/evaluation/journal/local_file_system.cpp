@@ -15,7 +15,7 @@ struct FileSystem {
   std::string_view name;
 };
 
-constexpr std::array kLocal{FileSystem{0xEF53, "ext4"},  // also ext2, ext3
+constexpr std::array kLocal{FileSystem{0xEF53, "ext4"},  // the number of ext2 and ext3, too
                             FileSystem{0x58465342, "XFS"},
                             FileSystem{0x9123683E, "Btrfs"},
                             FileSystem{0x2FC12FC1, "ZFS"},
@@ -48,7 +48,8 @@ constexpr std::array kShared{FileSystem{0x6969, "NFS"},
 
 std::optional<std::string_view> name_in(std::span<const FileSystem> list, unsigned long kind) {
   for (const FileSystem& known : list) {
-    if ((kind & 0xFFFFFFFFu) == known.number) return known.name;  // the sign may be extended
+    // Statfs(2) may have extended the sign of a 32-bit number.
+    if ((kind & 0xFFFFFFFFu) == known.number) return known.name;
   }
   return std::nullopt;
 }

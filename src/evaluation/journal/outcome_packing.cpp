@@ -37,9 +37,10 @@ constexpr int kHighestOrder = 2;
 // Largest ratio of the packed size with references to that without them. Above it, the row is
 // packed alone.
 constexpr double kWorthReferring = 0.9;
-constexpr int kMostRows = 16;              // rows in a combination
-constexpr Eigen::Index kMostFitted = 128;  // samples used for the fit of the coefficients
-constexpr int kDeflateLevel = 1;  // the remainder is nearly noise, so more effort gains nothing
+constexpr int kMostRows = 16;  // largest number of earlier rows in a combination
+// Number of samples used to fit the coefficients of a combination.
+constexpr Eigen::Index kMostFitted = 128;
+constexpr int kDeflateLevel = 1;  // lowest effort, because the remainder is nearly noise
 // Largest accepted ratio of inflated to deflated size. The limit of zlib's format is 1032.
 constexpr std::uint64_t kMostInflated = 1100;
 

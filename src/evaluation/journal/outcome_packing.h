@@ -43,7 +43,7 @@ struct OutcomeBlock {
     Channels channels;
   };
   std::deque<Row> rows;
-  std::size_t values = 0;  // number of values in all rows
+  std::size_t values = 0;  // number of values in all rows of the block
 };
 
 class OutcomePacker {

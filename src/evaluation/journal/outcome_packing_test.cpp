@@ -115,11 +115,11 @@ TEST(OutcomePacking, ALostRowCostsThoseOfItsBlockAtMost) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const auto number = static_cast<std::int64_t>(i) + 1;
     const std::string bytes = packer.pack(number, outcomes[i]);
-    if (number == kLongestBlock + 1) continue;  // a row that no other row refers to
+    if (number == kLongestBlock + 1) continue;  // no other row refers to this one
     const auto back = unpacker.unpack(number, bytes);
     if (!back) ++lost;
     if (back) {
-      EXPECT_EQ(encode(*back), encode(outcomes[i]));  // never a wrong outcome
+      EXPECT_EQ(encode(*back), encode(outcomes[i]));  // the outcome is never wrong
     }
   }
   EXPECT_GT(lost, 0);

@@ -60,7 +60,7 @@ class PowerLoss {
   /// any more.
   void come_back() {
     for (auto& [path, image] : images_) {
-      std::filesystem::remove(path + "-shm");  // shared memory in the form of a file
+      std::filesystem::remove(path + "-shm");  // file that SQLite uses as shared memory
       const bool exists =
           image.removed ? random_.uniform() < 0.5 : image.entered || random_.uniform() < 0.5;
       if (!exists) {
@@ -84,7 +84,7 @@ class PowerLoss {
   struct Image {
     std::string synced;
     std::vector<Change> since;
-    bool entered = false;  // true if the folder was synced with the new file
+    bool entered = false;  // true if the folder was synced after the file was created
     bool removed = false;
   };
   /// SQLite's handle of an open file. The handle of the usual VFS follows it in memory.
@@ -191,7 +191,7 @@ class PowerLoss {
     File& f = file_of(file);
     const bool powered = !f.disk->failed_;
     const bool done = f.disk->counted();
-    if (powered && f.image) {  // also the write in progress at the loss
+    if (powered && f.image) {  // includes the write during which the power fails
       f.image->since.push_back(
           {offset, std::string(static_cast<const char*>(from), static_cast<std::size_t>(size))});
     }
@@ -250,7 +250,7 @@ class PowerLoss {
   bool failed_ = false;
   long operations_ = 0;
   long sectors_lost_ = 0;
-  std::map<std::string, Image> images_;  // one for each path
+  std::map<std::string, Image> images_;  // synced data and later writes of each path
 };
 
 // The methods offer no mapped files, because writes to these would not be noticed.

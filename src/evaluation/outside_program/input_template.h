@@ -35,8 +35,8 @@ class InputTemplate {
  private:
   struct Part {
     std::string before;  // text before the hole
-    int variable = -1;   // -1: the end of the file
-    std::string format;  // empty: exact
+    int variable = -1;   // index of the variable; -1: the end of the file
+    std::string format;  // printf format; empty: exact
   };
   std::string text_;
   std::vector<Part> parts_;

@@ -233,8 +233,8 @@ class Reading {
 
   const OutputReader& reader_;
   std::string text_;
-  std::vector<std::vector<double>> values_;  // SI, for each quantity
-  Status read_;                              // a Failure ends the reading
+  std::vector<std::vector<double>> values_;  // values in SI, for each quantity
+  Status read_;                              // a Failure once an error has ended the reading
 };
 
 }  // namespace

@@ -27,14 +27,14 @@ struct OutputReader {
   enum class Kind { table, columns, keys, pattern, tydex };
   struct Quantity {
     std::string name;
-    std::string unit = "1";  // unit in the file
+    std::string unit = "1";  // unit of the quantity in the file
   };
 
   std::string name = {};  // name of the output; its channels are NAME/QUANTITY
   std::filesystem::path file = {};
   Kind kind = Kind::table;
   std::vector<Quantity> quantities = {};
-  std::vector<int> columns = {};       // for `columns`: position of each quantity, from 1
+  std::vector<int> columns = {};       // for `columns`: position of each quantity, counted from 1
   std::vector<std::string> keys = {};  // for `keys`: text before each number
   std::string pattern = {};            // for `pattern`: the regular expression
   // For `pattern`: only lines after one that contains this text count.

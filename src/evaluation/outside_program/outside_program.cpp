@@ -80,7 +80,8 @@ Status run_program(const std::vector<std::string>& arguments,
   }
   const bool in_time = timeout <= 0.0 || ends_within(pid, timeout);
   if (!in_time) {
-    ::kill(pid, SIGSTOP);  // a stopped program starts nothing while its descendants are searched
+    // The stopped program starts no process while its descendants are searched.
+    ::kill(pid, SIGSTOP);
     kill_descendants(pid);
     ::kill(pid, SIGKILL);
   }

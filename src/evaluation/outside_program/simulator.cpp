@@ -117,7 +117,7 @@ std::string full_disk(const fs::path& printed) {
   errno = 0;
   const bool is_written =
       ::write(file, kBlock.data(), kBlock.size()) == std::ssize(kBlock) && ::fsync(file) == 0;
-  const int error = errno == 0 ? ENOSPC : errno;  // a partial write sets no error yet
+  const int error = errno == 0 ? ENOSPC : errno;  // a partial write sets no error
   const bool is_restored = ::ftruncate(file, size) == 0;
   ::close(file);
   const bool is_full = error == ENOSPC || error == EDQUOT || error == EFBIG;
@@ -180,7 +180,8 @@ std::string told(const std::string& argument, const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (error) return "";
-  if (size > kLargestRead) {  // a packed program contains all it needs, so its date suffices
+  // Such a large program contains all it needs, so its date identifies it.
+  if (size > kLargestRead) {
     const auto time = fs::last_write_time(file, error).time_since_epoch().count();
     return fmt::format("{}: {} bytes, written {}\n", argument, size, time);
   }

@@ -23,18 +23,19 @@ namespace latsch {
 
 struct Simulator {
   struct Input {
-    std::string file;  // name in the folder of the trial
+    std::string file;  // name of the file in the folder of the trial
     InputTemplate text;
   };
 
   std::filesystem::path study_folder;
-  std::filesystem::path scratch;       // contains the folders of trials
+  std::filesystem::path scratch;       // folder that contains the folders of trials
   std::vector<std::string> arguments;  // the program and its arguments
   std::vector<Input> inputs;
-  std::vector<std::filesystem::path> copied;  // files beside the study
+  // Files beside the study that are copied into the trial's folder.
+  std::vector<std::filesystem::path> copied;
   std::vector<OutputReader> outputs;
-  double timeout = 0.0;      // limit for the program alone, s; 0: only that of the trial
-  bool keep_failed = false;  // keeps the folders of failed trials
+  double timeout = 0.0;      // limit for the program alone, s; 0: only the trial's limit holds
+  bool keep_failed = false;  // true if folders of failed trials are kept
 };
 
 /// Returns the argument list with {study} replaced by the study's folder and {latsch} by this

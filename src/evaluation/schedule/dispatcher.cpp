@@ -11,7 +11,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kPatience = 0.1;  // s between two checks of the stop request and the progress bar
+// Time between two checks of the stop request and the progress bar, s.
+constexpr double kPatience = 0.1;
 // Time, s, below which a trial never counts as a straggler: the operating system sometimes delays
 // short trials.
 constexpr double kLeastStraggling = 0.05;

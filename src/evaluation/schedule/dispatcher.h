@@ -87,7 +87,7 @@ class Dispatcher {
   /// Attempts at a point so far.
   struct Attempts {
     int starts = 0;
-    int failures = 0;                   // failures that did not count
+    int failures = 0;                   // number of failures so far, without lost workers
     bool copied = false;                // true if a copy was started because the point straggled
     std::optional<Trial> failure = {};  // last failure that describes the point
   };
@@ -95,7 +95,7 @@ class Dispatcher {
     DesignPoint point;
     Attempts attempts = {};
     int copies = 0;      // running copies; 0: waits for a worker that repeats it
-    double since = 0.0;  // start of the first copy
+    double since = 0.0;  // start of the first running copy, s
   };
 
   bool stop_requested() const;
@@ -121,11 +121,13 @@ class Dispatcher {
   const RunOptions& options_;
   GroupCommit commits_;
   KnownScores known_;
-  std::map<std::string, Running> running_;   // keyed by the bits of the point
-  std::map<std::string, Attempts> stopped_;  // points withdrawn while they ran
-  std::set<std::string> committing_;         // finished, not yet on the disk
-  std::set<std::string> asked_;              // points whose outcome was passed to the optimizer
-  std::vector<double> recent_times_;         // s, of the last trials that succeeded
+  std::map<std::string, Running> running_;  // keyed by the bits of the point
+  // Attempts at points that were withdrawn while they ran.
+  std::map<std::string, Attempts> stopped_;
+  // Points that have finished but are not yet on the disk.
+  std::set<std::string> committing_;
+  std::set<std::string> asked_;       // points whose outcome was passed to the optimizer
+  std::vector<double> recent_times_;  // durations of the last trials that succeeded, s
   bool stopping_ = false;
   RunProgress progress_;
   std::optional<Score> best_;

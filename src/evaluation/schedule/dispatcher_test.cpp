@@ -353,7 +353,7 @@ TEST(Stragglers, AreCounted) {
   EXPECT_EQ(last.copied, 1);
   EXPECT_EQ(last.repeated, 0);
   EXPECT_EQ(most, 1);
-  EXPECT_NEAR(slowest, 23.0, 0.5);  // its copy began 3 s later, at three times the median
+  EXPECT_NEAR(slowest, 23.0, 0.5);  // a copy began after 3 s, three times the median
   EXPECT_EQ(last.straggling, 0);
 }
 
@@ -442,7 +442,7 @@ TEST(SchedulerInVirtualTime, LosesAndRepeatsNothingAndGivesTheSameBitsInEveryHis
   }
   EXPECT_GT(expired, 60);
   EXPECT_GT(repeats, 300);
-  EXPECT_GE(most, 4);  // the limit is reached if failures are repeated
+  EXPECT_GE(most, 4);  // failures are repeated up to the limit
 }
 
 // Regression test: if an outcome arrived twice, the second time while its point waited for a

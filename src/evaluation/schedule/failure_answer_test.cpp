@@ -156,7 +156,7 @@ TEST(Continuation, ItsTrialsAreInTheJournalAndItsAnswerComesFromTheEdge) {
   Gss gss(answer_space());
   const auto run =
       run_optimizer(gss, answer_target, executor, &journal, options(Then::continuation));
-  EXPECT_EQ(journal.size(), std::ssize(run.steps));  // one worker runs no unneeded trial
+  EXPECT_EQ(journal.size(), std::ssize(run.steps));  // with one worker no trial is speculative
   int answered = 0;
   for (std::size_t i = 0; i < run.steps.size(); ++i) {
     if (!run.steps[i].answer) continue;

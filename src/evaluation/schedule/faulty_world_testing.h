@@ -27,8 +27,8 @@ struct MasterDied : std::exception {};
 struct Faults {
   double failure = 0.0;   // share of the points that fail, in every simulated run
   double hang = 0.0;      // share of the points that hang: every attempt overruns the timeout
-  double timeout = 20.0;  // s; longer than a stalled trial unless it is made shorter
-  int retries = 0;        // repeats of failed trials
+  double timeout = 20.0;  // s; longer than a stalled trial unless a test sets it shorter
+  int retries = 0;        // number of repeats of failed trials
   // Share of starts in which the worker dies, limited to the number of restarts that the dispatcher
   // allows.
   double death = 0.0;
@@ -153,7 +153,7 @@ class FaultyWorld : public Executor {
   int most_starts() const { return most_starts_; }
 
   static constexpr double kStall = 50.0;
-  static constexpr double kTooLong = 1e5;  // s, far beyond the ten seconds of a search
+  static constexpr double kTooLong = 1e5;  // s, far longer than the ten seconds of a search
 
  private:
   static constexpr int kNobody = -1;

@@ -18,9 +18,10 @@ class LookAhead {
 
  private:
   int most_;
-  double alone_ = 0.0, ahead_ = 0.0;  // s, at the last request for one point and for `most`
-  int left_out_ = 0;                  // requests since `most` was last tried
-  int patience_ = 0;                  // requests before `most` is tried again
+  // Time that the last request for one point and that for `most` points took, s.
+  double alone_ = 0.0, ahead_ = 0.0;
+  int left_out_ = 0;  // number of requests since `most` points were last requested
+  int patience_ = 0;  // number of requests before `most` points are requested again
 };
 
 }  // namespace latsch

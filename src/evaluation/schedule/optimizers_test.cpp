@@ -86,7 +86,7 @@ std::vector<DesignPoint> path(const std::string& method,
 void expect_one_path(const std::string& method, const DesignSpace& optimizers_space) {
   for (const int outstanding : {1, 5}) {
     const std::vector<DesignPoint> alone = path(method, optimizers_space, outstanding, 1, 1);
-    EXPECT_GT(alone.size(), 6u);  // Levenberg-Marquardt needs 8
+    EXPECT_GT(alone.size(), 6u);  // Levenberg-Marquardt needs 8 steps
     for (const DesignPoint& point : alone) EXPECT_TRUE(optimizers_space.contains(point));
     for (const int workers : {2, 4, 8}) {
       for (const int timing : {1, 9, 19}) {

@@ -17,8 +17,8 @@ namespace latsch {
 
 /// Limits of a trial. 0: unlimited.
 struct TrialLimits {
-  double timeout = 0.0;          // s, for the trial
-  double program_timeout = 0.0;  // s, for the outside program in it
+  double timeout = 0.0;          // limit of the trial, s
+  double program_timeout = 0.0;  // limit of the outside program in the trial, s
   double memory = 0.0;           // bytes
 };
 

@@ -25,7 +25,7 @@ struct FailurePolicy {
   /// Number of repeats of a failed trial before it counts as failed. No point is started more than
   /// `retries` + 2 times, including copies of stragglers and replacements of lost workers.
   int retries = 0;
-  double penalty = 1.0;                   // value of the target function
+  double penalty = 1.0;                   // value of the target function for failed points
   int halvings = 4;                       // number of trials of a continuation
   std::optional<DesignSpace> space = {};  // needed by a continuation
 };
@@ -35,23 +35,23 @@ struct RunProgress {
   long known = 0;  // wanted points so far whose outcome is known
   // Upper limit of `known`: the size of the sampling plan or the largest number of steps.
   long planned = 0;
-  long evaluated = 0;    // trials that ran in this process
+  long evaluated = 0;    // number of trials that ran in this process
   long failed = 0;       // failed trials among `evaluated`
-  long repeated = 0;     // trials started again because their worker was lost or they failed
-  long copied = 0;       // stragglers started a second time
-  long stopped = 0;      // stragglers that were withdrawn
+  long repeated = 0;     // number of trials started again because of a lost worker or a failure
+  long copied = 0;       // number of stragglers started a second time
+  long stopped = 0;      // number of stragglers that were withdrawn
   int running = 0;       // running points
-  int straggling = 0;    // running points that take much longer than usual
+  int straggling = 0;    // number of running points that take much longer than usual
   double slowest = 0.0;  // s, time of the longest running trial so far
   double elapsed = 0.0;  // s since the run began
-  double trial_wall_time = 0.0;  // s, mean over `evaluated`
+  double trial_wall_time = 0.0;  // mean duration of the trials `evaluated`, s
   std::optional<double> best;    // target of the best point so far
   DesignPoint best_point;
 };
 
 struct RunOptions {
-  long max_steps = 1000;  // outcomes the optimizer may observe
-  int look_ahead = 4;     // points proposed ahead for every worker, if there are several
+  long max_steps = 1000;  // largest number of outcomes that the optimizer observes
+  int look_ahead = 4;     // number of points proposed ahead for each of several workers
   FailurePolicy on_failure = {};
   /// A trial that runs more than this many times as long as the median is a straggler; a second
   /// copy of it is started if a worker is idle. If the value is 0, no trial counts as a straggler.

@@ -55,14 +55,14 @@ inline std::string bits_of(const Run& run) {
 
 struct History {
   std::uint64_t seed = 0;
-  int workers = 0;       // workers of the last run
-  int restarts = 0;      // restarts after the master died or the store refused
+  int workers = 0;       // number of workers in the last run
+  int restarts = 0;      // number of restarts after the master died or the store refused
   long evaluations = 0;  // evaluations stored
-  long repeats = 0;      // copies of stragglers, trials of lost workers
-  long expired = 0;      // stored evaluations that expired
-  int most_starts = 0;   // starts of one point in one run
-  std::string wrong;     // broken invariant; empty if all hold
-  std::string bits;      // bits of the trajectory
+  long repeats = 0;      // number of copies of stragglers and of repeated trials of lost workers
+  long expired = 0;      // number of stored evaluations that exceeded their time limit
+  int most_starts = 0;   // largest number of starts of one point in one run
+  std::string wrong;     // the broken invariant; empty if all hold
+  std::string bits;      // all bits of the trajectory
 };
 
 /// Wraps an optimizer and checks that every outcome it observes is in the store.

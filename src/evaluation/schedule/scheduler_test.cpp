@@ -138,7 +138,7 @@ TEST(RunOptimizer, ReportsProgress) {
 TEST(RunOptimizer, ARunInterruptedAnywhereGivesTheSameBitsAndRepeatsNoFinishedTrial) {
   const std::string reference = bits(run_simulated({.failures = 0.05}, nullptr));
   for (std::uint64_t history = 0; history < 30; ++history) {
-    FaultyStore store(0.0, 0);  // nothing is refused
+    FaultyStore store(0.0, 0);  // a store that refuses nothing
     RandomStream random(7, history);
     std::map<std::string, int> evaluations;
     const Evaluator counting = [&](const DesignPoint& point) {

@@ -130,10 +130,12 @@ Channels read_channels(Reader& reader) {
     Channel channel{.name = reader.text(), .unit = reader.text(), .values = reader.numbers()};
     if (slopes) channel.slopes = reader.numbers();
     if (!is_table(channel.slopes, channel.values.size())) reader.ok = false;
-    if (channels.find(channel.name) != nullptr) reader.ok = false;  // names are unique
+    // Names of channels must be unique.
+    if (channels.find(channel.name) != nullptr) reader.ok = false;
     if (reader.ok) channels.add(std::move(channel));
   }
-  if (slopes && !channels.has_slopes()) reader.ok = false;  // one value has one encoding
+  // Every value must have only one encoding.
+  if (slopes && !channels.has_slopes()) reader.ok = false;
   return channels;
 }
 
@@ -191,7 +193,7 @@ std::optional<Outcome> decode_outcome(std::string_view bytes) {
   if (kind & kWithPrograms) {
     kind &= static_cast<std::uint8_t>(~kWithPrograms);
     outcome.program_time = reader.number<double>();
-    if (outcome.program_time == 0.0) reader.ok = false;  // one value has one encoding
+    if (outcome.program_time == 0.0) reader.ok = false;  // every value must have only one encoding
   }
   const std::optional<Cause> cause = cause_of(kind);
   if (kind == kChannels) {

@@ -57,7 +57,7 @@ TEST(BlasCore, ReplacesAnOldFallbackAndIsFaster) {
   choose_blas_core();
   const std::string chosen = blas_core();
   EXPECT_EQ(better_blas_core(chosen), "");
-  ASSERT_TRUE(use_blas_core("Prescott"));  // kernels for an unknown processor
+  ASSERT_TRUE(use_blas_core("Prescott"));  // the kernels for an unknown processor
   const double slow = product_time();
   const std::string better = better_blas_core("Prescott");
   ASSERT_TRUE(use_blas_core(better));

@@ -15,8 +15,9 @@ namespace latsch::numerics {
 namespace {
 
 constexpr std::size_t kPage = std::size_t{1} << 21, kLine = 64;
-constexpr std::size_t kSmallestKept = 2 * kPage;         // smaller arrays are left to the allocator
-constexpr std::size_t kMostKept = std::size_t{1} << 28;  // bytes kept in all
+// Bytes; smaller arrays come from the allocator.
+constexpr std::size_t kSmallestKept = 2 * kPage;
+constexpr std::size_t kMostKept = std::size_t{1} << 28;  // largest total size of kept blocks, bytes
 constexpr std::size_t kMostWasted = 2;  // largest ratio of kept to requested size for reuse
 
 /// Blocks of memory that were freed and are kept for reuse, the oldest first.

@@ -20,7 +20,7 @@ class HouseholderQr {
   Eigen::VectorXd solve_R(const Eigen::VectorXd& b) const;             // R^-1 (b_1 ... b_n)
 
  private:
-  Eigen::MatrixXd reflections_;   // Householder vectors, and R above them
+  Eigen::MatrixXd reflections_;   // Householder vectors, and R above the diagonal
   Eigen::VectorXd coefficients_;  // 2 / |reflection|^2
 };
 

@@ -28,7 +28,7 @@ TEST(PivotedQr, TellsWhichColumnsAreIndependent) {
   A << kLine.col(0), kLine.col(1), kLine.col(0) + kLine.col(1);
   const PivotedQr qr = pivoted_qr(A, 1e-9);
   EXPECT_EQ(qr.rank, 2);
-  EXPECT_EQ(qr.order.front(), 2);  // the longest column
+  EXPECT_EQ(qr.order.front(), 2);  // the longest column comes first
   EXPECT_LT((qr.Q.rightCols(2).transpose() * A).norm(), 1e-14);
   const Eigen::MatrixXd Q = range_basis(A);
   ASSERT_EQ(Q.cols(), 2);

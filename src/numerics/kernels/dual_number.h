@@ -30,7 +30,7 @@ class SlopeArena;
 /// A block never changes once written, so equal slopes can share one.
 struct alignas(64) SlopeBlock {
   std::uint64_t directions;
-  SlopeArena* arena;  // memory for slopes computed from these
+  SlopeArena* arena;  // memory for slopes that are computed from this block
 
   double* values() { return reinterpret_cast<double*>(this + 1); }
   const double* values() const { return reinterpret_cast<const double*>(this + 1); }
@@ -68,7 +68,7 @@ class SlopeArena {
     void operator()(char* p) const { std::free(p); }
   };
   std::vector<std::unique_ptr<char, Free>> chunks_;
-  std::size_t chunk_ = 0;  // chunk in use is chunks_[chunk_ - 1]
+  std::size_t chunk_ = 0;  // number of chunks in use; chunks_[chunk_ - 1] is filled now
   char* next_ = nullptr;
   char* end_ = nullptr;
 };

@@ -39,8 +39,9 @@ class Autoregression {
 
  private:
   std::vector<double> partial_;
-  std::vector<std::vector<double>> predictors_;  // phi of every order 0 ... p
-  std::vector<double> variances_;                // v_0 ... v_p
+  // Coefficients phi of the predictors of the orders 0 ... p.
+  std::vector<std::vector<double>> predictors_;
+  std::vector<double> variances_;  // v_0 ... v_p
 };
 
 }  // namespace latsch::numerics

@@ -43,7 +43,7 @@ std::vector<double> density(
 /// Returns the positions of the valleys that separate two levels.
 std::vector<std::size_t> valleys(const std::vector<double>& f) {
   std::vector<std::size_t> found;
-  std::size_t lowest = 0;  // lowest point since the peak of this level
+  std::size_t lowest = 0;  // index of the lowest density since the peak of this level
   double peak = 0.0;
   for (std::size_t k = 0; k < f.size(); ++k) {
     if (f[k] < f[lowest]) lowest = k;

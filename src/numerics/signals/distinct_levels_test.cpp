@@ -59,7 +59,8 @@ TEST(DistinctLevels, WhatIsNotFiniteOrNotThereHasNone) {
   EXPECT_EQ(distinct_levels({}, kPressure).count(), 0);
   EXPECT_EQ(distinct_levels({NAN, INFINITY}, kPressure).count(), 0);
   EXPECT_EQ(distinct_levels({83e3, NAN, 83e3}, kPressure).count(), 1);
-  EXPECT_EQ(distinct_levels({0.0, 1e12}, kPressure).count(), 2);  // far beyond the resolution
+  // The values are far beyond the range that can be resolved.
+  EXPECT_EQ(distinct_levels({0.0, 1e12}, kPressure).count(), 2);
 }
 
 }  // namespace

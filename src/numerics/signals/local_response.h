@@ -21,14 +21,14 @@
 namespace latsch::numerics {
 
 struct LocalSettings {
-  int lines = 5;       // n, lines to either side, at least
-  double width = 0.0;  // Hz, to either side, at least
+  int lines = 5;       // least number n of lines to either side
+  double width = 0.0;  // least width to either side, Hz
   int order = 4;       // p
   double delay = 0.0;  // τ, s
 };
 
 struct LocalResponse {
-  std::vector<std::complex<double>> response;  // H, at the given frequencies
+  std::vector<std::complex<double>> response;  // frequency response H at the given frequencies
   std::vector<double> coherence;               // γ²; 0 if x or y is zero at that frequency
 };
 

@@ -128,7 +128,7 @@ TEST(LocalResponse, CoherenceIsTheShareThatFollows) {
   std::vector<double> x(40000), y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] = normal(random);
-    y[i] = 2.0 * x[i] + 2.0 * normal(random);  // half of its power is coherent with x
+    y[i] = 2.0 * x[i] + 2.0 * normal(random);  // half of the power of y is coherent with x
   }
   const LocalResponse found = local_response(x, y, kRate, lines(), {.width = 0.5});
   double mean = 0.0;

@@ -18,7 +18,7 @@ constexpr double kPi = std::numbers::pi;
 /// R_xy from the transforms of both signals, padded with zeros so that nothing wraps around.
 struct Correlation {
   Spectrum spectrum;           // conj(X) Y
-  std::vector<double> values;  // R at lag l at index l, negative lags from the end
+  std::vector<double> values;  // R(l) has the index l; negative lags are at the end
   int length = 0;
 
   Correlation(std::span<const double> x, std::span<const double> y)
@@ -92,7 +92,8 @@ constexpr int kTaps = 2 * kInterpolationReach;
 /// Returns interpolation weights of the samples -reach + 1 .. reach for a point that lies `share`
 /// of a sample spacing after sample 0.
 std::array<double, kTaps> interpolation_weights(double share) {
-  constexpr double kBeta = 12.0;  // Kaiser window: side lobes of 1e-6 (118 dB)
+  // Parameter of the Kaiser window, with side lobes of 1e-6 (118 dB).
+  constexpr double kBeta = 12.0;
   static const double whole = bessel_i0(kBeta);
   std::array<double, kTaps> weights{};
   for (int i = 0; i < kTaps; ++i) {

@@ -19,7 +19,7 @@ std::vector<double> autocorrelation(std::span<const double> x, int lags);
 /// Delay of y after x, lower <= delay <= upper: the maximum of R_xy.
 struct Delay {
   double samples = 0.0;
-  double likeness = 0.0;  // R_xy there over the root of R_xx(0) R_yy(0): 1 for equal shapes
+  double likeness = 0.0;  // R_xy at the delay divided by sqrt(R_xx(0) R_yy(0)); 1 for equal shapes
 };
 Delay delay_between(std::span<const double> x, std::span<const double> y, int lower, int upper);
 

@@ -42,7 +42,7 @@ TEST(TimeDelay, ShiftMovesAPulseAsItsFormulaDoes) {
 }
 
 TEST(TimeDelay, ValuesBetweenSamplesAreThoseOfTheSine) {
-  const double omega = 0.7 * std::numbers::pi;  // 0.7 of half the rate
+  const double omega = 0.7 * std::numbers::pi;  // 0.7 of half the sampling rate
   std::vector<double> x(400), places;
   for (int i = 0; i < 400; ++i) x[i] = std::sin(omega * i);
   const auto between = values_between(x, 100.321, 50);
@@ -59,7 +59,7 @@ TEST(TimeDelay, ValuesBetweenSamplesAreThoseOfTheSine) {
 // is cut from a transient, which causes leakage, so the tolerance is one percent.
 TEST(Welch, ResponseOfAPureDelayHasItsPhase) {
   std::vector<double> x(20000), y(20000, 0.0);
-  for (int i = 0; i < 20000; ++i) x[i] = std::sin(0.001 * i * i);  // sweeps over all frequencies
+  for (int i = 0; i < 20000; ++i) x[i] = std::sin(0.001 * i * i);  // x sweeps over all frequencies
   for (int i = 3; i < 20000; ++i) y[i] = 2.0 * x[i - 3];
   const auto s = densities(x, y, 1.0, welch_settings(Convention::scipy, 20000, 512));
   const auto H = response_h1(s);

@@ -107,7 +107,7 @@ std::vector<double> window_values(SpectralWindow window, int count) {
 }
 
 WelchSettings welch_settings(Convention convention, int samples, std::optional<int> segment) {
-  constexpr double kMatlabSegments = 4.5;  // lengths of eight half-overlapping segments: 1 + 7/2
+  constexpr double kMatlabSegments = 4.5;  // eight half-overlapping segments cover 1 + 7/2 lengths
   constexpr int kMatlabLeastLength = 256;
   WelchSettings s;
   int own = 256;

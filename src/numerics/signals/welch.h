@@ -37,9 +37,9 @@ enum class Detrend { none, segment_mean, segment_line, record_mean };
 std::vector<double> window_values(SpectralWindow window, int count);
 
 struct WelchSettings {
-  int segment = 256;  // samples, at least 2 and at most those of the record
-  int overlap = 128;  // samples, fewer than the segment
-  int length = 256;   // transform's length: the segment and zeros
+  int segment = 256;  // samples of a segment, from 2 to those of the record
+  int overlap = 128;  // samples by which segments overlap, fewer than a segment has
+  int length = 256;   // length of the transform: a segment and zeros
   SpectralWindow window = SpectralWindow::hann_periodic;
   Detrend detrend = Detrend::segment_mean;
 };
@@ -56,7 +56,7 @@ WelchSettings welch_settings(Convention convention,
 /// One-sided density at frequency[k] = k rate / length.
 struct Density {
   std::vector<double> frequency;  // Hz
-  std::vector<double> value;      // unit of x squared, per Hz
+  std::vector<double> value;      // density, in the unit of x squared per Hz
 };
 
 Density power_density(std::span<const double> x, double rate, const WelchSettings& settings);

@@ -12,7 +12,7 @@ struct CgOutcome {
   enum class End { converged, iterations_spent, negative_curvature };
   End end = End::converged;
   int iterations = 0;     // number of products with A
-  double residual = 0.0;  // norm of b - A x relative to that of b
+  double residual = 0.0;  // norm of b - A x divided by that of b
 };
 
 class ConjugateGradients {

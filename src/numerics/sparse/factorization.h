@@ -33,10 +33,10 @@ struct FactorStatus {
     definite,
     // A pivot is zero or negative: the matrix is indefinite or, to rounding, singular.
     not_positive,
-    failed,  // values that are not numbers
+    failed,  // the matrix contains values that are not numbers
   };
   Outcome outcome = Outcome::failed;
-  std::string reason;  // empty if definite
+  std::string reason;  // reason of a failure; empty if definite
 
   bool definite() const { return outcome == Outcome::definite; }
 };

@@ -38,7 +38,7 @@ TEST(Factorization, InSinglePrecisionIsAPreconditioner) {
   lattice.assemble_random(A, 11);
   Factorization factor(pattern, Precision::single);
   ASSERT_TRUE(factor.factorize(A).definite());
-  for (double scale : {1.0, 1e-60, 1e60}) {  // beyond the exponents of float
+  for (double scale : {1.0, 1e-60, 1e60}) {  // scales beyond the exponents of float
     const Eigen::VectorXd b = scale * Eigen::VectorXd::Random(A.size());
     Eigen::VectorXd x = b, residual(A.size());
     factor.solve(x);
@@ -122,7 +122,8 @@ TEST(Factorization, SolvesWhereUnknownsStandAloneOrInParts) {
     }
     Factorization factor(pattern);
     ASSERT_TRUE(factor.factorize(A).definite());
-    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.size(), 70);  // more than one group
+    // More columns than are solved for together.
+    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.size(), 70);
     Eigen::MatrixXd X = B;
     factor.solve_columns(X);
     EXPECT_LT((dense(A) * X - B).norm(), 1e-11 * B.norm());
@@ -265,7 +266,7 @@ TEST(Factorization, GivesTheSameBitsTwice) {
   Factorization first(pattern), second(pattern);
   ASSERT_TRUE(first.factorize(A).definite() && second.factorize(A).definite());
   first.solve(once);
-  second.factorize(A);  // a second time in the same object
+  second.factorize(A);  // factorizes a second time in the same object
   second.solve(again);
   EXPECT_EQ(once, again);
 }

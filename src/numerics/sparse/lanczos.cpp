@@ -27,8 +27,9 @@ constexpr double kDependent = 1e-12;  // relative length below which a direction
 // another pass of orthogonalization follows. The second constant is a multiple of the tolerance.
 constexpr double kOrthogonal = 1e-10, kOrthogonalOfTolerance = 1e-5;
 constexpr double kNearEigenvector = 0.02;  // largest residual of a start vector that is kept
-constexpr int kSpareDirections = 20;       // basis beyond twice the wanted pairs before a restart
-constexpr int kKeptBeyondWanted = 6;       // Ritz vectors kept at a restart beyond the wanted ones
+// Vectors of the basis beyond twice the wanted pairs before a restart.
+constexpr int kSpareDirections = 20;
+constexpr int kKeptBeyondWanted = 6;  // Ritz vectors kept at a restart beyond the wanted ones
 // Steps between two checks of convergence if the block is narrow; each check costs the solution of
 // a projected eigenproblem.
 constexpr int kStepsBetweenChecks = 3;
@@ -85,9 +86,9 @@ class Lanczos {
   const EigenProblem<Scalar>& problem_;
   const LanczosSettings& settings_;
   int n_, wanted_, capacity_;
-  Matrix V_, MV_;  // columns 0..done_-1 are V, then the pool Q; M times both
+  Matrix V_, MV_;  // columns 0..done_-1 are V, all others the pool Q; MV_ is M times both
   int done_ = 0, pool_ = 0;
-  Matrix T_, B_;           // done_ x done_, pool_ x done_
+  Matrix T_, B_;           // T is done_ x done_, B is pool_ x done_
   Eigen::VectorXd theta_;  // ascending
   Matrix S_;
   std::uint64_t random_index_ = 0;
@@ -179,9 +180,9 @@ void Lanczos<Scalar>::begin(const Matrix& start) {
   V_.resize(n_, capacity_ + settings_.block);
   MV_.resize(n_, V_.cols());
   if (good(start)) {
-    add_to_pool(
-        start);  // the new part of `start`, then random directions, because all columns of `start`
-                 // may have one symmetry
+    // Adds the new part of `start` and then random directions, because all columns of `start` may
+    // have one symmetry.
+    add_to_pool(start);
     add_to_pool(scattered_block(settings_.block));
     step(pool_);
   } else {
@@ -255,7 +256,7 @@ template <class Scalar>
 bool Lanczos<Scalar>::converged() const {
   if (done_ < wanted_) return false;
   for (int k = done_ - wanted_; k < done_; ++k) {
-    if (!(theta_[k] > 0.0)) return false;  // true for NaN, too
+    if (!(theta_[k] > 0.0)) return false;  // also returns for NaN
     const double tolerance = tolerance_of(done_ - 1 - k);
     if (pool_ > 0 && !((B_ * S_.col(k)).norm() <= tolerance * theta_[k])) return false;
   }
@@ -307,7 +308,8 @@ EigenPairs<Scalar> Lanczos<Scalar>::run(const Matrix& start) {
     if (converged()) break;
     if (done_ + settings_.block > capacity_ && done_ < n_) restart();
   }
-  if (done_ == 0) return {{}, Matrix(n_, 0), false, solves_};  // M is zero, or not a number
+  // M is zero or contains values that are not numbers.
+  if (done_ == 0) return {{}, Matrix(n_, 0), false, solves_};
   solve_small_problem();
   return result();
 }

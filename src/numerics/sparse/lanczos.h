@@ -23,7 +23,7 @@ template <class Scalar>
 struct EigenProblem {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   int size = 0;
-  double shift = 0.0;                               // sigma, below the wanted eigenvalues
+  double shift = 0.0;                               // shift sigma, below the wanted eigenvalues
   std::function<void(Eigen::Ref<Matrix> X)> solve;  // X <- (K - sigma M)^-1 X
   std::function<void(const Eigen::Ref<const Matrix>& X, Eigen::Ref<Matrix> Y)> mass;  // Y = M X
 };

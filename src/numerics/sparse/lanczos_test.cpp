@@ -166,7 +166,8 @@ TEST(Lanczos, GivesTheSameBitsTwice) {
   EXPECT_EQ(once.vectors, again.vectors);
 }
 
-TEST(Lanczos, MissesNoneBelowTheLastByInertia) {  // a ring, all of whose eigenvalues are double
+// In a ring all eigenvalues are double.
+TEST(Lanczos, MissesNoneBelowTheLastByInertia) {
   const Lattice lattice({12, 4, 2}, 3, /*ring=*/true, /*held_ends=*/true);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix K(pattern), M(pattern);

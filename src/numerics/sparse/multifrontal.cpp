@@ -27,9 +27,10 @@ struct Run {
 struct FrontPlan {
   int first, pivots, rows;
   int parent;
-  size_t panel;                // start of its columns of the factor
-  size_t first_entry;          // first entry of the matrix, see Entry; the next front's is the end
-  int stack;                   // index of the stack on which its update waits
+  size_t panel;  // start of the front's columns in the array of the factor
+  // Index of its first entry of the matrix; entries end at that of the next front.
+  size_t first_entry;
+  int stack;                   // index of the stack that holds its update matrix
   std::vector<Run> in_vector;  // rows below the pivots, in the order of elimination
   std::vector<Run> in_parent;  // rows below the pivots, in the parent's front
 
@@ -97,7 +98,7 @@ class Multifrontal final : public Factorization::Impl {
   std::vector<FrontPlan> fronts_;
   std::vector<std::vector<int>> children_;
   std::vector<Entry> entries_;
-  size_t panels_ = 0;  // count of the factor's numbers
+  size_t panels_ = 0;  // number of values of the factor
   LargeArray<Real> factor_;
   // Update matrices that have not been added to their parents yet, the last on top. One stack holds
   // the updates of fronts at an even distance from the root of the elimination tree, the other
@@ -106,8 +107,9 @@ class Multifrontal final : public Factorization::Impl {
   std::array<LargeArray<Real>, 2> stacks_;
   std::array<size_t, 2> highest_{};
   std::array<size_t, 2> top_{};
-  std::vector<size_t> stacked_;       // start of each front's update on its stack
-  std::vector<Real> vector_, below_;  // right-hand sides, and their rows below one front
+  std::vector<size_t> stacked_;  // start of each front's update on its stack
+  // Right-hand sides, and their rows below the pivots of one front.
+  std::vector<Real> vector_, below_;
 };
 
 template <class Real>

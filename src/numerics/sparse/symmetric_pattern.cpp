@@ -7,7 +7,7 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr int kNodeBlock = 3;  // unknowns of a node in space
+constexpr int kNodeBlock = 3;  // number of unknowns of a node in space
 
 /// True if the unknowns of every element come as whole nodes: (3 n, 3 n + 1, 3 n + 2), or all three
 /// held.

@@ -13,7 +13,8 @@
 namespace latsch {
 namespace {
 
-constexpr int kFewestLevels = 5;  // least number of levels with a fourth difference
+// Least number of levels along a line that has a fourth difference.
+constexpr int kFewestLevels = 5;
 // Largest number of variables for which diagonal neighbors count, so that a point has up to 3^6 - 1
 // of them. With more variables only the neighbors along the axes count.
 constexpr int kMostDiagonals = 6;
@@ -101,7 +102,7 @@ Neighbors grid_neighbors(const std::vector<int>& levels) {
     if (levels[i] > 1) varied.push_back(static_cast<int>(i));
   }
   const bool diagonals = std::ssize(varied) <= kMostDiagonals;
-  int around = 1;  // number of combinations of -1, 0, +1 level
+  int around = 1;  // number of combinations of the offsets -1, 0, +1 of all levels
   for (size_t i = 0; diagonals && i < varied.size(); ++i) around *= 3;
 
   Neighbors neighbors(points);

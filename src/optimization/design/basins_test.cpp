@@ -79,7 +79,8 @@ TEST(Basins, OfManyVariablesNeighborsLieOnTheAxes) {
   const Neighbors neighbors = grid_neighbors(levels);
   EXPECT_EQ(neighbors.size(), 65536u);
   EXPECT_EQ(neighbors[12345].size(), 16u);
-  EXPECT_EQ(grid_neighbors({3, 1, 3})[4].size(), 8u);  // the middle; one variable is not varied
+  // The point in the middle of a grid in which one variable is not varied.
+  EXPECT_EQ(grid_neighbors({3, 1, 3})[4].size(), 8u);
 }
 
 struct Scattered {

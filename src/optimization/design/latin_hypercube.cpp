@@ -76,8 +76,8 @@ class Shares {
   }
 
   int points_, variables_;
-  std::vector<std::vector<int>> share_;    // index: variable, point
-  std::vector<std::vector<int>> squared_;  // distances in shares
+  std::vector<std::vector<int>> share_;    // share_[variable][point]
+  std::vector<std::vector<int>> squared_;  // squared distances, in units of a share
 };
 
 struct Pair {

@@ -28,13 +28,14 @@ namespace latsch {
 
 /// Size of the search and its random choices.
 struct GeneticOptions {
-  int population = 0;            // 0: ten times the number of variables, at least 20
-  int generations = 50;          // the search ends after them
-  double crossover = 0.9;        // probability that a pair is crossed
-  double eta_crossover = 15;     // eta_c: larger values make children more similar to their parents
-  double eta_mutation = 20;      // eta_m: larger values make mutations smaller
-  double step_tolerance = 1e-3;  // in the unit cube
-  std::uint64_t seed = 1;        // seed of the random choices
+  int population = 0;         // 0: ten times the number of variables, at least 20
+  int generations = 50;       // the search ends after this number of generations
+  double crossover = 0.9;     // probability that a pair is crossed
+  double eta_crossover = 15;  // eta_c: larger values make children more similar to their parents
+  double eta_mutation = 20;   // eta_m: larger values make mutations smaller
+  // The search ends if all individuals are this close, in the unit cube.
+  double step_tolerance = 1e-3;
+  std::uint64_t seed = 1;  // seed of the random choices
 };
 
 class Genetic : public Optimizer {

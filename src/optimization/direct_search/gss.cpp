@@ -45,8 +45,9 @@ struct Direction {
 struct Proposal {
   Eigen::VectorXd u;
   DesignPoint point;
-  double step;                   // length of the step, from which the required decrease follows
-  int direction = kNoDirection;  // index in set number `set`; none for the start and a model step
+  double step;  // length of the step, from which the required decrease follows
+  // Index in the set of directions `set`; kNoDirection for the start and a model step.
+  int direction = kNoDirection;
   int set = 0;
 };
 
@@ -87,10 +88,10 @@ struct Gss::State {
   Eigen::VectorXd last_move;
   int successes = 0;  // number of successes in a row
 
-  SharedHistory<Sample> samples;   // with finite values
+  SharedHistory<Sample> samples;   // evaluated points whose value is finite
   SharedTable values;              // values of all points
   bool model_is_new = false;       // an outcome arrived since the last model step
-  PendingPoints<Proposal> wanted;  // in the order proposed; empty: converged
+  PendingPoints<Proposal> wanted;  // in the order proposed; empty once the search has converged
 
   State(const DesignSpace& s, const GssOptions& o)
       : space(s),

@@ -65,7 +65,8 @@ TEST(GssAmongConstraints, FindsACornerWhereManyPlanesMeet) {
                                    [](const auto& x) { return x[0] + 1.2 * x[1] + x[2] + x[3]; },
                                    {0, -1, 0, 0},
                                    -1.2};
-  EXPECT_NEAR(minimize(problem).f, -1.2, 1e-9);  // exact: nearby points are moved onto it
+  // Exact, because nearby points are moved onto the constraint.
+  EXPECT_NEAR(minimize(problem).f, -1.2, 1e-9);
 }
 
 TEST(GssAmongConstraints, GoesAroundPointsThatFailAndKinksOnAConstraint) {
@@ -75,7 +76,8 @@ TEST(GssAmongConstraints, GoesAroundPointsThatFailAndKinksOnAConstraint) {
     if (std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1) return std::nan("");
     return std::abs(x[0] - 0.9) + 2 * std::abs(x[1] - 0.8) + std::abs(x[2] - 0.4);
   };
-  const Found found = minimize(problem);  // (0.4, 0.8, 0.4): moving along x1 + x2 costs more
+  // The solution is (0.4, 0.8, 0.4): moving along x1 + x2 costs more.
+  const Found found = minimize(problem);
   EXPECT_NEAR(found.x[0], 0.4, 5e-3);
   EXPECT_NEAR(found.x[1], 0.8, 5e-3);
   EXPECT_NEAR(found.x[2], 0.4, 5e-3);
@@ -116,7 +118,7 @@ TEST(GssAmongConstraints, DoesNotMoveToAForeignPointOutside) {
     least = std::min(least, f(point.values));
     gss.observe(point, Score{f(point.values)});
   }
-  EXPECT_NEAR(least, -2.0, 1e-9);  // the minimum at (0, 1)
+  EXPECT_NEAR(least, -2.0, 1e-9);  // the value at the minimum (0, 1)
 }
 
 }  // namespace

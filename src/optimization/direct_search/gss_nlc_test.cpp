@@ -106,7 +106,8 @@ TEST(GssNlc, EndsInTheFeasibleRegionWithEveryPenalty) {
 }
 
 TEST(GssNlc, WithoutConstraintsIsTheSearchItself) {
-  ConstrainedProblem problem = linearly_constrained_problems()[3];  // HS35, with a linear row
+  // Problem HS35, which has a linear constraint.
+  ConstrainedProblem problem = linearly_constrained_problems()[3];
   const Found found = minimize(problem, as_shipped(1e-4));
   EXPECT_NEAR(found.score.value, problem.least, 1e-4);
 }

@@ -137,7 +137,7 @@ TEST(Gss, FollowsRosenbrocksValley) {
   GssOptions options;
   options.step_tolerance = 1e-4;
   const Found found = minimize(box({-1.2, 1.0}, -2.0, 2.0), rosenbrock, options);
-  EXPECT_LT(found.f, 1e-4);  // the start has 24.2
+  EXPECT_LT(found.f, 1e-4);  // the value at the start is 24.2
   EXPECT_LT(found.evaluations, 300);
 }
 
@@ -173,7 +173,7 @@ TEST(Gss, DoesNotStopAtKinks) {
   const Found found = minimize(box({3.0, 2.0, 1.5}, -4.0, 5.0), [](const auto& x) {
     return 10.0 * (std::abs(x[0] - x[1]) + std::abs(x[1] - x[2])) + std::abs(x[0] + x[1] + x[2]);
   });
-  for (const double x : found.x) EXPECT_NEAR(x, 0.0, 0.05);  // 0.5 % of the range
+  for (const double x : found.x) EXPECT_NEAR(x, 0.0, 0.05);  // 0.5 % of the range of each variable
 }
 
 TEST(Gss, RecoversModuliOfATwinWithinOnePercent) {
@@ -212,7 +212,7 @@ TEST(Gss, FindsAMinimumAtABoundAndInACorner) {
     return std::pow(x[0] - 2.0, 2) + std::pow(x[1] - 0.3, 2) + 0.5 * x[0] * x[1];
   };
   const Found face = minimize(box({0.2, 0.8}, 0.0, 1.0), pulled);
-  EXPECT_EQ(face.x[0], 1.0);  // exactly the bound
+  EXPECT_EQ(face.x[0], 1.0);  // the solution is on the bound with exactly its bits
   EXPECT_NEAR(face.x[1], 0.05, 2e-3);
   const Found corner = minimize(box({0.5, 0.5, 0.5}, 0.0, 1.0),
                                 [](const auto& x) { return x[0] - 2.0 * x[1] + x[2]; });

@@ -16,7 +16,8 @@ constexpr int kSpareSamples = 4;
 // Largest number of samples of a model (or 2 n + 2 for n variables, if that is larger). Further
 // samples would be far away and would make the fit slow.
 constexpr int kMostSamples = 100;
-constexpr double kNearest = 1.0 / 32.0;  // share of the scale; nearer points have equal weights
+// Share of the radius; points nearer than this have equal weights.
+constexpr double kNearest = 1.0 / 32.0;
 // Weight of the terms that make H small. They decide about H only if the samples do not determine
 // it.
 constexpr double kRidge = 1e-3;
@@ -47,7 +48,7 @@ double unexplained(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eig
 
 /// Samples in coordinates z = (u - center) / scale with their weights.
 struct Weighted {
-  Eigen::MatrixXd Z;  // one sample a row
+  Eigen::MatrixXd Z;  // sample points, one in each row
   Eigen::VectorXd w, y;
 };
 
@@ -104,7 +105,7 @@ std::vector<Sample> nearest_samples(const SharedHistory<Sample>& samples,
                                     const Eigen::VectorXd& center) {
   const int n = static_cast<int>(center.size());
   const int most = std::max(kMostSamples, 2 * (n + 1));
-  std::vector<std::pair<double, int>> order;  // equal distances ordered by age
+  std::vector<std::pair<double, int>> order;  // points at equal distances are ordered by age
   order.reserve(static_cast<std::size_t>(samples.size()));
   for (int i = 0; i < samples.size(); ++i) {
     order.emplace_back((samples[i].u - center).squaredNorm(), i);

@@ -13,12 +13,13 @@
 namespace latsch {
 namespace {
 
-constexpr double kDifference = 1e-3;    // share of the range, if no length is given
-constexpr double kShortestStep = 1e-9;  // share of the range
+// Length of a difference, as a share of the range, if none is given.
+constexpr double kDifference = 1e-3;
+constexpr double kShortestStep = 1e-9;  // shortest step that is evaluated, as a share of the range
 // Longest step of one variable, as a share of its range, because J is accurate only nearby.
 constexpr double kLongestRefitStep = 0.25;
 constexpr int kFailedSteps = 2;        // number of failed steps in a row before J is recomputed
-constexpr double kFirstLambda = 1e-3;  // relative to the largest entry of J'J
+constexpr double kFirstLambda = 1e-3;  // first lambda, relative to the largest entry of J'J
 constexpr double kLambdaFactor = 10.0;
 // Smallest curvature relative to the largest. A quadratic program needs positive curvature in all
 // directions. Without this addition, a step in directions that the data do not determine would

@@ -32,9 +32,11 @@ namespace latsch {
 struct BroydenFitOptions {
   double tolerance = 0.0;  // relative to S
   int most_evaluations = 20;
-  std::vector<int> refresh = {};     // free variables whose columns of J are recomputed once
-  Eigen::VectorXd differences = {};  // shares of the range, one for each variable; empty: 0.001
-  std::optional<FeasibleRegion> region = std::nullopt;  // without one: the unit cube
+  std::vector<int> refresh = {};  // free variables whose columns of J are recomputed once
+  // Lengths of the differences, as shares of the ranges; empty: 0.001 for all.
+  Eigen::VectorXd differences = {};
+  // Region of feasible points; nullopt: the unit cube.
+  std::optional<FeasibleRegion> region = std::nullopt;
 };
 
 class BroydenFit {

@@ -111,14 +111,15 @@ std::vector<Bound> held_variables(const Eigen::VectorXd& u,
 /// threshold.
 double reach(double g, double h, double threshold) {
   const double root = std::sqrt(g * g + h * threshold);
-  const double d = threshold / (g + root);  // formula without cancellation
+  const double d = threshold / (g + root);  // this form of the solution avoids cancellation
   return std::isfinite(d) ? d : kInfinity;
 }
 
 }  // namespace
 
 double rare_ratio(double nu) {
-  constexpr double kNormal = 3.090232;  // exceeded with a chance of one in a thousand
+  // A standard normal number exceeds it with a chance of one in a thousand.
+  constexpr double kNormal = 3.090232;
   const double k = 2.0 / (9.0 * nu);
   return std::pow(1.0 - k + kNormal * std::sqrt(k), 3.0);
 }
@@ -171,8 +172,9 @@ struct Estimates {
   Eigen::MatrixXd V;      // n x n: directions
   Eigen::VectorXd scale;  // n: 1 / singular value
   Eigen::MatrixXd W;      // n x n: V scale
-  Eigen::MatrixXd felt;   // m x n: X W, with orthonormal columns without a loss; 0 if flat
-  Eigen::MatrixXd bent;   // H W; 0 if flat
+  // M x n: X W; columns of flat directions are 0; without a loss the columns are orthonormal.
+  Eigen::MatrixXd felt;
+  Eigen::MatrixXd bent;  // H W; 0 if flat
   std::vector<Eigen::Index> flat;
 
   /// Returns, for these psi, the shift of the minimum of S along each direction.
@@ -370,7 +372,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
                         common_free = moving.common()(Eigen::all, free);
   const Eigen::MatrixXd inverse = inverse_normal_matrix(H_free);
   const Estimates estimates = estimates_of(X_free, H_free);
-  Eigen::VectorXd left = -inverse * gradient(free);  // distance to the least S
+  Eigen::VectorXd left = -inverse * gradient(free);  // distance to the minimum of S
   // The distance along flat directions, on which no residual depends, is set to 0.
   if (!estimates.flat.empty()) left = estimates.V * estimates.answer(rows.psi());
   c.left_to_gain = free.empty() ? 0.0 : std::max(0.0, -gradient(free).dot(left));
@@ -491,7 +493,7 @@ std::vector<DesignPoint> difference_points(const DesignSpace& space,
     const auto stepped = [&](double side) {
       std::vector<double> moved = u;
       moved[i] += side;
-      DesignPoint point = center;  // keeps the exact bits of the other variables
+      DesignPoint point = center;  // a copy, which keeps the exact bits of the other variables
       point.values[i] = space.from_unit(moved).values[i];
       return point;
     };

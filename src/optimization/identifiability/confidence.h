@@ -68,8 +68,8 @@ struct Evaluated {
   }
 
   Eigen::VectorXd r;        // m residuals
-  Eigen::MatrixXd J;        // empty: not known
-  bool is_reduced = false;  // the rows are those of reduced_rows.h
+  Eigen::MatrixXd J;        // m x n derivatives; empty: not known
+  bool is_reduced = false;  // true if the rows are reduced rows (reduced_rows.h)
 };
 
 /// Residuals and their derivatives at a point of the unit cube.
@@ -77,7 +77,7 @@ struct Linearization {
   Eigen::VectorXd u;      // n
   Eigen::VectorXd r;      // m
   Eigen::MatrixXd J;      // m x n
-  bool is_exact = false;  // J is the model's own, not computed by differences
+  bool is_exact = false;  // true if J was computed by the model, not by differences
 
   /// Returns S = r'r.
   double sum_of_squares() const { return r.squaredNorm(); }
@@ -100,19 +100,20 @@ struct ConfidenceOptions {
 /// The two ends of an interval in the unit cube. They may lie outside of the cube, and are infinite
 /// if nothing determines the variable.
 struct Interval {
-  double lower, upper;  // coordinates of the unit cube
+  double lower, upper;  // coordinates in the unit cube
 };
 
 /// Uncertainty of the variables that are not held by a bound, along orthogonal directions. The
 /// uncertainty of values computed from the variables follows from it (prediction_band.h).
 struct FreeDirections {
-  Eigen::MatrixXd axes;        // n x f: columns are directions; 0 in held variables
-  Eigen::MatrixXd covariance;  // f x f: of the coordinates along the directions
-  Eigen::VectorXd left;        // f: remaining distance to the least S along each; 0 if flat
+  Eigen::MatrixXd axes;        // n x f: the columns are directions; rows of held variables are 0
+  Eigen::MatrixXd covariance;  // f x f: covariance of the coordinates along the directions
+  // F: distance to the minimum of S along each direction; 0 if no residual depends on it.
+  Eigen::VectorXd left;
   // f x n: motion along each direction for a unit motion of a held variable, if the free variables
   // are refitted.
   Eigen::MatrixXd following;
-  double t = 0.0;  // the largest quantile of an interval
+  double t = 0.0;  // largest quantile t that an interval of a variable uses
 };
 
 struct Confidence {
@@ -123,8 +124,10 @@ struct Confidence {
   std::vector<Bound> held;          // variables whose bound prevents a better fit
   Eigen::VectorXd singular_values;  // descending, of all variables: of J, or of the root of A
   Eigen::MatrixXd directions;       // each column is a direction of the unit cube
-  Eigen::MatrixXd covariance;       // 0 in rows and columns of held variables
-  Eigen::MatrixXd correlation;      // 0 in rows and columns of held variables, too
+  // N x n covariance of the variables; rows and columns of held ones are 0.
+  Eigen::MatrixXd covariance;
+  // N x n correlation of the variables; rows and columns of held ones are 0.
+  Eigen::MatrixXd correlation;
   std::vector<Interval> intervals;  // one for each variable
   /// For each variable, the excess of S over the least S up to which values belong to its interval.
   std::vector<double> thresholds;
@@ -137,10 +140,10 @@ struct Confidence {
   /// Ratio of the observed spread of the residuals to the stated one, if chance cannot explain that
   /// it is larger; 1 otherwise.
   double excess = 1.0;
-  bool is_colored = false;    // neighbors share noise
-  double left_to_gain = 0.0;  // S - least S, as J predicts inside the bounds of held variables
+  bool is_colored = false;    // true if neighbors share noise
+  double left_to_gain = 0.0;  // S minus the least S that J predicts with held variables fixed
   int with_loss = 0;          // number of residuals with a robust loss
-  int beyond = 0;             // number of these beyond the corner of their loss
+  int beyond = 0;             // number of residuals beyond the corner of their loss
   // Expected share of the residuals with a loss that Gaussian noise of the stated size leaves
   // beyond the corner.
   double expected_beyond = 0.0;

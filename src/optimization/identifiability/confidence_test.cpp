@@ -174,7 +174,7 @@ TEST(Confidence, NoiseBesideAValueFarOffIsStillShared) {
 // interval follows from the observed spread.
 TEST(Confidence, ResidualsLargerThanTheirStatedNoiseWidenTheIntervals) {
   Linearization at = line(2.0 * colored_noise(100, 0.0, RandomStream(3, 1)));
-  at.u.setConstant(0.5);  // inside the bounds
+  at.u.setConstant(0.5);  // a point that is not on a bound
   const Confidence stated = confidence(at, {.sigma = 1.0}), seen = confidence(at);
   EXPECT_NEAR(stated.excess, 2.0, 0.3);
   EXPECT_NEAR(stated.intervals[1].upper, seen.intervals[1].upper, 1e-12);

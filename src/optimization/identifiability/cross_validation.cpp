@@ -10,7 +10,8 @@
 namespace latsch {
 namespace {
 
-constexpr int kEvaluationsOfARefit = 30;  // plus two for each variable
+// Limit for one refit, to which two for each variable are added.
+constexpr int kEvaluationsOfARefit = 30;
 
 // Number of evaluations that a fold usually takes. The first holds if the model computes its
 // derivatives; the second, plus one for each variable, if it does not.

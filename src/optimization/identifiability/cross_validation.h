@@ -22,10 +22,11 @@ namespace latsch {
 
 /// Result for one group of residuals.
 struct LeftOut {
-  int group = 0;           // the group that the refit did not use
-  Eigen::VectorXd u;       // refitted without the group
-  double fitted = 0.0;     // root mean square of the group's residuals in the common fit
-  double predicted = 0.0;  // and without the group; NaN if the refit did not converge
+  int group = 0;        // the group that the refit did not use
+  Eigen::VectorXd u;    // the point refitted without the group
+  double fitted = 0.0;  // root mean square of the group's residuals in the common fit
+  // Root mean square of the group's residuals after the refit; NaN if it did not converge.
+  double predicted = 0.0;
 };
 
 class CrossValidation {
@@ -56,7 +57,7 @@ class CrossValidation {
  private:
   struct Fold {
     std::vector<Eigen::Index> rest, out;  // rows
-    double values;                        // residuals of the group
+    double values;                        // number of residuals of the group
     BroydenFit refit;
     LeftOut result;
   };

@@ -20,7 +20,8 @@ TEST(DOptimality, RanksFirstWhatRepairsTheFlatDirection) {
   EXPECT_EQ(gains[0].candidate, 1);
   EXPECT_NEAR(gains[0].shrinkage, std::sqrt((12 + 2e4) / 12), 1e-9 * gains[0].shrinkage);
   EXPECT_NEAR(gains[1].shrinkage, std::sqrt((12 + 4e4) / (12 + 2e4)), 1e-9);
-  EXPECT_NEAR(gains[0].widest_before, std::sqrt(1.0 / 12), 1e-9);  // only the bounds
+  // Only the bounds limit this direction.
+  EXPECT_NEAR(gains[0].widest_before, std::sqrt(1.0 / 12), 1e-9);
   EXPECT_NEAR(gains[0].widest_after, 1 / std::sqrt(12 + 2e4), 1e-9);
   EXPECT_NEAR(gains[1].widest_after, gains[1].widest_before, 1e-9);
 }

@@ -15,7 +15,8 @@ namespace {
 
 // Tolerance of the refits and of the steps of a profile, as a share of the threshold.
 constexpr double kTolerance = 0.02;
-constexpr int kEvaluationsOfTheRefit = 30;  // plus two for each variable
+// Limit for the refit, to which two for each variable are added.
+constexpr int kEvaluationsOfTheRefit = 30;
 constexpr int kEvaluationsOfAShortRefit = 5;
 constexpr int kMostWeakRounds = 3;
 // Smallest improvement for which all rounds start again at the better point, as a share of the
@@ -164,7 +165,7 @@ Status Identification::center_observed(const std::vector<Result<Evaluated>>& eva
     }
   }
   const auto rows = used(evaluated.front());
-  assert(rows);  // every later center was evaluated as a trial point
+  assert(rows);  // never fails: a later center was evaluated as a trial before
   r_ = rows->r;
   least_ = r_->squaredNorm();
   least_point_ = center_;

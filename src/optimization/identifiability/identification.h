@@ -36,10 +36,11 @@ namespace latsch {
 
 /// Noise, differences and extent of an identification.
 struct IdentificationOptions {
-  ConfidenceOptions confidence = {};  // noise and level
-  bool profiles = true;               // false: no round 3
+  ConfidenceOptions confidence = {};  // noise of the residuals and level of the intervals
+  bool profiles = true;               // if false, round 3 is left out
   double step = 0.01;                 // first length of the differences, in the unit cube
-  int most_centers = 4;               // 1: the center stays at the point
+  // Largest number of centers; 1: the given point stays the center.
+  int most_centers = 4;
   /// The variables that may move, ascending; empty means all. The others keep their exact values at
   /// every wanted point and have an interval of no width and no profile.
   std::vector<int> free = {};
@@ -129,29 +130,31 @@ class Identification {
 
   DesignSpace space_;
   IdentificationOptions options_;
-  std::vector<int> free_;  // the variables that may move
+  std::vector<int> free_;  // indices of the variables that may move
   DesignPoint center_;
   int centers_ = 1;
   std::vector<DesignPoint> wanted_;
   Status status_;
   std::vector<SlopeSearch> searches_;  // one a variable
-  std::vector<int> owners_;            // for wanted_ without the center: indices in searches_
-  std::optional<Eigen::VectorXd> r_;   // at the center, rows used
-  Eigen::VectorXd scale_;              // deviations of the rows used
+  // Index in searches_ of each point of wanted_ except the center.
+  std::vector<int> owners_;
+  std::optional<Eigen::VectorXd> r_;  // the used residuals at the center
+  Eigen::VectorXd scale_;             // standard deviations of the used residuals
   std::vector<SlopeQuality> qualities_;
   Eigen::VectorXd lengths_;
-  double least_ = 0.0;  // S of the best point evaluated
+  double least_ = 0.0;  // sum of squares of the best point evaluated
   DesignPoint least_point_;
   std::vector<Eigen::Index> rows_;
   std::optional<Linearization> at_, best_;
   std::optional<Confidence> confidence_;
-  Differences made_;  // differences from which J was computed
+  Differences made_;  // lengths and errors of the differences from which J was computed
   std::optional<WeakDirections> weak_;
   int weak_rounds_ = 0;
   std::vector<Eigen::VectorXd> unknown_;
   std::optional<BroydenFit> refit_;
-  std::vector<ProfileBranch> branches_;  // down and up, variable by variable
-  std::vector<int> asked_;               // branches that `wanted_` belongs to
+  std::vector<ProfileBranch> branches_;  // downward and upward branch of each variable
+  // Indices of the branches that requested the points of wanted_.
+  std::vector<int> asked_;
   std::vector<TargetProfile> profiles_;
   std::vector<double> thresholds_;  // one a variable
 };

@@ -102,7 +102,8 @@ TEST(Identification, ProfilesKeepToLinearConstraints) {
   for (const TargetProfile& p : a.identification.profiles()) {
     EXPECT_NEAR(p.interval.lower, 0.5 - std::sqrt(t2s2), 1e-3);
     EXPECT_NEAR(p.interval.upper, 0.5 + 0.01 + std::sqrt(0.5 * t2s2 - 0.0001), 1e-3);
-    EXPECT_NEAR(p.points.back().u[p.variable], 1.0, 2e-3);  // the other variable at 0.02 or less
+    // The other variable may be 0.02 or less.
+    EXPECT_NEAR(p.points.back().u[p.variable], 1.0, 2e-3);
   }
 }
 
@@ -249,7 +250,7 @@ TEST(Identification, FollowsACurvedValley) {
                          {.confidence = {.sigma = 0.1}});
   for (const ProfilePoint& p : a.identification.profiles()[0].points) {
     const double x0 = -2 + 4 * p.u[0];
-    if (x0 * x0 > 2.0) continue;  // x1 is at its bound
+    if (x0 * x0 > 2.0) continue;  // beyond this x0, x1 is at its bound
     EXPECT_NEAR(p.S, (1 - x0) * (1 - x0), 0.02 * 0.04 + 0.01 * p.S);
   }
   EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::identifiable);

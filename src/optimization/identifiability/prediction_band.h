@@ -61,9 +61,9 @@ class PredictionBands {
   Reach reach(const Eigen::VectorXd& g) const;
 
   Eigen::VectorXd u_;
-  FreeDirections free_;      // 0 for open directions
-  std::vector<Reach> open_;  // for every direction; 0 if it is not open
-  std::vector<Reach> held_;  // for every variable; 0 if it is not held
+  FreeDirections free_;      // directions of the free variables; open directions are set to 0
+  std::vector<Reach> open_;  // change along each direction; 0 if the direction is not open
+  std::vector<Reach> held_;  // change by each variable; 0 if the variable is not held
 };
 
 }  // namespace latsch

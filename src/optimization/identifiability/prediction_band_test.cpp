@@ -70,7 +70,8 @@ TEST(PredictionBand, OfAVariableIsItsInterval) {
       value = before;
     }
     at.J.row(0) = Eigen::RowVector3d(0.0, 10.0, 0.0);  // a prior
-    at.r -= at.J.col(2) * 0.5;                         // held: S falls beyond the upper bound
+    // This holds a variable: S falls beyond its upper bound.
+    at.r -= at.J.col(2) * 0.5;
     ConfidenceOptions options;
     if (colored) options.traits = {std::vector<double>(60, 1.0), std::vector<int>(60, 0)};
     const Confidence c = confidence(at, options);

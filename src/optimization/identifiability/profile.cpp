@@ -12,20 +12,23 @@
 namespace latsch {
 namespace {
 
-constexpr double kShortestRung = 0.005;  // share of the range
+constexpr double kShortestRung = 0.005;  // shortest step of a profile, as a share of the range
 constexpr double kLongestRung = 0.1;
-constexpr double kFirstRung = 0.5;  // share of the linear interval's half width
-constexpr double kLonger = 1.6;     // growth of steps from rung to rung
+// First step, as a share of half the width of the linear interval.
+constexpr double kFirstRung = 0.5;
+constexpr double kLonger = 1.6;  // factor by which each step is longer than the one before
 // Tolerance of a refit, as a share of the threshold; an end of the interval shifts by half of this
 // share. Far out, where only the shape of the profile matters, it is a share of the growth of S.
 constexpr double kProfileTolerance = 0.02;
-constexpr int kEvaluationsOfARung = 30;  // plus two for each variable
+// Limit for one refit, to which two for each variable are added.
+constexpr int kEvaluationsOfARung = 30;
 // Difference of S between two steps of a profile, in thresholds, above which the root of S does not
 // count as linear between them.
 constexpr double kLeap = 4.0;
 constexpr int kHalvings = 3;
-constexpr int kStepsToTheEdge = 5;     // halvings toward a value at which the model fails
-constexpr size_t kRungsToRefresh = 4;  // number of rungs until all derivatives are recomputed
+constexpr int kStepsToTheEdge = 5;  // number of halvings toward a value at which the model fails
+// Number of steps after which all derivatives have been recomputed.
+constexpr size_t kRungsToRefresh = 4;
 // Largest number of steps of a branch that are repeated from the outer side.
 constexpr int kMostReturns = 12;
 // Distance, in ranges, of the point outside of the region whose nearest point of the region is used
@@ -261,7 +264,7 @@ double ProfileBranch::rung_after(double at, double length) const {
 int ProfileBranch::rungs_left() const {
   if (!refit_) return 0;
   if (failed_at_) return 1;
-  int rungs = 1;  // the rung being refitted
+  int rungs = 1;  // counts the step being refitted
   double at = bracket_ || return_ ? last_.u[variable_] : to_, length = length_;
   while (direction_ * (end_ - at) > 0.0) {
     length = std::min(kLonger * length, kLongestRung);

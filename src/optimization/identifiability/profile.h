@@ -36,7 +36,7 @@ namespace latsch {
 /// One point of a profile, at which all other variables are refitted.
 struct ProfilePoint {
   Eigen::VectorXd u;      // point of the unit cube
-  double S;               // sum of squares there
+  double S;               // least sum of squares with this value of the variable
   bool converged = true;  // true if the refit of the other variables converged
 };
 
@@ -74,8 +74,9 @@ class ProfileBranch {
 
  private:
   struct Bracket {
-    Linearization inner, outer;  // below the threshold, and far above it
-    double upper;                // the variable at the nearest point known to be above it
+    Linearization inner, outer;  // results at a point below the threshold and at one far above it
+    // Value of the variable at the nearest point known to be above the threshold.
+    double upper;
     int halvings = 0;
   };
 
@@ -83,7 +84,7 @@ class ProfileBranch {
   struct Return {
     // The point from which the branch continues outward afterward.
     Linearization outer;
-    int place;  // index in points_ of the rung being refitted
+    int place;  // index in points_ of the point being refitted
   };
 
   void next_rung(const Linearization& from);
@@ -113,7 +114,7 @@ class ProfileBranch {
   bool verifying_ = false;
   size_t next_column_ = 0;  // index in free_ of the next column to recompute
   std::vector<int> free_;
-  Linearization last_;  // last rung of the ladder
+  Linearization last_;  // the last point of the branch
   std::optional<Bracket> bracket_;
   std::optional<BroydenFit> refit_;
   std::vector<ProfilePoint> points_;
@@ -124,14 +125,15 @@ enum class Verdict { identifiable, one_sided, flat, several_minima, not_evaluabl
 
 /// The profile of one variable: the least sum of squares as a function of it.
 struct TargetProfile {
-  int variable = 0;                  // index
-  std::vector<ProfilePoint> points;  // ascending in the variable, the best point among them
-  double least = 0.0;                // the least S, from which the growth of S is measured
-  double threshold = 0.0;            // rise of S at the ends of the interval
+  int variable = 0;  // index
+  // In ascending order of the variable, with the best point among them.
+  std::vector<ProfilePoint> points;
+  double least = 0.0;      // the least S, from which the growth of S is measured
+  double threshold = 0.0;  // growth of S at the ends of the interval
   // The ends at which S - least crosses the threshold; infinite where it does not.
   Interval interval{};
   Verdict verdict = Verdict::flat;  // in one word
-  std::vector<int> other_minima;    // indices into `points`
+  std::vector<int> other_minima;    // indices in `points` of minima other than the best point
   /// The last evaluated value on a side where the model fails before S has exceeded the threshold.
   std::optional<double> lower_end = std::nullopt, upper_end = std::nullopt;
 

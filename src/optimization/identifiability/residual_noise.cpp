@@ -17,18 +17,20 @@ namespace {
 
 using numerics::Autoregression;
 
-constexpr size_t kMostOrder = 8;             // largest order of the autoregression
-constexpr Eigen::Index kFewestSamples = 12;  // samples of a curve beyond the number of variables
-constexpr Eigen::Index kSamplesAnOrder = 6;  // least number of samples for each order
+constexpr size_t kMostOrder = 8;  // largest order of the autoregression
+// Least number of samples of a curve in addition to the number of variables.
+constexpr Eigen::Index kFewestSamples = 12;
+// Least number of samples for each order of the autoregression.
+constexpr Eigen::Index kSamplesAnOrder = 6;
 // Number of higher orders without improvement after which the search for the order ends.
 constexpr size_t kOrdersInVain = 2;
-constexpr double kMostZ = 4.5;  // atanh(kappa): |kappa| up to 0.99975
+constexpr double kMostZ = 4.5;  // largest z = atanh(kappa): |kappa| is at most 0.99975
 /// Share of the spread of all residuals below which noise cannot be recognized. If a few residuals
 /// are far larger than all others, they determine the spread, and noise of a thousandth of it does
 /// not influence them.
 constexpr double kFarOff = 1e-3;
 constexpr double kGolden = 0.6180339887498949;
-constexpr int kFirstCuts = 16, kLaterCuts = 9;  // numbers of golden sections
+constexpr int kFirstCuts = 16, kLaterCuts = 9;  // numbers of steps of the golden-section search
 constexpr double kDerivative = 0.05;            // step in z of numerical derivatives
 
 Autoregression process_of(const std::vector<double>& z) {
@@ -216,7 +218,7 @@ void ResidualNoise::fit(Curve& curve, const Sums& rest) const {
   }
   curve.process = process_of(best);
   const auto p = static_cast<Eigen::Index>(best.size());
-  Eigen::MatrixXd H(p, p);  // Hessian of -2 l, twice the information
+  Eigen::MatrixXd H(p, p);  // Hessian of -2 l, which is twice the information matrix
   const auto at = [&](Eigen::Index i, double di, Eigen::Index j, double dj) {
     std::vector<double> moved = best;
     moved[static_cast<size_t>(i)] += di;

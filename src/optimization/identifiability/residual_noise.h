@@ -34,7 +34,7 @@ namespace latsch {
 struct ResidualTraits {
   std::vector<double> deviations = {};
   std::vector<int> curves = {};         // < 0: independent
-  std::vector<RobustLoss> losses = {};  // scales in the unit of the residuals
+  std::vector<RobustLoss> losses = {};  // scales of the losses are in the unit of the residuals
 
   /// Returns the traits of some of the residuals.
   ResidualTraits of(const std::vector<Eigen::Index>& rows) const;
@@ -75,9 +75,9 @@ class ResidualNoise {
   struct Curve {
     std::vector<Eigen::Index> rows;
     numerics::Autoregression process;
-    Eigen::MatrixXd variance;  // variance of atanh(kappa)
+    Eigen::MatrixXd variance;  // covariance of the z = atanh(kappa)
   };
-  struct Sums {  // sums over the rows of a curve, whitened
+  struct Sums {  // sums over the whitened rows of a curve
     Eigen::MatrixXd A;
     Eigen::VectorXd b;
     double c = 0.0, log_determinant = 0.0;
@@ -97,7 +97,7 @@ class ResidualNoise {
   Eigen::VectorXd deviations_, x_;
   Eigen::MatrixXd Q_;  // orthonormal columns that span G
   double freedom_ = 0.0, sigma_ = 0.0;
-  std::vector<Curve> curves_;  // includes curves that turn out white
+  std::vector<Curve> curves_;  // all curves, including those whose noise turns out to be white
   std::vector<Eigen::Index> alone_;
   Sums alone_sums_;
   std::vector<Sums> curve_sums_;

@@ -20,8 +20,8 @@ enum class Loss { squares, huber, cauchy };
 
 /// The quantities of M-estimation for one residual.
 struct LimitedResidual {
-  double psi = 0.0;        // in the unit of the residual
-  double slope = 1.0;      // dr/dx, in (0, 1]
+  double psi = 0.0;        // psi, in the unit of the residual
+  double slope = 1.0;      // slope dr/dx of the loss, in (0, 1]
   double psi_slope = 1.0;  // psi'
   bool is_beyond = false;  // |x| > c
 };
@@ -35,7 +35,7 @@ struct GaussianLoss {
 
 struct RobustLoss {
   Loss loss = Loss::squares;
-  double scale = 1.0;  // c, in the unit of x
+  double scale = 1.0;  // scale c of the loss, in the unit of x
 
   bool operator==(const RobustLoss&) const = default;
 

@@ -76,7 +76,7 @@ class RobustRows {
   Eigen::VectorXd psi_, slopes_, psi_slopes_, deviations_;
   std::vector<bool> is_beyond_;
   std::vector<int> groups_;         // one a residual
-  std::vector<RobustLoss> losses_;  // one a group, for residuals of deviation 1
+  std::vector<RobustLoss> losses_;  // loss of each group, for residuals of standard deviation 1
   int with_loss_ = 0, beyond_ = 0;
   bool is_limited_ = false;
 };

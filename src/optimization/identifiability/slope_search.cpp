@@ -10,9 +10,9 @@ namespace {
 
 // Largest ratio `bend` for which three points count as lying on a straight line.
 constexpr double kStraight = 0.25;
-constexpr double kLengthFactor = 4.0;         // ratio of two lengths
-constexpr double kLongestDifference = 0.25;   // share of the range
-constexpr double kShortestDifference = 1e-4;  // share of the range
+constexpr double kLengthFactor = 4.0;         // ratio of successive lengths
+constexpr double kLongestDifference = 0.25;   // longest difference, as a share of the range
+constexpr double kShortestDifference = 1e-4;  // shortest difference, as a share of the range
 // Largest factor by which the length of a difference is increased in one step.
 constexpr double kMostLengthening = 16.0;
 constexpr size_t kMostLengths = 5;  // largest number of lengths tried

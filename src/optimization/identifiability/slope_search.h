@@ -30,7 +30,7 @@ enum class SlopeQuality {
   straight,  // the three points lie on a line
   // No length is straight: the slope is that of a rough or strongly curved model.
   rough,
-  one_sided,  // only one point beside the center was available: not checked
+  one_sided,  // only one point beside the center was available, so straightness was not checked
   unknown,    // every evaluation beside the center failed
 };
 
@@ -86,7 +86,7 @@ class SlopeSearch {
   std::vector<Point> points_;
   std::vector<Tried> tried_;
   double planned_ = 0.0;
-  int shortened_ = 0;  // number of shortenings because of failures
+  int shortened_ = 0;  // number of times the length was shortened because of failures
   SlopeQuality quality_ = SlopeQuality::unknown;
   Eigen::VectorXd slope_;
   std::vector<Term> terms_;

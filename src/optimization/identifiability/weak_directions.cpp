@@ -11,7 +11,8 @@
 namespace latsch {
 namespace {
 
-constexpr std::array kMoves{2e-3, 2e-4};  // shares of the range
+// Lengths of the moves along a direction, as shares of the range.
+constexpr std::array kMoves{2e-3, 2e-4};
 // A direction is weak if its effect is less than this multiple of the errors caused by curvature.
 constexpr double kBesideCurvature = 2.0;
 // In a fit without noise, a direction is weak if its effect is below this share of the strongest

@@ -25,7 +25,7 @@ namespace latsch {
 
 /// Lengths and errors of the differences from which the columns of J were computed.
 struct Differences {
-  Eigen::VectorXd lengths;    // shares of the range
+  Eigen::VectorXd lengths;    // length of each column's difference, as a share of the range
   Eigen::VectorXd curvature;  // norm of the error that curvature may cause in the column
 };
 
@@ -51,7 +51,7 @@ class WeakDirections {
 
  private:
   struct Stencil {
-    int direction;  // index in directions_
+    int direction;  // index of the direction in directions_
     double length;
     // Offsets of the two points along the direction: on both sides of the center, or on one side,
     // one twice as far as the other.
@@ -65,12 +65,12 @@ class WeakDirections {
 
   struct Direction {
     Eigen::VectorXd v;
-    double length;  // length of the differences in J v
+    double length;  // length of the differences from which J v was computed
   };
 
   Differences made_;
   std::vector<Direction> directions_;
-  std::vector<Stencil> stencils_;  // each belongs to two points of wanted_
+  std::vector<Stencil> stencils_;  // each stencil belongs to two points of wanted_
   std::vector<Eigen::VectorXd> wanted_, unknown_;
 };
 

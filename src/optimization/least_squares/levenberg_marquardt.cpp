@@ -90,7 +90,7 @@ struct Attempt {
   Eigen::VectorXd goal = {};
   // Number of returns since the step that ended on the side of a valley.
   int returns = 0;
-  double f_astray = 0.0;  // f at the end of that step, before all returns
+  double f_astray = 0.0;  // f at the end of the original step, before all returns
 };
 
 void check(const LevenbergMarquardtOptions& options) {
@@ -116,12 +116,12 @@ struct LevenbergMarquardt::State {
   // that led up the side of a valley.
   std::optional<Slopes> along;
   std::optional<Linear> foreign;  // best point from other sources
-  Eigen::VectorXd D;              // empty before the first success
+  Eigen::VectorXd D;              // scales of the variables; empty before the first success
   double radius = 0.0;            // Delta
   double f_first = 0.0;
-  bool has_failed = false;        // the last step failed
+  bool has_failed = false;        // true if the last evaluation failed
   std::vector<double> reached;    // f after every accepted step
-  PendingPoints<Attempt> wanted;  // at most one; empty: converged
+  PendingPoints<Attempt> wanted;  // at most one point; empty once the search has converged
   LevenbergMarquardtEnding end = LevenbergMarquardtEnding::none;
 
   State(const DesignSpace& s, const LevenbergMarquardtOptions& o)

@@ -28,7 +28,7 @@ namespace latsch {
 struct LevenbergMarquardtStep {
   Eigen::VectorXd p;
   double length = 0.0;    // |D p|
-  double mu = 0.0;        // 0: the step of Gauss and Newton
+  double mu = 0.0;        // damping; 0 for the Gauss-Newton step
   double promised = 0.0;  // |r|^2 - |r + J p|^2
   double slope = 0.0;     // r'J p, half the slope of |r|^2 along p
 };
@@ -65,10 +65,10 @@ class LevenbergMarquardtSteps {
 
   bool is_cube_;
   Eigen::VectorXd D_;
-  Eigen::MatrixXd R_;              // factor of J D^-1, with as many columns
+  Eigen::MatrixXd R_;              // triangular factor of J D^-1
   Eigen::VectorXd c_;              // Q'r
   Eigen::VectorXd g_;              // D^-1 J'r
-  Eigen::VectorXd lower_, upper_;  // bounds of D p in the cube
+  Eigen::VectorXd lower_, upper_;  // bounds of D p that keep u + p in the cube
   std::vector<int> free_;          // variables that are not held at a bound
   Eigen::MatrixXd E_, A_;          // E_ D p = f_,  A_ D p <= b_  in a polytope
   Eigen::VectorXd f_, b_;

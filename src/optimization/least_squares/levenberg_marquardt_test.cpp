@@ -133,7 +133,8 @@ TEST(LevenbergMarquardt, ReturnsToTheFloorOfABentValley) {
   }
   EXPECT_EQ(returned[0], 0);
   EXPECT_GT(returned[1], 0);
-  EXPECT_LT(4 * evaluations[1], 3 * evaluations[0]);  // the evaluations of the returns included
+  // This count includes the evaluations of the returns.
+  EXPECT_LT(4 * evaluations[1], 3 * evaluations[0]);
 }
 
 // Rosenbrock's function with x0 <= 1/2: x1 = x0^2 makes the first residual 0, and 1 - x0 is least

@@ -49,14 +49,14 @@ namespace latsch {
 /// of Z:  V_g I - V_g^2 Z' K^-1 Z.
 struct SlopeVariance {
   Eigen::VectorXd share;       // share of V_g, ascending: 0 known, 1 unknown
-  Eigen::MatrixXd directions;  // one a column, of length 1
+  Eigen::MatrixXd directions;  // columns of length 1, in the order of the shares
 };
 
 SlopeVariance slope_variance(const Eigen::MatrixXd& Z);
 
 /// Samples around a center.
 struct ResidualSamples {
-  Eigen::MatrixXd Z;       // sample points, one a row
+  Eigen::MatrixXd Z;       // sample points, one in each row
   Eigen::MatrixXd D;       // r(z_i) - r_c, one a row
   Eigen::VectorXd r_c;     // residuals at the center
   Eigen::MatrixXd slopes;  // Jacobian at the center with respect to z; empty: not known
@@ -99,7 +99,7 @@ class ResidualKriging {
   Eigen::MatrixXd kernel_slopes(const Eigen::VectorXd& z) const;
 
   ResidualSamples samples_;
-  double slope_prior_;  // V_g; 0 if slopes are known
+  double slope_prior_;  // variance V_g of the slopes; 0 if the slopes are known
   double noise_;
   ScaledFactors factors_;   // factors of K
   Eigen::MatrixXd alpha_;   // a residual a row

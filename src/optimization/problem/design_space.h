@@ -25,7 +25,7 @@ enum class Scale { linear, logarithmic };
 /// A number of the model that is a variable's value times a factor.
 struct Follower {
   std::string name;                // for people
-  std::vector<std::string> paths;  // numbers of the model
+  std::vector<std::string> paths;  // paths of numbers of the model
   double factor = 1.0;             // multiplies the variable's value
 };
 
@@ -33,14 +33,15 @@ struct Follower {
 struct DesignVariable {
   std::string name;                     // unique in its space
   std::vector<std::string> paths = {};  // numbers of the model set to its value
-  double lower = 0.0;                   // SI, as upper and initial
+  double lower = 0.0;                   // in SI, as are upper and initial
   double upper = 1.0;                   // SI
   double initial = 0.5;                 // start of a search
   Scale scale = Scale::linear;          // scale of the search and of the intervals
-  std::string unit = "1";  // unit in which a person reads the values; the values above are in SI
-  Place place = {};        // place in the study that declares it
-  std::optional<Prior> prior = {};       // prior knowledge of the value, a further residual
-  std::vector<Follower> followers = {};  // numbers of the model that follow its value
+  std::string unit = "1";               // unit for display; the values above are in SI
+  Place place = {};                     // place in the study that declares the variable
+  std::optional<Prior> prior = {};      // prior knowledge of the value, which adds a residual
+  // Numbers of the model that are set to multiples of the value.
+  std::vector<Follower> followers = {};
 };
 
 class DesignSpace {

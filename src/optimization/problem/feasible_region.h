@@ -55,7 +55,7 @@ class FeasibleRegion {
   bool is_cube_;
   Eigen::MatrixXd E_, A_;
   Eigen::VectorXd f_, b_;
-  std::vector<std::string> names_;  // names of the rows of E, then of A
+  std::vector<std::string> names_;  // names of the rows of E, followed by those of the rows of A
 };
 
 }  // namespace latsch

@@ -23,7 +23,7 @@ struct ConstrainedProblem {
   using Function = std::function<double(const std::vector<double>&)>;
 
   std::string name;
-  DesignSpace space;  // with the linear constraints
+  DesignSpace space;  // variables with bounds and linear constraints
   Function f;
   std::vector<double> x;                 // the solution
   double least;                          // f there
@@ -148,7 +148,7 @@ struct LeastSquaresProblem {
   DesignSpace space;
   Residuals residuals;
   std::vector<double> x;  // the solution
-  double least;           // the sum of squares there
+  double least;           // the sum of squares at the solution
 };
 
 inline Score sum_of_squares(std::vector<double> residuals) {

@@ -19,10 +19,13 @@ namespace latsch {
 struct LinearConstraint {
   std::string name;                  // for people
   std::vector<double> coefficients;  // a_i, one for each variable in the order of the space
-  double lower = -std::numeric_limits<double>::infinity();  // bound of the sum; infinite: none
-  double upper = std::numeric_limits<double>::infinity();   // bound of the sum; infinite: none
-  std::string unit = "1";                                   // display unit of the sum
-  Place place = {};                                         // place in the study that declares it
+  // Lower bound of the sum; infinite: no bound.
+  double lower = -std::numeric_limits<double>::infinity();
+  // Upper bound of the sum; infinite: no bound.
+  double upper = std::numeric_limits<double>::infinity();
+  std::string unit = "1";  // display unit of the sum
+  // Place in the study that declares the constraint.
+  Place place = {};
 
   /// True if the bounds are equal.
   bool is_equation() const { return lower == upper; }

@@ -15,7 +15,7 @@ namespace latsch {
 struct Prior {
   double value = 0.0;         // SI
   double sigma = 1.0;         // SI; if `of_logarithm` is true, a share of the value
-  bool of_logarithm = false;  // true: the deviation is that of the logarithm
+  bool of_logarithm = false;  // true if sigma is the deviation of the logarithm
 
   /// Returns the residual of the value x (SI), in units of its standard deviation.
   double residual(double x) const {

@@ -165,7 +165,7 @@ class DualActiveSet {
 
   const QuadraticProgram& qp_;
   int equations_, count_;
-  std::vector<double> sign_;     // signs of equations
+  std::vector<double> sign_;     // sign of each equation, -1 if it is reversed
   numerics::Cholesky cholesky_;  // G = L L'
   Eigen::VectorXd x_;
   std::vector<int> active_;

@@ -19,9 +19,9 @@ namespace latsch {
 struct QuadraticProgram {
   Eigen::MatrixXd G;  // n x n, positive definite
   Eigen::VectorXd g;
-  Eigen::MatrixXd E;  // no rows: no equations
+  Eigen::MatrixXd E;  // rows of the equations; may have no rows
   Eigen::VectorXd f;
-  Eigen::MatrixXd A;  // no rows: no inequalities
+  Eigen::MatrixXd A;  // rows of the inequalities; may have no rows
   Eigen::VectorXd b;
 };
 

@@ -42,7 +42,7 @@ std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
     program.A.row(row).head(n) = x.transpose() / unit;
     program.A(row++, n) = -1.0;
   }
-  program.A.row(row).setZero();  // the success at 0
+  program.A.row(row).setZero();  // row of the success at the origin
   program.A(row, n) = -1.0;
   const QuadraticSolution found = solve(program);
   const double length = found.x.head(n).norm();
@@ -84,7 +84,7 @@ std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
   std::vector<Eigen::VectorXd> left = failures;
   while (std::ssize(left) >= kFewest && std::ssize(edges) < kMostEdges) {
     const auto n = static_cast<std::size_t>(left.front().size());
-    std::vector<Eigen::VectorXd> some = left;  // the failures nearest to the first
+    std::vector<Eigen::VectorXd> some = left;  // those failures that are nearest to the first
     std::stable_sort(some.begin(), some.end(), [&](const auto& x, const auto& y) {
       return (x - left.front()).squaredNorm() < (y - left.front()).squaredNorm();
     });

@@ -16,7 +16,7 @@ constexpr int kMostRays = 2000;
 
 struct Basis {
   Eigen::MatrixXd range, rest;   // orthonormal columns
-  std::vector<int> independent;  // columns that span the range
+  std::vector<int> independent;  // indices of independent columns that span the range
 };
 
 Basis split(const Eigen::MatrixXd& M) {

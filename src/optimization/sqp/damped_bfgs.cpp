@@ -5,7 +5,7 @@ namespace latsch {
 namespace {
 
 constexpr double kDamped = 0.2;     // smallest share of the curvature along s that B keeps
-constexpr double kNothing = 1e-14;  // a shorter step carries no information
+constexpr double kNothing = 1e-14;  // length below which a step carries no information
 
 }  // namespace
 

@@ -19,7 +19,7 @@ namespace latsch {
 
 struct SmoothValues {
   double f = 0.0;
-  Eigen::VectorXd r;  // empty: not known
+  Eigen::VectorXd r;  // residuals; empty: not known
   Eigen::VectorXd c, h;
 
   double violation() const;

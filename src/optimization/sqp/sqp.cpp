@@ -42,7 +42,7 @@ enum class Phase { start, differences, search, ended };
 struct WantedPoint {
   VectorXd u;
   DesignPoint point;
-  int column = 0;  // index of the difference
+  int column = 0;  // index of the direction of a difference
   // Index in kAttempts or, for a start, number of calls of start_toward_middle.
   int attempt = 0;
 };
@@ -70,7 +70,7 @@ struct Sqp::State {
   FeasibleRegion region;
   SqpOptions options;
   Phase phase = Phase::start;
-  PendingPoints<WantedPoint> wanted;  // in the order proposed; empty: converged
+  PendingPoints<WantedPoint> wanted;  // in the order proposed; empty once the search has converged
 
   Iterate x;                       // the present point
   std::optional<Iterate> foreign;  // best point from other sources
@@ -78,16 +78,16 @@ struct Sqp::State {
   // directions and the differences at x.
   MatrixXd J;
   MatrixXd D, S;
-  SmoothSlopes slopes, before;  // at x, and at the point before
+  SmoothSlopes slopes, before;  // slopes at x and at the previous point
   MatrixXd B;
   bool b_is_new = true;     // B was built from the step length alone
   bool has_slopes = false;  // slopes at the previous point are known
   SqpStep step;
   L1Merit merit;
   double longest;
-  double share = 1.0;            // a of the line search
-  std::optional<VectorXd> bent;  // second-order correction being tried
-  bool is_corrected = false;     // a correction was tried along this d
+  double share = 1.0;            // share a of the step in the line search
+  std::optional<VectorXd> bent;  // end of the second-order correction being tried
+  bool is_corrected = false;     // true if a correction of this step d was tried
   VectorXd last_move;
 
   State(const DesignSpace& s, const SqpOptions& o)
@@ -110,8 +110,9 @@ struct Sqp::State {
     if (!wanted.empty() || phase == Phase::ended) return;
     take_slopes();    // f, c and their slopes at x
     update_b();       // B
-    solve_program();  // d and multipliers; mu above these
-    begin_search();   // a = 1, shorter in takes_step() until phi falls enough; x <- x + a d
+    solve_program();  // step d and multipliers; raises mu above the multipliers
+    // Begins with a = 1; takes_step() shortens a until phi falls enough; x <- x + a d.
+    begin_search();
   }
 
   // Initial point ---------------------------------------------------------------------------
@@ -155,7 +156,7 @@ struct Sqp::State {
     const bool is_comparable = foreign && same_shape(foreign->values, x.values);
     if (is_comparable && is_better(foreign->score, x.score)) {
       x = *std::exchange(foreign, std::nullopt);
-      has_slopes = false;  // slopes of the Lagrangian along the last step are lost
+      has_slopes = false;  // slopes of the Lagrangian along the last step are not known
     }
     J = known_jacobian(x);
     if (J.size() > 0) return;

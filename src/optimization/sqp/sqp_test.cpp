@@ -50,7 +50,8 @@ TEST(DampedBfgs, FulfillsTheSecantEquationAndStaysPositiveDefinite) {
   for (const Eigen::Vector2d& y : {downhill, Eigen::Vector2d(0, 0), Eigen::Vector2d(1e-9, 0)}) {
     const Eigen::MatrixXd next = damped_bfgs(B, s, y, false);
     EXPECT_GT(next.determinant(), 0.0);
-    EXPECT_NEAR(s.dot(next * s), 0.2 * s.dot(B * s), 1e-12);  // the least curvature that B keeps
+    // 0.2 is the smallest share of the curvature that B keeps.
+    EXPECT_NEAR(s.dot(next * s), 0.2 * s.dot(B * s), 1e-12);
   }
 }
 
@@ -127,7 +128,7 @@ TEST(Sqp, FindsItsWayWherePointsFail) {
     const auto f = problem.f;
     problem.f = [f, seed](const std::vector<double>& x) {
       const double dice = std::sin(1e4 * (x[0] + 2 * x[1] + 3 * x[2]) + seed);
-      return dice > 0.9 ? NAN : f(x);  // a seventh of all points
+      return dice > 0.9 ? NAN : f(x);  // a seventh of all points fail
     };
     solved += minimize(problem, kExact).score.value < problem.least + 1e-2;
   }

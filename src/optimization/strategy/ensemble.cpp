@@ -27,7 +27,7 @@ Ensemble::Ensemble(std::vector<EnsembleMember> members, End end)
 
 int Ensemble::next(const std::vector<long>& turns, const std::vector<bool>& has_wishes) const {
   int next = kNobody;
-  const auto is_before = [&](int a, int b) {  // compares (turns + 1) / priority in whole numbers
+  const auto is_before = [&](int a, int b) {  // compares (turns + 1) / priority without division
     return (turns[a] + 1) * members_[b].priority < (turns[b] + 1) * members_[a].priority;
   };
   for (int m = 0; m < std::ssize(members_); ++m) {

@@ -31,7 +31,7 @@ namespace latsch {
 /// A member of an ensemble: an optimizer and its share of the steps.
 struct EnsembleMember {
   std::unique_ptr<Optimizer> optimizer;  // the search
-  int priority = 1;                      // its share of the steps
+  int priority = 1;                      // weight of the member when steps are shared
 };
 
 class Ensemble : public Optimizer {
@@ -56,7 +56,7 @@ class Ensemble : public Optimizer {
   std::vector<EnsembleMember> members_;
   End end_;
   std::vector<long> turns_;
-  std::unordered_map<std::string, Result<Score>> known_;  // keys are the bits of points
+  std::unordered_map<std::string, Result<Score>> known_;  // outcomes by the bits of their points
 };
 
 }  // namespace latsch

@@ -36,7 +36,7 @@ class HeldVariables : public Optimizer {
   std::string ending() const override { return optimizer_->ending(); }
 
  private:
-  DesignPoint start_;  // point of the whole space
+  DesignPoint start_;  // start in the whole space
   std::vector<int> free_;
   std::unique_ptr<Optimizer> optimizer_;
 };

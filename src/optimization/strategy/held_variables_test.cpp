@@ -80,7 +80,8 @@ TEST(HeldVariables, KeepToLinearConstraints) {
 TEST(HeldVariables, PointsWithOthersAreNotTheirs) {
   HeldVariables search(three(), {0, 2}, by_slopes);
   const auto before = search.propose(1);
-  search.observe({{1.0, 2.0, 6.0}}, product({{1.0, 2.0, 6.0}}));  // perfect, but y has moved
+  // A perfect point whose y differs from the held value.
+  search.observe({{1.0, 2.0, 6.0}}, product({{1.0, 2.0, 6.0}}));
   EXPECT_EQ(search.propose(1).front().bits(), before.front().bits());
   EXPECT_NEAR(searched(search).values[2], 1.5, 1e-4);
 }

@@ -40,9 +40,9 @@ class HopelessStart : public Optimizer {
   DesignSpace space_;
   std::unique_ptr<Optimizer> optimizer_;
   bool is_watching_ = true;
-  int alike_ = 0;  // number of points that failed for first_
+  int alike_ = 0;  // number of points that failed with the first reason
   std::string first_;
-  std::vector<DesignPoint> spread_;  // still to be tried
+  std::vector<DesignPoint> spread_;  // points spread over the space that are still to be tried
   std::optional<std::string> reason_;
 };
 

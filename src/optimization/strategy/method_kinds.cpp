@@ -237,7 +237,7 @@ MethodKind ensemble_kind() {
   return {Method::ensemble,
           "ensemble",
           "ensemble",
-          true,  // members are checked one by one
+          true,  // supports nonlinear constraints if each member does, which is checked elsewhere
           {{"member", ""}, {"ends_with", "\"all\""}},
           nullptr,
           make_ensemble};

@@ -20,9 +20,9 @@ namespace latsch {
 struct MethodKey {
   std::string name;
   std::string example;         // TOML value
-  std::string sentence = "";   // Markdown: what the key means
-  std::string otherwise = "";  // default in words, if it is not simply a value
-  std::string range = "";      // range in words, if it depends on something
+  std::string sentence = "";   // meaning of the key, in Markdown
+  std::string otherwise = "";  // default in words, if it is not a plain value
+  std::string range = "";      // range in words, if it depends on other values
 };
 
 struct MethodKind {

@@ -49,15 +49,18 @@ const std::vector<std::string>& method_names();
 
 /// The properties of a problem on which the choice of a method depends.
 struct ProblemTraits {
-  int variables = 1;                       // their number
-  bool has_residuals = false;              // the target is a sum over residuals
-  bool has_jacobian = false;               // every outcome brings the derivatives of its residuals
-  double failed_share = 0.0;               // share of the points evaluated so far
-  int basins = 1;                          // found by a design of experiments
-  bool has_linear_constraints = false;     // on the variables
-  bool has_nonlinear_constraints = false;  // reported by the evaluation
+  int variables = 1;           // their number
+  bool has_residuals = false;  // the target is a sum over residuals
+  // Every outcome contains the derivatives of its residuals.
+  bool has_jacobian = false;
+  double failed_share = 0.0;  // share of failed points among those evaluated so far
+  // Number of local minima found by a design of experiments.
+  int basins = 1;
+  bool has_linear_constraints = false;     // true if there are linear constraints on the variables
+  bool has_nonlinear_constraints = false;  // true if evaluations report nonlinear constraints
   long values = 0;                         // number of measured values in a fit; 0: not known
-  double noise_alone = 0.0;                // sum of squares caused by noise, if noise is stated
+  // Expected sum of squares due to noise, if noise is stated.
+  double noise_alone = 0.0;
 };
 
 /// The chosen method, and the reason for the choice.
@@ -81,15 +84,15 @@ struct OptimizerSettings {
   GeneticOptions genetic = {};                            // options of genetic algorithm
   SqpOptions sqp = {};                                    // options of SQP
   GssNlcOptions gss_nlc = {};           // options of generating-set search with constraints
-  std::vector<MemberSettings> members;  // for an ensemble
-  Ensemble::End ensemble_end = Ensemble::End::all;  // end of an ensemble
+  std::vector<MemberSettings> members;  // members of an ensemble
+  Ensemble::End ensemble_end = Ensemble::End::all;  // condition for the end of an ensemble
 };
 
 /// One member of an ensemble.
 struct MemberSettings {
-  std::string name;            // name of its method
-  int priority = 1;            // its share of the steps
-  OptimizerSettings settings;  // for any method but ensemble
+  std::string name;            // name of the member's method
+  int priority = 1;            // weight of the member when steps are shared
+  OptimizerSettings settings;  // options of the member's method, which is no ensemble
 };
 
 /// Returns the method that the settings name; if they say "auto", the one that suits the traits.

@@ -10,7 +10,7 @@ namespace {
 constexpr double kReach = 2.0;
 // Factor by which the longest step is shortened after a disappointing step.
 constexpr double kShorter = 0.3;
-constexpr int kMostMisses = 3;  // steps in a row without success that end a round
+constexpr int kMostMisses = 3;  // number of steps in a row without success that end a round
 // Factor by which moves are lengthened if the residuals are at noise level.
 constexpr double kFarther = 3.0;
 /// Smallest predicted gain of a step that shows whether slopes are wrong, as a share of the
@@ -21,7 +21,7 @@ constexpr double kTelling = 0.5;
 // Another round follows only if the value falls below this share of that at the beginning of the
 // round.
 constexpr double kWorthARound = 1.0 - 1e-5;
-constexpr int kMostRounds = 8;  // more rounds cost evaluations
+constexpr int kMostRounds = 8;  // largest number of rounds
 /// Largest change of the residuals over a move, as a multiple of their norm, from which slopes are
 /// computed. A move that changes them by more is too long.
 constexpr double kTooBlunt = 100.0;

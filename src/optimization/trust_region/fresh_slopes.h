@@ -23,7 +23,7 @@ namespace latsch {
 class FreshSlopes {
  public:
   struct Options {
-    double shortest;     // shortest move for slopes, relative to a width
+    double shortest;     // shortest move for slopes, as a share of a width
     double noise_alone;  // see ResidualTrustRegionOptions
     double f_least;      // once the target is below this value, no further round follows
   };
@@ -62,16 +62,17 @@ class FreshSlopes {
 
   Options options_;
   NaturalFrame frame_;
-  int axis_ = 0;  // next axis to probe
+  int axis_ = 0;  // index of the next axis to probe
   int rounds_ = 0;
-  double change_ = 1.0;      // relative change of the residuals along an axis
-  double reach_ = 0.0;       // longest step, in axis coordinates
-  int steps_ = 0;            // number in this round
+  // Intended change of the residuals along an axis, relative to their norm.
+  double change_ = 1.0;
+  double reach_ = 0.0;       // longest step, in coordinates of the axes
+  int steps_ = 0;            // number of steps in this round
   int sharpened_ = 0;        // number of axes shortened in this round
-  bool is_sharp_ = false;    // an axis was shortened, in any round
-  bool is_blind_ = false;    // an axis of this round has no slope
+  bool is_sharp_ = false;    // true if an axis was shortened, in any round
+  bool is_blind_ = false;    // true if no slope along some axis of this round is known
   int misses_ = 0;           // number of successive steps that failed or disappointed
-  bool has_failed_ = false;  // the last step failed
+  bool has_failed_ = false;  // true if the last step failed
   // A step of this round gained less than predicted, by more than noise explains.
   bool has_disappointed_ = false;
   double deviation_ = 0.0;

@@ -43,11 +43,12 @@ class LostVariableTrials {
   void choose();
 
   TrustRegionRun run_;
-  std::optional<LostVariables> lost_;   // present while lost variables are looked for
-  Eigen::VectorXd r_settled_;           // residuals where the run settled
-  PendingPoints<Wanted> look_;          // the next point of `lost_`; at most one
-  std::vector<TrustRegionRun> trials_;  // start where lost variables have an effect
-  int allotted_ = 0;                    // evaluations left to the last trial
+  std::optional<LostVariables> lost_;  // set while lost variables are looked for
+  Eigen::VectorXd r_settled_;          // residuals at the point where the run settled
+  PendingPoints<Wanted> look_;         // the next point of `lost_`; at most one
+  // Runs that start at points where lost variables have an effect.
+  std::vector<TrustRegionRun> trials_;
+  int allotted_ = 0;  // number of evaluations left to the last trial
 };
 
 }  // namespace latsch

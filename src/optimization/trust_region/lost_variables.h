@@ -71,11 +71,12 @@ class LostVariables {
   DesignSpace space_;
   FeasibleRegion region_;
   Eigen::VectorXd u_, test_;
-  std::vector<int> order_;          // indices of the variables, least slope first
-  int at_least_ = 0, at_most_ = 0;  // bounds on how many of them are lost together
-  int tested_alone_ = 0;            // index in the order; its length when no test is left
+  std::vector<int> order_;          // indices of the variables, those with the least slope first
+  int at_least_ = 0, at_most_ = 0;  // bounds on the number of lost variables
+  // Index in order_ of the variable tested alone; its length if no test is left.
+  int tested_alone_ = 0;
   std::vector<int> lost_;
-  std::vector<Place> places_;  // the next point is the last one
+  std::vector<Place> places_;  // points to be tried, the next one last
 };
 
 }  // namespace latsch

@@ -173,12 +173,12 @@ TEST(LostVariables, AreLookedForWhereTheSearchEndedOnBounds) {
     best = std::min(best, score.value);
     method.observe(point, score);
   }
-  EXPECT_LT(best, 1e-3);  // 3e2 without the stop
+  EXPECT_LT(best, 1e-3);  // without the stop the sum of squares is 3e2
 }
 
 TEST(LostVariables, PeaksOutsideTheDataAreBroughtBack) {
   const Found without = fit_peaks(0, 1, 1000);
-  EXPECT_GT(without.f, 1.0);  // a line through the peaks
+  EXPECT_GT(without.f, 1.0);  // the best fit without the peaks is a straight line
   EXPECT_LT(without.evaluations, 200);
   EXPECT_LT(fit_peaks(100, 1, 1000).f, 1e-3);
   EXPECT_LT(fit_peaks(100, 6, 2000).f, 1e-3);

@@ -20,14 +20,14 @@ namespace latsch {
 
 struct NaturalFrame {
   Eigen::MatrixXd T;        // n x axes
-  Eigen::MatrixXd inverse;  // axes x n: gives y for a move along the equations
+  Eigen::MatrixXd inverse;  // axes x n matrix that gives y for a move along the equations
 
   int axes() const { return static_cast<int>(T.cols()); }
 };
 
 struct FrameLengths {
-  double shortest;  // share of a width
-  double longest;   // share of a range, in every variable
+  double shortest;  // shortest length of an axis, as a share of a width
+  double longest;   // longest length of an axis, as a share of the range of every variable
 };
 
 /// Returns the frame at u. `J` is dr/du; if it is not finite, no direction counts as having an

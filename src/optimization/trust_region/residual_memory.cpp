@@ -17,7 +17,7 @@ constexpr double kExploded = 1e6;
 // Limits of the distance of samples that are used in a natural frame. In this frame the residuals
 // change by their own size over a distance of 1.
 constexpr double kNearInFrame = 0.1;  // the difference to a nearer sample is only noise
-constexpr double kFarInFrame = 5.0;   // farther samples are not used
+constexpr double kFarInFrame = 5.0;   // samples farther away are not used
 
 }  // namespace
 

@@ -18,9 +18,9 @@
 namespace latsch {
 
 struct ResidualSample {
-  Eigen::VectorXd u;  // in the unit cube
+  Eigen::VectorXd u;  // point in the unit cube
   Eigen::VectorXd r;
-  Eigen::MatrixXd J;  // dr/du; empty: not known
+  Eigen::MatrixXd J;  // Jacobian dr/du; empty: not known
   double f;           // |r|^2
   int stand_ins = 0;  // number of stand-ins among the residuals (score.h)
 };

@@ -73,8 +73,9 @@ namespace latsch {
 
 /// Options of the search. Lengths are in the unit cube: 1 is the whole range of a variable.
 struct ResidualTrustRegionOptions {
-  double initial_radius = 0.1;   // half width of the first box
-  double step_tolerance = 1e-3;  // the search ends when the box is smaller and predicts no gain
+  double initial_radius = 0.1;  // half width of the first box
+  // The search ends if the box is smaller and no step predicts a gain.
+  double step_tolerance = 1e-3;
   /// Number of restarts after the search ended. There is no restart if the remaining sum of squares
   /// is less than `explained` times its first value and also less than `explained` times its mean
   /// increase over a move by the initial radius in a random direction, computed from the slopes at
@@ -92,7 +93,7 @@ struct ResidualTrustRegionOptions {
   /// needs the fewest evaluations; a value a quarter above the number of workers needs the least
   /// time.
   int outstanding = 1;
-  std::uint64_t seed = 1;  // seed of restarts and points around predicted ones
+  std::uint64_t seed = 1;  // seed of the random choices of restarts and additional points
 };
 
 class LostVariableTrials;

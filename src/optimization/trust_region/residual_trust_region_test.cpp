@@ -100,15 +100,15 @@ TEST(ResidualTrustRegion, IdentifiesFiveStiffnessesWithinAPercentInSixtyEvaluati
 
 TEST(ResidualTrustRegion, FollowsRosenbrocksValley) {
   const Found found = minimize(box({-1.2, 1.0}, -2.0, 2.0, Scale::linear), rosenbrock);
-  EXPECT_LT(found.f, 1e-6);          // the start has 24.2
-  EXPECT_LT(found.evaluations, 30);  // quadratic residuals are known from six points
+  EXPECT_LT(found.f, 1e-6);          // the value at the start is 24.2
+  EXPECT_LT(found.evaluations, 30);  // six points determine quadratic residuals
 }
 
 TEST(ResidualTrustRegion, FindsAMinimumAtABound) {
   const Found found = minimize(box({0.3, 0.6}, 0.0, 1.0, Scale::linear), [](const auto& x) {
     return std::vector{x[0] - 2.0, x[1] - 0.3, 0.5 * x[0] * x[1]};
   });
-  EXPECT_EQ(found.x[0], 1.0);                 // exactly the bound
+  EXPECT_EQ(found.x[0], 1.0);                 // the solution is on the bound with exactly its bits
   EXPECT_NEAR(found.x[1], 0.3 / 1.25, 1e-3);  // (y - 0.3)^2 + y^2 / 4
 }
 
@@ -176,7 +176,7 @@ TEST(ResidualTrustRegion, VerifiesBeforeItEndsOnRoughGround) {
   // 1e-3: differences over short moves contain only the ripple.
   const DesignSpace space = box({0.2, 0.8}, 0.0, 1.0, Scale::linear);
   ResidualTrustRegion method(space);
-  double best = INFINITY;  // without the ripple
+  double best = INFINITY;  // best value of the residuals without ripple
   const Found found = minimize(method, space, [&](const std::vector<double>& x) {
     std::vector<double> r;
     double exact = 0.0;
@@ -189,7 +189,7 @@ TEST(ResidualTrustRegion, VerifiesBeforeItEndsOnRoughGround) {
     best = std::min(best, exact);
     return r;
   });
-  EXPECT_LT(best, 20 * 1e-6);            // below the ripple itself
+  EXPECT_LT(best, 20 * 1e-6);            // the error is below the ripple
   EXPECT_LT(found.evaluations, 50 * 3);  // 50 (n + 1)
 }
 
@@ -201,7 +201,7 @@ TEST(ResidualTrustRegion, GoesFartherBeforeItEndsInTheNoise) {
   const auto curve = [](const std::vector<double>& x, double t) {
     return x[0] * t + std::pow(10.0, 3.0 * x[1] - 2.0) * std::pow(t, 1.0 + 4.0 * x[2]);
   };
-  double best = INFINITY;  // without the ripple
+  double best = INFINITY;  // best value of the residuals without ripple
   std::set<std::string> asked;
   const Found found = minimize(space, [&](const std::vector<double>& x) {
     std::vector<double> r;
@@ -219,7 +219,7 @@ TEST(ResidualTrustRegion, GoesFartherBeforeItEndsInTheNoise) {
   });
   // A fifth of the ripple's value; it is 7.6 at the start.
   EXPECT_LT(best, 0.2 * 20 * 0.5 * 9e-6);
-  EXPECT_GE(std::ssize(asked), found.evaluations);  // no point twice
+  EXPECT_GE(std::ssize(asked), found.evaluations);  // no point was evaluated twice
 }
 
 /// Sixty residuals of six stiffnesses, which are all 1 in the data. The data have errors of 0.02,
@@ -393,7 +393,7 @@ TEST(ResidualTrustRegion, ComesCloseUnderNoise) {
     for (double& x : r) x += 0.002 * random.normal();
     method.observe(point, score(r));
   }
-  EXPECT_LT(best, 14 * 0.002 * 0.002);  // below the noise itself
+  EXPECT_LT(best, 14 * 0.002 * 0.002);  // the error is below the noise
 }
 
 // A hundred values have noise of 1, and a ripple adds local minima to the target. Restarts continue
@@ -420,7 +420,7 @@ TEST(ResidualTrustRegion, RestartsUntilNothingIsLeftButTheNoiseThatIsStated) {
     EXPECT_LT(stops.evaluations, 0.7 * goes_on.evaluations) << draw;
     stuck += minimize(space, residuals, {.restarts = 0}).f > noise_alone;
   }
-  EXPECT_GT(stuck, 0);  // a minimum of the ripple
+  EXPECT_GT(stuck, 0);  // some searches ended in a local minimum of the ripple
 }
 
 // The walls of a narrow curved valley rise 150 to 600 times as steeply as its floor. A thousandth
@@ -450,7 +450,8 @@ TEST(ResidualTrustRegion, DoesNotTakeAFarStartForAGoodEndWhereNoiseIsStated) {
           return r;
         };
         const Found found = minimize(space, residuals, {.noise_alone = noise_alone});
-        ASSERT_LE(score(residuals({0.45, 0.55})).value, noise_alone) << draw;  // at the truth
+        // The value at the true parameters.
+        ASSERT_LE(score(residuals({0.45, 0.55})).value, noise_alone) << draw;
         EXPECT_LE(found.f, noise_alone) << floor << " " << bend << " " << draw;
       }
     }

@@ -32,7 +32,7 @@ constexpr int kMostCuts = 20;  // largest number of cutting planes for one step
 // Longest probe as a share of a range when slopes are recomputed along directions with little
 // effect.
 constexpr double kLongestProbe = 0.2;
-constexpr int kProbeShortenings = 3;  // halvings of a probe without room
+constexpr int kProbeShortenings = 3;  // number of times a probe without room is halved
 // Distance to a known point, as a share of the step, below which a new point gives no information.
 constexpr double kSame = 0.1;
 
@@ -278,7 +278,8 @@ Eigen::VectorXd TrustBox::changes_along(const NaturalFrame& frame) const {
 }
 
 bool TrustBox::has_moved_along(int axis, const NaturalFrame& frame) const {
-  constexpr double kTells = 0.05;  // smallest share of the axis that gives information
+  // Smallest coordinate along an axis with which a sample gives information about it.
+  constexpr double kTells = 0.05;
   const ResidualSamples around = memory.around(center_, frame);
   return around.Z.rows() > 0 && around.Z.col(axis).cwiseAbs().maxCoeff() > kTells;
 }

@@ -32,10 +32,10 @@ struct Wanted {
   Eigen::VectorXd u;
   DesignPoint point;
   Kind kind;
-  int center = -1;         // sample from which the point was chosen
-  double f_center = 0.0;   // value of that sample
-  double length = 0.0;     // |u - center|, largest component in widths of the variables
-  double predicted = 0.0;  // expected value, for steps
+  int center = -1;         // index of the sample from which the point was chosen
+  double f_center = 0.0;   // value of the sample `center`
+  double length = 0.0;     // largest component of u - center, in units of the widths
+  double predicted = 0.0;  // expected value; only for steps
 };
 
 class TrustBox {
@@ -146,11 +146,13 @@ class TrustBox {
   int center_ = -1;
   int best_ = -1;
   VariableScale scale_;
-  mutable std::vector<Edge> edges_;                // around the center, in widths
-  mutable std::array<int, 3> edges_of_{-1, 0, 0};  // center, samples and failures of edges_
-  int scaled_for_ = -1;  // the center whose Jacobian was last used for the scale
+  // Edges of failed regions around the center, in units of the widths.
+  mutable std::vector<Edge> edges_;
+  // Center and numbers of samples and failures that edges_ was computed for.
+  mutable std::array<int, 3> edges_of_{-1, 0, 0};
+  int scaled_for_ = -1;  // index of the center whose Jacobian was last used for the scale
   std::uint64_t seed_;
-  std::uint64_t drawn_ = 0;  // number of random points so far
+  std::uint64_t drawn_ = 0;  // number of random points drawn so far
 };
 
 }  // namespace latsch

@@ -53,8 +53,8 @@ class TrustRadius {
   bool is_geometry_doubted_ = false;
   int disappointments_ = 0;        // number of disappointing steps in a row
   int failures_ = 0;               // number of failures in a row
-  int widened_since_outcome_ = 0;  // number of doublings of the radius
-  int widenings_ = 0;              // number of widenings for a search at noise level
+  int widened_since_outcome_ = 0;  // number of times the radius was doubled since the last outcome
+  int widenings_ = 0;              // number of times the box was widened at noise level
 };
 
 }  // namespace latsch

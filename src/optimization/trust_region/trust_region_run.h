@@ -53,8 +53,8 @@ class TrustRegionRun {
  private:
   enum class State {
     searching,
-    settled,  // waits for go_on()
-    over      // the last restart failed
+    settled,  // waits for a call of go_on()
+    over      // the last restart has failed
   };
   struct OpenDirection {
     double share = 0.0;  // remaining share of the variance of its slope
@@ -91,12 +91,13 @@ class TrustRegionRun {
   TrustBox box_;
   TrustRadius radius_;
   TrustRestarts restarts_;
-  std::optional<FreshSlopes> verification_;  // present at the end of a search
+  std::optional<FreshSlopes> verification_;  // set at the end of a search
   State state_ = State::searching;
   Ending ending_ = Ending::known;
   // The value at the start or, if the start failed, at the first success.
   double f_first_ = std::numeric_limits<double>::infinity();
-  double f_verified_ = std::numeric_limits<double>::infinity();  // lower values are verified
+  // Values below this one are verified.
+  double f_verified_ = std::numeric_limits<double>::infinity();
   // Number of random points proposed at the end of a run since its last improvement.
   int explored_ = 0;
   PendingPoints<Wanted> wanted_;

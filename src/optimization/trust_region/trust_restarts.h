@@ -50,10 +50,11 @@ class TrustRestarts {
   // Increase of f over a move by the initial radius from the best point, computed when it was last
   // the center.
   double rise_ = 0.0;
-  double f_settled_ = std::numeric_limits<double>::infinity();  // best value when the run settled
+  // Best value when the run last settled.
+  double f_settled_ = std::numeric_limits<double>::infinity();
   // Best value when variables on bounds were last released.
   double f_released_ = std::numeric_limits<double>::infinity();
-  Eigen::MatrixXd flat_;  // directions without effect at the best point of all
+  Eigen::MatrixXd flat_;  // columns: directions without effect at the best point
   // Number of points along these directions that are left in this restart.
   int scouts_ = 0;
   // The start being evaluated is one of these points.

@@ -24,8 +24,9 @@ namespace {
 enum Tag { kPoint = 1, kOutcome, kAlive, kWithdraw, kEnd, kEnded, kLeave, kBegun };
 // Sent with kLeave if another rank is lost, so that the receiver does not wait for that rank.
 constexpr const char* kAlone = "alone";
-constexpr auto kPause = std::chrono::microseconds(500);  // between two checks for a message
-constexpr double kLocalPatience = 0.01;                  // s, wait of a rank for its own worker
+constexpr auto kPause = std::chrono::microseconds(500);  // pause between two checks for a message
+// Time that a rank waits for its own worker, s.
+constexpr double kLocalPatience = 0.01;
 
 std::chrono::duration<double> seconds(double s) { return std::chrono::duration<double>(s); }
 
@@ -36,7 +37,7 @@ struct MpiJob::Outbox {
     std::string bytes;
     MPI_Request request;
   };
-  std::list<Letter> letters;  // messages whose bytes MPI may still need
+  std::list<Letter> letters;  // sent messages whose bytes MPI may still need
 };
 
 MpiJob::MpiJob(const MpiPatience& patience)
@@ -64,7 +65,7 @@ class LongestWait {
   LongestWait& operator=(const LongestWait&) = delete;
 
  private:
-  unsigned before_;  // s, remaining time of an alarm set before
+  unsigned before_;  // remaining time of an alarm set earlier, s
 };
 
 }  // namespace
@@ -220,7 +221,7 @@ MpiExecutor::MpiExecutor(MpiJob& job) : job_(job), ranks_(job.size() - 1) {
 // rank first reports that it has ended its work.
 MpiExecutor::~MpiExecutor() {
   tell_all(kEnd, {});
-  for (Rank& rank : ranks_) rank.heard = now();  // rank 0 may not have listened for long
+  for (Rank& rank : ranks_) rank.heard = now();  // rank 0 may not have listened for a long time
   const auto awaited = [](const Rank& rank) { return !rank.lost && !rank.ended; };
   while (std::any_of(ranks_.begin(), ranks_.end(), awaited)) {
     while (const auto message = job_.poll()) {

@@ -69,7 +69,7 @@ class MpiJob {
   void lose(int rank);
 
  private:
-  void beat();  // runs until the end, in a thread of rank 0
+  void beat();  // sends signs of life until the end, in a thread of rank 0
   void say(int rank, int tag, std::string bytes);
 
   MpiPatience patience_;
@@ -108,10 +108,10 @@ class MpiExecutor : public Executor {
   struct Rank {
     std::optional<DesignPoint> point;
     std::uint64_t trial = 0;
-    bool begun = false;  // true once its worker has begun the point
-    double heard = 0.0;  // time of its last message, s
+    bool begun = false;  // true once the rank's worker has begun the point
+    double heard = 0.0;  // time of the rank's last message, s
     bool lost = false;
-    bool ended = false;  // runs no more trials, waits to leave the job
+    bool ended = false;  // true once the rank runs no more trials and waits to leave the job
   };
   void tell_all(int tag, const std::string& bytes);
   void lose(std::size_t worker);
@@ -120,7 +120,7 @@ class MpiExecutor : public Executor {
   void forget(std::size_t worker);
 
   MpiJob& job_;
-  std::vector<Rank> ranks_;  // starts with rank 1
+  std::vector<Rank> ranks_;  // all ranks from rank 1 on
   std::uint64_t trials_ = 0;
   double listened_ = 0.0;  // time until which rank 0 has listened, s
 };
