@@ -20,8 +20,8 @@
 
 namespace latsch {
 
-/// Interval of allowed values, SI. The upper end is included, the lower end unless
-/// `lower_excluded`.
+/// Interval of allowed values, SI. The upper end is included, and so is the lower end unless
+/// `lower_excluded` is true.
 struct Range {
   double lower = -std::numeric_limits<double>::infinity();  // SI
   double upper = std::numeric_limits<double>::infinity();   // SI

@@ -11,7 +11,7 @@
 namespace latsch {
 namespace {
 
-/// Returns the value as it would be written behind "key =".
+/// Returns the value as TOML text that may follow "key =".
 std::string inline_text(const DocumentTree& tree, int index, bool inside_unit = false) {
   const DocumentValue& value = tree.value(index);
   switch (value.kind) {
@@ -42,7 +42,7 @@ std::string inline_text(const DocumentTree& tree, int index, bool inside_unit = 
   return text + "}";
 }
 
-/// Writes every value below a table on a line of its own, under dotted keys.
+/// Writes every value below a table on a separate line, under dotted keys.
 void append_lines(const DocumentTree& tree,
                   int table,
                   const std::string& before,

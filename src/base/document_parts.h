@@ -27,7 +27,8 @@ Document with_lines(const Document& whole,
 /// file name.
 bool has_part(const Document& whole, std::string_view key);
 
-/// Returns the table at a top-level key as a document of its own, under the file name of the whole.
+/// Returns the table at a top-level key as a separate document, under the file name of the whole
+/// document.
 Document part_of(const Document& whole, std::string_view key);
 
 }  // namespace latsch

@@ -86,7 +86,8 @@ class DocumentRecord {
   /// Returns every file that was named, and the files that those refer to.
   std::vector<std::filesystem::path> files() const;
 
-  // The following functions are for readers. Each does nothing without a record.
+  // The following functions are called by readers of tables. They do nothing if nothing is
+  // recorded.
 
   /// Records the value into which a whole table, such as {from = "measurement.rig"}, was resolved.
   static void stands_for(const Node& table, std::string value);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parsed file behind a Document: every value with its path, its file and line, the characters
-// it was written with and the number it stands for. The tree never changes: numbers set later are
-// kept beside it and replace only their own characters when a text is written, so that comments
-// stay, copies share the file and its text is parsed only once.
+// The parsed file behind a Document: every value with its path, its file and line, its characters
+// in the file and the number it stands for. The tree never changes. Numbers set later are stored
+// beside it and replace only their own characters when a text is written. So comments stay, copies
+// of a document share the file, and its text is parsed only once.
 #pragma once
 
 #include <map>

@@ -84,7 +84,7 @@ ReadFiles& read_files() {
   throw InputError({file.string(), 0}, fmt::format("{}: {}", what, std::strerror(error)));
 }
 
-/// While an object of this class lives, a pipe whose reader has gone makes write(2) return an error
+/// While an object of this class lives, a write(2) into a pipe without a reader returns an error
 /// instead of ending the program.
 class NoPipeSignal {
  public:
@@ -258,7 +258,8 @@ void replace(const std::filesystem::path& file,
     throw;
   }
   if (before) {
-    // Only root can give a file away; for other users the new file is their own.
+    // Only root can set another owner of a file; for other users the new file belongs to
+    // themselves.
     if (::fchown(open.number(), before->st_uid, before->st_gid) != 0) errno = 0;
     if (::fchmod(open.number(), before->st_mode & 07777) != 0) give_up(errno);
   }

@@ -85,8 +85,8 @@ TEST_F(File, AWriteThatEndsEarlyLeavesTheOldFile) {
   EXPECT_EQ(entries(), 1);
 }
 
-/// Makes a device in the test's own folder. Only root can make a device, and some systems forbid
-/// its use there.
+/// Makes a device file in the folder of the test. Only root can do this, and some systems forbid
+/// the use of such a device.
 bool make_device(const std::filesystem::path& file, mode_t kind, unsigned major, unsigned minor) {
   return ::mknod(file.c_str(), kind | 0666, makedev(major, minor)) == 0 &&
          (kind == S_IFBLK || std::ifstream(file).good());
@@ -153,7 +153,7 @@ TEST_F(File, APipeIsWrittenToAndStays) {
   EXPECT_TRUE(S_ISFIFO(status_of(pipe).st_mode));
 }
 
-// Nobody writes into these pipes: a reader that opened one would wait for ever.
+// No process writes into these pipes, so a reader that opened one would wait forever.
 TEST_F(File, APipeIsRefusedAsAFileToRead) {
   const auto pipe = folder_ / "pipe", link = folder_ / "link";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -296,7 +296,7 @@ TEST(MappedFile, HoldsTheTextOfSmallAndLargeFiles) {
   EXPECT_THROW(MappedFile(folder / "file", 2), InputError);
 }
 
-// The file grows while it is read, as that of a rig that still records.
+// The file grows while it is read, as a file does while a rig records into it.
 TEST(MappedFile, AFileThatChangesWhileItIsReadIsRefused) {
   const ScratchFolder folder;
   write_text_file(folder / "file", std::string(32u << 20, 'x'));
@@ -320,7 +320,7 @@ TEST(MappedFile, AFileThatChangesWhileItIsReadIsRefused) {
   EXPECT_NE(found.find("file: changed while it was read"), std::string::npos) << found;
 }
 
-// The system ends a program that reads a mapped page behind the end of its file.
+// The system kills a program that reads a mapped page beyond the end of its file.
 TEST(MappedFile, AFileThatIsCutAfterItWasOpenedKeepsItsText) {
   const ScratchFolder folder;
   const std::string text(65u << 20, 'x');

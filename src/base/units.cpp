@@ -284,9 +284,10 @@ void Unit::append_exact_number(double value, std::string& text) const {
 
 namespace {
 
-/// Reads a number that consists only of digits and a point, as most numbers of a file are, faster
-/// than strtold: up to 19 digits and 10^19 are exact in 64 bits of mantissa, so that their quotient
-/// is the number rounded once, as from_chars gives it. Returns nothing for any other text.
+/// Reads a number that consists only of digits and a point, as most numbers of a file do, faster
+/// than strtold. Up to 19 digits and powers of ten up to 10^19 are exact in a mantissa of 64 bits,
+/// so that their quotient is the number rounded once, as from_chars rounds it. Returns nothing for
+/// any other text.
 std::optional<long double> plain_number(std::string_view text) {
   static_assert(std::numeric_limits<long double>::digits >= 64);
   constexpr std::size_t kMostDigits = 19;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts quantities with units, "2.6 bar", "22.3 N/mm^2", "22 deg", "1e-3 in", into SI and back.
-//   SI value = number * factor + offset        (offset: "degC" and its like)
+//   SI value = number * factor + offset        (the offset is not 0 for "degC" and "degF")
 // The units and their spelling are those of the UDUNITS-2 database of the system, with "deg",
-// "rev", "Nm" and "kph" added. Unlike in UDUNITS an angle is a dimension of its own: "22 deg" is no
-// plain number and "rpm" no frequency. Numbers are converted with 64 bits of mantissa and rounded
-// once: "310 mm" gives the bits of 0.31, and every SI value has a text that gives its bits back.
+// "rev", "Nm" and "kph" added. Unlike in UDUNITS, an angle has a dimension: "22 deg" is no plain
+// number and "rpm" no frequency. Numbers are converted with 64 bits of mantissa and rounded once:
+// "310 mm" gives the bits of 0.31, and every SI value has a text that reproduces its bits.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class Unit {
 
   /// Returns nothing if the text is no unit. Safe to call from any thread.
   static std::optional<Unit> find(std::string_view text);
-  /// Returns a unit that our own code names, so that it must exist.
+  /// Returns a unit that the program's code names, so that it must exist.
   static Unit of(std::string_view text);
 
   /// The unit as it was written.

@@ -91,7 +91,7 @@ struct WordMeaning {
   const Ambiguous* ambiguous = nullptr;
 };
 
-/// Returns the meaning of a word as the lists give it; nothing if they lack the word.
+/// Returns the meaning of a word from the lists; nothing if they do not contain the word.
 std::optional<std::string> listed_meaning(std::string_view word) {
   for (const auto& row : unit_list::kWords)
     if (row.written == word) return std::string(row.meaning);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Executors run trials: in this process, in its threads, in worker processes, on the ranks of an
-// MPI job, or in a simulated world with a clock of its own.
+// MPI job, or in a simulation with a virtual clock.
 //
 // An executor runs each requested trial once. The dispatcher, which is the same for all executors,
 // decides which points run, in which order, and which are repeated or started twice.

@@ -2,8 +2,8 @@
 // Worker processes: a trial that crashes, hangs or prints nonsense loses only that trial.
 //
 // Each worker is a program started from an argument list (never a shell line) by posix_spawn, in
-// its own process group, and calls serve() of worker.h. The worker answers on file descriptors of
-// its own; its printed output is kept for the reason of a failure. A worker that overruns the
+// its own process group, and calls serve() of worker.h. The worker answers on separate file
+// descriptors; its printed output is kept as a reason for failures. A worker that exceeds the
 // timeout is killed with its whole process group and replaced.
 #pragma once
 

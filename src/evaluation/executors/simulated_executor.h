@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Workers in a simulated world: trials take seeded random times on a virtual clock and fail by
-// seeded chance, so that asynchrony is tested instantly and repeated exactly.
+// Simulated workers: the duration of each trial is random on a virtual clock, and trials fail at
+// random, both by a seed, so that asynchrony is tested without waiting and repeated exactly.
 #pragma once
 
 #include <cstdint>

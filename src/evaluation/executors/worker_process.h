@@ -45,7 +45,7 @@ class WorkerProcess {
   void receive();
   FrameReader& frames() { return frames_; }
   bool ended() const;
-  /// Returns what the worker and its descendants have used.
+  /// Returns the use of the machine by the worker and its descendants.
   ProcessUse use() const { return use_of_tree(pid_); }
 
   /// Kills the rest of the process group. Returns a text that says how the worker ended, such as

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kills a real process with real workers and a real journal (kill -9) at random moments and
-// restarts it until it ends. Nothing acknowledged may be lost or repeated, and the result must have
-// the same bits as without a kill.
+// restarts it until it ends. No acknowledged trial may be lost or repeated, and the result must
+// have the same bits as without a kill.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -182,7 +182,7 @@ struct Journal::Impl {
     keep_trials_if_lost();
   }
 
-  /// Returns a name beside the journal that no file has.
+  /// Returns a name beside the journal that no file has yet.
   std::filesystem::path free_name() const {
     for (int number = 1;; ++number) {
       auto name = file;

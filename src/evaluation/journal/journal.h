@@ -47,8 +47,8 @@ class Journal : public TrialStore {
 
   /// Opens for reading, also while another process writes. append() is not allowed.
   static Journal read(const std::filesystem::path& file);
-  /// Throws InputError if it belongs to another study, as open() does, but ignores the files of an
-  /// outside program.
+  /// Opens the journal for reading. Throws InputError if it belongs to another study, as open()
+  /// does, but ignores differences in the files of an outside program.
   static Journal read(const std::filesystem::path& file, const StudyIdentity& identity);
 
   /// A journal can be moved, not copied. The journal that was moved from must not be used.

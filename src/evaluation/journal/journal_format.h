@@ -7,15 +7,15 @@
 // that a missing or exchanged row is detected. The chain starts at the hash of the study's
 // identity.
 //
-//   format 1   no `content`; `hash` is over the columns and the hash before
-//   format 2   as above; failures say their cause
-//   format 3   outcomes say the CPU time of outside programs
+//   format 1   no `content`; `hash` is over the columns and the `hash` of the row before
+//   format 2   hashes as above; failures state their cause
+//   format 3   outcomes state the CPU time of outside programs
 //   format 4   outcomes are packed (outcome_packing.h); there are marks
 //   format 5   channels have slopes
 //
-// A mark records an event between two trials: a search began that knew all earlier trials, failed
-// trials are to be repeated, or new limits hold. A resumed run therefore starts with the knowledge
-// it had at first.
+// A mark records an event between two trials: a search that knew all earlier trials began, failed
+// trials are to be repeated, or new limits hold. A resumed run therefore starts with the same
+// knowledge as the interrupted one.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

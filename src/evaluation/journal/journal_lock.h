@@ -28,9 +28,9 @@ class JournalLock {
   JournalLock(const JournalLock&) = delete;
   JournalLock& operator=(const JournalLock&) = delete;
 
-  /// Returns true if the name still leads to the journal that was locked: nobody has deleted, moved
-  /// or replaced it. On file systems that are not local only a missing file counts, because they
-  /// may number a file anew.
+  /// Returns true if the path still leads to the journal that was locked: nobody has deleted, moved
+  /// or replaced it. On file systems that are not local, only a missing file is noticed, because
+  /// such systems may change the inode number of a file.
   bool is_in_place() const;
   /// Returns the present name of a journal that was moved; nullopt if it was deleted.
   std::optional<std::filesystem::path> moved_to() const;

@@ -252,7 +252,7 @@ TEST(Journal, AFileSystemWithoutLocksIsNotCalledInUse) {
   expect_contains(complaint([&] { Journal::open(folder / "a", kStudy); }), "in use by another");
 }
 
-// Hard links in two folders have lock files of their own.
+// Hard links in two folders have different lock files.
 TEST(Journal, OneThatIsOpenIsInUseUnderItsHardLinks) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder / "deep");

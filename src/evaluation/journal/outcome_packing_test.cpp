@@ -93,11 +93,12 @@ TEST(OutcomePacking, KeepsAnyBits) {
 TEST(OutcomePacking, SlopesComeBackWhereThereAreSome) {
   std::vector<Outcome> outcomes = search(80);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    if (i % 5 == 0) continue;  // a trial without requested slopes
+    if (i % 5 == 0) continue;  // this trial has no slopes
     Channels with_slopes;
     for (Channel channel : outcomes[i].result->all()) {
       if (channel.name == "Fy") {
-        channel.slopes = channel.values;  // dFy/d ln p[0], then a variable without effect
+        // Slopes of Fy by ln p[0], then by a variable without effect.
+        channel.slopes = channel.values;
         channel.slopes.resize(2 * kStates, 0.0);
       }
       with_slopes.add(std::move(channel));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: a disk under SQLite whose power fails. Data that was written but not synced may be
-// lost, in parts and out of order.
+// Test support: simulates a disk under SQLite whose power fails. Data that was written but not
+// synced may be lost, in parts and out of order.
 //
-// SQLite accesses files through a VFS [sqlite.org/vfs.html]. This VFS passes everything on to the
-// usual one but notes every write since the last sync of its file. At the power loss all calls
-// fail. When the power returns, a file contains the synced data and a random choice of the sectors
+// SQLite accesses files through a VFS [sqlite.org/vfs.html]. This VFS passes all calls on to the
+// usual one but records every write since the last sync of its file. When the power fails, all
+// calls fail. When it returns, a file contains the synced data and a random choice of the sectors
 // (512 bytes) written since, a few of them only up to a byte in the middle. A file whose folder was
-// never synced may not exist; a file that was removed without a sync may be there again. Syncs do
-// not wait for anything.
+// never synced may not exist; a file that was removed without a sync may exist again. Syncs do not
+// wait for anything.
 //
 // A disk that acknowledges a sync falsely, and changes of neighboring sectors, are not simulated.
 #pragma once

@@ -94,7 +94,7 @@ class Dispatcher {
   struct Running {
     DesignPoint point;
     Attempts attempts = {};
-    int copies = 0;      // running copies; 0: waits for a worker that repeats it
+    int copies = 0;      // number of running copies; 0: the trial waits to be repeated
     double since = 0.0;  // start of the first running copy, s
   };
 

@@ -268,7 +268,7 @@ Scripted::Script hanging_at(double x) {
   };
 }
 
-// Two workers have nothing else to do: one runs the point, the other runs copies of it.
+// Two workers have no other trials: one runs the point, the other runs copies of it.
 TEST(Stragglers, APointThatHangsIsStartedTwiceAndThenCounts) {
   for (const int workers : {1, 2, 3, 8}) {
     for (const int retries : {0, 1, 3}) {

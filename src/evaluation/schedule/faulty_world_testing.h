@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: workers, messages and a store in virtual time in which everything goes wrong:
-// points hang or fail, workers die or stall, messages are late, overtake each other and come twice,
-// the store refuses, the master dies. All faults are a function of the seed.
+// Test support: simulated workers, messages and a store, on a virtual clock, in which everything
+// goes wrong: points hang or fail, workers die or stall, messages are late, arrive in another order
+// or arrive twice, the store refuses to store, and the master dies. All faults are a function of
+// the seed.
 #pragma once
 
 #include <algorithm>

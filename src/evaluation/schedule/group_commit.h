@@ -32,8 +32,8 @@ class GroupCommit {
   /// Throws JournalError if the store refused a group.
   std::vector<Trial> take();
 
-  /// Waits until there is something to take, or an error to throw. Returns at once if nothing is in
-  /// progress.
+  /// Waits until take() has trials to return or an error to throw. Returns at once if no commit is
+  /// in progress.
   void wait();
 
  private:

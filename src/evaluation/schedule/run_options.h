@@ -26,8 +26,8 @@ struct FailurePolicy {
   /// `retries` + 2 times, including copies of stragglers and replacements of lost workers.
   int retries = 0;
   double penalty = 1.0;                   // value of the target function for failed points
-  int halvings = 4;                       // number of trials of a continuation
-  std::optional<DesignSpace> space = {};  // needed by a continuation
+  int halvings = 4;                       // number of trials in a continuation
+  std::optional<DesignSpace> space = {};  // variables and bounds, which a continuation needs
 };
 
 /// Data for a progress bar.
@@ -58,7 +58,7 @@ struct RunOptions {
   double straggler_factor = 3.0;
   /// Stops a straggler if its point is no longer requested and a wanted point waits for a worker.
   bool stop_unwanted = true;
-  /// False for a simulated world, in which a commit must not take real time.
+  /// False for a simulation with a virtual clock, in which a commit must not take real time.
   bool commit_in_background = true;
   /// Called after every outcome and about ten times a second.
   std::function<void(const RunProgress&)> on_progress = {};

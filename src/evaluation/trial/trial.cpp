@@ -13,7 +13,7 @@
 namespace latsch {
 namespace {
 
-/// Returns the CPU time of this thread; other threads may evaluate points of their own.
+/// Returns the CPU time of this thread alone, because other threads may evaluate other points.
 double cpu_seconds() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

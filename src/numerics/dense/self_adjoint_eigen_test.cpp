@@ -14,8 +14,8 @@ constexpr int kSize = 12;
 
 double angle(int k) { return (k + 1) * std::numbers::pi / (kSize + 1); }
 
-/// Returns a matrix with `middle` on the diagonal, `beside` to its right and its conjugate to its
-/// left.
+/// Returns a tridiagonal matrix with `middle` on the diagonal, `beside` above it and the conjugate
+/// of `beside` below it.
 template <class Scalar>
 Eigen::Matrix<Scalar, -1, -1> tridiagonal(double middle, Scalar beside) {
   Eigen::Matrix<Scalar, -1, -1> A = Eigen::Matrix<Scalar, -1, -1>::Zero(kSize, kSize);

@@ -99,8 +99,8 @@ LATSCH_INLINE Mask4 operator|(Mask4 a, Mask4 b) { return {static_cast<__mmask8>(
 LATSCH_INLINE bool any(Mask4 m) { return (m.v & 0xF) != 0; }
 LATSCH_INLINE bool every(Mask4 m) { return (m.v & 0xF) == 0xF; }
 #else
-// The comparison is a builtin of the compiler, which can see through it: if it knows that the mask
-// comes from a comparison, select() needs no second comparison with zero.
+// The comparison is a builtin of the compiler. If the compiler knows that the mask comes from a
+// comparison, select() needs no second comparison with zero.
 using Ints4 = std::int64_t __attribute__((vector_size(32)));
 struct Mask4 {
   Ints4 v;
@@ -112,7 +112,7 @@ LATSCH_INLINE bool any(const Mask4& m) { return signs(m) != 0; }
 LATSCH_INLINE bool every(const Mask4& m) { return signs(m) == 0xF; }
 #endif
 
-/// Four doubles of AVX2.
+/// Four doubles in a register of AVX2.
 struct Register4 : Arithmetic<Register4> {
   using Self = Register4;
   using Mask = Mask4;
@@ -192,8 +192,8 @@ LATSCH_INLINE Mask8 operator|(Mask8 a, Mask8 b) { return {static_cast<__mmask8>(
 LATSCH_INLINE bool any(Mask8 m) { return m.v != 0; }
 LATSCH_INLINE bool every(Mask8 m) { return m.v == 0xFF; }
 
-/// Eight doubles of AVX-512. The intrinsics have masks because GCC 12 warns of its own undefined
-/// operands otherwise.
+/// Eight doubles in a register of AVX-512. The intrinsics with masks are used because GCC 12 warns
+/// of undefined operands in those without.
 struct Register8 : Arithmetic<Register8> {
   using Self = Register8;
   using Mask = Mask8;

@@ -67,7 +67,8 @@ class WithKernelSet {
 }  // namespace latsch
 
 /// Selects the function of the set in use: LATSCH_KERNEL(add)(x, y) calls avx512::add, avx2::add or
-/// baseline::add, made by for_each_kernel_set.h and seen from the surrounding namespace.
+/// baseline::add, which for_each_kernel_set.h compiles. It must be used in the namespace that
+/// contains these namespaces.
 #if LATSCH_X86_KERNELS
 #define LATSCH_KERNEL(function)                                              \
   (::latsch::kernel_set() == ::latsch::KernelSet::avx512 ? &avx512::function \

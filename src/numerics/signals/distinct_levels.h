@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels at which a rig held a condition: loads, cambers, pressures, speeds of a recording.
+// Levels at which a test rig held a condition during a recording: loads, cambers, pressures,
+// speeds.
 //
 // A rig holds a set point with noise, changes from one to the next, and drifts. The density of the
 // values, smoothed by a Gaussian kernel of the condition's resolution h, has a peak at each level:
-//   a peak counts      if it has at least 1.5 % of the samples; a transition has less
+//   a peak counts      if it has at least 1.5 % of the samples; a transition has fewer
 //   two peaks are one  if the density between them stays above 0.35 of the lower peak
 // A swept condition has no separate peaks: its values between two gaps extend over more than the
 // noise of a set point. It counts as having any number of levels.

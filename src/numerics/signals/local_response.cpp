@@ -15,8 +15,8 @@ namespace latsch::numerics {
 
 namespace {
 
-/// Returns the transform of the differences between successive samples; they are zero where the
-/// signal is constant, before and behind the record.
+/// Returns the transform of the differences between successive samples. Before and after the record
+/// the signal counts as constant, so these differences are zero.
 Spectrum transform_of_steps(std::span<const double> x, int length) {
   std::vector<double> steps(x.size(), 0.0);
   for (std::size_t i = 1; i < x.size(); ++i) steps[i] = x[i] - x[i - 1];

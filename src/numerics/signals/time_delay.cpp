@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// R_xy from the transforms of both signals, padded with zeros so that nothing wraps around.
+/// The cross-correlation R_xy, computed from the transforms of both signals. They are padded with
+/// zeros, so that the correlation is not periodic.
 struct Correlation {
   Spectrum spectrum;           // conj(X) Y
   std::vector<double> values;  // R(l) has the index l; negative lags are at the end

@@ -31,8 +31,9 @@ class Davidson {
            Solve solve,
            const Eigen::MatrixXd& vectors);
 
-  /// Finds the lowest `wanted` pairs, at most as many as vectors; converged if every |d| is below
-  /// the tolerance. Some more vectors than wanted pairs make it fast.
+  /// Finds the lowest `wanted` pairs, at most as many as there are vectors. The result is converged
+  /// if every |d| is below the tolerance. A few more vectors than wanted pairs make the method
+  /// fast.
   EigenPairs<double> find(Eigen::Index wanted, double tolerance);
   /// Call after find(): improves the lowest `wanted` of the found pairs to a finer tolerance, in
   /// the search space that find() left. Each step corrects as many pairs as one solution with

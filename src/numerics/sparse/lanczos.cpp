@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The textbook recurrence is not used: the basis (tens of vectors) costs little beside the
-// factorization, so every new direction is made orthogonal to all others. This leaves the
+// The textbook recurrence is not used: the basis (tens of vectors) costs little compared with the
+// factorization, so every new direction is made orthogonal to all others. This gives the
 // decomposition
 //     Op V = V T + Q B,    Op = (K - sigma M)^-1 M,    V, Q orthonormal in M,
-// with a pool Q of directions not yet multiplied. A step takes from the pool the directions in
-// which the wanted Ritz vectors have the largest errors (singular vectors of B S), multiplies them,
-// and puts the new part of the products into the pool. With one start vector this is Lanczos'
-// method, with a good start block it needs few steps, and a thick restart is a rotation of V and B.
-// The residual of the Ritz pair (theta, V s) is |B s|, so convergence is judged without vector
-// operations.
+// with a pool Q of directions that have not been multiplied by the operator yet. A step takes from
+// the pool the directions in which the wanted Ritz vectors have the largest errors (singular
+// vectors of B S), multiplies them, and puts the new part of the products into the pool. With one
+// start vector this is Lanczos' method, with a good start block it needs few steps, and a thick
+// restart is a rotation of V and B. The residual of the Ritz pair (theta, V s) is |B s|, so
+// convergence is judged without vector operations.
 #include "numerics/sparse/lanczos.h"
 
 #include <algorithm>

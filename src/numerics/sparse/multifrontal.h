@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The factor by fronts in one precision, and the interface of any factor behind Factorization.
+// The multifrontal factor in one precision, and the interface through which Factorization uses a
+// factor.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Real-coded genetic algorithm for targets with many basins, if evaluations are cheap or workers
-// are many. It needs about a hundred times the evaluations of a method that uses the residuals.
+// Real-coded genetic algorithm for targets with many local minima, if evaluations are cheap or
+// there are many workers. It needs about a hundred times the evaluations of a method that uses the
+// residuals.
 //
 // In the unit cube, each generation makes as many children as the population has members:
-//   selection  the better of two drawn individuals, done twice for the two parents
+//   selection  the better of two individuals drawn at random, done twice for the two parents
 //   crossover  simulated binary [Deb & Agrawal, Complex Systems 9 (1995) 115]: for every variable
 //              of a pair, with  b = (2 q)^(1/(eta_c+1))  or  (1 / (2 - 2 q))^(1/(eta_c+1)),
 //              children  1/2 ((1 +- b) p_1 + (1 -+ b) p_2)
-//   mutation   polynomial [Deb & Goyal, Computer Science and Informatics 26 (1996) 30]: one
-//              variable a child on average, by
+//   mutation   polynomial [Deb & Goyal, Computer Science and Informatics 26 (1996) 30]: on average
+//              one variable of each child changes by
 //              (2 q)^(1/(eta_m+1)) - 1  or  1 - (2 - 2 q)^(1/(eta_m+1))
-//   survival   the best of parents and children
-// Children outside of bounds and linear constraints are replaced by the nearest point inside. The
-// search ends after the last generation, or when the whole population is within the tolerance of
-// its best. Random draws depend on the seed and the child's number alone, so a run is the same for
-// any number of workers.
+//   survival   the best of parents and children form the next population
+// q is a random number between 0 and 1. Children outside of bounds and linear constraints are
+// replaced by the nearest point inside. The search ends after the last generation, or when the
+// whole population is within the tolerance of its best member. Random numbers depend on the seed
+// and the child's number alone, so a run is the same for any number of workers.
 #pragma once
 
 #include <cstdint>

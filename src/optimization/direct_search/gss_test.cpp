@@ -56,8 +56,9 @@ double two_basins(const std::vector<double>& x) {
          (a * b + a * s + b * s) * y * y / 2 - a * b * s * y;
 }
 
-/// A target like those of the tire studies: mean relative errors, without squares, of eight
-/// frequencies  sqrt(c + sum w_k E_k)  and three forces  d + sum v_k E_k^0.8.  It is zero at E = 1.
+/// A target like those of the tire studies: the sum of mean relative errors, without squares, of
+/// eight frequencies  sqrt(c + sum w_k E_k)  and of three forces  d + sum v_k E_k^0.8.  It is zero
+/// if all stiffnesses E_k are 1.
 double twin_target(const std::vector<double>& E) {
   constexpr std::array<std::array<double, 3>, 8> w{{{.5, .1, .1},
                                                     {.3, .1, .3},

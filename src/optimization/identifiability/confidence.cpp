@@ -172,7 +172,8 @@ struct Estimates {
   Eigen::MatrixXd V;      // n x n: directions
   Eigen::VectorXd scale;  // n: 1 / singular value
   Eigen::MatrixXd W;      // n x n: V scale
-  // M x n: X W; columns of flat directions are 0; without a loss the columns are orthonormal.
+  // The product X W, m x n. Columns of flat directions are 0; without a loss, all others are
+  // orthonormal.
   Eigen::MatrixXd felt;
   Eigen::MatrixXd bent;  // H W; 0 if flat
   std::vector<Eigen::Index> flat;

@@ -108,7 +108,7 @@ struct Interval {
 struct FreeDirections {
   Eigen::MatrixXd axes;        // n x f: the columns are directions; rows of held variables are 0
   Eigen::MatrixXd covariance;  // f x f: covariance of the coordinates along the directions
-  // F: distance to the minimum of S along each direction; 0 if no residual depends on it.
+  // Distance to the minimum of S along each of the f directions; 0 if no residual depends on it.
   Eigen::VectorXd left;
   // f x n: motion along each direction for a unit motion of a held variable, if the free variables
   // are refitted.
@@ -124,9 +124,9 @@ struct Confidence {
   std::vector<Bound> held;          // variables whose bound prevents a better fit
   Eigen::VectorXd singular_values;  // descending, of all variables: of J, or of the root of A
   Eigen::MatrixXd directions;       // each column is a direction of the unit cube
-  // N x n covariance of the variables; rows and columns of held ones are 0.
+  // Covariance of the n variables; rows and columns of held ones are 0.
   Eigen::MatrixXd covariance;
-  // N x n correlation of the variables; rows and columns of held ones are 0.
+  // Correlation of the n variables; rows and columns of held ones are 0.
   Eigen::MatrixXd correlation;
   std::vector<Interval> intervals;  // one for each variable
   /// For each variable, the excess of S over the least S up to which values belong to its interval.

@@ -8,7 +8,8 @@
 // converge, because its evaluations fail or run out, predicts nothing. [Stone, J. R. Statist. Soc.
 // B 36 (1974) 111]
 //
-// Ask and tell in rounds, as in Identification: the groups are evaluated side by side.
+// Ask and tell in rounds, as in Identification: each round contains one point of every unfinished
+// group.
 #pragma once
 
 #include <map>

@@ -6,8 +6,8 @@
 // it will measure [Fedorov, Theory of Optimal Experiments, 1972, ch. 2]. In the unit cube
 //   M = J'J / s^2 + 12 I
 // The term 12 I is the information of the bounds, the inverse of the variance 1/12 of a number
-// anywhere between them. So a direction that the data leave flat counts as wide as its range, not
-// infinitely wide.
+// anywhere between them. So a direction that the data do not determine counts as wide as its range,
+// not infinitely wide.
 #pragma once
 
 #include <Eigen/Core>

@@ -65,7 +65,7 @@ class Identification {
     return !r_ && first && first->has_slopes();
   }
 
-  /// Returns the Failure that made round 1 impossible, if there is one.
+  /// Returns the reason if round 1 was impossible.
   const Status& status() const { return status_; }
   /// Returns the point that linearization, confidence and profiles belong to: the given point, or a
   /// better one found since.

@@ -47,8 +47,8 @@ Analyzed analyze(const DesignSpace& space, const Model& model, IdentificationOpt
 
 const IdentificationOptions kNoise{.confidence = {.sigma = 0.01}};
 
-// Differences are of second order inside, at a bound and beside a failure, so they are exact for
-// squares.
+// Differences are of second order at inner points, at a bound and beside a failed point, so they
+// are exact for squares.
 TEST(Identification, ItsDifferencesTellTheDerivativesOfAnyOtherQuantity) {
   const DesignSpace space = box({0.5, 1.0}, 0, 1);
   const auto a = analyze(space,

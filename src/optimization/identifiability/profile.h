@@ -47,7 +47,8 @@ struct ProfileSettings {
   std::vector<int> free = {};   // the variables that may move, ascending; empty: all
 };
 
-/// The profile on one side of the best point: ask and tell, as in BroydenFit.
+/// The profile on one side of the best point. Its caller asks for points and reports outcomes, as
+/// with BroydenFit.
 class ProfileBranch {
  public:
   /// `half` is half the width of the linear confidence interval. `direction` is +1 or -1.

@@ -60,7 +60,8 @@ DesignSpace space_of_exponential() {
                       {.name = "b", .lower = -3.0, .upper = 0.0, .initial = -1.3}});
 }
 
-/// The profiles come from reduced rows alone if requested, everything else from whole rows.
+/// Identifies the variables of the exponential. If `reduced` is true, the profiles are computed
+/// from reduced rows, everything else from whole rows.
 Identification identification_of_exponential(bool reduced, const std::vector<int>& free) {
   const DesignSpace space = space_of_exponential();
   Identification identification(

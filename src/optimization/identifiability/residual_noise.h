@@ -5,15 +5,16 @@
 // A curve sampled twice as densely has twice as many samples but almost no more information if its
 // noise is slow. The residuals of one curve, in the order of its samples, are modeled as an
 // autoregression (numerics/signals/autoregression.h) of an order up to kMostOrder; residuals
-// without a curve are independent. D holds the stated deviations of the residuals in units of each
+// without a curve are independent. D holds the stated deviations of the residuals relative to each
 // other, R is the correlation matrix, r = D x and J = D G. The correlations maximize the likelihood
-// of the part of r that the fit cannot reach,
+// of the part of r that the fit cannot change,
 //   -2 l = ln|R| + ln|G' R^-1 G| + (m - n) ln(x' P x),   P = R^-1 - R^-1 G (G' R^-1 G)^-1 G' R^-1
 // This is the restricted likelihood [Patterson, Thompson, Biometrika 58 (1971) 545]. It accounts
-// for the fit bending toward its noise, which would otherwise look like whiteness. The order is the
-// one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19 (1974) 716].
+// for the fact that a fit follows its noise, so that the residuals look less correlated than the
+// noise is. The order is the one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19
+// (1974) 716].
 //
-// Exact values beside a few that are far off, as after a fit with a robust loss, are white as well.
+// Exact values beside a few wrong ones, as after a fit with a robust loss, count as white, too.
 //
 // Limits: neighbors count as equally far apart, and a curve with fewer than kFewestSamples samples
 // beyond the number of variables counts as white. Deviations that a model cannot reproduce look
@@ -62,8 +63,9 @@ class ResidualNoise {
   /// Scales the columns of Y so that the squared norm of a column y becomes  y' D R D y,  the
   /// variance of y' r in units of sigma^2.
   Eigen::MatrixXd colored(const Eigen::MatrixXd& Y) const;
-  /// Returns for every residual, in units of sigma, its deviation times the root of the number of
-  /// its neighbors that together hold as much information as one independent residual.
+  /// Returns for every residual its deviation, in units of sigma, times the square root of the
+  /// number of neighboring samples that together hold as much information as one independent
+  /// sample.
   Eigen::VectorXd effective_deviations() const;
 
   /// Returns the degrees of freedom of an estimated variance  c sigma^2 |colored(Y)|^2

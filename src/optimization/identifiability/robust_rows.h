@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Residuals of a fit with robust losses, prepared for the covariance of M-estimation.
 //
-// The fit minimizes S = r'r, the residuals r and their derivatives J being those after the loss
+// The fit minimizes S = r'r, where the residuals r and their derivatives J are those after the loss
 // (robust_loss.h). With psi and psi' of every residual and X = J / (dr/dx), the derivatives before
 // the loss, the gradient of S / 2 is X' psi = J'r, its Hessian is A = X' diag(psi') X, and
 //   C = A^-1 X' D R D X A^-1,    D: deviations of psi, R: correlations of neighbors
@@ -10,18 +10,20 @@
 //   common:  psi' of every value is the mean psi' of its group (the values of one loss and scale),
 //            D^2 is the group's sum of psi^2 / (N - n), and C is multiplied by K^2,
 //            K = 1 + (n / N) var(psi') / mean(psi')^2, the small-sample factor: for one group this
-//            is (6.5) of Huber's section 7.6. It is right if any value may be the one far off, and
-//            covers with few values and with a corner below the noise.
-//   own:     psi' is that of the value, D is the deviation of the values inside the corner, and
-//            |psi| itself for a value beyond it. It is right if few values lie beyond a corner that
-//            all others stay far below, as exact values beside a wrong one, which may be the value
-//            that alone determines a variable.
-// The covariance is the larger of the two along every direction (`larger`). Without values for
-// which psi' differs from 1 both are those of least squares.
+//            is (6.5) of Huber's section 7.6. This choice is right if each of the values is equally
+//            likely to be a wrong one. Its intervals also contain the true value often enough if
+//            values are few or if the corner lies below the noise.
+//   own:     psi' is that of the value itself. D is the deviation of the values inside the corner,
+//            and |psi| itself for a value beyond it. This choice is right if all values but a few
+//            are far inside the corner, for example if they are exact and one is wrong; the wrong
+//            one may be the only value that determines a variable.
+// The covariance is the larger of the two along every direction (`larger`). If psi' is 1 for all
+// values, both are those of least squares.
 //
-// If the noise is stated, psi^2 inside the corner is between that of all noise, if nothing is
-// limited, and that of Gaussian noise inside the corner, if the mean psi' is as low as Gaussian
-// noise makes it, or lower.
+// If the noise is stated, the expected psi^2 inside the corner depends on how much the loss limits
+// the values: it is that of all noise if no value is limited, and that of Gaussian noise inside the
+// corner if the mean psi' is at most the one expected for Gaussian noise; it is interpolated
+// between these.
 #pragma once
 
 #include <Eigen/Core>

@@ -31,7 +31,7 @@ struct Follower {
 
 /// One variable of a search.
 struct DesignVariable {
-  std::string name;                     // unique in its space
+  std::string name;                     // name that is unique in the design space
   std::vector<std::string> paths = {};  // numbers of the model set to its value
   double lower = 0.0;                   // in SI, as are upper and initial
   double upper = 1.0;                   // SI

@@ -2,9 +2,9 @@
 // For tests: problems with constraints whose solutions are published, by their numbers in
 // [Hock & Schittkowski, Test Examples for Nonlinear Programming Codes, Springer 1981].
 //
-// The collection leaves some variables without bounds, but a design space needs bounds. These
-// variables get bounds far from the solution, named "wide" here. A start outside the bounds is
-// moved onto them.
+// Some variables of the collection have no bounds, but a design space needs bounds. These variables
+// get bounds far from the solution, named "wide" here. A start outside the bounds is moved onto
+// them.
 #pragma once
 
 #include <fmt/format.h>

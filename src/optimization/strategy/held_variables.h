@@ -25,7 +25,7 @@ class HeldVariables : public Optimizer {
  public:
   using MakeOptimizer = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
-  /// `free` holds indices of variables in the space, ascending, at least one.
+  /// `free` holds the indices of the free variables, ascending, at least one.
   HeldVariables(const DesignSpace& space,
                 std::vector<int> free,
                 const MakeOptimizer& make_optimizer);

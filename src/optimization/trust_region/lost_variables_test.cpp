@@ -29,7 +29,8 @@ Eigen::VectorXd unit(const DesignSpace& space, const std::vector<double>& x) {
   return to_vector(space.to_unit({x}));
 }
 
-/// Reports for each trial whether moves of the variables `felt` have an effect.
+/// Runs the tests of the search and returns the lost variables it finds, if a move has an effect
+/// only through the variables `felt`.
 std::vector<int> lost_of(LostVariables& search, const Eigen::VectorXd& u, std::vector<int> felt) {
   for (int tests = 0; search.is_testing(); ++tests) {
     EXPECT_LT(tests, 2 + std::log2(u.size()) + u.size());

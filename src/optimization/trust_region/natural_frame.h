@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame whose lengths suit fresh slopes: coordinates y around a point c,
+// Axes and lengths of the moves over which slopes are recomputed: coordinates y around a point c,
 //
 //   u = c + T y,      T = W V diag(l),   l_k = |r| / s_k,      J W = U diag(s) V'
 //
 // W holds the widths of the variables. Along every axis the residuals change by their own size: at
 // y_k = 1 the sum of squares has doubled, as far as the Jacobian J is right. If r is noise, |r| =
-// sigma sqrt(m), a length is sqrt(m) standard deviations of the estimate: noise and ripple, which
-// are part of r, allow no shorter ones, and directions with little effect get long ones. If r is
-// small because the model fits, lengths are short and slopes are precise. Lengths are limited by
-// `longest` of a range and by `shortest` of a width.
+// sigma sqrt(m), and a length is sqrt(m) standard deviations of the estimate: noise and ripple,
+// which are part of r, allow no shorter ones, and directions with little effect get long ones. If r
+// is small because the model fits, lengths are short and slopes are precise. A length is at most
+// `longest` of a range and at least `shortest` of a width.
 //
-// Variables at a bound have a separate axis, because a direction that mixes them could leave the
-// region.
+// Variables at a bound have a separate axis, because a direction that mixes them with others could
+// leave the region.
 #pragma once
 
 #include <Eigen/Core>

@@ -48,7 +48,8 @@ ResidualTrustRegion::ResidualTrustRegion(const DesignSpace& space,
 
 ResidualTrustRegion::~ResidualTrustRegion() = default;
 
-/// Returns the outstanding points, then those it would propose next if outcomes were as predicted.
+/// Returns the outstanding points, then the points that the method would propose next if outcomes
+/// were as predicted.
 std::vector<DesignPoint> ResidualTrustRegion::propose(int count) const {
   assert(count >= 1);
   Plan plan(count);

@@ -116,7 +116,8 @@ class TrustBox {
   /// Returns a point near the one predicted to be the best, at a random distance of any order of
   /// magnitude.
   std::optional<Wanted> explore(const PendingPoints<Wanted>& wanted);
-  /// Returns u with every variable moved at random by up to `reach` widths, inside the region.
+  /// Returns u with every variable changed by a random amount of up to `reach` widths, inside the
+  /// region.
   Eigen::VectorXd moved(const Eigen::VectorXd& u, double reach);
   /// Returns a random point of the region that differs from u by up to `reach` in every variable,
   /// uniformly distributed inside the bounds.

@@ -27,7 +27,7 @@ struct RadiusTuning {
   /// Ratio of the radius to the step's length after a good gain: at least `growth`, at most
   /// `most_growth`, both above 1.
   double growth = 2.0, most_growth = 4.0;
-  /// Share of the radius that is left after a bad gain: at most `shrinkage`, at least
+  /// Share by which the radius is multiplied after a bad gain: at most `shrinkage`, at least
   /// `most_shrinkage`.
   double shrinkage = 0.7, most_shrinkage = 0.1;
   /// Length of a step relative to the radius, at least 1, up to which the gain of the step changes
