@@ -11,7 +11,7 @@
 namespace latsch {
 namespace {
 
-/// Index of the value at `path`. Throws InputError if that value is no number.
+/// Returns the index of the value at `path`. Throws InputError if that value is no number.
 int number_at(const DocumentTree& tree, std::string_view path, const Document& document) {
   const int index = tree.find(path);
   if (index >= 0 && tree.value(index).number) return index;

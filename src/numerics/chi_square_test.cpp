@@ -36,8 +36,8 @@ TEST(ChiSquare, AgreesWithThePrintedTable) {
   }
 }
 
-// Series and continued fraction meet at x = nu + 2. The difference of the probabilities at two
-// values close to it must be their distance times the density.
+// The formulas by series and by continued fraction meet at x = nu + 2. The difference of the
+// probabilities at two values of x close to it must be their distance times the density.
 TEST(ChiSquare, IsOneCurveWhereItsFormulasMeet) {
   for (const double nu : {0.7, 2.0, 7.3, 60.0, 999.0}) {
     const double x = nu + 2.0, h = 1e-4;

@@ -33,12 +33,13 @@ class Executor {
   /// Throws InputError if workers cannot be started at all.
   virtual std::vector<Trial> wait(double patience) = 0;
 
-  /// Forgets the running trials of this point and frees their workers as soon as possible.
+  /// Stops waiting for the running trials of this point and frees their workers as soon as
+  /// possible.
   virtual void withdraw(const DesignPoint& point) = 0;
   /// True if withdraw() frees the workers at once.
   virtual bool can_stop() const { return true; }
 
-  /// Forgets all running trials and frees their workers.
+  /// Stops waiting for all running trials and frees their workers.
   virtual void abandon() = 0;
 
   /// Returns the time in s on the clock of the trials, which never runs backward.

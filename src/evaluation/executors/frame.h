@@ -37,8 +37,8 @@ class FrameReader {
   /// Returns the next frame; nullopt if it is not complete yet, or if the stream is broken.
   std::optional<Frame> next();
 
-  /// True if the stream does not consist of frames: a wrong mark, an impossible size, or a hash
-  /// that does not agree.
+  /// True if the stream does not consist of frames: a frame has a wrong mark, an impossible size,
+  /// or a hash that does not agree with its content.
   bool broken() const { return broken_; }
 
  private:

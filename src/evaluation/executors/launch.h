@@ -28,7 +28,7 @@ struct Launch {
 /// `value` returns an environment variable, or nullptr if it is not set; `at_terminal` is true if
 /// the standard input is a terminal.
 Launch launch_of(const std::function<const char*(const char*)>& value, bool at_terminal = false);
-/// Returns the launch of this process.
+/// Returns how this process was launched.
 Launch launch();
 
 /// Returns a message that says why these tasks cannot share a run and which commands work. `study`

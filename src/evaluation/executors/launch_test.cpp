@@ -48,7 +48,8 @@ TEST(Launch, AScriptOfABatchJobIsOneProcess) {
   EXPECT_FALSE(script.is_job);
 }
 
-// After srun -n 8 --pty bash, latsch run is one process; MPI would wait for seven that never come.
+// If latsch run is started in the shell of srun -n 8 --pty bash, it is a single process. MPI would
+// wait for seven others that never come.
 TEST(Launch, WhoSitsAtATerminalStartsOneProcess) {
   const auto value = [](const char* name) -> const char* {
     return std::string_view(name) == "SLURM_STEP_NUM_TASKS" ? "8" : "0";

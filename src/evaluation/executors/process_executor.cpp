@@ -36,7 +36,7 @@ Steady::duration seconds(double s) {
   return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
 }
 
-/// Slot of a worker process, whose process may be replaced.
+/// The slot of a worker. Its process may be replaced by another one.
 struct Slot {
   std::unique_ptr<WorkerProcess> process;
   bool ready = false;  // true once the process has reported that it listens
@@ -131,6 +131,7 @@ struct ProcessExecutor::Impl {
     return finish_lost(slot, {"the worker " + how, cause});
   }
 
+  /// Starts another process in the slot, or throws InputError after too many failed starts.
   /// `killed` is true if the process was killed from outside.
   void restart_or_give_up(Slot& slot, const std::string& how, bool killed) {
     slot.process.reset();
@@ -210,7 +211,7 @@ ProcessExecutor::ProcessExecutor(ProcessOptions options) : impl_(std::make_uniqu
     throw InputError(fmt::format("timeout of a trial is {} s, expected a positive time",
                                  std::min(options.timeout, options.start_timeout)));
   }
-  // The limit is a year, so that adding it to a point in time cannot overflow.
+  // Limit of the timeout: a year, so that adding it to a point in time cannot overflow.
   constexpr double kLongest = 365.0 * 86400.0;
   options.timeout = std::min(options.timeout, kLongest);
   options.start_timeout = std::min(options.start_timeout, kLongest);

@@ -30,7 +30,7 @@ struct ProcessOptions {
 
 class ProcessExecutor : public Executor {
  public:
-  /// Throws InputError if the program cannot be started.
+  /// Starts the workers. Throws InputError if the program cannot be started.
   explicit ProcessExecutor(ProcessOptions options);
   ~ProcessExecutor() override;
 

@@ -29,7 +29,8 @@ bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
-/// Returns nullopt at the end of the stream, or if it does not consist of frames.
+/// Reads the next frame. Returns nullopt at the end of the stream, or if it does not consist of
+/// frames.
 std::optional<Frame> read_frame(int fd, FrameReader& reader) {
   std::array<char, 65536> chunk;
   while (true) {

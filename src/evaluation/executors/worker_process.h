@@ -52,8 +52,8 @@ class WorkerProcess {
   /// "was killed by signal 11 (Segmentation fault)", with the last line that it printed.
   std::string end();
 
-  /// Valid after end(). True if the signal came from somebody else (a person, the system short of
-  /// memory, a shutdown) and not from a fault of the worker.
+  /// Returns true if the process was killed by somebody else (a person, the system for lack of
+  /// memory, a shutdown), not by a fault of the worker. Valid after end().
   bool was_stopped_from_outside() const;
 
   /// Returns descriptors for poll(2): readable when data has arrived or the worker has ended.

@@ -28,8 +28,8 @@ namespace latsch {
 
 class Journal : public TrialStore {
  public:
-  /// SQLite's write-ahead log, which readers need not wait for, or its rollback journal, which also
-  /// works on file systems of several machines.
+  /// The log by which SQLite makes a commit complete or void. Readers need not wait for the
+  /// write-ahead log. The rollback journal also works on file systems that several machines share.
   enum class Log { write_ahead, rollback };
 
   /// Opens the journal for writing, or creates it. Throws InputError if it belongs to another study

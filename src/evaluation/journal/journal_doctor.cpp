@@ -194,9 +194,8 @@ class Examination {
     std::vector<std::int64_t> useless;
     for (const auto& [number, row] : rows_) {
       auto trial = decoder.decode(row);
-      if (!trial && report_.format == 0)
-        // The row may be in an older format.
-        trial = row.decode();
+      // If the format is not known, the row may be in an older format.
+      if (!trial && report_.format == 0) trial = row.decode();
       if (trial) {
         report_.rows.push_back(unpacked(row, *trial));
       } else {

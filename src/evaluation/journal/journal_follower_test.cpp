@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A follower visits exactly the trials that a complete read returns, each once.
+// Tests that a follower visits exactly the trials that a complete read returns, each once.
 #include "evaluation/journal/journal_follower.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -53,9 +53,8 @@ TEST_F(Followed, EveryTrialIsHandedOnOnceWhileAnotherWrites) {
   std::vector<double> seen;
   for (int i = 0; i < 40; ++i) {
     journal.append(trial_with(i));
-    for (const double one : news(i % 3))
-      // A read may visit no trial at all, or fewer than there are.
-      seen.push_back(one);
+    // A read may visit no trial at all, or fewer than there are.
+    for (const double one : news(i % 3)) seen.push_back(one);
   }
   while (true) {
     const auto more = news(7);

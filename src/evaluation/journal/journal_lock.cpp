@@ -77,7 +77,7 @@ std::string complaint(int error, const std::string& holder) {
       std::strerror(error));
 }
 
-/// Process named in a lock file.
+/// The process named in a lock file.
 struct Named {
   int process = 0;
   std::string host;
@@ -142,7 +142,7 @@ std::vector<int> flock_holders(ino_t inode) {
 /// Limits the time for which a process waits for a lock that another one holds only briefly.
 class Patience {
  public:
-  /// Returns false once the patience has ended.
+  /// Waits a moment. Returns false once the total time is used up.
   bool wait() const {
     using namespace std::chrono_literals;
     if (std::chrono::steady_clock::now() >= until_) return false;
@@ -242,8 +242,8 @@ std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal
   if (!named) return std::nullopt;
   if (named->host != host_name()) return JournalHolder{words, std::nullopt};
   const std::vector<int> holders = flock_holders(file.st_ino);
+  // If no process holds the lock, the lock file was left behind by a killed process.
   if (std::find(holders.begin(), holders.end(), named->process) == holders.end())
-    // The lock file was left behind by a killed process.
     return std::nullopt;
   return JournalHolder{words, named->process};
 }

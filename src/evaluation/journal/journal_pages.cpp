@@ -70,7 +70,8 @@ struct Cursor {
   }
 };
 
-/// Lengths of the columns of a row of `trials`. The row number is stored before the record.
+/// Lengths of the columns of a row of the table `trials`. The row number is stored before the
+/// record.
 struct Shape {
   std::size_t header, point, outcome, finished, content, hash;
 };

@@ -291,7 +291,7 @@ TEST(Journal, AHardLinkWithoutTheLogOfAKilledWriterIsRefused) {
   EXPECT_EQ(Journal::open(folder / "b", kStudy).size(), 1);
 }
 
-/// Returns the message of a JournalError.
+/// Runs `action` and returns the message of the JournalError that it throws.
 template <class Action>
 std::string loss(Action&& action) {
   try {

@@ -31,7 +31,7 @@ constexpr std::array kLocal{FileSystem{0xEF53, "ext4"},  // the number of ext2 a
                             FileSystem{0x2011BAB0, "exFAT"},
                             FileSystem{0x7366746E, "NTFS"}};
 
-// Names for messages. A file system in neither list has no name.
+// File systems that several machines may share, with their names for messages.
 constexpr std::array kShared{FileSystem{0x6969, "NFS"},
                              FileSystem{0x517B, "SMB"},
                              FileSystem{0xFF534D42, "CIFS"},
@@ -71,9 +71,8 @@ std::optional<std::string> shared_file_system(const std::filesystem::path& file)
   const auto target = std::filesystem::weakly_canonical(file, none);
   const auto folder = (none ? std::filesystem::absolute(file) : target).parent_path();
   struct statfs info {};
-  if (::statfs(folder.c_str(), &info) != 0)
-    // Opening the journal will report the reason.
-    return std::nullopt;
+  // If the folder cannot be examined, opening the journal will report the reason.
+  if (::statfs(folder.c_str(), &info) != 0) return std::nullopt;
   return shared_file_system(static_cast<unsigned long>(info.f_type));
 }
 

@@ -19,11 +19,12 @@ namespace latsch {
 /// be local.
 std::optional<std::string_view> local_file_system(unsigned long kind);
 
-/// Returns the file system of the file's folder, links followed, if it is not known to be local:
-/// "NFS", "a file system that is not known to be local (0x1234)"; nullopt if it is local.
+/// Returns a description of the file system that holds the file, after following links: "NFS", or
+/// "a file system that is not known to be local (0x1234)". Returns nullopt if the file system is
+/// local.
 std::optional<std::string> shared_file_system(const std::filesystem::path& file);
 
-/// Returns the same text for the number from statfs(2).
+/// Returns the same description for a number from statfs(2).
 std::optional<std::string> shared_file_system(unsigned long kind);
 
 }  // namespace latsch

@@ -165,7 +165,8 @@ std::optional<Rest> take_planes(std::string_view& bytes, std::size_t count) {
   return rest;
 }
 
-/// Numbers coded together: the values of a channel, or its slopes in one variable.
+/// Numbers that are coded together: the values of a channel, or its derivatives with respect to one
+/// variable.
 struct Column {
   std::size_t channel;
   std::optional<std::size_t> variable = {};

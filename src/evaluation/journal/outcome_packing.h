@@ -48,7 +48,8 @@ struct OutcomeBlock {
 
 class OutcomePacker {
  public:
-  /// Rows must be packed in the order of their numbers, each once.
+  /// Packs the outcome of the row with this number. Rows must be packed in the order of their
+  /// numbers, each once.
   std::string pack(std::int64_t number, const Outcome& outcome);
   /// Makes the next row be packed alone, because rows before it were not stored or are not known.
   void begin_anew() { block_ = {}; }

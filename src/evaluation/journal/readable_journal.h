@@ -14,7 +14,8 @@
 
 namespace latsch {
 
-/// `patience` is the time to wait for a writer, ms. Throws SQLite::Exception.
+/// Opens the file for reading. `patience` is the time to wait for a writer, ms. Throws
+/// SQLite::Exception.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::filesystem::path& file, int patience);
 
 /// True if this process may write the journal: both the file and its folder, which holds the logs.

@@ -41,7 +41,7 @@ struct Hole {
   std::size_t size;  // length of the hole in the file
 };
 
-/// Returns the hole that begins with the brace at `at`; nullopt if no name follows.
+/// Returns the hole {name} that begins with the brace at `at`; nullopt if no name follows.
 std::optional<Hole> hole_at(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
   while (end < text.size() && is_name_character(text[end])) ++end;

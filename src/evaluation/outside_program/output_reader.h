@@ -42,7 +42,7 @@ struct OutputReader {
   int samples = 0;  // expected number of samples; 0: at least one
 };
 
-/// Returns values in SI.
+/// Reads the output files in `folder`. The channels are in SI units.
 Result<std::vector<Channel>> read_output(const OutputReader& reader,
                                          const std::filesystem::path& folder);
 

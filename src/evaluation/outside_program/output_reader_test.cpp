@@ -114,7 +114,7 @@ TEST(OutputReader, PatternTakesEveryLineBehindTheMark) {
   expect_failure(reader, "displacements\n 1 1\n 2 2\n", "holds 2 values of u, expected 3");
 }
 
-// Any output of a program gives channels of finite numbers or a failure.
+// Whatever bytes a program writes, reading them gives channels of finite numbers or a failure.
 TEST(OutputReader, NoBytesBreakIt) {
   OutputReader pattern{.kind = Kind::pattern, .quantities = {{"u"}}};
   pattern.pattern = R"((\S+)\s*$)";

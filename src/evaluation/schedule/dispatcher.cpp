@@ -233,8 +233,8 @@ void Dispatcher::start_stragglers_again() {
   }
 }
 
-/// Returns the time before which a running trial must have started to be a straggler; nullopt if
-/// that cannot be determined.
+/// Returns a time: a running trial that started before it is a straggler. Returns nullopt if there
+/// are too few durations to decide, or if no trial may count as a straggler.
 std::optional<double> Dispatcher::straggling_since() const {
   if (options_.straggler_factor <= 0.0 || recent_times_.size() < kTimesForMedian) {
     return std::nullopt;
@@ -254,9 +254,8 @@ void Dispatcher::receive(std::vector<Trial> trials) {
   for (Trial& trial : trials) {
     const std::string bits = trial.point.bits();
     const auto entry = running_.find(bits);
-    if (entry == running_.end())
-      // This is the second outcome of a point, or the outcome of a point that nobody waits for.
-      continue;
+    // If the point does not run, this is its second outcome, or nobody waits for it any more.
+    if (entry == running_.end()) continue;
     Running& running = entry->second;
     // The failure was reported twice, or belongs to a withdrawn attempt. The point already waits
     // for another worker.
@@ -341,9 +340,8 @@ void Dispatcher::take_committed() {
   for (const Trial& trial : commits_.take()) {
     known_.add(trial);
     const auto* outcome = known_.find(trial.point);
-    if (trial.outcome.result && outcome && !*outcome)
-      // The trial succeeded, but the target function cannot be computed from it.
-      ++progress_.failed;
+    // Counts a trial that succeeded but from which the target function cannot be computed.
+    if (trial.outcome.result && outcome && !*outcome) ++progress_.failed;
     committing_.erase(trial.point.bits());
   }
 }

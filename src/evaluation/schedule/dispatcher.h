@@ -84,7 +84,7 @@ class Dispatcher {
   double trial_time() const { return progress_.trial_wall_time; }
 
  private:
-  /// Attempts at a point so far.
+  /// The attempts at a point so far.
   struct Attempts {
     int starts = 0;
     int failures = 0;                   // number of failures so far, without lost workers

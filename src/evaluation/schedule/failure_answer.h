@@ -30,7 +30,7 @@
 
 namespace latsch {
 
-/// Point observed by the optimizer.
+/// A point that the optimizer observed, with its outcome.
 struct Step {
   DesignPoint point;
   Result<Score> outcome;

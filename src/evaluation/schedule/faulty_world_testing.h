@@ -21,7 +21,7 @@
 
 namespace latsch {
 
-/// The master has ended: everything that is not in the store is lost.
+/// Thrown when the master dies. Everything that is not in the store is lost.
 struct MasterDied : std::exception {};
 
 /// Shares of points, starts, trials, messages or calls that suffer each fault.
@@ -136,7 +136,7 @@ class FaultyWorld : public Executor {
     return arrived;
   }
 
-  /// Messages already sent still arrive.
+  /// Drops the point from its worker. Messages that were sent before still arrive.
   void withdraw(const DesignPoint& point) override {
     for (Message& message : messages_) {
       if (message.trial.point == point) forget(message);

@@ -30,7 +30,7 @@ struct FailurePolicy {
   std::optional<DesignSpace> space = {};  // variables and bounds, which a continuation needs
 };
 
-/// Data for a progress bar.
+/// The state of a run, for a progress bar.
 struct RunProgress {
   long known = 0;  // wanted points so far whose outcome is known
   // Upper limit of `known`: the size of the sampling plan or the largest number of steps.

@@ -27,7 +27,7 @@ struct SearchProblem {
   Objective objective;
 };
 
-/// Returns a generating-set search for the lowest point of a kinked valley.
+/// Returns a generating-set search for the minimum of a valley with a kink, in two variables.
 inline SearchProblem two_variable_search() {
   const DesignSpace space({{.name = "a", .lower = 0.0, .upper = 1.0, .initial = 0.9},
                            {.name = "b", .lower = 0.0, .upper = 1.0, .initial = 0.1}});

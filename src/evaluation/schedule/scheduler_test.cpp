@@ -39,7 +39,7 @@ Result<Score> scheduler_target(const Channels& channels) {
   return Score{std::abs(y[0] - 0.3) + std::abs(y[0] + y[1]) + 0.1 * y[1] * y[1]};
 }
 
-/// Returns the trajectory to the last bit.
+/// Returns all bits of a trajectory as a text.
 std::string bits(const Run& run) {
   std::string all = std::to_string(static_cast<int>(run.end));
   for (const Step& step : run.steps) {

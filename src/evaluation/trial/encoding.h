@@ -17,7 +17,7 @@ std::string encode(const DesignPoint& point);
 std::string encode(const Channels& channels);
 std::string encode(const Outcome& outcome);
 
-/// Returns nullopt if the bytes are not exactly one encoded value.
+/// Decode a point or an outcome. Return nullopt if the bytes are not exactly one encoded value.
 std::optional<DesignPoint> decode_point(std::string_view bytes);
 std::optional<Outcome> decode_outcome(std::string_view bytes);
 

@@ -2,9 +2,9 @@
 // Functions from a design point to the channels of all its experiments, and from channels to a
 // score.
 //
-// The evaluator runs on the workers and is expensive; the objective runs in the process that owns
-// the journal and is cheap. The journal stores channels, so that another objective can be computed
-// from finished trials.
+// The evaluator runs on the workers and takes long; the objective runs in the process that owns the
+// journal and is fast. The journal stores channels, so that another objective can be computed from
+// finished trials.
 #pragma once
 
 #include <functional>
@@ -39,14 +39,14 @@ class Objective {
   /// If `needs_slopes` is true, a stored trial without slopes counts as not evaluated.
   Objective(OfTrial of_trial, bool needs_slopes = false)
       : of_trial_(std::move(of_trial)), needs_slopes_(needs_slopes) {}
-  /// An objective that does not depend on the point.
+  /// Creates an objective that does not depend on the point.
   template <class OfChannels, class = IfOfChannels<OfChannels>>
   Objective(OfChannels of_channels)
       : of_trial_([of_channels](const DesignPoint&, const Channels& channels) {
           return of_channels(channels);
         }) {}
 
-  /// False for an objective that was default-constructed.
+  /// Returns false for an objective without a function.
   explicit operator bool() const { return static_cast<bool>(of_trial_); }
   /// Returns the score of a trial.
   Result<Score> operator()(const DesignPoint& point, const Channels& channels) const {

@@ -38,11 +38,11 @@ PivotedQr pivoted_qr(const Eigen::MatrixXd& A, double threshold);
 /// Returns orthonormal columns that span the range of A to rounding.
 Eigen::MatrixXd range_basis(const Eigen::MatrixXd& A);
 
-/// Returns x of least |A x - b| for A with independent columns.
+/// Returns the x that minimizes |A x - b|, for A with independent columns.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// Returns the shortest x of least |A x - b| for A of any shape and rank. B is treated column by
-/// column.
+/// Returns the shortest of all x that minimize |A x - b|, for A of any shape and rank. B is treated
+/// column by column.
 Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 Eigen::MatrixXd shortest_solution(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 

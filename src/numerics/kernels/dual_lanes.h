@@ -19,7 +19,7 @@ namespace latsch::LATSCH_KERNELS {
 // Slope functions are not inlined, because a kernel has hundreds of operations and few of them
 // involve slopes.
 
-/// Returns x times `by`.
+/// Returns the slopes x multiplied by `by`.
 template <class V>
 [[gnu::noinline]] const SlopeBlock* scaled(const SlopeBlock* x, V by) {
   SlopeBlock* made = x->arena->make(x->directions, V::kWidth);
@@ -33,7 +33,7 @@ template <class V>
   return made;
 }
 
-/// Reads the existing slopes one after the other.
+/// Reads, direction by direction, the slopes that a block stores.
 template <class V>
 struct SlopeReader {
   std::uint64_t directions;

@@ -25,9 +25,10 @@ namespace latsch {
 
 class SlopeArena;
 
-/// The slopes of one number. They follow this header in ascending order, `width` doubles for each
-/// direction whose bit is set: 1 for a single number, the number of lanes for lanes (dual_lanes.h).
-/// A block never changes once written, so equal slopes can share one.
+/// The slopes of one number. The values follow this header in memory, in ascending order of the
+/// directions: for each direction whose bit is set, 1 double for a single number, or as many
+/// doubles as there are lanes (dual_lanes.h). A block never changes once written, so numbers with
+/// equal slopes can share it.
 struct alignas(64) SlopeBlock {
   std::uint64_t directions;
   SlopeArena* arena;  // memory for slopes that are computed from this block
@@ -36,7 +37,7 @@ struct alignas(64) SlopeBlock {
   const double* values() const { return reinterpret_cast<const double*>(this + 1); }
 };
 
-/// Memory of slopes, freed all at once.
+/// Memory for slopes, which is freed all at once.
 class SlopeArena {
  public:
   static constexpr int kDirections = 64;
@@ -87,7 +88,7 @@ struct DualNumber {
   double slope(int direction) const;
 };
 
-/// Returns by_a a + by_b b; one of the two may be nullptr.
+/// Returns the slopes by_a a + by_b b; one of the two may be nullptr.
 const SlopeBlock* combined(const SlopeBlock* a, double by_a, const SlopeBlock* b, double by_b);
 
 /// Returns the slopes of x multiplied by `factor`, leaving out one direction; nullptr if no other

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Doubles side by side in the registers of the kernel set being compiled:
+// Types that hold several doubles side by side in the registers of the kernel set being compiled:
 //
-//   Lanes    eight: one register of AVX-512, two of AVX2, four of the baseline
-//   Lanes4   four
-//   Lane     one, with the same rules
+//   Lanes    eight doubles: one register of AVX-512, two of AVX2, four of the baseline
+//   Lanes4   four doubles
+//   Lane     one double, with the same rules
 //
 // A product that is directly added or subtracted is fused: a * b + c rounds once, with any compiler
 // and options; x = a * b; x + c rounds twice. So every set with a fused multiply-add gives the same
@@ -11,11 +11,11 @@
 // and always rounds twice.
 //
 // A double converts implicitly to equal lanes. Comparisons give masks for select(), any(), every().
-// sum() adds in one order: ((0+4) + (2+6)) + ((1+5) + (3+7)). v.at(i) is one lane, if i is known to
-// the compiler or the loop is unrolled; otherwise store() and read. Lanes are for registers: data
-// is kept in arrays of doubles and read by lanes(), lanes4().
+// sum() adds in one order: ((0+4) + (2+6)) + ((1+5) + (3+7)). v.at(i) returns one lane, if i is
+// known to the compiler or the loop is unrolled; otherwise use store() and read the array. Lanes
+// are for registers: data is kept in arrays of doubles and read by lanes(), lanes4().
 //
-// Included once per kernel set, by for_each_kernel_set.h only.
+// This file is included once per kernel set, by for_each_kernel_set.h only.
 #if defined(LATSCH_KERNEL_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_KERNEL_LANES
 #undef LATSCH_KERNEL_LANES

@@ -28,7 +28,8 @@ LATSCH_INLINE T of_bits(std::uint64_t x) {
 /// Returns atan(y/x) for x >= 0, not both 0.
 template <class T>
 LATSCH_INLINE T atan_of_quotient(const T& y, const T& x) {
-  // The ranges |y|/x <= tan(pi/8), up to tan(3 pi/8), and beyond use atan about 0, 1 and infinity.
+  // atan is computed by series about 0, 1 and infinity in the ranges |y|/x <= tan(pi/8), up to
+  // tan(3 pi/8), and beyond.
   constexpr double kNear = 0.41421356237309503, kFar = 2.414213562373095;
   constexpr double kPi4 = 0.78539816339744831, kPi4Low = 3.061616997868383e-17;
   const T a = abs(y);

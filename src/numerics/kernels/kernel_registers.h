@@ -27,7 +27,7 @@
 
 namespace latsch::LATSCH_KERNELS {
 
-/// One double.
+/// One double, with the operations of a register.
 struct Register1 : Arithmetic<Register1> {
   using Self = Register1;
   using Mask = bool;

@@ -31,7 +31,7 @@ class Autoregression {
   Eigen::MatrixXd whitened(const Eigen::MatrixXd& X) const;
   /// Returns L' X. The squared norm of the result for a column x is x' R x.
   Eigen::MatrixXd colored(const Eigen::MatrixXd& X) const;
-  /// Returns ln det R of this number of samples.
+  /// Returns ln det R for the given number of samples.
   double log_determinant(Eigen::Index samples) const;
   /// Returns 1 + 2 sum of the autocorrelations: the number of samples that determine a mean as well
   /// as one independent sample.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRate = 1000.0, kPi = std::numbers::pi;
 
-/// Returns 20 s from 0.5 to 30 Hz, faded in and out over 1 s, and 3 s of zeros.
+/// Returns a sweep of 20 s from 0.5 to 30 Hz, faded in and out over 1 s, followed by 3 s of zeros.
 std::vector<double> sweep() {
   std::vector<double> x;
   const double grows = std::log(60.0) / 20.0;

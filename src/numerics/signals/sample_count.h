@@ -7,7 +7,8 @@
 
 namespace latsch::numerics {
 
-/// Larger than the samples of any record; sums of four such counts are still integers.
+/// A number of samples larger than that of any record. Sums of four such counts still fit into an
+/// int.
 inline constexpr int kMostSampleCount = 500'000'000;
 
 /// Returns the rounded number of samples in `seconds` at `rate` samples per second, at most

@@ -3,9 +3,10 @@
 //
 //   R_xy(l) = sum_n x_n y_(n+l)
 //
-// Between the lags R is the trigonometric polynomial through them, so the position of its maximum
-// is exact for signals below half the sampling rate. It is found by Newton's method from the
-// greatest lag. (A parabola through three lags errs by up to some hundredths of a sample.)
+// Between whole lags, R is the trigonometric polynomial through its values at these, so the
+// position of its maximum is exact for signals below half the sampling rate. The maximum is found
+// by Newton's method from the whole lag with the greatest R. (A parabola through three lags has an
+// error of up to some hundredths of a sample.)
 #pragma once
 
 #include <span>

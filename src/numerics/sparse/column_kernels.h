@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels for eight right-hand sides side by side, one register of single precision for every
-// unknown. A number of the factor is read once for all of them, and no sum runs across them.
-// Included once per kernel set, by columns_together.cpp.
+// Kernels for eight right-hand sides side by side: one register of single precision holds the eight
+// values of an unknown. Each number of the factor is read once for all of them, and right-hand
+// sides are never added to each other. Included once per kernel set, by columns_together.cpp.
 #include "numerics/sparse/eight_floats.h"
 
 namespace latsch::numerics::LATSCH_KERNELS {

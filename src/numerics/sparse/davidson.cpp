@@ -173,7 +173,7 @@ Eigen::VectorXd Davidson::compress() {
 EigenPairs<double> Davidson::sharpen(Eigen::Index wanted, double tolerance) {
   EigenPairs<double> pairs;
   MatrixXd T = compress().asDiagonal();
-  // The last error of every pair, and the estimate of the next one.
+  // The errors of all pairs in the last step, and their estimates for the next one.
   Eigen::VectorXd last = Eigen::VectorXd::Zero(wanted), next = Eigen::VectorXd::Ones(wanted);
   for (int step = 0; step < kMostSteps; ++step) {
     const auto [lambda, S] = self_adjoint_eigen(T);

@@ -95,8 +95,8 @@ Lists lower_columns(const SymmetricPattern& pattern,
   return columns;
 }
 
-/// Adds the fill of the elimination to the columns. Returns the parent of every column: its first
-/// row below the diagonal.
+/// Adds to the columns the entries that the elimination fills. Returns the parent of every column:
+/// its first row below the diagonal.
 std::vector<int> fill(Lists& columns) {
   const int n = static_cast<int>(columns.size());
   std::vector<int> parent(n, -1), seen(n, -1);

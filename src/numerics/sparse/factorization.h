@@ -56,8 +56,8 @@ class Factorization {
  public:
   /// Does the symbolic work. The pattern need not outlive the factorization.
   explicit Factorization(const SymmetricPattern& pattern, Precision precision = Precision::full);
-  /// Reuses the order of elimination of another factorization on this pattern, which is most of the
-  /// symbolic work.
+  /// Reuses the order of elimination of another factorization on this pattern, whose computation is
+  /// most of the symbolic work.
   Factorization(const SymmetricPattern& pattern,
                 Precision precision,
                 std::shared_ptr<const Elimination> elimination);
@@ -86,7 +86,7 @@ class Factorization {
   // is the stiffness of the interface with all others eliminated. A x = b is solved by reduce(b), S
   // x_c = b_c with the reduced b_c, and expand(x). Any matrix on the interface can be added to S.
 
-  /// Factorizes A_ii. Returns definite if A_ii is.
+  /// Factorizes A_ii. The status is `definite` if A_ii is positive definite.
   FactorStatus condense(const SymmetricMatrix& A);
   /// Returns S [m x m] in the order of the interface's block rows.
   Eigen::MatrixXd condensed() const;

@@ -94,7 +94,8 @@ TEST(Factorization, SaysThatAMatrixIsSingular) {
 }
 
 TEST(Factorization, SolvesWhereUnknownsStandAloneOrInParts) {
-  // The cases are: no couplings at all; two bodies that do not touch; one unknown per node.
+  // Tests three cases: no couplings at all, two bodies that are not connected, and one unknown per
+  // node.
   const SymmetricPattern alone(7, {});
   SymmetricMatrix D(alone);
   D.add_to_diagonal(4.0);

@@ -18,8 +18,8 @@ namespace {
 /// front_kernels.h are faster than BLAS.
 constexpr int kFewColumns = 96, kFewRows = 512;
 
-/// Returns the column at which a larger triangle is divided; the kernels work on six columns at a
-/// time.
+/// Returns the column at which a large triangle is divided into two. It is a multiple of six,
+/// because the kernels work on six columns at a time.
 int half(int n) { return (n / 2 + 5) / 6 * 6; }
 
 /// Computes C <- C - A B' for C [rows x columns] and A [rows x n]. Successive columns of every

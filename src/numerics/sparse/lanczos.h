@@ -30,8 +30,8 @@ struct EigenProblem {
 
 struct LanczosSettings {
   int count = 20;  // number of wanted eigenpairs
-  /// Residual of the inverted problem relative to theta. The relative error of theta is its square
-  /// over the relative gap to the next theta.
+  /// Residual of the inverted problem relative to theta. The relative error of theta is the square
+  /// of this residual divided by the relative gap to the next theta.
   double tolerance = 1e-8;
   /// Number of last wanted pairs to which spare_tolerance applies.
   int spare = 0;

@@ -85,7 +85,7 @@ class Multifrontal final : public Factorization::Impl {
   void solve_together(Eigen::Ref<Eigen::MatrixXd> X);
   double take(const Eigen::Ref<const Eigen::VectorXd>& x, int column);
   void give(int column, double scale, Eigen::Ref<Eigen::VectorXd> x) const;
-  /// Number of fronts without the interface.
+  /// Returns the number of fronts without that of the interface.
   size_t inside() const { return fronts_.size() - (elimination->interface > 0 ? 1 : 0); }
 
   Real* panel(const FrontPlan& front) { return factor_.get() + front.panel; }

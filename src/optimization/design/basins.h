@@ -44,11 +44,11 @@ struct Basin {
 /// Returns the basins, lowest first. Points whose value is NaN belong to no basin.
 std::vector<Basin> find_basins(const std::vector<double>& values, const Neighbors& neighbors);
 
-/// Returns in words why the minima of a grid cannot be trusted; empty if they can.
+/// Returns in words why the number of minima found on a grid cannot be trusted; empty if it can.
 std::string grid_doubt(const std::vector<double>& values, const std::vector<int>& levels);
 
-/// Returns in words why the minima of scattered points of the unit cube cannot be trusted; empty if
-/// they can.
+/// Returns in words why the number of minima found among scattered points of the unit cube cannot
+/// be trusted; empty if it can.
 std::string scatter_doubt(const std::vector<double>& values,
                           const std::vector<Eigen::VectorXd>& points);
 

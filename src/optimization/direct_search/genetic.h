@@ -27,7 +27,7 @@
 
 namespace latsch {
 
-/// Size of the search and its random choices.
+/// Options of the search: its size and its random choices.
 struct GeneticOptions {
   int population = 0;         // 0: ten times the number of variables, at least 20
   int generations = 50;       // the search ends after this number of generations

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generating-set search with linear constraints.
+// Tests of generating-set search with linear constraints.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ struct Found {
   int evaluations = 0;
 };
 
-/// Runs until converged and checks that every proposed point lies inside.
+/// Runs the search until it converges and checks that every proposed point lies inside the region.
 Found minimize(const ConstrainedProblem& problem, const GssOptions& options = {}) {
   Gss gss(problem.space, options);
   Found found;

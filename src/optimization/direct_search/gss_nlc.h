@@ -48,7 +48,7 @@ class GssNlc : public Optimizer {
   /// Starts at the initial values of the space. Throws InputError for options out of range.
   explicit GssNlc(const DesignSpace& space, const GssNlcOptions& options = {});
 
-  /// Proposes no points beyond the search for the present rho.
+  /// Proposes only points of the search for the present penalty factor rho.
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override { return search_->converged(); }

@@ -31,7 +31,7 @@ struct Found {
   int evaluations = 0;
 };
 
-/// Runs until converged. A value that is not finite is a failed trial.
+/// Runs the search until it converges. A value that is not finite counts as a failed trial.
 Found minimize(const DesignSpace& space, const Function& function, const GssOptions& options = {}) {
   Gss gss(space, options);
   Found found;
@@ -221,7 +221,7 @@ TEST(Gss, FindsAMinimumAtABoundAndInACorner) {
 }
 
 TEST(Gss, GoesAroundPointsThatFail) {
-  // Points with x0 > 0.62 and in a ball on the path to the minimum fail.
+  // The model fails at points with x0 > 0.62 and in a ball on the path to the minimum.
   const Found found = minimize(box({0.1, 0.1, 0.9}, 0.0, 1.0), [](const auto& x) {
     const bool in_ball = std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1;
     if (x[0] > 0.62 || in_ball) return std::nan("");

@@ -76,7 +76,7 @@ struct NelderMead::State {
   Vertex& worst() { return known.back(); }
   double second_worst() const { return known.size() > 1 ? known[known.size() - 2].f : best().f; }
 
-  /// Chooses the next reflection, or ends the search. All vertices are known.
+  /// Chooses the next reflection, or ends the search. The values of all vertices are known then.
   void reflect() {
     const auto less = [](const Vertex& a, const Vertex& b) { return a.f < b.f; };
     std::stable_sort(known.begin(), known.end(), less);

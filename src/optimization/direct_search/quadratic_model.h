@@ -43,9 +43,8 @@ struct BallStep {
   double mu;
 };
 
-/// Returns the step s, |s| <= radius, with the least m(s): More and Sorensen's  (H + mu I) s = -g,
-/// mu >= 0, solved in the eigenvectors of H. [More, Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983)
-/// 553]
+/// Returns the step s, |s| <= radius, with the least m(s). It solves  (H + mu I) s = -g, mu >= 0,
+/// with the eigenvectors of H. [Moré, Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553]
 BallStep minimize_in_ball(const QuadraticModel& model, double radius);
 
 }  // namespace latsch

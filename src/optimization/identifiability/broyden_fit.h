@@ -41,7 +41,7 @@ struct BroydenFitOptions {
 
 class BroydenFit {
  public:
-  /// `free` lists the variables that may move, in ascending order.
+  /// Begins a fit of the variables `free`, whose indices are in ascending order.
   BroydenFit(const Linearization& start, std::vector<int> free, const BroydenFitOptions& options);
 
   /// First moves variable `i`, which is not free, to `value`, and the free variables with it as J
@@ -55,10 +55,11 @@ class BroydenFit {
 
   /// Returns the next point of the unit cube to evaluate; nullopt when the fit is done.
   const std::optional<Eigen::VectorXd>& wanted() const { return wanted_; }
-  /// `evaluated` is nullopt if the evaluation failed.
+  /// Receives the outcome of the wanted point; nullopt if the evaluation failed.
   void observe(const std::optional<Evaluated>& evaluated);
 
-  /// False if the first point with the moved variable failed, so there is no fit at its value.
+  /// False if the evaluation of the first point with the moved variable failed, so that there is no
+  /// fit at its value.
   bool fitted() const { return !moving_; }
   /// True if no step predicts an improvement; false while the fit requests a point or if it ended
   /// without convergence.

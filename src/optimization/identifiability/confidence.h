@@ -184,9 +184,10 @@ Eigen::VectorXd shift_of(const Linearization& at,
                          const Eigen::VectorXd& change,
                          const Eigen::VectorXd& felt_changes = {});
 
-/// Returns the points from which J is computed by differences: the center, then one step in each
-/// variable of the unit cube, inward, and inside the linear constraints if one of the two sides is.
-/// `steps` has one entry for each variable; 0 or an empty vector means 0.01.
+/// Returns the points from which J is computed by differences: the center, then one point for each
+/// variable of the unit cube, moved up by its step, or down if the step would lead beyond the upper
+/// bound. If linear constraints forbid this point but not the opposite one, the opposite one is
+/// used. `steps` has one entry for each variable; 0 or an empty vector means 0.01.
 std::vector<DesignPoint> difference_points(const DesignSpace& space,
                                            const DesignPoint& center,
                                            const Eigen::VectorXd& steps = {});
@@ -194,7 +195,7 @@ std::vector<DesignPoint> difference_points(const DesignSpace& space,
 /// Returns the indices of the residuals that are known, not NaN, at all points.
 std::vector<Eigen::Index> known_residuals(const std::vector<Eigen::VectorXd>& residuals);
 
-/// Computes the linearization from the residuals at difference_points.
+/// Computes the linearization from the residuals at the points of difference_points().
 Linearization differences(const DesignSpace& space,
                           const std::vector<DesignPoint>& points,
                           const std::vector<Eigen::VectorXd>& residuals);

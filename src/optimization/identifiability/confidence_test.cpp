@@ -12,7 +12,7 @@
 namespace latsch {
 namespace {
 
-/// The straight line y = a + b x at x = 0 .. m - 1, fitted to y; u = (a, b).
+/// Returns the straight line y = a + b x at x = 0 .. m - 1, fitted to y by u = (a, b).
 Linearization line(const Eigen::VectorXd& y) {
   Linearization at;
   at.J.resize(y.size(), 2);
@@ -35,7 +35,7 @@ TEST(Confidence, AStraightLineHasItsTextbookIntervals) {
   EXPECT_NEAR(c.covariance(0, 0), s2 * (1.0 / 5 + 4.0 / 10), 1e-12);
   EXPECT_NEAR(c.correlation(0, 1), -0.2 / std::sqrt(0.6 * 0.1), 1e-12);
   EXPECT_NEAR(c.intervals[1].upper - at.u[1], c.t * std::sqrt(s2 / 10), 1e-12);
-  // sigma_1^2 sigma_2^2 = det J'J = m Sxx
+  // The product of the squared singular values is det J'J = m Sxx.
   EXPECT_NEAR(std::pow(c.singular_values.prod(), 2), 50.0, 1e-10);
 }
 

@@ -34,7 +34,7 @@
 
 namespace latsch {
 
-/// Noise, differences and extent of an identification.
+/// Options of an identification: noise, differences, and the number of rounds.
 struct IdentificationOptions {
   ConfidenceOptions confidence = {};  // noise of the residuals and level of the intervals
   bool profiles = true;               // if false, round 3 is left out
@@ -54,7 +54,7 @@ class Identification {
                  const DesignPoint& point,
                  const IdentificationOptions& options = {});
 
-  /// Empty when done.
+  /// Returns the points to be evaluated next; empty if the identification has ended.
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
   /// Records the outcomes of the wanted points, in their order; a Failure if an evaluation failed.
   /// `evaluated` may hold only the first outcome if is_enough() is true for it.
@@ -67,8 +67,8 @@ class Identification {
 
   /// Returns the reason if round 1 was impossible.
   const Status& status() const { return status_; }
-  /// Returns the point that linearization, confidence and profiles belong to: the given point, or a
-  /// better one found since.
+  /// Returns the point to which linearization, confidence and profiles belong: the given point, or
+  /// a better one found since then.
   const DesignPoint& center() const { return center_; }
   /// Returns the quality of the derivatives, one entry for each variable.
   const std::vector<SlopeQuality>& slopes() const { return qualities_; }
@@ -99,11 +99,11 @@ class Identification {
   const Linearization& linearization() const { return *at_; }
   /// Intervals, correlations and directions, from the linearization.
   const Confidence& confidence() const { return *confidence_; }
-  /// Indices of the residuals used.
+  /// Returns the indices of the residuals that are used.
   const std::vector<Eigen::Index>& residuals_used() const { return rows_; }
   /// Returns the linearization at the least sum of squares, after round 2.
   const Linearization& refitted() const { return *best_; }
-  /// One profile for each variable that may move, when done and requested.
+  /// Returns one profile for each variable that may move, if profiles are requested and complete.
   const std::vector<TargetProfile>& profiles() const { return profiles_; }
 
  private:

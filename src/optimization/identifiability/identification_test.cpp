@@ -84,9 +84,9 @@ TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {
   }
 }
 
-// The residuals are r = (a - 0.5, b - 0.5) with a + b <= 1.02. Below 0.52, b is free and S = (a -
-// 0.5)^2. Above, b has to decrease, and  S = x^2 + (x - 0.02)^2,  x = a - 0.5, which is t^2 s^2 at
-// the root below. No proposed point lies outside.
+// The residuals are r = (a - 0.5, b - 0.5) with a + b <= 1.02. Below a = 0.52, b is free and S = (a
+// - 0.5)^2. Above it, b has to decrease, and  S = x^2 + (x - 0.02)^2  with  x = a - 0.5. The
+// interval ends where S equals t^2 s^2, at the root computed below. No proposed point lies outside.
 TEST(Identification, ProfilesKeepToLinearConstraints) {
   LinearConstraint sum;
   sum.name = "sum";

@@ -29,7 +29,7 @@
 
 namespace latsch {
 
-/// Deviations of a value from the value at the point.
+/// The band of a value: its deviations from the value at the point.
 struct PredictionBand {
   double lower = 0.0, upper = 0.0;  // <= 0, >= 0
   /// The open direction (a column of FreeDirections::axes) that contributes most to the band, and
@@ -40,10 +40,10 @@ struct PredictionBand {
   int held = -1;
 };
 
-/// Bands of values computed from the variables, for one confidence.
+/// Computes bands of values that depend on the variables, for one confidence.
 class PredictionBands {
  public:
-  /// Uses the confidence at u, whose sigma must be a number.
+  /// Uses the confidence at the point u; its sigma must not be NaN.
   PredictionBands(const Eigen::VectorXd& u, const Confidence& confidence);
 
   /// Returns the band of a value with the gradient g with respect to the unit cube.

@@ -167,7 +167,7 @@ half = t.ppf(0.975, len(x) - 3) * np.sqrt(np.einsum("ij,ik,kj->j", g, C, g))
 np.savetxt("found", np.concatenate([p, half]), fmt="%.17g")
 )py";
 
-// y = a + b exp(-k x) is fitted and extrapolated by SciPy's curve_fit and its covariance.
+// The curve y = a + b exp(-k x) is fitted and extrapolated by SciPy's curve_fit and its covariance.
 TEST(PredictionBand, OfANonlinearCurveIsThatOfSciPy) {
   const ScratchFolder folder;
   RandomStream random(5, 1);

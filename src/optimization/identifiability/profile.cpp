@@ -218,7 +218,7 @@ bool ProfileBranch::leaps(const Linearization& from, const Linearization& to) co
   return within(from) && to.sum_of_squares() - least_ > kLeap * threshold_;
 }
 
-/// Inserts a point and returns its index.
+/// Inserts a point into the profile and returns its index.
 int ProfileBranch::insert(const Linearization& reached, bool converged) {
   const auto further = [&](const ProfilePoint& point) {
     return direction_ * (point.u[variable_] - reached.u[variable_]) > 0.0;

@@ -150,7 +150,7 @@ TargetProfile judge(const Linearization& best,
                     const ProfileBranch& up,
                     double threshold);
 
-/// "identifiable", "one-sided", "flat", "several minima", "not evaluable beyond".
+/// Returns "identifiable", "one-sided", "flat", "several minima" or "not evaluable beyond".
 std::string name(Verdict verdict);
 /// Returns the verdict as a sentence: "one-sided: the data give only an upper limit".
 std::string in_words(const TargetProfile& profile);

@@ -36,19 +36,20 @@ namespace latsch {
 
 class RobustRows {
  public:
-  /// Takes m residuals and their m x n derivatives, both after the loss.
+  /// Prepares m residuals and their m x n derivatives, both after the loss.
   RobustRows(const Eigen::VectorXd& r, const Eigen::MatrixXd& J, const ResidualTraits& traits);
 
   /// True if some psi' differs from 1. Otherwise psi = r and X = J.
   bool is_limited() const { return is_limited_; }
-  /// Returns psi, m, in the unit of the residuals.
+  /// Returns psi of the m residuals, in the unit of the residuals.
   const Eigen::VectorXd& psi() const { return psi_; }
   /// Returns the derivatives before the loss, m x n. The row of a residual is 0 if the slope dr/dx
   /// of its loss is less than a millionth.
   const Eigen::MatrixXd& X() const { return X_; }
-  /// Returns dr/dx, m.
+  /// Returns the slope dr/dx of the loss of each of the m residuals.
   const Eigen::VectorXd& slopes() const { return slopes_; }
-  /// Returns the share of a change of every residual that moves the least S: psi' / (dr/dx)^2, m.
+  /// Returns, for each of the m residuals, the share of a change of it that moves the minimum of S:
+  /// psi' / (dr/dx)^2.
   Eigen::VectorXd felt_changes() const;
   /// Returns the number of residuals with a loss, and how many of these lie beyond the corner.
   int with_loss() const { return with_loss_; }

@@ -40,7 +40,7 @@ class SlopeSearch {
   /// of the range.
   SlopeSearch(std::function<bool(double)> has_room, double first_length);
 
-  /// Returns the offsets to evaluate; empty when done.
+  /// Returns the offsets from the center to evaluate next; empty if the search has ended.
   const std::vector<double>& wanted() const { return wanted_; }
   /// Receives the residuals at the center and at wanted(), in units of their standard deviations;
   /// nullopt if an evaluation failed. `felt` is the change of the residuals at the ends of the

@@ -31,7 +31,7 @@ struct Differences {
 
 class WeakDirections {
  public:
-  /// `c` is the confidence at the linearization `at`.
+  /// Chooses the directions to check. `c` is the confidence at the linearization `at`.
   WeakDirections(const DesignSpace& space,
                  const Linearization& at,
                  const Confidence& c,

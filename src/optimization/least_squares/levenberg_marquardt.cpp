@@ -154,7 +154,7 @@ struct LevenbergMarquardt::State {
     }
   }
 
-  /// Starts at the first point, or at one from another source.
+  /// Starts at the first successful point, which may come from another source.
   void begin(Linear known) {
     const bool is_first = D.size() == 0;
     along.reset();

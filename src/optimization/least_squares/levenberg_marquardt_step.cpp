@@ -26,7 +26,7 @@ constexpr int kMostDampings = 30;
 // Smallest curvature in a quadratic program relative to the largest one.
 constexpr double kLeastConvexity = 1e-12;
 
-/// Returns the first rows of Q'A, as many as A has columns, with Q from the factors.
+/// Returns the first rows of Q'A, as many as the matrix has columns, with Q from its factors.
 MatrixXd rotated(const numerics::HouseholderQr& factors, const MatrixXd& A, Eigen::Index rows) {
   MatrixXd R(rows, A.cols());
   for (Eigen::Index j = 0; j < A.cols(); ++j) {
@@ -35,7 +35,7 @@ MatrixXd rotated(const numerics::HouseholderQr& factors, const MatrixXd& A, Eige
   return R;
 }
 
-/// Scales the rows to length 1 in the scaled variables.
+/// Scales the constraints as rows of length 1 in the scaled variables D p.
 void scale(MatrixXd& A, VectorXd& b, const VectorXd& D) {
   A = A * D.cwiseInverse().asDiagonal();
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
@@ -122,7 +122,7 @@ VectorXd LevenbergMarquardtSteps::damped_in_polytope(double mu) const {
 LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
   const double longest = (1.0 + kRadiusSlack) * radius, shortest = (1.0 - kRadiusSlack) * radius;
   if (full_.length <= longest && full_.promised > 0.0) return full_;
-  // excess(mu) = 1 / |D p| - 1 / Delta increases from below 0 to above 0.
+  // The function excess(mu) = 1 / |D p| - 1 / Delta increases from a negative to a positive value.
   const auto excess = [&](const LevenbergMarquardtStep& s) {
     return 1.0 / s.length - 1.0 / radius;
   };

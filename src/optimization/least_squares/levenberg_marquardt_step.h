@@ -35,17 +35,17 @@ struct LevenbergMarquardtStep {
 
 class LevenbergMarquardtSteps {
  public:
-  /// `D` are scales of the variables, above 0. u lies in the region.
+  /// Prepares the steps from u, which lies in the region. `D` are scales of the variables, above 0.
   LevenbergMarquardtSteps(const Eigen::VectorXd& r,
                           const Eigen::MatrixXd& J,
                           const Eigen::VectorXd& D,
                           const Eigen::VectorXd& u,
                           const FeasibleRegion& region);
 
-  /// Returns the longest step, mu = 0.
+  /// Returns the step for mu = 0, which is the longest one.
   const LevenbergMarquardtStep& full() const { return full_; }
   LevenbergMarquardtStep within(double radius) const;
-  /// Returns the solution of (1) for a given mu.
+  /// Returns the damped step (1) for a given mu.
   LevenbergMarquardtStep damped(double mu) const;
   /// Returns an upper limit of the decrease predicted for a step inside the bounds: that of the
   /// step without bounds in the variables that are not held.

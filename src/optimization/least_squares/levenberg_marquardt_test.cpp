@@ -90,8 +90,8 @@ constexpr double kNarrow = 0.01;
 
 double angle(const Values& x) { return std::atan2(x[1], x[0]); }
 
-/// A valley along the circle of radius 1, with the floor phi^2 at the angle phi and the minimum 0
-/// at (1, 0).
+/// The target has a valley along the circle of radius 1. On its floor the value is phi^2 at the
+/// angle phi, with the minimum 0 at (1, 0).
 Result<Score> bent_valley(const Values& x) {
   const double rho = std::hypot(x[0], x[1]), phi = angle(x);
   const double c = x[0] / rho, s = x[1] / rho;
@@ -295,7 +295,7 @@ TEST(LevenbergMarquardt, RefusesOptionsOutOfRange) {
   EXPECT_THROW(LevenbergMarquardt(space, {.initial_step = 0.1, .step_tolerance = 0.2}), InputError);
 }
 
-// With J = 1 the step is -r, shortened to the radius; mu = |r| / Delta - 1.
+// With J = 1 the step is -r, shortened to the radius Delta by mu = |r| / Delta - 1.
 TEST(LevenbergMarquardtSteps, AreAsLongAsTheRadius) {
   const Eigen::Vector2d r(0.3, -0.4), one = Eigen::Vector2d::Ones();
   const FeasibleRegion cube(space_of({0.5, 0.5}, {{0, 1}}));

@@ -19,7 +19,8 @@
 
 namespace latsch {
 
-/// A logarithmic variable has equal steps for equal ratios of its values, which must be positive.
+/// Scale of a variable. On a logarithmic one, equal steps are equal ratios of the values, which
+/// must be positive.
 enum class Scale { linear, logarithmic };
 
 /// A number of the model that is a variable's value times a factor.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the unit cube that fulfills the linear constraints of a design space: a polytope.
+// The part of the unit cube that fulfills the linear constraints of a design space, which is a
+// polytope:
 //
-//   E u = f,   A u <= b      rows of length 1, so that b - A u are distances
+//   E u = f,   A u <= b      with rows of length 1, so that b - A u are distances
 //
 // A has the rows of the constraints first, then the faces of the cube,  u_i <= 1  and  -u_i <= 0.
 #pragma once
@@ -20,7 +21,7 @@ class FeasibleRegion {
   /// Creates the region of the cube of `space` that fulfills the given constraints.
   FeasibleRegion(const DesignSpace& space, const std::vector<LinearConstraint>& constraints);
 
-  /// True without linear constraints: there are only bounds.
+  /// True if there are no linear constraints, so that the region is the cube.
   bool is_cube() const { return is_cube_; }
   const Eigen::MatrixXd& E() const { return E_; }
   const Eigen::VectorXd& f() const { return f_; }
@@ -32,7 +33,8 @@ class FeasibleRegion {
   /// True if u fulfills all constraints up to rounding.
   bool contains(const Eigen::VectorXd& u) const;
 
-  /// Outward normals of the inequalities nearer to u than `distance`, as columns.
+  /// Returns, as columns, the outward normals of the inequalities that are nearer to u than
+  /// `distance`.
   Eigen::MatrixXd normals_within(const Eigen::VectorXd& u, double distance) const;
 
   /// Returns the last point inside the region on the line from x, which is inside, to u. If the

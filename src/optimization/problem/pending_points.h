@@ -61,7 +61,7 @@ class Plan {
 
   bool is_full() const { return std::ssize(points_) >= count_; }
   bool is_empty() const { return points_.empty(); }
-  /// Adds the point unless the plan is full or has it already.
+  /// Adds the point unless the plan is full or contains it already.
   void add(const DesignPoint& point) {
     const bool is_named = std::find(points_.begin(), points_.end(), point) != points_.end();
     if (!is_full() && !is_named) points_.push_back(point);

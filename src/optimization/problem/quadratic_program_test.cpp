@@ -17,7 +17,7 @@ QuadraticProgram nearest_to(const VectorXd& u) {
 }
 
 TEST(QuadraticProgram, SolvesTheExampleOfTheBook) {
-  // In [Nocedal & Wright, Numerical Optimization, 2006, example 16.4] the solution is x = (1.4,
+  // The solution of example 16.4 in [Nocedal & Wright, Numerical Optimization, 2006] is x = (1.4,
   // 1.7).
   QuadraticProgram qp;
   qp.G = 2.0 * MatrixXd::Identity(2, 2);

@@ -28,8 +28,8 @@ struct Edge {
   double b;
 };
 
-/// Returns the edges. Points are relative to a success, which is at 0, in units that are equivalent
-/// along all axes. Failures are ordered nearest first.
+/// Returns the edges of failed regions. Points are given relative to a success at the origin, in
+/// units that make all axes comparable. Failures are ordered nearest first.
 std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
                                 const std::vector<Eigen::VectorXd>& successes);
 

@@ -45,7 +45,8 @@ Eigen::VectorXd all_values(const SmoothValues& values);
 /// value.
 SmoothSlopes slopes_at(const SmoothValues& values, const Eigen::MatrixXd& J);
 
-/// Returns the J with J D = S of least norm. Columns of D are directions, columns of S differences.
+/// Returns the J of least norm that fulfills J D = S. The columns of D are directions, those of S
+/// the differences of the values along them.
 Eigen::MatrixXd jacobian_of(const Eigen::MatrixXd& S, const Eigen::MatrixXd& D);
 
 }  // namespace latsch

@@ -24,7 +24,7 @@ struct CascadeOptions {
 
 class Cascade : public Optimizer {
  public:
-  /// Returns the search of one stage in the space with that stage's bounds.
+  /// Returns the optimizer of one stage for a space with the bounds of that stage.
   using MakeOptimizer = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
   /// Throws InputError for less than one stage or a tightening that is not between 0 and 1.
@@ -36,7 +36,7 @@ class Cascade : public Optimizer {
   bool converged() const override;
   std::string ending() const override { return optimizer_->ending(); }
 
-  /// Number of the present stage: 1, 2, ...
+  /// Returns the number of the present stage, counted from 1.
   int stage() const { return stage_; }
   /// Returns the space with the bounds of the present stage.
   const DesignSpace& space() const { return space_; }

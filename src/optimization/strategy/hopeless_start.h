@@ -23,7 +23,7 @@ namespace latsch {
 
 class HopelessStart : public Optimizer {
  public:
-  /// Watches over this search in this space.
+  /// Observes the outcomes of the given search in the given space.
   HopelessStart(const DesignSpace& space, std::unique_ptr<Optimizer> optimizer);
 
   std::vector<DesignPoint> propose(int count) const override;

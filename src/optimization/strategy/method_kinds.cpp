@@ -114,7 +114,7 @@ std::unique_ptr<Optimizer> make_ensemble(const DesignSpace& space,
   return std::make_unique<Ensemble>(std::move(members), settings.ensemble_end);
 }
 
-// Keys that several methods have with one meaning.
+// Keys that have the same meaning in several methods.
 const MethodKey kInitialStep = {"initial_step", "0.1"},
                 kStepTolerance = {"step_tolerance", "0.001"}, kOutstanding = {"outstanding", "1"},
                 kContraction = {"contraction", "0.25"},

@@ -31,7 +31,7 @@ class MultiStart : public Optimizer {
   bool converged() const override;
   std::string ending() const override { return optimizer_->ending(); }
 
-  /// Number of the present run: 1, 2, ...
+  /// Returns the number of the present run, counted from 1.
   int run() const { return run_; }
 
  private:

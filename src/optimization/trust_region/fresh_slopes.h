@@ -28,7 +28,7 @@ class FreshSlopes {
     double f_least;      // once the target is below this value, no further round follows
   };
 
-  /// Starts around the center of the box.
+  /// Begins a verification around the center of the box.
   FreshSlopes(TrustBox& box, const Options& options);
 
   /// False if the region is a single point.
@@ -44,14 +44,14 @@ class FreshSlopes {
   /// was predicted.
   void observe_step(bool is_bad, double promise);
 
-  /// Value of the target at the beginning of this round.
+  /// Returns the value of the target at the beginning of this round.
   double f_begin() const { return f_begin_; }
   /// True if moves had to be shortened to suit the residuals. The caller then starts no search in a
   /// box from this point.
   bool is_sharp() const { return is_sharp_; }
   /// Valid once the verification has ended.
   Ending ending() const { return ending_; }
-  /// Standard deviation of the value caused by noise.
+  /// Returns the standard deviation of the target that is due to noise.
   double deviation() const { return deviation_; }
 
  private:

@@ -46,7 +46,7 @@ class LostVariables {
   /// True if the next point tests which variables are lost.
   bool is_testing() const { return is_bisecting() || tested_alone_ < std::ssize(order_); }
   bool has_next() const { return is_testing() || !places_.empty(); }
-  /// Returns a point of the unit cube. Requires has_next().
+  /// Returns the next point to evaluate, in the unit cube. Requires has_next().
   Eigen::VectorXd next() const;
   /// Returns the factor s of the next point; 1 for a test.
   double factor() const { return is_testing() ? 1.0 : places_.back().factor; }
@@ -63,7 +63,7 @@ class LostVariables {
   };
 
   bool is_bisecting() const { return at_most_ > at_least_; }
-  /// Number of variables, from the front of the order, in the next step of the bisection.
+  /// Number of variables, from the front of the order, that the next step of the bisection moves.
   int bisected() const { return at_least_ == 0 ? 1 : (at_least_ + at_most_ + 1) / 2; }
   void learn(bool is_felt);
   void find_places();

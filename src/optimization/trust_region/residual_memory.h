@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stores everything known about a vector of residuals: samples, whoever proposed them, and failed
-// regions.
+// Stores all outcomes of a vector of residuals: samples, whoever proposed them, and failed regions.
 //
-// A point that failed, or at which the residuals exploded, is surrounded by a ball to avoid, with a
-// radius of a quarter of its distance to the nearest point that succeeded. A single failure thus
-// excludes little, a region of failures is closed off from all sides, and neither is entered twice.
+// A point that failed, or at which the residuals exploded, is surrounded by a ball that is not
+// entered again. The radius of the ball is a quarter of the distance to the nearest point that
+// succeeded. A single failure thus excludes little, and a region of failures is closed off from all
+// sides.
 #pragma once
 
 #include <Eigen/Core>

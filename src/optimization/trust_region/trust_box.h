@@ -54,10 +54,11 @@ class TrustBox {
   bool is_point() const { return region.E().rows() > 0 && along().cols() == 0; }
   const Eigen::VectorXd& c() const { return center_ >= 0 ? memory[center_].u : start_; }
   double f() const;
-  /// Returns the best sample inside the region since the last `move_to`; -1: none.
+  /// Returns the index of the best sample inside the region since the last call of move_to(); -1:
+  /// none.
   int center() const { return center_; }
   bool has_center() const { return center_ >= 0; }
-  /// Returns the best of all samples inside the region; -1: none.
+  /// Returns the index of the best of all samples inside the region; -1: none.
   int best() const { return best_; }
   /// True if the best value is at most `value`; false if `value` is 0.
   bool is_down_to(double value) const {

@@ -26,7 +26,7 @@ class TrustRadius {
   void shrink_after_failure(TrustBox& box, const Wanted& failed) const;
   /// Shrinks the radius if no step in the box is worth an evaluation.
   void shrink_without_step(TrustBox& box) const { box.radius *= tuning_.without_step; }
-  /// Starts a new search with another radius.
+  /// Sets the radius for a new search.
   void begin(TrustBox& box, double radius);
 
   /// Number of failures in a row.

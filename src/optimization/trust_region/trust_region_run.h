@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One run of the residual trust region from one start, with its restarts: the method of
-// residual_trust_region.h without the search for lost variables, which happens between runs.
+// residual_trust_region.h without the search for lost variables, which lost_variable_trials.h adds.
 #pragma once
 
 #include <Eigen/Core>
@@ -47,7 +47,7 @@ class TrustRegionRun {
   const ResidualTrustRegionOptions& options() const { return options_; }
   TrustBox& box() { return box_; }
   const TrustBox& box() const { return box_; }
-  /// Requires that a point has succeeded.
+  /// Returns the best sample. Requires that a point has succeeded.
   const ResidualSample& best() const { return box_.memory[box_.best()]; }
 
  private:

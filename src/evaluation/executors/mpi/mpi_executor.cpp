@@ -287,9 +287,8 @@ std::optional<Trial> MpiExecutor::receive() {
     rank.heard = now();
     if ((message->tag != kOutcome && message->tag != kBegun) || rank.lost) continue;
     const auto answer = take_number(message->bytes);
-    if (!answer || !rank.point || answer->number != rank.trial)
-      // The trial was withdrawn meanwhile.
-      continue;
+    // An answer for another trial than the present one belongs to a trial that was withdrawn.
+    if (!answer || !rank.point || answer->number != rank.trial) continue;
     rank.begun = true;
     if (message->tag == kBegun) continue;
     auto outcome = decode_outcome(answer->rest);

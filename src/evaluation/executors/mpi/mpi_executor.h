@@ -36,14 +36,14 @@ struct MpiPatience {
   double master_silence = 20.0;  // silence of rank 0 after which a rank ends by itself
 };
 
-/// Received message.
+/// A message that was received from another rank.
 struct MpiMessage {
   int rank;
   int tag;
   std::string bytes;
 };
 
-/// The MPI job of this process. It ends with the process.
+/// The MPI job that this process belongs to. It lives until the process ends.
 class MpiJob {
  public:
   explicit MpiJob(const MpiPatience& patience = {});
@@ -55,7 +55,7 @@ class MpiJob {
   int rank() const { return rank_; }
   int size() const { return size_; }
   const MpiPatience& patience() const { return patience_; }
-  /// True if every rank has the same value. Every rank must call this.
+  /// Returns true if all ranks pass the same value. Every rank must call this function.
   bool agrees(std::uint64_t value);
   /// Declares that a rank has been lost, so that the destructor does not wait for it.
   void ends_alone() { ends_alone_ = true; }
@@ -90,7 +90,7 @@ void serve_rank(MpiJob& job, ProcessOptions options);
 
 class MpiExecutor : public Executor {
  public:
-  /// Must be called on rank 0 of a job of at least two ranks.
+  /// Takes a job of at least two ranks. Must be called on rank 0.
   explicit MpiExecutor(MpiJob& job);
   /// Tells the ranks to end and waits until they have ended. For a lost rank it waits no longer
   /// than the permitted silence.
