@@ -52,7 +52,7 @@ class DocumentTree {
   const DocumentValue& value(int i) const { return values_[i]; }
   static constexpr int kRoot = 0;
   static constexpr std::size_t kLargestFile = 4u << 20;  // bytes
-  /// Returns -1 if the table has no such key.
+  /// Returns the index of a value in a table by its key; -1 if the table has no such key.
   int child(int table, std::string_view key) const;
   /// Returns -1 if the path leads nowhere.
   int find(std::string_view path) const;
@@ -61,7 +61,7 @@ class DocumentTree {
 
   /// Returns the current number, in SI, of a value that has a number.
   double si(int i, const DocumentChanges& changes) const;
-  /// Returns a value as it would be written now.
+  /// Returns a value with its present number, as the file would contain it.
   DocumentValue value_now(int i, const DocumentChanges& changes) const;
   /// Returns the source text with the changed numbers.
   std::string text(const DocumentChanges& changes) const;

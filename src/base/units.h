@@ -71,13 +71,13 @@ struct NumberAndRest {
 /// Returns nullopt if the text does not begin with a number.
 std::optional<NumberAndRest> split_number(std::string_view text);
 
-/// Returns an SI value for a person to read, such as "2.6 bar".
+/// Returns an SI value as a text in the given unit, such as "2.6 bar".
 std::string format_quantity(double si, std::string_view unit, int digits = 6);
 
 /// Returns the SI unit of a dimension: "Pa", "N/m", "kg/m^3".
 std::string si_unit(const Unit::Dimension& dimension);
 
-/// Name and example of a quantity of that dimension: `an angle such as "22 deg"`.
+/// Noun and example of a quantity with a certain dimension: `an angle such as "22 deg"`.
 struct DimensionWords {
   std::string noun;     // "an angle"
   std::string example;  // "22 deg"

@@ -18,7 +18,7 @@ Utf8Form utf8_form(unsigned char first) {
   if (first < 0x80) return {1};
   if (first < 0xc2) return {};
   if (first < 0xe0) return {2};
-  // Lower second bytes would encode it longer than necessary.
+  // A smaller second byte would encode a character with more bytes than necessary.
   if (first == 0xe0) return {3, 0xa0};
   if (first == 0xed) return {3, 0x80, 0x9f};  // higher second bytes would be surrogates
   if (first < 0xf0) return {3};
@@ -28,7 +28,7 @@ Utf8Form utf8_form(unsigned char first) {
   return {};
 }
 
-/// Number of bytes of the character at the beginning; 0 if there is none.
+/// Returns the number of bytes of the character at the beginning; 0 if there is none.
 std::size_t utf8_character(std::string_view bytes) {
   const auto code = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   const Utf8Form form = utf8_form(code(0));

@@ -93,7 +93,7 @@ struct JournalFollower::Impl {
       SQLite::Statement select(*database, "SELECT hash FROM trials WHERE number = ?");
       select.bind(1, number);
       return select.executeStep() && select.getColumn(0).getInt64() == stored(state);
-    } catch (const std::runtime_error&) {  // the file is half written; the next read reports it
+    } catch (const std::runtime_error&) {  // a half-written file; the next read reports the error
       return false;
     }
   }

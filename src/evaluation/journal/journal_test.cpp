@@ -343,7 +343,7 @@ TEST(Journal, OneThatIsReplacedWhileItIsWrittenKeepsItsTrialsBesideIt) {
   }
   EXPECT_EQ(Journal::open(folder / "a.saved.journal", kStudy).trials().size(), 2u);
   const std::vector<Trial> others = Journal::open(folder / "a.journal", kStudy).trials();
-  ASSERT_EQ(others.size(), 1u);  // the log of the writer was not applied to it
+  ASSERT_EQ(others.size(), 1u);  // the log of the first journal was not applied to the other one
   expect_same(others[0], trial(7));
 }
 

@@ -25,7 +25,8 @@ constexpr std::array kLocal{FileSystem{0xEF53, "ext4"},  // the number of ext2 a
                             FileSystem{0x52654973, "ReiserFS"},
                             FileSystem{0x01021994, "tmpfs"},
                             FileSystem{0x858458F6, "ramfs"},
-                            // Used by containers; its upper layer is local.
+                            // The file system "overlay" is used by containers; its upper layer is
+                            // local.
                             FileSystem{0x794C7630, "overlay"},
                             FileSystem{0x4D44, "FAT"},
                             FileSystem{0x2011BAB0, "exFAT"},

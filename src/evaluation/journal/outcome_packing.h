@@ -51,7 +51,8 @@ class OutcomePacker {
   /// Packs the outcome of the row with this number. Rows must be packed in the order of their
   /// numbers, each once.
   std::string pack(std::int64_t number, const Outcome& outcome);
-  /// Makes the next row be packed alone, because rows before it were not stored or are not known.
+  /// Makes the next row be packed alone, because the rows before it were not stored or are not
+  /// known.
   void begin_anew() { block_ = {}; }
 
  private:

@@ -253,7 +253,7 @@ class PowerLoss {
   std::map<std::string, Image> images_;  // synced data and later writes of each path
 };
 
-// The methods offer no mapped files, because writes to these would not be noticed.
+// There are no methods for mapped files, because writes to mapped memory would not be noticed.
 inline const sqlite3_io_methods PowerLoss::kMethods{2,
                                                     close,
                                                     read,

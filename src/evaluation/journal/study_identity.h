@@ -12,7 +12,7 @@ namespace latsch {
 /// One named text that the channels of a trial depend on: the model's file, the load cases, the
 /// varied paths.
 struct IdentityPart {
-  std::string name;  // one of the part names that are declared below
+  std::string name;  // name of the part, one of the constants below
   std::string text;  // canonical text of what the part names
 
   bool operator==(const IdentityPart&) const = default;

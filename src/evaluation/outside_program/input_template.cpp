@@ -38,7 +38,7 @@ bool is_number_format(std::string_view format) {
 struct Hole {
   std::string name;
   std::string format;
-  std::size_t size;  // length of the hole in the file
+  std::size_t size;  // length of {name}, the hole, in the file
 };
 
 /// Returns the hole {name} that begins with the brace at `at`; nullopt if no name follows.

@@ -254,7 +254,7 @@ void Dispatcher::receive(std::vector<Trial> trials) {
   for (Trial& trial : trials) {
     const std::string bits = trial.point.bits();
     const auto entry = running_.find(bits);
-    // If the point does not run, this is its second outcome, or nobody waits for it any more.
+    // If a point is not running, the outcome is its second one, or the point is no longer wanted.
     if (entry == running_.end()) continue;
     Running& running = entry->second;
     // The failure was reported twice, or belongs to a withdrawn attempt. The point already waits

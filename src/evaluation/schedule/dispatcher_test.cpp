@@ -353,7 +353,7 @@ TEST(Stragglers, AreCounted) {
   EXPECT_EQ(last.copied, 1);
   EXPECT_EQ(last.repeated, 0);
   EXPECT_EQ(most, 1);
-  EXPECT_NEAR(slowest, 23.0, 0.5);  // a copy began after 3 s, three times the median
+  EXPECT_NEAR(slowest, 23.0, 0.5);  // the copy of the slowest trial began after 3 s
   EXPECT_EQ(last.straggling, 0);
 }
 

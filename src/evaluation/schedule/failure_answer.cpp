@@ -72,7 +72,8 @@ std::optional<Continuation> continued(const FailurePolicy& policy,
   DesignPoint source = start->point, target = failed;
   for (int halving = 0; halving < policy.halvings; ++halving) {
     const DesignPoint next = middle(space, source, target);
-    if (next == source || next == target) break;  // no point lies between them
+    // The two points are neighbors in floating-point numbers.
+    if (next == source || next == target) break;
     std::vector<DesignPoint> wanted{next};
     if (behind) {
       wanted.push_back(middle(space, next, target));

@@ -11,7 +11,7 @@
 
 namespace latsch::LATSCH_KERNELS {
 
-/// Calls body(i) for blocks of eight numbers that begin at i = begin, begin + 8, .... The last
+/// Calls body(i) for blocks of eight numbers that begin at i = begin, begin + 8 and so on. The last
 /// block may overlap the one before it, so body must assign its results, not add them to earlier
 /// ones. At least eight numbers are required.
 template <class Body>

@@ -59,7 +59,7 @@ struct Genetic::State {
   GeneticOptions options;
   int population;
   int generation = 1;
-  std::uint64_t drawn = 0;           // number of random streams so far
+  std::uint64_t drawn = 0;           // number of random streams used so far
   std::vector<Individual> parents;   // best first
   std::vector<Individual> children;  // known children of this generation
   PendingPoints<Individual> wanted;

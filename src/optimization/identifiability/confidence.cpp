@@ -118,7 +118,7 @@ double reach(double g, double h, double threshold) {
 }  // namespace
 
 double rare_ratio(double nu) {
-  // A standard normal number exceeds it with a chance of one in a thousand.
+  // Value that a standard normal number exceeds with a chance of one in a thousand.
   constexpr double kNormal = 3.090232;
   const double k = 2.0 / (9.0 * nu);
   return std::pow(1.0 - k + kNormal * std::sqrt(k), 3.0);

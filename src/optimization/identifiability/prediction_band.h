@@ -63,7 +63,7 @@ class PredictionBands {
   Eigen::VectorXd u_;
   FreeDirections free_;      // directions of the free variables; open directions are set to 0
   std::vector<Reach> open_;  // change along each direction; 0 if the direction is not open
-  std::vector<Reach> held_;  // change by each variable; 0 if the variable is not held
+  std::vector<Reach> held_;  // change of the value by each held variable; 0 for all others
 };
 
 }  // namespace latsch

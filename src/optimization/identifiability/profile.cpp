@@ -264,7 +264,7 @@ double ProfileBranch::rung_after(double at, double length) const {
 int ProfileBranch::rungs_left() const {
   if (!refit_) return 0;
   if (failed_at_) return 1;
-  int rungs = 1;  // counts the step being refitted
+  int rungs = 1;  // begins at 1 for the step being refitted
   double at = bracket_ || return_ ? last_.u[variable_] : to_, length = length_;
   while (direction_ * (end_ - at) > 0.0) {
     length = std::min(kLonger * length, kLongestRung);

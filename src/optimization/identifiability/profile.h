@@ -127,7 +127,7 @@ enum class Verdict { identifiable, one_sided, flat, several_minima, not_evaluabl
 /// The profile of one variable: the least sum of squares as a function of it.
 struct TargetProfile {
   int variable = 0;  // index
-  // In ascending order of the variable, with the best point among them.
+  // Points of the profile in ascending order of the variable, including the best point.
   std::vector<ProfilePoint> points;
   double least = 0.0;      // the least S, from which the growth of S is measured
   double threshold = 0.0;  // growth of S at the ends of the interval

@@ -26,7 +26,7 @@ struct LimitedResidual {
   bool is_beyond = false;  // |x| > c
 };
 
-/// Expected values of these quantities for Gaussian x.
+/// Expected values of the quantities of M-estimation for Gaussian errors x.
 struct GaussianLoss {
   double inside = 1.0;     // mean psi^2 of the values inside the corner
   double psi_slope = 1.0;  // mean psi' of all values

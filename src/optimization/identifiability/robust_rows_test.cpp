@@ -15,7 +15,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kHuberCorner = 1.345;  // keeps 95 % of the efficiency of least squares
+constexpr double kHuberCorner = 1.345;  // corner with 95 % of the efficiency of least squares
 
 TEST(RobustLoss, TheErrorFollowsFromItsResidual) {
   for (const Loss loss : {Loss::huber, Loss::cauchy}) {
@@ -139,7 +139,7 @@ TEST(RobustRows, ProfilesEndWhereTheIntervalsDo) {
       EXPECT_EQ(profile.verdict, Verdict::identifiable);
       const double width = own.upper - own.lower;
       EXPECT_NEAR(profile.interval.upper - profile.interval.lower, width, 0.1 * width);
-      EXPECT_LT(width, 0.6);  // half width for 40 values with a noise of 0.1
+      EXPECT_LT(width, 0.6);  // expected half width: 40 values with a noise of 0.1
     }
   }
 }

@@ -248,7 +248,8 @@ struct LevenbergMarquardt::State {
            steps.most_promised() < 0.5 * little;
   }
 
-  /// Returns the step corrected by the curvature of the residuals along it, if that is known.
+  /// Returns the step corrected by the curvature of the residuals along the step, if the curvature
+  /// is known.
   LevenbergMarquardtStep bend(const LevenbergMarquardtStep& step) const {
     if (!along) return step;
     const Eigen::VectorXd s = x.u - along->u;

@@ -84,7 +84,7 @@ std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
   std::vector<Eigen::VectorXd> left = failures;
   while (std::ssize(left) >= kFewest && std::ssize(edges) < kMostEdges) {
     const auto n = static_cast<std::size_t>(left.front().size());
-    std::vector<Eigen::VectorXd> some = left;  // those failures that are nearest to the first
+    std::vector<Eigen::VectorXd> some = left;  // the failures that are nearest to the first one
     std::stable_sort(some.begin(), some.end(), [&](const auto& x, const auto& y) {
       return (x - left.front()).squaredNorm() < (y - left.front()).squaredNorm();
     });

@@ -53,7 +53,7 @@ struct ProblemTraits {
   bool has_residuals = false;  // the target is a sum over residuals
   // Every outcome contains the derivatives of its residuals.
   bool has_jacobian = false;
-  double failed_share = 0.0;  // share of failed points among those evaluated so far
+  double failed_share = 0.0;  // share of failed points among all points evaluated so far
   // Number of local minima found by a design of experiments.
   int basins = 1;
   bool has_linear_constraints = false;     // true if there are linear constraints on the variables
@@ -76,7 +76,7 @@ struct MemberSettings;
 
 /// A method and its options. Only the options of the chosen method have an effect.
 struct OptimizerSettings {
-  std::string method = "auto";                            // one of method_names()
+  std::string method = "auto";                            // "auto" or the name of a method
   GssOptions gss = {};                                    // options of generating-set search
   ResidualTrustRegionOptions residual_trust_region = {};  // options of residual trust region
   LevenbergMarquardtOptions levenberg_marquardt = {};     // options of Levenberg-Marquardt

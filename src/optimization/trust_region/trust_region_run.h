@@ -57,7 +57,7 @@ class TrustRegionRun {
     over      // the last restart has failed
   };
   struct OpenDirection {
-    double share = 0.0;  // remaining share of the variance of its slope
+    double share = 0.0;  // share of the variance of the direction's slope that samples leave
     Eigen::VectorXd direction;
   };
 

@@ -57,7 +57,7 @@ class TrustRestarts {
   Eigen::MatrixXd flat_;  // columns: directions without effect at the best point
   // Number of points along these directions that are left in this restart.
   int scouts_ = 0;
-  // The start being evaluated is one of these points.
+  // True if the start being evaluated is one of the points along flat directions.
   bool is_scouting_ = false;
 };
 
