@@ -35,8 +35,9 @@ int level_at(int place, int i, const std::vector<int>& stride, const std::vector
   return place / stride[i] % levels[i];
 }
 
-/// Returns |delta^4 f| / 96 for the cell between the points `place` and place + stride, the larger
-/// of the values centered at these two points. It is 0 if no fourth difference can be computed.
+/// Returns the possible error of interpolation, |delta^4 f| / 96, for the cell between the points
+/// `place` and place + stride: the larger of the values centered at these two points. It is 0 if no
+/// fourth difference can be computed.
 double missed_by_interpolation(
     const std::vector<double>& f, int place, int level, int count, int stride) {
   double missed = 0.0;

@@ -8,7 +8,7 @@
 namespace latsch {
 namespace {
 
-// Limited because a plan is held in memory and drawn as a whole.
+// Largest number of points of a design, which is held in memory and drawn as a whole.
 constexpr long kMostPoints = 1'000'000;
 
 long count_points(const DesignSpace& space, const std::vector<int>& levels) {

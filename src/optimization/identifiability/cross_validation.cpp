@@ -10,7 +10,7 @@
 namespace latsch {
 namespace {
 
-// Limit for one refit, to which two for each variable are added.
+// Largest number of evaluations of a refit, to which two for each variable are added.
 constexpr int kEvaluationsOfARefit = 30;
 
 // Number of evaluations that a fold usually takes. The first holds if the model computes its

@@ -15,7 +15,7 @@ namespace {
 
 // Tolerance of the refits and of the steps of a profile, as a share of the threshold.
 constexpr double kTolerance = 0.02;
-// Limit for the refit, to which two for each variable are added.
+// Largest number of evaluations of the refit, to which two for each variable are added.
 constexpr int kEvaluationsOfTheRefit = 30;
 constexpr int kEvaluationsOfAShortRefit = 5;
 constexpr int kMostWeakRounds = 3;

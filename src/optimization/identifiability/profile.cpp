@@ -20,7 +20,7 @@ constexpr double kLonger = 1.6;  // factor by which each step is longer than the
 // Tolerance of a refit, as a share of the threshold; an end of the interval shifts by half of this
 // share. Far out, where only the shape of the profile matters, it is a share of the growth of S.
 constexpr double kProfileTolerance = 0.02;
-// Limit for one refit, to which two for each variable are added.
+// Largest number of evaluations of a refit, to which two for each variable are added.
 constexpr int kEvaluationsOfARung = 30;
 // Difference of S between two steps of a profile, in thresholds, above which the root of S does not
 // count as linear between them.

@@ -60,8 +60,8 @@ void LostVariableTrials::look_further() {
   }
 }
 
-/// Processes the outcome of such a point, and begins a trial if the lost variables have an effect
-/// there.
+/// Processes the outcome of a point at which lost variables may have an effect again, and begins a
+/// trial if they have one.
 void LostVariableTrials::take_look(const DesignPoint& point,
                                    const std::optional<ResidualSample>& sample) {
   const bool was_test = lost_->is_testing();

@@ -5,7 +5,8 @@ namespace latsch {
 namespace {
 
 constexpr double kExponent = 0.5;
-// Smallest D_i as a share of the largest; smaller ones are replaced by it.
+// Smallest effect D_i of a variable on the residuals, as a share of the largest effect. Smaller
+// ones count as this.
 constexpr double kInsensitive = 1e-3;
 
 }  // namespace

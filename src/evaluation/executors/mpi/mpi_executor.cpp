@@ -22,7 +22,7 @@ namespace latsch {
 namespace {
 
 enum Tag { kPoint = 1, kOutcome, kAlive, kWithdraw, kEnd, kEnded, kLeave, kBegun };
-// Sent with kLeave if another rank is lost, so that the receiver does not wait for that rank.
+// Text of the message kLeave if some rank is lost: the receiver must not wait for the other ranks.
 constexpr const char* kAlone = "alone";
 constexpr auto kPause = std::chrono::microseconds(500);  // pause between two checks for a message
 // Time that a rank waits for its own worker, s.
