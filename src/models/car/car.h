@@ -202,6 +202,8 @@ class Car {
                 std::vector<multibody::BodyForce>& wrenches) const;
   /// Describes how far the car at rest has sunk at its worst corner.
   std::string sunk(const multibody::Rest& rest, const LineTires& tires, double speed) const;
+  /// Describes what acts on the car as drawn, if no share of it finds an equilibrium.
+  std::string unstable_as_drawn(double speed) const;
   /// Returns the deviation of the chassis from the guide's line and heading, m, m, rad.
   Eigen::Vector3d off_guide(const multibody::Pose& chassis, const GuidePoint& point) const;
   /// Static equilibrium on tires that are pressed down, at rest or spinning.
@@ -209,12 +211,22 @@ class Car {
                                           LineTires& lines,
                                           const road::Road& road,
                                           const CarInputs& inputs);
-  /// Static equilibrium on tires that have rolled to their starting positions.
+  /// Static equilibrium on tires that have rolled to their starting positions, over a distance
+  /// after which their forces are steady. Fails if a tire does not become steady.
   Result<multibody::Rest> roll_in(CarState& state,
                                   LineTires& lines,
                                   const multibody::Rest& rest,
                                   const road::Road& road,
                                   const CarInputs& inputs);
+  /// The same over a given number of rounds. Sets, for each tire, the range of its force in the
+  /// last half round, N, if this range is still falling; otherwise 0.
+  Result<multibody::Rest> roll_rounds(int rounds,
+                                      CarState& state,
+                                      LineTires& lines,
+                                      const multibody::Rest& rest,
+                                      const road::Road& road,
+                                      const CarInputs& inputs,
+                                      std::array<double, kCorners>& falling);
   void rebuild(std::vector<multibody::Strut> struts);
   /// Returns a Failure if no spring of its kind can be the preloaded unit of a corner.
   Status check_spring(int corner, const std::vector<multibody::Strut>& springs) const;
