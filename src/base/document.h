@@ -153,7 +153,7 @@ class Document {
 
  private:
   std::shared_ptr<const DocumentTree> tree_;
-  // Changed only while this document is the only owner.
+  /// Changed only while this document is the only owner.
   std::shared_ptr<std::map<int, double>> changes_;
 };
 

@@ -41,14 +41,14 @@ struct DeclaredKey {
   std::vector<std::string> units = {};    // units in SI: a single one, or one for each column
   Range range = {};                       // for numbers
   std::vector<std::string> choices = {};  // for a choice
-  // Requirement in words, "a share such as 3 %", for a text that its reader analyzes.
+  /// Requirement in words, "a share such as 3 %", for a text that its reader analyzes.
   std::vector<std::string> expected = {};
   std::optional<std::string> fallback = {};  // value that applies if the key is not written
   std::string value = {};                    // resolved value; "" if it was not read
   bool is_there = false;                     // true if the file has the key
   bool may_be_missing = false;               // the reader tests whether the key is present
   bool is_measurable = false;                // {from = "measurement.NAME"} is allowed
-  // Files that the key names, followed by the files that those refer to.
+  /// Files that the key names, followed by the files that those refer to.
   std::vector<std::filesystem::path> files = {};
 };
 
@@ -57,7 +57,7 @@ struct DeclaredKey {
 struct RecordedKeys {
   std::string base;  // path of the table
   std::map<std::string, DeclaredKey> keys;
-  // Values that replace whole tables, by the path of the table.
+  /// Values that replace whole tables, by the path of the table.
   std::map<std::string, std::string> in_place;
   std::shared_ptr<RecordedKeys> outer;  // record of an enclosing reading; nullptr: none
 

@@ -17,7 +17,7 @@ namespace latsch {
 
 struct UnitReading {
   std::optional<Unit> unit;
-  // Message if there is no unit: `unknown unit "mmm", did you mean "mm"?`, to follow "has ".
+  /// Message if there is no unit: `unknown unit "mmm", did you mean "mm"?`, to follow "has ".
   std::string fault;
   std::string assumed;  // for a unit with several meanings: the meaning chosen, in words
 };

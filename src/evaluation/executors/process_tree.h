@@ -17,7 +17,7 @@ void kill_descendants(pid_t root);
 
 /// The use of the machine by a process and its descendants.
 struct ProcessUse {
-  // User and system time, s, including that of children that have ended.
+  /// User and system time, s, including that of children that have ended.
   double processor_time = 0.0;
   bool is_held_up = false;  // true if a process computes or waits for a processor or a disk
 };

@@ -267,7 +267,8 @@ struct Journal::Impl {
       return;
     }
     database->exec("PRAGMA journal_mode = DELETE; PRAGMA locking_mode = NORMAL");
-    database->execAndGet("SELECT count(*) FROM sqlite_master");  // only a read releases the lock
+    database->execAndGet(
+        "SELECT count(*) FROM sqlite_master");  // the lock is released only by a read
     // With synchronous = EXTRA, a commit counts only once the removal of the rollback log has also
     // reached the disk.
     database->exec("PRAGMA synchronous = EXTRA");

@@ -15,9 +15,9 @@
 namespace latsch {
 
 struct JournalReport {
-  // Format of the journal; 0: not known, or no journal at all.
+  /// Format of the journal; 0: not known, or no journal at all.
   int format = 0;
-  // Number of trials that the file states; -1: not readable.
+  /// Number of trials that the file states; -1: not readable.
   long expected = -1;
   std::optional<StudyIdentity> identity;   // set if the identity is intact
   std::vector<journal_format::Row> rows;   // intact rows, unpacked, in the order of their numbers

@@ -27,8 +27,8 @@ class JournalFollower {
   JournalFollower& operator=(JournalFollower&&) noexcept;
 
   struct News {
-    // True if the trials visited earlier belong to a journal that does not exist any more; the next
-    // call starts at the beginning of the present one.
+    /// True if the trials visited earlier belong to a journal that does not exist any more; the
+    /// next call starts at the beginning of the present one.
     bool begins_anew = false;
     long trials = 0;         // number of trials visited by this call
     bool has_more = false;   // true if the limit `most` was reached

@@ -33,7 +33,7 @@
 
 namespace latsch::journal_format {
 
-// Identifies the file type for file(1) and for Latsch; the bytes spell "Ltsh".
+/// Identifies the file type for file(1) and for Latsch; the bytes spell "Ltsh".
 inline constexpr int kApplicationId = 0x4C747368;
 inline constexpr int kFormat = 5;
 

@@ -20,7 +20,7 @@ struct PowerHistory {
   long kept = 0;
   long sectors_lost = 0;
   bool while_open = false;  // true if the power failed before the journal was closed
-  // The broken condition; empty if nothing acknowledged was lost or changed.
+  /// The broken condition; empty if nothing acknowledged was lost or changed.
   std::string wrong;
 };
 

@@ -41,7 +41,7 @@ class JournalLock {
   std::filesystem::path journal_;
   std::filesystem::path file_;
   int fd_ = -1;  // descriptor of the lock file beside the journal
-  // The journal. It is closed after its database, because close(2) releases the locks of SQLite.
+  /// The journal. It is closed after its database, because close(2) releases the locks of SQLite.
   int itself_ = -1;
   bool is_local_ = true;
 };

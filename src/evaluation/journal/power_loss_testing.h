@@ -148,7 +148,7 @@ class PowerLoss {
   static int open(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags, int* out) {
     auto& disk = *static_cast<PowerLoss*>(vfs->pAppData);
     File& opened = file_of(file);
-    // SQLite does not close a file without methods.
+    /// SQLite does not close a file without methods.
     opened.base.pMethods = nullptr;
     if (disk.failed_) return SQLITE_CANTOPEN;
     const bool is_new = !name || !std::filesystem::exists(name);

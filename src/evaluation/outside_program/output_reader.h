@@ -37,7 +37,7 @@ struct OutputReader {
   std::vector<int> columns = {};       // for `columns`: position of each quantity, counted from 1
   std::vector<std::string> keys = {};  // for `keys`: text before each number
   std::string pattern = {};            // for `pattern`: the regular expression
-  // For `pattern`: only lines after one that contains this text count.
+  /// For `pattern`: only lines after one that contains this text count.
   std::string after = {};
   int samples = 0;  // expected number of samples; 0: at least one
 };

@@ -31,7 +31,7 @@ struct Simulator {
   std::filesystem::path scratch;       // folder that contains the folders of trials
   std::vector<std::string> arguments;  // the program and its arguments
   std::vector<Input> inputs;
-  // Files beside the study that are copied into the trial's folder.
+  /// Files beside the study that are copied into the trial's folder.
   std::vector<std::filesystem::path> copied;
   std::vector<OutputReader> outputs;
   double timeout = 0.0;      // limit for the program alone, s; 0: only the trial's limit holds

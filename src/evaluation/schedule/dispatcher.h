@@ -122,9 +122,9 @@ class Dispatcher {
   GroupCommit commits_;
   KnownScores known_;
   std::map<std::string, Running> running_;  // keyed by the bits of the point
-  // Attempts at points that were withdrawn while they ran.
+  /// Attempts at points that were withdrawn while they ran.
   std::map<std::string, Attempts> stopped_;
-  // Points that have finished but are not yet on the disk.
+  /// Points that have finished but are not yet on the disk.
   std::set<std::string> committing_;
   std::set<std::string> asked_;       // points whose outcome was passed to the optimizer
   std::vector<double> recent_times_;  // durations of the last trials that succeeded, s

@@ -30,11 +30,11 @@ struct Faults {
   double hang = 0.0;      // share of the points that hang: every attempt overruns the timeout
   double timeout = 20.0;  // s; longer than a stalled trial unless a test sets it shorter
   int retries = 0;        // number of repeats of failed trials
-  // Share of starts in which the worker dies, limited to the number of restarts that the dispatcher
-  // allows.
+  /// Share of starts in which the worker dies, limited to the number of restarts that the
+  /// dispatcher allows.
   double death = 0.0;
   double refusal = 0.0;  // share of starts in which the worker is lost before it begins
-  double stall = 0.0;    // share of trials that take kStall times longer
+  double stall = 0.0;    // share of trials that take kStall times as long
   double late = 0.0;
   double twice = 0.0;
   double store = 0.0;

@@ -18,7 +18,7 @@ class LookAhead {
 
  private:
   int most_;
-  // Time that the last request for one point and that for `most` points took, s.
+  /// Time that the last request for one point and that for `most` points took, s.
   double alone_ = 0.0, ahead_ = 0.0;
   int left_out_ = 0;  // number of requests since `most` points were last requested
   int patience_ = 0;  // number of requests before `most` points are requested again

@@ -17,8 +17,8 @@ struct FailurePolicy {
     proceed,  // The optimizer treats the point as worse than any that succeeded.
     abort,    // The run ends.
     recover,  // The optimizer receives `penalty`; see failure_answer.h.
-    // The optimizer receives the value of the last successful point on the path to the failed
-    // point.
+    /// The optimizer receives the value of the last successful point on the path to the failed
+    /// point.
     continuation,
   };
   Then then = Then::proceed;
@@ -33,7 +33,7 @@ struct FailurePolicy {
 /// The state of a run, for a progress bar.
 struct RunProgress {
   long known = 0;  // wanted points so far whose outcome is known
-  // Upper limit of `known`: the size of the sampling plan or the largest number of steps.
+  /// Upper limit of `known`: the size of the sampling plan or the largest number of steps.
   long planned = 0;
   long evaluated = 0;    // number of trials that ran in this process
   long failed = 0;       // failed trials among `evaluated`

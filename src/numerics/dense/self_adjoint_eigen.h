@@ -11,7 +11,7 @@ namespace latsch::numerics {
 template <class Scalar>
 struct SelfAdjointEigen {
   Eigen::VectorXd values;  // ascending
-  // Columns of length 1, in the order of the values.
+  /// Columns of length 1, in the order of the values.
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> vectors;
 };
 

@@ -39,7 +39,7 @@ class Autoregression {
 
  private:
   std::vector<double> partial_;
-  // Coefficients phi of the predictors of the orders 0 ... p.
+  /// Coefficients phi of the predictors of the orders 0 ... p.
   std::vector<std::vector<double>> predictors_;
   std::vector<double> variances_;  // v_0 ... v_p
 };

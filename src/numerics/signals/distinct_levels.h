@@ -18,14 +18,14 @@
 namespace latsch::numerics {
 
 struct LevelResolution {
-  // Width h of the kernel, in the unit of the values; smaller differences are not resolved.
+  /// Width h of the kernel, in the unit of the values; smaller differences are not resolved.
   double kernel = 0.0;
   double swept = 0.0;  // span of the values of one level above which it counts as swept
 };
 
 struct DistinctLevels {
   std::vector<double> values;  // median of each level, ascending
-  // True if a level is a sweep, which supports a polynomial of any degree.
+  /// True if a level is a sweep, which supports a polynomial of any degree.
   bool is_swept = false;
 
   /// Number of levels available to determine a polynomial.

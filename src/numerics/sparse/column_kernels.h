@@ -217,7 +217,7 @@ void multiply(int block_rows,
         y[j + c] = mul_add(sum, b[3 * c + 2], x2);
       }
     }
-    // Later rows of the loop add to this result.
+    /// Later rows of the loop add to this result.
     y[3 * i] = y0;
     y[3 * i + 1] = y1;
     y[3 * i + 2] = y2;

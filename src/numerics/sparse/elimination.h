@@ -20,17 +20,17 @@ namespace latsch::numerics {
 struct Front {
   int first = 0, columns = 0;  // pivots
   std::vector<int> below;      // block rows below the pivots, ascending
-  // Index of the front that holds the first row below the pivots; -1: none.
+  /// Index of the front that holds the first row below the pivots; -1: none.
   int parent = -1;
 
   int rows() const { return columns + static_cast<int>(below.size()); }
 };
 
 struct Elimination {
-  // Position of every block row of the pattern in the order of elimination.
+  /// Position of every block row of the pattern in the order of elimination.
   std::vector<int> position;
   std::vector<Front> fronts;  // children precede their parents; the last child directly
-  // Number of block rows at the end that form the last front alone; 0: none.
+  /// Number of block rows at the end that form the last front alone; 0: none.
   int interface = 0;
 };
 

@@ -31,7 +31,7 @@ struct Elimination;  // elimination.h
 struct FactorStatus {
   enum class Outcome {
     definite,
-    // A pivot is zero or negative: the matrix is indefinite or, to rounding, singular.
+    /// A pivot is zero or negative: the matrix is indefinite or, to rounding, singular.
     not_positive,
     failed,  // the matrix contains values that are not numbers
   };

@@ -32,7 +32,7 @@ class SymmetricMatrix {
   /// Computes Y = A X, column by column.
   void multiply(const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> Y) const;
 
-  // Slow, because it searches: for tests and messages.
+  /// Slow, because it searches: for tests and messages.
   double coefficient(int row, int column) const;
   Eigen::VectorXd diagonal() const;
 

@@ -26,7 +26,8 @@
 
 namespace latsch {
 
-// The time of the exchanges grows with the cube of the number of points; for more points use Sobol.
+/// The time of the exchanges grows with the cube of the number of points; for more points use
+/// Sobol.
 inline constexpr int kMostLatinHypercubePoints = 300;
 
 /// Throws InputError for less than two points or more than kMostLatinHypercubePoints.

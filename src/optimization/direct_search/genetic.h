@@ -34,7 +34,7 @@ struct GeneticOptions {
   double crossover = 0.9;     // probability that a pair is crossed
   double eta_crossover = 15;  // eta_c: larger values make children more similar to their parents
   double eta_mutation = 20;   // eta_m: larger values make mutations smaller
-  // The search ends if all individuals are this close, in the unit cube.
+  /// The search ends if all individuals are this close, in the unit cube.
   double step_tolerance = 1e-3;
   std::uint64_t seed = 1;  // seed of the random choices
 };

@@ -39,7 +39,7 @@ struct GssNlcOptions {
   Penalty penalty = Penalty::l2_squared;  // kind of the penalty
   double rho = 1.0;          // rho of the first search: change of the target worth a violation of 1
   double largest_rho = 1e8;  // the search ends without success beyond this value of rho
-  // Smoothing width alpha of the first search, in the units of the constraints.
+  /// Smoothing width alpha of the first search, in the units of the constraints.
   double alpha = 1.0;
 };
 

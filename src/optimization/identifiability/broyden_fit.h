@@ -33,9 +33,9 @@ struct BroydenFitOptions {
   double tolerance = 0.0;  // relative to S
   int most_evaluations = 20;
   std::vector<int> refresh = {};  // free variables whose columns of J are recomputed once
-  // Lengths of the differences, as shares of the ranges; empty: 0.001 for all.
+  /// Lengths of the differences, as shares of the ranges; empty: 0.001 for all.
   Eigen::VectorXd differences = {};
-  // Region of feasible points; nullopt: the unit cube.
+  /// Region of feasible points; nullopt: the unit cube.
   std::optional<FeasibleRegion> region = std::nullopt;
 };
 
@@ -85,7 +85,7 @@ class BroydenFit {
   std::vector<int> free_;
   BroydenFitOptions options_;
   std::optional<Eigen::VectorXd> wanted_;
-  // True while the first point is being evaluated, which is accepted whatever its S.
+  /// True while the first point is being evaluated, which is accepted whatever its S.
   bool moving_ = false;
   double lambda_ = 0.0;
   bool converged_ = false, verified_ = false;

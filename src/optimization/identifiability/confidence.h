@@ -108,10 +108,10 @@ struct Interval {
 struct FreeDirections {
   Eigen::MatrixXd axes;        // n x f: the columns are directions; rows of held variables are 0
   Eigen::MatrixXd covariance;  // f x f: covariance of the coordinates along the directions
-  // Distance to the minimum of S along each of the f directions; 0 if no residual depends on it.
+  /// Distance to the minimum of S along each of the f directions; 0 if no residual depends on it.
   Eigen::VectorXd left;
-  // f x n: motion along each direction for a unit motion of a held variable, if the free variables
-  // are refitted.
+  /// f x n: motion along each direction for a unit motion of a held variable, if the free variables
+  /// are refitted.
   Eigen::MatrixXd following;
   double t = 0.0;  // largest quantile t that an interval of a variable uses
 };
@@ -124,9 +124,9 @@ struct Confidence {
   std::vector<Bound> held;          // variables whose bound prevents a better fit
   Eigen::VectorXd singular_values;  // descending, of all variables: of J, or of the root of A
   Eigen::MatrixXd directions;       // each column is a direction of the unit cube
-  // Covariance of the n variables; rows and columns of held ones are 0.
+  /// Covariance of the n variables; rows and columns of held ones are 0.
   Eigen::MatrixXd covariance;
-  // Correlation of the n variables; rows and columns of held ones are 0.
+  /// Correlation of the n variables; rows and columns of held ones are 0.
   Eigen::MatrixXd correlation;
   std::vector<Interval> intervals;  // one for each variable
   /// For each variable, the excess of S over the least S up to which values belong to its interval.
@@ -144,8 +144,8 @@ struct Confidence {
   double left_to_gain = 0.0;  // S minus the least S that J predicts with held variables fixed
   int with_loss = 0;          // number of residuals with a robust loss
   int beyond = 0;             // number of residuals beyond the corner of their loss
-  // Expected share of the residuals with a loss that Gaussian noise of the stated size leaves
-  // beyond the corner.
+  /// Expected share of the residuals with a loss that Gaussian noise of the stated size leaves
+  /// beyond the corner.
   double expected_beyond = 0.0;
   /// For each residual, the share of a change of it that moves the minimum of S; empty if all
   /// shares are 1.

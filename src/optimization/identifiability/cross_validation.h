@@ -26,7 +26,7 @@ struct LeftOut {
   int group = 0;        // the group that the refit did not use
   Eigen::VectorXd u;    // the point refitted without the group
   double fitted = 0.0;  // root mean square of the group's residuals in the common fit
-  // Root mean square of the group's residuals after the refit; NaN if it did not converge.
+  /// Root mean square of the group's residuals after the refit; NaN if it did not converge.
   double predicted = 0.0;
 };
 

@@ -25,10 +25,10 @@ struct Candidate {
 
 struct DOptimality {
   int candidate = 0;  // index of the candidate in the list
-  // Volume of the ellipsoid before the measurement divided by that after it, >= 1.
+  /// Volume of the ellipsoid before the measurement divided by that after it, >= 1.
   double shrinkage = 1.0;
   double widest_before = 0.0, widest_after = 0.0;  // standard deviation of the widest direction
-  // Standard deviation of each variable after the measurement, as a share of its range.
+  /// Standard deviation of each variable after the measurement, as a share of its range.
   Eigen::VectorXd deviations;
 };
 

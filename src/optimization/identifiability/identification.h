@@ -39,7 +39,7 @@ struct IdentificationOptions {
   ConfidenceOptions confidence = {};  // noise of the residuals and level of the intervals
   bool profiles = true;               // if false, round 3 is left out
   double step = 0.01;                 // first length of the differences, in the unit cube
-  // Largest number of centers; 1: the given point stays the center.
+  /// Largest number of centers; 1: the given point stays the center.
   int most_centers = 4;
   /// The variables that may move, ascending; empty means all. The others keep their exact values at
   /// every wanted point and have an interval of no width and no profile.
@@ -136,7 +136,7 @@ class Identification {
   std::vector<DesignPoint> wanted_;
   Status status_;
   std::vector<SlopeSearch> searches_;  // one a variable
-  // Index in searches_ of each point of wanted_ except the center.
+  /// Index in searches_ of each point of wanted_ except the center.
   std::vector<int> owners_;
   std::optional<Eigen::VectorXd> r_;  // the used residuals at the center
   Eigen::VectorXd scale_;             // standard deviations of the used residuals
@@ -153,7 +153,7 @@ class Identification {
   std::vector<Eigen::VectorXd> unknown_;
   std::optional<BroydenFit> refit_;
   std::vector<ProfileBranch> branches_;  // downward and upward branch of each variable
-  // Indices of the branches that requested the points of wanted_.
+  /// Indices of the branches that requested the points of wanted_.
   std::vector<int> asked_;
   std::vector<TargetProfile> profiles_;
   std::vector<double> thresholds_;  // one a variable

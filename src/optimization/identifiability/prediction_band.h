@@ -35,8 +35,8 @@ struct PredictionBand {
   /// The open direction (a column of FreeDirections::axes) that contributes most to the band, and
   /// at least a tenth of it; -1: none.
   int open = -1;
-  // The variable held at a bound that contributes most to the band, and at least a tenth of it; -1:
-  // none.
+  /// The variable held at a bound that contributes most to the band, and at least a tenth of it;
+  /// -1: none.
   int held = -1;
 };
 

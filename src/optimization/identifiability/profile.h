@@ -76,14 +76,14 @@ class ProfileBranch {
  private:
   struct Bracket {
     Linearization inner, outer;  // results at a point below the threshold and at one far above it
-    // Value of the variable at the nearest point known to be above the threshold.
+    /// Value of the variable at the nearest point known to be above the threshold.
     double upper;
     int halvings = 0;
   };
 
   /// The steps before a fall of S, which are being refitted from the outer side.
   struct Return {
-    // The point from which the branch continues outward afterward.
+    /// The point from which the branch continues outward afterward.
     Linearization outer;
     int place;  // index in points_ of the point being refitted
   };
@@ -127,11 +127,11 @@ enum class Verdict { identifiable, one_sided, flat, several_minima, not_evaluabl
 /// The profile of one variable: the least sum of squares as a function of it.
 struct TargetProfile {
   int variable = 0;  // index
-  // Points of the profile in ascending order of the variable, including the best point.
+  /// Points of the profile in ascending order of the variable, including the best point.
   std::vector<ProfilePoint> points;
   double least = 0.0;      // the least S, from which the growth of S is measured
   double threshold = 0.0;  // growth of S at the ends of the interval
-  // The ends at which S - least crosses the threshold; infinite where it does not.
+  /// The ends at which S - least crosses the threshold; infinite where it does not.
   Interval interval{};
   Verdict verdict = Verdict::flat;  // in one word
   std::vector<int> other_minima;    // indices in `points` of minima other than the best point

@@ -28,7 +28,7 @@ namespace latsch {
 
 enum class SlopeQuality {
   straight,  // the three points lie on a line
-  // No length is straight: the slope is that of a rough or strongly curved model.
+  /// No length is straight: the slope is that of a rough or strongly curved model.
   rough,
   one_sided,  // only one point beside the center was available, so straightness was not checked
   unknown,    // every evaluation beside the center failed

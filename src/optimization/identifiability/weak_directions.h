@@ -53,8 +53,8 @@ class WeakDirections {
   struct Stencil {
     int direction;  // index of the direction in directions_
     double length;
-    // Offsets of the two points along the direction: on both sides of the center, or on one side,
-    // one twice as far as the other.
+    /// Offsets of the two points along the direction: on both sides of the center, or on one side,
+    /// one twice as far as the other.
     double near, far;
   };
 

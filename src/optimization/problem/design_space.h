@@ -41,7 +41,7 @@ struct DesignVariable {
   std::string unit = "1";               // unit for display; the values above are in SI
   Place place = {};                     // place in the study that declares the variable
   std::optional<Prior> prior = {};      // prior knowledge of the value, which adds a residual
-  // Numbers of the model that are set to multiples of the value.
+  /// Numbers of the model that are set to multiples of the value.
   std::vector<Follower> followers = {};
 };
 

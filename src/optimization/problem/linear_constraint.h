@@ -19,12 +19,12 @@ namespace latsch {
 struct LinearConstraint {
   std::string name;                  // for people
   std::vector<double> coefficients;  // a_i, one for each variable in the order of the space
-  // Lower bound of the sum; infinite: no bound.
+  /// Lower bound of the sum; infinite: no bound.
   double lower = -std::numeric_limits<double>::infinity();
-  // Upper bound of the sum; infinite: no bound.
+  /// Upper bound of the sum; infinite: no bound.
   double upper = std::numeric_limits<double>::infinity();
   std::string unit = "1";  // display unit of the sum
-  // Place in the study that declares the constraint.
+  /// Place in the study that declares the constraint.
   Place place = {};
 
   /// True if the bounds are equal.

@@ -12,7 +12,7 @@ namespace latsch {
 struct Score {
   double value = 0.0;                  // the target
   std::vector<double> residuals = {};  // empty: the target is not a sum over residuals
-  // Empty: derivatives are not known; see DesignSpace::unit_jacobian.
+  /// Empty: derivatives are not known; see DesignSpace::unit_jacobian.
   std::vector<double> jacobian = {};
   /// Number of residuals that replace a value which does not exist at this point, such as that of a
   /// mode without a partner (stand-ins). Points with different numbers of stand-ins give no slope.

@@ -51,15 +51,15 @@ const std::vector<std::string>& method_names();
 struct ProblemTraits {
   int variables = 1;           // their number
   bool has_residuals = false;  // the target is a sum over residuals
-  // Every outcome contains the derivatives of its residuals.
+  /// Every outcome contains the derivatives of its residuals.
   bool has_jacobian = false;
   double failed_share = 0.0;  // share of failed points among all points evaluated so far
-  // Number of local minima found by a design of experiments.
+  /// Number of local minima found by a design of experiments.
   int basins = 1;
   bool has_linear_constraints = false;     // true if there are linear constraints on the variables
   bool has_nonlinear_constraints = false;  // true if evaluations report nonlinear constraints
   long values = 0;                         // number of measured values in a fit; 0: not known
-  // Expected sum of squares due to noise, if noise is stated.
+  /// Expected sum of squares due to noise, if noise is stated.
   double noise_alone = 0.0;
 };
 

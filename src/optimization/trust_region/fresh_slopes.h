@@ -64,7 +64,7 @@ class FreshSlopes {
   NaturalFrame frame_;
   int axis_ = 0;  // index of the next axis to probe
   int rounds_ = 0;
-  // Intended change of the residuals along an axis, relative to their norm.
+  /// Intended change of the residuals along an axis, relative to their norm.
   double change_ = 1.0;
   double reach_ = 0.0;       // longest step, in coordinates of the axes
   int steps_ = 0;            // number of steps in this round
@@ -73,7 +73,7 @@ class FreshSlopes {
   bool is_blind_ = false;    // true if no slope along some axis of this round is known
   int misses_ = 0;           // number of successive steps that failed or disappointed
   bool has_failed_ = false;  // true if the last step failed
-  // A step of this round gained less than predicted, by more than noise explains.
+  /// A step of this round gained less than predicted, by more than noise explains.
   bool has_disappointed_ = false;
   double deviation_ = 0.0;
   double f_begin_ = 0.0;

@@ -46,7 +46,7 @@ class LostVariableTrials {
   std::optional<LostVariables> lost_;  // set while lost variables are looked for
   Eigen::VectorXd r_settled_;          // residuals at the point where the run settled
   PendingPoints<Wanted> look_;         // the next point of `lost_`; at most one
-  // Runs that start at points where lost variables have an effect.
+  /// Runs that start at points where lost variables have an effect.
   std::vector<TrustRegionRun> trials_;
   int allotted_ = 0;  // number of evaluations left to the last trial
 };

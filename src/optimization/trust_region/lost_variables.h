@@ -73,7 +73,7 @@ class LostVariables {
   Eigen::VectorXd u_, test_;
   std::vector<int> order_;          // indices of the variables, those with the least slope first
   int at_least_ = 0, at_most_ = 0;  // bounds on the number of lost variables
-  // Index in order_ of the variable tested alone; its length if no test is left.
+  /// Index in order_ of the variable tested alone; its length if no test is left.
   int tested_alone_ = 0;
   std::vector<int> lost_;
   std::vector<Place> places_;  // points to be tried, the next one last

@@ -74,7 +74,7 @@ namespace latsch {
 /// Options of the search. Lengths are in the unit cube: 1 is the whole range of a variable.
 struct ResidualTrustRegionOptions {
   double initial_radius = 0.1;  // half width of the first box
-  // The search ends if the box is smaller and no step predicts a gain.
+  /// The search ends if the box is smaller and no step predicts a gain.
   double step_tolerance = 1e-3;
   /// Number of restarts after the search ended. There is no restart if the remaining sum of squares
   /// is less than `explained` times its first value and also less than `explained` times its mean

@@ -148,9 +148,9 @@ class TrustBox {
   int center_ = -1;
   int best_ = -1;
   VariableScale scale_;
-  // Edges of failed regions around the center, in units of the widths.
+  /// Edges of failed regions around the center, in units of the widths.
   mutable std::vector<Edge> edges_;
-  // Center and numbers of samples and failures that edges_ was computed for.
+  /// Center and numbers of samples and failures that edges_ was computed for.
   mutable std::array<int, 3> edges_of_{-1, 0, 0};
   int scaled_for_ = -1;  // index of the center whose Jacobian was last used for the scale
   std::uint64_t seed_;

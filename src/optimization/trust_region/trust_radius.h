@@ -16,7 +16,7 @@ class TrustRadius {
   bool is_good(double gain) const { return gain > tuning_.good_gain; }
   bool is_bad(double gain) const { return gain < tuning_.bad_gain; }
 
-  /// Must be called for every outcome, before all others of these functions.
+  /// Must be called for every outcome, before the functions that change the radius.
   void observe_outcome() { widened_since_outcome_ = 0; }
   void observe_success() { failures_ = 0; }
   void observe_failure() { ++failures_; }
@@ -49,7 +49,7 @@ class TrustRadius {
  private:
   RadiusTuning tuning_;
   double initial_;
-  // A step has disappointed since the geometry was last examined.
+  /// A step has disappointed since the geometry was last examined.
   bool is_geometry_doubted_ = false;
   int disappointments_ = 0;        // number of disappointing steps in a row
   int failures_ = 0;               // number of failures in a row

@@ -94,11 +94,11 @@ class TrustRegionRun {
   std::optional<FreshSlopes> verification_;  // set at the end of a search
   State state_ = State::searching;
   Ending ending_ = Ending::known;
-  // The value at the start or, if the start failed, at the first success.
+  /// The value at the start or, if the start failed, at the first success.
   double f_first_ = std::numeric_limits<double>::infinity();
-  // Values below this one are verified.
+  /// Values below this one are verified.
   double f_verified_ = std::numeric_limits<double>::infinity();
-  // Number of random points proposed at the end of a run since its last improvement.
+  /// Number of random points proposed at the end of a run since its last improvement.
   int explored_ = 0;
   PendingPoints<Wanted> wanted_;
 };

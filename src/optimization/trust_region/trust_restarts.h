@@ -50,14 +50,14 @@ class TrustRestarts {
   // Increase of f over a move by the initial radius from the best point, computed when it was last
   // the center.
   double rise_ = 0.0;
-  // Best value when the run last settled.
+  /// Best value when the run last settled.
   double f_settled_ = std::numeric_limits<double>::infinity();
-  // Best value when variables on bounds were last released.
+  /// Best value when variables on bounds were last released.
   double f_released_ = std::numeric_limits<double>::infinity();
   Eigen::MatrixXd flat_;  // columns: directions without effect at the best point
-  // Number of points along these directions that are left in this restart.
+  /// Number of points along these directions that are left in this restart.
   int scouts_ = 0;
-  // True if the start being evaluated is one of the points along flat directions.
+  /// True if the start being evaluated is one of the points along flat directions.
   bool is_scouting_ = false;
 };
 
