@@ -16,7 +16,8 @@ constexpr int kSpareSamples = 4;
 // Largest number of samples of a model (or 2 n + 2 for n variables, if that is larger). Further
 // samples would be far away and would make the fit slow.
 constexpr int kMostSamples = 100;
-// Share of the radius; points nearer than this have equal weights.
+// Distance, as a share of the larger of the radius and the median distance of the samples, below
+// which samples have equal weights.
 constexpr double kNearest = 1.0 / 32.0;
 // Weight of the terms that make H small. They decide about H only if the samples do not determine
 // it.

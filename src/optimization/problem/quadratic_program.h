@@ -40,7 +40,7 @@ struct QuadraticSolution {
   bool is_feasible() const { return contradiction.empty() && !is_out_of_steps; }
 };
 
-/// Solves the program. The limit of steps is `most_steps` times the number of constraints plus one.
+/// Solves the program. The limit of steps is `most_steps` times (number of constraints + 1).
 QuadraticSolution solve(const QuadraticProgram& program, int most_steps = 100);
 
 }  // namespace latsch
