@@ -218,8 +218,8 @@ class Car {
                                   const multibody::Rest& rest,
                                   const road::Road& road,
                                   const CarInputs& inputs);
-  /// The same over a given number of rounds. Sets, for each tire, the range of its force in the
-  /// last half round, N, if this range is still falling; otherwise 0.
+  /// Rolls the tires in over a given number of rounds. Sets, for each tire, the range of its force
+  /// in the last half round, N, if this range is still falling; otherwise 0.
   Result<multibody::Rest> roll_rounds(int rounds,
                                       CarState& state,
                                       LineTires& lines,
