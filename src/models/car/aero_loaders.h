@@ -19,14 +19,15 @@ struct AeroLoaders {
 };
 
 struct LoaderSolution {
-  Eigen::Vector3d downforce;           // F, N
-  Eigen::Vector4d left;                // N, p minus the forces of the car with the loaders
-  Eigen::Vector4d unreachable;         // unit vector: the combination of the four forces that no
-                                       // loaders can produce
+  Eigen::Vector3d downforce;  // F, N
+  Eigen::Vector4d left;  // N, requested push-rod forces minus those of the car with the loaders
+  // unit vector: combination of push-rod forces that no loaders can produce
+  Eigen::Vector4d unreachable;
   Eigen::Matrix<double, 4, 3> slopes;  // S
   CarState state;                      // state at rest with the loaders, at the requested speed
 
-  /// Returns F and the remainder for other forces nearby.
+  /// Returns the loaders' forces F and the remaining push-rod forces for other requested push-rod
+  /// forces nearby, by the slopes.
   std::pair<Eigen::Vector3d, Eigen::Vector4d> near(const Eigen::Vector4d& pushrods) const;
   Eigen::Vector4d pushrods;  // with F, N
 };

@@ -18,25 +18,28 @@
 namespace latsch::car {
 
 struct AeroMap {
-  /// A height of each axle, and the coefficients of downforce there.
+  /// One measured row of the map: a ride height at each axle and the coefficients of downforce at
+  /// these heights.
   struct Row {
     double front_height, rear_height;  // m
     double front, rear;                // C_f, C_r; downforce positive
   };
   struct Coefficients {
     Eigen::Vector2d downforce;  // front, rear
-    Eigen::Matrix2d by_height;  // 1/m; rows: coefficients, columns: front and rear height
+    // derivatives by ride height, 1/m; rows: coefficients, columns: front and rear height
+    Eigen::Matrix2d by_height;
   };
 
-  double density = 1.2;                      // kg/m^3
-  double area = 1.0;                         // m^2
-  double drag = 0.0;                         // C_D
-  double drag_height = 0.0;                  // m, in the car as drawn
-  double floor_front = 0.0, floor_rear = 0;  // m, in the car as drawn
+  double density = 1.2;      // kg/m^3
+  double area = 1.0;         // m^2
+  double drag = 0.0;         // C_D
+  double drag_height = 0.0;  // m, height at which drag acts, in the car as drawn
+  // m, heights of the floor at the axles in the car as drawn
+  double floor_front = 0.0, floor_rear = 0;
 
   /// Takes the rows of a complete grid, in any order. A single row means constant coefficients.
   void set_rows(const std::vector<Row>& rows);
-  /// Returns what is wrong with such rows, or an empty text.
+  /// Returns a message that says why such rows form no map, or an empty text if they do.
   static std::string fault(const std::vector<Row>& rows);
 
   Coefficients at(double front_height, double rear_height) const;

@@ -73,7 +73,7 @@ TEST(AeroMap, GridsWithHolesAndDoublesAreNamed) {
   EXPECT_NE(AeroMap::fault({}), "");
 }
 
-/// Rest at a speed on level ground.
+/// A car at rest, or at constant speed, on level ground: tire loads (N) and ride heights (m).
 struct Standing {
   Eigen::Array4d Fz;
   double front_height, rear_height;
@@ -107,7 +107,7 @@ TEST(AeroMap, ACarAtSpeedCarriesWhatTheMapSaysOfTheHeightsItIsAt) {
   const Vector2d c = coefficients(fast.front_height, fast.rear_height);
   const Eigen::Array4d more = fast.Fz - still.Fz;
   EXPECT_LT(fast.front_height, still.front_height - 1e-3);  // the downforce presses the car down
-  // Statics are accurate to 1e-5 of the weight at each tire.
+  // The static equilibrium leaves at most 1e-5 of the weight at each tire.
   EXPECT_NEAR(more[kFL] + more[kFR], qA * c[0], 1e-3 * qA);
   EXPECT_NEAR(more[kRL] + more[kRR], qA * c[1], 1e-3 * qA);
 }

@@ -29,7 +29,8 @@
 
 namespace latsch::car {
 
-/// The tires of a car, in the order of its corners.
+/// The four tires of a car, in the order of its corners (front left, front right, rear left, rear
+/// right).
 using Tires = std::array<std::unique_ptr<Tire>, kCorners>;
 
 /// Parameters of the guide, which holds the chassis against a point that moves along x.
@@ -42,31 +43,36 @@ struct Guide {
   std::array<double, 2> drives = {0.0, 1.0};
 };
 
-/// Constant forces of the guide, acting before its point and the car separate.
+/// Constant forces of the guide that act from the start, before the car deviates from the guide's
+/// point.
 struct Trim {
-  double along = 0.0, lateral = 0.0;   // N
-  double yaw = 0.0;                    // N m
-  std::array<double, kCorners> arm{};  // m, wheel center over the road: arm of the pull's reaction
+  double along = 0.0, lateral = 0.0;  // N
+  double yaw = 0.0;                   // N m
+  // m, height of the wheel center above the road: arm of the reaction to the longitudinal pull
+  std::array<double, kCorners> arm{};
   bool operator==(const Trim&) const = default;
 };
 
-/// State of the guide: its distance along x, m, its speed, and its line.
+/// State of the guide's point: distance along x (m), speed (m/s), and lateral position of its line
+/// (m).
 struct GuidePoint {
   double x, speed, y;  // m, m/s, m to the left
 };
 
-/// Inputs at the end of a step.
+/// Inputs of a car (rack, loads, guide) at the end of a step.
 struct CarInputs {
-  double rack = 0.0;                              // m, to the left
-  std::vector<multibody::Load> loads = {};        // aero and others, on bodies of the mechanism
+  double rack = 0.0;  // m, displacement of the rack to the left
+  // aerodynamic and other loads on bodies of the mechanism
+  std::vector<multibody::Load> loads = {};
   std::array<double, kCorners> drive{}, brake{};  // N m
-  std::optional<GuidePoint> guide = {};           // none: straight on at the initial speed
+  // not set: the guide moves straight ahead at the initial speed
+  std::optional<GuidePoint> guide = {};
 };
 
 /// State of a wheel and its tire.
 struct WheelState {
-  std::unique_ptr<Tire> tire;  // with its internal state
-  FreeWheel wheel;             // its spin
+  std::unique_ptr<Tire> tire;  // tire with its internal state
+  FreeWheel wheel;             // spin of the wheel
   WheelMotion motion;          // motion of the rim
   HubForces hub;               // in C
   double brake_moment = 0.0;   // N m, on the wheel
@@ -114,23 +120,23 @@ class Car {
   /// Returns the first corner whose tire does not fit; nullopt if all fit.
   static std::optional<Misfit> misfit(const CarParts& parts, const Tires& tires);
 
-  /// The parameters it was made from.
+  /// The parameters from which this car was made.
   const CarParameters& parameters() const { return parameters_; }
-  /// Its bodies and joints.
+  /// The mechanism of this car: its bodies, joints and struts.
   const multibody::Mechanism& mechanism() const { return *mechanism_; }
-  /// Indices of its bodies and elements in the mechanism.
+  /// Indices of the car's bodies and elements in the mechanism.
   const CarParts& parts() const { return parts_; }
-  /// The guide. It may be changed before settle().
+  /// The guide that keeps the car on its line. It may be changed before settle() is called.
   Guide guide = {};
   /// Steps of the mechanism per step of the tires.
   int mechanism_steps = 2;
 
-  /// Returns the state at rest on the road, or at constant speed: poses, tires in equilibrium,
-  /// spins of rolling wheels. At speed the tires first roll to their start on level ground, so that
-  /// they have grown with the speed, lost the traces of being pressed down, and turn at their free
-  /// rolling speed.
+  /// Returns the state of equilibrium on the road, at rest or at constant speed: poses of the
+  /// bodies, tires in equilibrium, spins of rolling wheels. At speed the tires first roll toward
+  /// the start on level ground. They have then grown with the speed, have lost the deformation of
+  /// being pressed down at rest, and turn at the free rolling speed.
   Result<CarState> settle(const road::Road& road, double speed, const CarInputs& inputs);
-  /// True if a tire may be beyond the known part of its road (Road::beyond). Otherwise this is a
+  /// If true, a tire may leave the known part of its road (Road::beyond). If false, this is a
   /// Failure.
   bool may_leave_road = false;
   /// Takes one step. After a Failure, which names the part and the time, the state must not be
@@ -140,96 +146,105 @@ class Car {
   /// Returns the force along the push-rod, N, compression positive.
   std::array<double, kCorners> pushrod_forces(const CarState& state,
                                               const CarInputs& inputs = {}) const;
-  /// Returns the motion of the bodies for forces of elements; it is valid as long as the state.
+  /// Returns the motion of the bodies as the elements' force laws need it. It refers to `state`,
+  /// which must outlive it.
   multibody::Motion motion_of(const CarState& state) const;
-  /// The equations of motion of its bodies.
+  /// The equations of motion of the car's bodies.
   const multibody::Assembly& assembly() const { return transient_->assembly(); }
-  /// Returns the extension of the spring unit from rest, m; 0 if it is locked.
+  /// Returns how much longer the spring unit of a corner is than at rest, m; 0 if it is locked.
   double spring_extension(const CarState& state, int corner) const;
   /// Returns the upward force of each tire on its hub, N, including the inertia of a moving belt.
   std::array<double, kCorners> vertical_forces(const CarState& state) const;
-  /// Returns the motion of a wheel in these poses; at rest if `rates` is nullptr.
+  /// Returns the motion of a wheel for these poses and rates of the bodies. If `rates` is nullptr,
+  /// the wheel is at rest.
   WheelMotion motion_of_wheel(int corner,
                               const multibody::Poses& poses,
                               const Eigen::VectorXd* rates) const;
-  /// Returns the current position of the material point of a body that was at `at_rest`.
+  /// Returns the current position, m, of the material point of a body that was at the position
+  /// `at_rest` when the car stood as drawn.
   Eigen::Vector3d point(const CarState& state, int body, const Eigen::Vector3d& at_rest) const;
 
-  /// Adds the guide's wrench on the chassis with its slopes, for a car at rest. Longitudinally it
-  /// holds the chassis' center, so that statics and linear models have its slope there.
+  /// Adds the guide's wrench on the chassis and its derivatives, for a car at rest. Longitudinally
+  /// the guide holds the center of the chassis, so that statics and linear models have a stiffness
+  /// in that direction.
   void add_guide(const multibody::Motion& motion,
                  const GuidePoint& point,
                  std::vector<multibody::BodyForce>& wrenches) const;
-  /// Adds the guide's wrench in motion. Longitudinally it pulls by the driven axle, with its
-  /// initial force.
+  /// Adds the guide's wrench for a moving car. Longitudinally the guide pulls through the driven
+  /// axle with its initial force.
   void add_guide(const multibody::Motion& motion,
                  const GuidePoint& point,
                  const Trim& trim,
                  std::vector<multibody::BodyForce>& wrenches) const;
 
-  /// Adds the air's wrench on the chassis at a forward speed, with its slopes; nothing without a
-  /// map.
+  /// Adds the aerodynamic wrench on the chassis at a forward speed, with its derivatives. Adds
+  /// nothing if the car has no aerodynamic map.
   void add_air(const multibody::Motion& motion,
                double speed,
                std::vector<multibody::BodyForce>& wrenches) const;
 
-  /// The equilibrium of its bodies.
+  /// The solver for the static equilibrium of the car's bodies.
   multibody::Equilibrium& statics() { return *statics_; }
 
  private:
-  /// Factor of the guide's stiffness at rest, which holds the car at its position.
+  /// Factor by which the guide is stiffer for a car at rest, so that it holds the car at its
+  /// position.
   static constexpr double kStill = 1e3;
 
   Car(const CarParameters& parameters, const multibody::TransientSettings& settings);
-  /// Tires linearized about their current state, for statics.
+  /// The four tires with their vertical forces linearized about their current state, for the static
+  /// equilibrium.
   struct LineTire {
-    double force = 0.0, stiffness = 0.0, height = 0.0;         // N, N/m, m, wheel center
-    multibody::Vector6d beside = multibody::Vector6d::Zero();  // other actions at the wheel center
+    double force = 0.0, stiffness = 0.0, height = 0.0;  // N; N/m; m, height of the wheel center
+    // other forces and moments at the wheel center
+    multibody::Vector6d beside = multibody::Vector6d::Zero();
   };
   using LineTires = std::array<LineTire, kCorners>;
-  /// Solves statics with the pull of `trim`. Adds to it the remaining longitudinal force of the
-  /// guide, N, which is also returned in `held`.
+  /// Solves the static equilibrium with the longitudinal pull of `trim`. Adds the longitudinal
+  /// force that the guide still bears to this pull, N, and returns it in `held`.
   Result<multibody::Rest> stand(const LineTires& tires,
                                 double speed,
                                 const CarInputs& inputs,
                                 const multibody::Rest& from,
                                 Trim& trim,
                                 double* held = nullptr);
-  /// Adds P of the driven axle: on its wheel centers, with the reaction on the chassis.
+  /// Adds the pull P of the driven axle: forces on its wheel centers, and the reaction on the
+  /// chassis.
   void add_pull(const multibody::Motion& motion,
                 double pull,
                 const Trim& trim,
                 std::vector<multibody::BodyForce>& wrenches) const;
-  /// Describes how far the car at rest has sunk at its worst corner.
+  /// Describes in words how far the car at rest has sunk at the corner that sank most.
   std::string sunk(const multibody::Rest& rest, const LineTires& tires, double speed) const;
   /// Returns the deviation of the chassis from the guide's line and heading, m, m, rad.
   Eigen::Vector3d off_guide(const multibody::Pose& chassis, const GuidePoint& point) const;
-  /// Static equilibrium on tires that are pressed down, at rest or spinning.
+  /// Returns the static equilibrium on tires that are pressed down without rolling in, at rest or
+  /// spinning.
   Result<multibody::Rest> settle_on_tires(CarState& state,
                                           LineTires& lines,
                                           const road::Road& road,
                                           const CarInputs& inputs);
-  /// Static equilibrium on tires that have rolled to their starting positions.
+  /// Returns the static equilibrium on tires that have rolled to their starting positions.
   Result<multibody::Rest> roll_in(CarState& state,
                                   LineTires& lines,
                                   const multibody::Rest& rest,
                                   const road::Road& road,
                                   const CarInputs& inputs);
   void rebuild(std::vector<multibody::Strut> struts);
-  /// Returns a Failure if no spring of its kind can be the preloaded unit of a corner.
+  /// Returns a Failure if a corner needs a preload that no real spring of its stiffness can have.
   Status check_spring(int corner, const std::vector<multibody::Strut>& springs) const;
-  /// Returns linear acceleration of its center and angular acceleration, for a motion with rates
-  /// and accelerations.
+  /// Returns the linear acceleration of a wheel's center and its angular acceleration, for a motion
+  /// with rates and accelerations of the bodies.
   multibody::Vector6d acceleration_of_wheel(int corner, const multibody::Motion& motion) const;
-  /// Advances the tires to the positions of the wheels `ahead` seconds after this motion.
+  /// Advances the tires to the positions that the wheels reach `ahead` seconds after this motion.
   Status roll(CarState& next,
               const multibody::Motion& motion,
               double ahead,
               double step,
               const road::Road& road,
               const CarInputs& inputs) const;
-  /// Adds the actions of tires, drive and guide in this motion. Tire forces are a mixture of the
-  /// present ones, with weight `share`, and those before.
+  /// Adds the forces of tires, drive and guide for this motion. The tire forces are interpolated
+  /// between those before the step and the present ones, which have the weight `share`.
   void add_wheels(const CarState& state,
                   const std::array<HubForces, kCorners>& before,
                   double share,
@@ -238,7 +253,8 @@ class Car {
                   const GuidePoint& guide,
                   std::vector<multibody::BodyForce>& wrenches) const;
   Eigen::Vector3d wheel_center_in_upright(int corner) const;
-  /// Returns a Failure that says where the point below the wheel in its plane is off the road.
+  /// Returns a Failure if the contact point below the wheel, in the wheel's plane, is off the road.
+  /// The message says where.
   Status check_on_road(int corner, const WheelMotion& wheel, const road::Road& road) const;
   const AxleMasses& masses(int corner) const;
 
@@ -248,7 +264,7 @@ class Car {
   CarParts parts_;
   std::unique_ptr<multibody::Equilibrium> statics_;
   std::unique_ptr<multibody::Transient> transient_;
-  Tires tires_;  // the tires at rest, off the road
+  Tires tires_;  // tires as made by the caller, at rest and off the road
 };
 
 }  // namespace latsch::car

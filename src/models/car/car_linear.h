@@ -18,7 +18,8 @@
 
 namespace latsch::car {
 
-/// Slopes of a tire's force by motion along y and z.
+/// Stiffness and damping of a tire: derivatives of its force with respect to displacement and
+/// velocity along y and z.
 struct TireStiffness {
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();  // k, N/m
   Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();    // c, N s/m
@@ -30,7 +31,8 @@ struct TireProbe {
   double step = 2e-4;                     // s
 };
 
-/// Probes a wheel in its state, which is not changed.
+/// Finds the stiffness and damping of a tire by moving its wheel from its current state. `wheel` is
+/// not changed.
 Result<TireStiffness> probe(const WheelState& wheel,
                             const road::Road& road,
                             double time,
@@ -38,15 +40,17 @@ Result<TireStiffness> probe(const WheelState& wheel,
 
 struct LinearCar {
   multibody::LinearModel model;
-  multibody::LinearInputs heights;  // heights at FL, FR, RL, RR, m
+  multibody::LinearInputs heights;  // heights of the road at FL, FR, RL, RR, m
   multibody::LinearOutputs sensors;
-  std::vector<std::string> names;  // pushrod_FL ... N; hub_FL ..., body_z m/s^2: car_record.h
+  // names of the sensors, pushrod_FL ... N; hub_FL ..., body_z m/s^2: car_record.h
+  std::vector<std::string> names;
 
-  /// Returns sensors by heights at a frequency in Hz.
+  /// Returns the transfer functions from road heights to sensors at a frequency in Hz: one row per
+  /// sensor.
   Eigen::MatrixXcd response(double frequency) const;
 };
 
-/// Linearizes about the rest of `state`, with the inputs that brought it there.
+/// Linearizes the car about the equilibrium `state`, under the inputs that led to it.
 Result<LinearCar> linearize(const Car& car,
                             const CarState& state,
                             const road::Road& road,
