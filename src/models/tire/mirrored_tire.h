@@ -19,7 +19,7 @@ enum class TireSide { left, right };
 
 class MirroredTire final : public Tire {
  public:
-  /// Takes a tire of the other side.
+  /// Constructs the mirror image of a tire that belongs to the other side of the car.
   explicit MirroredTire(std::unique_ptr<Tire> tire) : tire_(std::move(tire)) {}
 
   double free_radius() const override { return tire_->free_radius(); }
@@ -44,8 +44,8 @@ class MirroredTire final : public Tire {
   std::unique_ptr<Tire> tire_;
 };
 
-/// Returns the tire as mounted on that side: itself, or its mirror image if it belongs to the other
-/// side.
+/// Returns the tire of side `of` as mounted on side `on`: itself if the sides are equal, otherwise
+/// its mirror image.
 std::unique_ptr<Tire> mounted(std::unique_ptr<Tire> tire, TireSide of, TireSide on);
 
 }  // namespace latsch
