@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests linear models against closed forms, and against differences of the forces from which they
-// come.
+// Tests linear models against closed-form solutions, and against finite differences of the forces.
 #include "models/multibody/linear_model.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +22,7 @@ Body cube(const std::string& name, const Vector3d& origin, double mass) {
   return {name, origin, mass, mass * 0.01 * Eigen::Matrix3d::Identity()};
 }
 
-/// Returns a bushing that is stiff in all but z, and has a damper only there.
+/// Returns a bushing that is soft only along z, with a damper along z.
 BushingParameters along_z(double k, double c) {
   BushingParameters bushing{{1e7, 1e7, k}, {1e5, 1e5, 1e5}};
   bushing.damping.z() = c;
@@ -122,8 +121,8 @@ TEST(LinearModel, OfAnUndampedQuarterCarHasItsTwoNaturalFrequencies) {
   for (const LinearMode& mode : modes) EXPECT_NEAR(mode.damping, 0.0, 1e-9);
 }
 
-/// Two inclined hanging bodies with a preloaded unit, a damper map and a bump stop, a load and a
-/// force from outside.
+/// A mechanism under load: two inclined hanging bodies with a preloaded spring-damper unit, a
+/// nonlinear damper and a bump stop, under a load and a force from outside.
 class Loaded : public testing::Test {
  protected:
   Loaded() : rest_(drawn(mechanism_)) {
@@ -171,7 +170,8 @@ class Loaded : public testing::Test {
         {.poses = poses, .rates = &rates, .memories = &rest_.memories}, loads_, 1.0, outside_);
     return assembly.forces();
   }
-  /// Returns central differences by travel and rotation, or by their rates.
+  /// Returns the derivatives of a function by central differences, with respect to displacement and
+  /// rotation of the bodies or to their rates.
   template <class Of>
   MatrixXd differences(bool by_rates, const Of& of) {
     const double h = by_rates ? 1e-5 : 1e-6;

@@ -13,15 +13,15 @@ namespace latsch::multibody {
 struct BodyMass {
   double mass = 0.0;                                  // kg
   Eigen::Vector3d center = Eigen::Vector3d::Zero();   // m
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the center, kg m^2
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the center of mass, kg m^2
 };
 
-/// `rods`: ends of the rods, m; `radius`: r, m.
+/// Returns the mass properties of straight rods. `rods`: end points, m; `radius`: r, m.
 BodyMass mass_of_rods(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& rods,
                       double mass,
                       double radius);
 
-/// Combines both to one rigid body.
+/// Combines both masses to one rigid body.
 BodyMass together(const BodyMass& a, const BodyMass& b);
 
 }  // namespace latsch::multibody

@@ -13,8 +13,8 @@
 
 namespace latsch::multibody {
 
-/// Holds the spin of a rod between these joints if one of them is rigid and neither resists a
-/// rotation about the line through both. The rigid one holds it.
+/// Holds the spin of the rod between these joints if one of the joints is rigid and neither resists
+/// a rotation about the line through both. The rotational stiffness is added to the rigid joint.
 void hold_spin(Joint& inner, Joint& outer);
 
 }  // namespace latsch::multibody
