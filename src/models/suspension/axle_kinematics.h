@@ -32,35 +32,40 @@ struct AxleKinematics {
   double roll_center_height, roll_center_y, force_roll_center_height;
 };
 
-/// `outer_share`: share of the lateral force on the wheel that is higher in the chassis.
+/// `outer_share`: share of the axle's lateral force that acts on the wheel that is higher in the
+/// chassis.
 AxleKinematics axle_of(const WheelKinematics& left,
                        const WheelKinematics& right,
                        double outer_share);
 
-/// Return slopes of a wheel by the chassis' roll, while both contact points stay on the ground.
+/// Return the derivatives of a wheel's toe and camber with respect to the roll angle of the
+/// chassis, while both contact points stay on the ground.
 double roll_steer(const WheelKinematics& wheel, double track);
 double roll_camber(const WheelKinematics& wheel, double track);
 
 struct VehicleData {
   double wheelbase, cg_height;  // m
   bool is_front = true;
-  double brake_share = 0.0, drive_share = 0.0;  // share of the axle, 0 to 1
+  // share of the axle in the braking or driving force, 0 to 1
+  double brake_share = 0.0, drive_share = 0.0;
   bool has_outboard_brakes = true;
 };
 
-/// Shares of the load transfer that the links carry; 1: all of it.
+/// Shares of the longitudinal load transfer that the links carry; 1: all of it.
 struct AntiFeatures {
   double braking;  // anti-dive of a front axle, anti-lift of a rear one
-  double driving;  // anti-lift of a front axle, anti-squat of a rear one; torque from the chassis
+  // anti-lift of a front axle, anti-squat of a rear one; the drive torque is reacted by the chassis
+  double driving;
 };
 AntiFeatures anti_features(const WheelKinematics& wheel, const VehicleData& vehicle);
 
-/// Returns the Ackermann share of steer angles from straight ahead, rad, positive to the left. 1:
-/// both wheels roll about one point of the rear axle's line.
+/// Returns how closely the steer angles `left` and `right` (rad, positive to the left) fulfill the
+/// Ackermann condition. 1: both wheels roll about one point on the line of the rear axle; 0: both
+/// have the same angle.
 double ackermann(double left, double right, double track, double wheelbase);
 
-/// Both wheels, from the geometry of one. The geometry must have no fault() and must outlive this
-/// object.
+/// The kinematics of both wheels of an axle, from the geometry of one corner. The geometry must
+/// have no fault() and must outlive this object.
 class KinematicAxle {
  public:
   KinematicAxle(const CornerGeometry& geometry, TravelOf of)

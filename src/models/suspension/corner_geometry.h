@@ -14,8 +14,8 @@ namespace latsch::suspension {
 struct CornerGeometry {
   Linkage linkage;
   SpringDrive spring;
-  /// Ball joints at rest, m. None: the upright is steered by the rack about the axis of its
-  /// instantaneous rotation, with its spring held (five links).
+  /// Ball joints of the kingpin at rest, m. A five-link corner has none: the rack steers its
+  /// upright about the instantaneous axis of rotation with the spring held.
   struct Kingpin {
     Eigen::Vector3d lower, upper;
   };
@@ -27,7 +27,8 @@ struct CornerGeometry {
   };
   std::optional<Rates> rates;
 
-  /// Returns what is wrong with the geometry, naming the part, or an empty text.
+  /// Returns an empty text for a valid geometry, otherwise a message that names the part with the
+  /// fault.
   std::string fault() const;
 };
 

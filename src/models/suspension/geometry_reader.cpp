@@ -12,8 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBelow = 5e-3;   // m; largest distance of contact point and wheel center along x
-constexpr double kInLine = 1e-3;  // m; arms nearer to one line define no plane
+// m; largest distance along x between contact point and wheel center
+constexpr double kBelow = 5e-3;
+// m; if the ends of a rocker's arms are this close to one line, they define no plane
+constexpr double kInLine = 1e-3;
 
 std::optional<Vector3d> find_point(const Node& points, const char* name) {
   if (!points.has(name)) return std::nullopt;
