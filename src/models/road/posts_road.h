@@ -15,9 +15,9 @@ namespace latsch::road {
 class PostsRoad final : public Road {
  public:
   struct Settings {
-    double x = 0.0, y = 0.0;    // m, the point where the quarters meet
-    std::vector<double> times;  // s, evenly spaced, at least two
-    /// Heights at these times: front left, front right, rear left, rear right, m.
+    double x = 0.0, y = 0.0;    // m, point at which the four plates meet
+    std::vector<double> times;  // s, sample times, evenly spaced, at least two
+    /// Heights of the plates at these times: front left, front right, rear left, rear right, m.
     std::array<std::vector<double>, 4> heights;
   };
 
