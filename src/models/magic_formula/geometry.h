@@ -27,7 +27,8 @@ LATSCH_INLINE R stiffening(const TireOf<R>& tire, const R& omega, const R& x, co
   return 1.0 + tire.p.Q_V2 * tire.R0_per_V0 * abs(omega) - x * x - y * y;
 }
 
-/// Returns the deflection that carries the load (3), solved for rho; MF 5.2 and 6.1.
+/// Returns the deflection at which the tire carries its load, equation (3) solved for rho, for MF
+/// 5.2 and 6.1.
 template <class R>
 LATSCH_INLINE Deflection<R> deflection(const TireOf<R>& tire,
                                        const OperatingPoint<R>& o,
@@ -49,7 +50,7 @@ LATSCH_INLINE Deflection<R> deflection(const TireOf<R>& tire,
 
 template <class R>
 struct Patch {
-  R a, b;  // half length, half width
+  R a, b;  // half length and half width of the patch
 };
 
 template <class R>

@@ -30,22 +30,23 @@
 
 namespace latsch::magic_formula {
 
-/// A member of SteadyState as output, for example &SteadyState::Fy.
+/// An output of the formula as a pointer to a member of SteadyState, for example &SteadyState::Fy.
 using Output = double SteadyState::*;
 
 struct SteadyStateSlopes {
-  Eigen::MatrixXd values;               // (state, output): identical to evaluate() to the bit
-  std::vector<Eigen::MatrixXd> slopes;  // for each output: (state, variable)
+  Eigen::MatrixXd values;  // rows: states, columns: outputs; identical to evaluate() to the bit
+  // for each output a matrix; rows: states, columns: variables
+  std::vector<Eigen::MatrixXd> slopes;
 };
 
-/// Returns d outputs / d variables of many states. Throws InputError for an unknown variable, with
-/// the nearest name.
+/// Returns the derivatives of the outputs with respect to the variables for many states. Throws
+/// InputError for an unknown variable and proposes the most similar name.
 SteadyStateSlopes steady_state_slopes(const MagicFormula& tire,
                                       std::span<const State> states,
                                       std::span<const std::string> variables,
                                       std::span<const Output> outputs);
-/// Computes the slopes into the result of an earlier call. An allocation at every step of a search
-/// would take as long as the slopes.
+/// Computes the derivatives into the result of an earlier call. Allocating a new result at every
+/// step of a search would take as long as computing it.
 void steady_state_slopes(const MagicFormula& tire,
                          std::span<const State> states,
                          std::span<const std::string> variables,

@@ -25,7 +25,8 @@
 
 namespace latsch::magic_formula {
 
-/// Range of the data, SI. Angles and slips up to the larger of both sides.
+/// Range of the data, in SI units. The range of angles and slips is symmetric: the larger modulus
+/// of both sides.
 struct DataRange {
   double Fz_from = 0.0, Fz_to = 0.0;
   double alpha = 0.0, kappa = 0.0;
@@ -33,18 +34,21 @@ struct DataRange {
   double p_from = 0.0, p_to = 0.0;
 };
 
-/// Returns the ranges of the file. If it has none: loads of 0.5 to 1.5 FNOMIN, 12 degrees of side
-/// slip, slips of 0.2, cambers of +-4 degrees, pressures of +-15 % about NOMPRES.
+/// Returns the ranges stated in the file. If the file states none, returns loads of 0.5 to 1.5
+/// FNOMIN, slip angles of 12 degrees, slips of 0.2, cambers of +-4 degrees, and pressures of +-15 %
+/// about NOMPRES.
 DataRange range_of(const Parameters& parameters);
 
 struct SanityFault {
-  std::string row;                        // "friction over load"
-  std::string words;                      // "lateral friction rises with load: 1.1 at 600 N, ..."
-  std::vector<std::string> coefficients;  // the causes, strongest first; may be empty
+  std::string row;  // name of the check, for example "friction over load"
+  // description, for example "lateral friction rises with load: 1.1 at 600 N, ..."
+  std::string words;
+  // coefficients that cause it, strongest first; may be empty
+  std::vector<std::string> coefficients;
 };
 
-/// Returns the rows that fail, in the order above. Forces that the tire does not have are not
-/// checked.
+/// Returns the checks that fail, in the order of the list above. Forces that the tire does not have
+/// are not checked.
 std::vector<SanityFault> sanity_faults(const Parameters& parameters, const DataRange& range);
 
 }  // namespace latsch::magic_formula

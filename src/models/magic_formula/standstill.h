@@ -41,49 +41,53 @@
 
 namespace latsch::magic_formula {
 
-/// Limit of u/sigma and v/sigma while the wheel rolls: far in the sliding range.
+/// Largest u/sigma and v/sigma while the wheel rolls. At this slip the patch slides completely.
 constexpr double kMostSlip = 3.0;
 
-/// Returns V_low, m/s: VXLOW; or 0.1 m/s for a file where that is 0.
+/// Returns V_low, m/s: VXLOW of the file, or 0.1 m/s if it is 0.
 double low_speed(const Parameters& parameters);
 
-/// Returns q for a speed in m/s; exactly 1 from `low` on.
+/// Returns q for a speed in m/s. It is exactly 1 from the speed `low` on.
 double awake(double speed, double low);
 
-/// Returns k in s: the part of DAMP_VLOW that acts at Vx; for a file where that is 0, of 1 ms.
+/// Returns the damping k, s: the share of DAMP_VLOW that acts at the speed Vx. If DAMP_VLOW of the
+/// file is 0, it is taken as 1 ms.
 double standing_damping(double Vx, const Parameters& parameters);
 
-/// Returns u_max/sigma of a patch that moves at `speed` along or over the road, m/s. `peak` is mu
-/// Fz, `stiffness` the slope over the slip, both in N.
+/// Returns u_max/sigma of a contact patch that rolls or slides at `speed`, m/s. `peak` is mu Fz, N,
+/// and `stiffness` the derivative of the force by slip, N.
 double most_slip(double speed, double low, double peak, double stiffness);
 
-/// Evaluates the formula at any speed. In `state`, kappa is u/sigma, positive if the patch is
-/// pulled forward, and Vx is that of the wheel. `r` is the direction in which the patch was rolled
-/// in.
+/// Evaluates the formula at any speed. In `state`, kappa is u/sigma, which is positive if the patch
+/// is pulled forward, and Vx is the velocity of the wheel. `r` is the direction in which the patch
+/// was rolled in, -1 to 1.
 SteadyState at_any_speed(const MagicFormula& formula, State state, double r);
 
-/// Resistance of a wheel that turns on the spot. A limit of 0 means none.
+/// Moment that resists the turning of a wheel on the spot. If the limit is 0, there is no such
+/// moment.
 struct Pivot {
   double stiffness = 0.0;  // N m/rad, C_psi
   double limit = 0.0;      // N m, M_inf
   double length = 0.0;     // m, a
 
-  /// Returns dpsi/dt with yaw rate w and rolling speed V_r.
+  /// Returns dpsi/dt, rad/s, at the yaw rate w and the rolling speed V_r.
   double twist_rate(double psi, double w, double V_r) const;
-  /// Returns psi after `step`.
+  /// Returns the twist psi after `step` seconds.
   double twisted(double psi, double w, double V_r, double step) const;
 
  private:
   double loosening(double w, double V_r) const;  // 1/s
 };
-/// Returns the pivot for the load and friction of `at`.
+/// Returns the resistance to turning for the load and friction of the results `at`.
 Pivot pivot_of(const Parameters& parameters, const SteadyState& at);
 
-/// Returns what is assumed for the torsional stiffness of a wheel that turns on the spot.
+/// Returns sentences that say which torsional stiffness is assumed for a wheel that turns on the
+/// spot.
 std::vector<std::string> assumed_of_turning(const Parameters& parameters);
 
-/// Returns the assumptions made if the file lacks data for a wheel below VXLOW, one sentence each;
-/// for one that turns on the spot, assumed_of_turning() adds others.
+/// Returns one sentence per assumption that is made because the file lacks data for a wheel slower
+/// than VXLOW. For a wheel that turns on the spot, assumed_of_turning() returns further
+/// assumptions.
 std::vector<std::string> assumed_at_standstill(const Parameters& parameters);
 
 }  // namespace latsch::magic_formula
