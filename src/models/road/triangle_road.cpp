@@ -98,8 +98,8 @@ void TriangleRoad::build_facets() {
   }
 }
 
-/// Returns the extent along x over the extent along y of a typical triangle. It is the geometric mean
-/// of all triangles, on which a few long ones have little influence.
+/// Returns the extent along x over the extent along y of a typical triangle. It is the geometric
+/// mean of all triangles, on which a few long ones have little influence.
 double TriangleRoad::shape_of_facets() const {
   constexpr double kThinnest = 1e-9;  // m
   double sum = 0.0;

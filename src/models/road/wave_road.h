@@ -3,8 +3,8 @@
 //
 // From `start` to `end`, with s = x - start over the length L = end - start,
 //   z = A(s) sin φ(s),   dφ/ds = 2π / λ(s),   φ(0) = 0,
-// A(s) is linear. λ(s) is linear or exponential, λ0 (λ1/λ0)^(s/L), where λ0 and λ1 are its values at
-// the two ends. Elsewhere the road is level. An endless sweep keeps its initial values.
+// A(s) is linear. λ(s) is linear or exponential, λ0 (λ1/λ0)^(s/L), where λ0 and λ1 are its values
+// at the two ends. Elsewhere the road is level. An endless sweep keeps its initial values.
 #pragma once
 
 #include <limits>
