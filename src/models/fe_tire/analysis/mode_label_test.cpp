@@ -6,8 +6,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Two nodes: a heavy one that moves along the axis, and a light one, as on a finer mesh, that
-/// moves farther in the wheel plane.
+/// The shape has two nodes: a heavy one that moves along the axis, and a light one, as on a finer
+/// mesh, that moves farther in the wheel plane.
 TEST(ModeLabel, KineticEnergyWeighsMotionByMass) {
   Eigen::VectorXcd phi(6), M_phi(6);
   phi << 0.0, 1.0, 0.0, 0.0, 0.0, std::complex<double>(0.0, 2.0);

@@ -13,8 +13,9 @@
 //
 // On a smooth surface the ground acts on means around nodes, so between two columns the surface may
 // bulge into the ground beside a column that just does not touch, by 0.2 mm if columns are 16 mm
-// wide. Means across of lines around, weighted by a hat a column wide to both sides, do not bulge;
-// but on a round tread they lie behind its lowest line. Lines around therefore use
+// wide. Means of the gap across the tread, weighted by a hat function that reaches one column to
+// both sides, do not bulge; but on a round tread they lie above its lowest line. Lines around the
+// tire therefore use
 //   g <- (g + mean of g across) / 2                                                           (F.2)
 // with half of the difference, as half of the sag counts in (T.2). Facets are used unchanged.
 #pragma once
@@ -31,9 +32,9 @@ struct FootprintSize {
   double area = 0.0;                 // m^2
 };
 
-/// Computes the footprint of the whole ring. `at`: every sample of the tread in axes of the ground,
-/// x along the road, z its distance from the ground. `area`, m^2: the area of each sample. `rest`,
-/// m: largest distance from the ground within the patch.
+/// Computes the footprint of the whole ring. `at`: positions of all samples of the tread in axes of
+/// the ground, x along the road, z the distance from the ground. `area`, m^2: area of each sample.
+/// `rest`, m: largest distance from the ground within the patch.
 FootprintSize footprint_size(const TreadSurface& tread,
                              const Eigen::Matrix3Xd& at,
                              const Eigen::VectorXd& area,

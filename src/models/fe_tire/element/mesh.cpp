@@ -13,9 +13,10 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kSameAngle = 1e-9;  // rad, largest difference of equal angles
+constexpr double kSameAngle = 1e-9;  // rad, largest difference between angles that count as equal
 
-/// Turns (0, 0, -1) toward +x, the direction in which sectors are counted.
+/// Returns the rotation that turns (0, 0, -1) toward +x, the direction in which sectors are
+/// counted.
 Eigen::Matrix3d turn(double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   Eigen::Matrix3d R;
