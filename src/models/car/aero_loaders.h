@@ -21,7 +21,7 @@ struct AeroLoaders {
 struct LoaderSolution {
   Eigen::Vector3d downforce;  // F, N
   Eigen::Vector4d left;  // N, requested push-rod forces minus those of the car with the loaders
-  // unit vector: combination of push-rod forces that no loaders can produce
+  // Unit vector: combination of push-rod forces that no loaders can produce.
   Eigen::Vector4d unreachable;
   Eigen::Matrix<double, 4, 3> slopes;  // S
   CarState state;                      // state at rest with the loaders, at the requested speed

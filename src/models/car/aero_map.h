@@ -26,7 +26,7 @@ struct AeroMap {
   };
   struct Coefficients {
     Eigen::Vector2d downforce;  // front, rear
-    // derivatives by ride height, 1/m; rows: coefficients, columns: front and rear height
+    // Derivatives by ride height, 1/m; rows: coefficients, columns: front and rear height.
     Eigen::Matrix2d by_height;
   };
 

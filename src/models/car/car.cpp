@@ -70,7 +70,7 @@ void Car::rebuild(std::vector<multibody::Strut> struts) {
 }
 
 std::optional<Car::Misfit> Car::misfit(const CarParts& parts, const Tires& tires) {
-  // largest difference between wheel-center height and tire radius, as a share of the radius
+  // Largest difference between wheel-center height and tire radius, as a share of the radius.
   constexpr double kFar = 0.25;
   for (int corner = 0; corner < kCorners; ++corner) {
     const double radius = tires[at(corner)]->free_radius(),

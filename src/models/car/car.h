@@ -62,10 +62,10 @@ struct GuidePoint {
 /// Inputs of a car (rack, loads, guide) at the end of a step.
 struct CarInputs {
   double rack = 0.0;  // m, displacement of the rack to the left
-  // aerodynamic and other loads on bodies of the mechanism
+  // Aerodynamic and other loads on bodies of the mechanism.
   std::vector<multibody::Load> loads = {};
   std::array<double, kCorners> drive{}, brake{};  // N m
-  // not set: the guide moves straight ahead at the initial speed
+  // Not set: the guide moves straight ahead at the initial speed.
   std::optional<GuidePoint> guide = {};
 };
 
@@ -196,7 +196,7 @@ class Car {
   /// equilibrium.
   struct LineTire {
     double force = 0.0, stiffness = 0.0, height = 0.0;  // N; N/m; m, height of the wheel center
-    // other forces and moments at the wheel center
+    // Other forces and moments at the wheel center.
     multibody::Vector6d beside = multibody::Vector6d::Zero();
   };
   using LineTires = std::array<LineTire, kCorners>;

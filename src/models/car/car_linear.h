@@ -42,7 +42,7 @@ struct LinearCar {
   multibody::LinearModel model;
   multibody::LinearInputs heights;  // heights of the road at FL, FR, RL, RR, m
   multibody::LinearOutputs sensors;
-  // names of the sensors, pushrod_FL ... N; hub_FL ..., body_z m/s^2: car_record.h
+  // Names of the sensors, pushrod_FL ... N; hub_FL ..., body_z m/s^2: car_record.h.
   std::vector<std::string> names;
 
   /// Returns the transfer functions from road heights to sensors at a frequency in Hz: one row per

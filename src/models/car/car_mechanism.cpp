@@ -175,7 +175,7 @@ class Builder {
         "the lower wishbone " + name,
         multibody::mass_of_rods(
             {rod(W::kLcaFront, W::kLbj), rod(W::kLcaRear, W::kLbj)}, masses.lower_wishbone, r)));
-    // the mass of the upright is set below
+    // The mass of the upright is set below.
     bodies_.push_back({"the upright " + name, c.wheel_center});
     bodies_.push_back(body_of(
         "the push-rod " + name,

@@ -30,7 +30,7 @@ struct CornerParts {
 };
 
 struct CarParts {
-  // indices of the chassis' halves; equal if the chassis is rigid
+  // Indices of the chassis' halves; equal if the chassis is rigid.
   int chassis = 0, chassis_rear = 0;
   std::array<CornerParts, kCorners> corners;
 };

@@ -23,7 +23,7 @@ struct SpringUnit {
   double stiffness = 0.0;  // N/m
   double damping = 0.0;    // N s/m
   double inertance = 0.0;  // kg
-  // further force laws, functions of the unit's extension from rest
+  // Further force laws, functions of the unit's extension from rest.
   std::vector<multibody::ForcePart> parts = {};
 };
 

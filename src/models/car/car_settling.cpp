@@ -42,7 +42,7 @@ Result<Rest> Car::stand(const LineTires& tires,
       force.z() += tire.force + tire.stiffness * (tire.height - z);
       BodyForce wrench{.body = parts.upright};
       wrench.value << force, arm.cross(force) + tire.beside.tail<3>();
-      // derivative of the height z with respect to the upright's displacement and rotation
+      // Derivative of the height z with respect to the upright's displacement and rotation.
       Vector6d by_z;
       by_z << Vector3d::UnitZ(), arm.cross(Vector3d::UnitZ());
       wrench.slopes = -tire.stiffness * by_z * by_z.transpose();
@@ -141,7 +141,7 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
 /// equilibrium is solved again.
 struct RollIn {
   static constexpr int kRounds = 12;
-  // rounds in which the car's body is held until the belts have grown
+  // Rounds in which the car's body is held until the belts have grown.
   static constexpr int kHeld = 3;
   // Duration of a round, s. It covers at least 0.3 m of path, after which a tire has lost its
   // initial transient.
@@ -178,7 +178,7 @@ Result<Rest> Car::settle_on_tires(CarState& state,
                                   const road::Road& road,
                                   const CarInputs& inputs) {
   constexpr int kMost = 40;
-  // convergence tolerances: change of a tire load relative to the car's weight
+  // Convergence tolerances: change of a tire load relative to the car's weight.
   constexpr double kEnough = 1e-8, kUsual = 1e-5;
   const double weight = mechanism_->mass() * parameters_.gravity;
   const Eigen::VectorXd rates = straight_on(mechanism_->bodies().size(), state.speed);

@@ -35,7 +35,7 @@ using Output = double SteadyState::*;
 
 struct SteadyStateSlopes {
   Eigen::MatrixXd values;  // rows: states, columns: outputs; identical to evaluate() to the bit
-  // for each output a matrix; rows: states, columns: variables
+  // For each output a matrix; rows: states, columns: variables.
   std::vector<Eigen::MatrixXd> slopes;
 };
 

@@ -31,7 +31,7 @@ struct MagicFormulaTireSettings {
   Conventions conventions = {};  // axes and signs of inputs and outputs
   int use_mode = 14;             // USE_MODE of the .tir file: which forces are computed
   double pressure = 0.0;         // Pa, inflation pressure; 0: INFLPRES of the file
-  // records the inputs of the tire's steps; null: they are not recorded
+  // Records the inputs of the tire's steps; null: they are not recorded.
   std::shared_ptr<RangeLog> log = {};
 };
 
@@ -79,7 +79,7 @@ class MagicFormulaTire final : public Tire {
   /// Parameters of the carcass that connects the contact patch to the rim.
   struct Carcass {
     double sigma_x, sigma_y;  // m: relaxation lengths
-    // peak forces, N; slip stiffnesses, N per unit of slip
+    // Peak forces, N; slip stiffnesses, N per unit of slip.
     double peak_x, peak_y, slope_x, slope_y;
     Pivot pivot;
   };

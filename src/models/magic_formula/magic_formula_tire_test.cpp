@@ -59,7 +59,7 @@ TEST(MagicFormulaTire, ASmallStepInSlipAngleRelaxesOverItsLength) {
   const SteadyState s = formula.evaluate({4000.0, 0.0, alpha, 0.0, 0.0, kSpeed, 2.2e5});
   const double time = s.sigma_y / kSpeed;  // time for rolling by one relaxation length
   for (int i = 0; i < 1000; ++i) ASSERT_TRUE(tire.advance(motion, road, 0.0, time / 1000).ok());
-  // the solution is exact for any step
+  // The solution is exact for any step.
   EXPECT_NEAR(tire.lagged_alpha() / alpha, 1.0 - std::exp(-1.0), 1e-8);
   MagicFormulaTire coarse(p);
   ASSERT_TRUE(coarse.advance(motion, road, 0.0, time).ok());
@@ -180,7 +180,7 @@ TEST(MagicFormulaTire, AWheelThatLeansRightIsPushedRight) {
   const MagicFormula formula(round_tire());
   MagicFormulaTire tire(round_tire());
   WheelMotion motion = rolling(formula, 4000.0, 0.0, 0.0);
-  // the top of the wheel leans toward -y
+  // The top of the wheel leans toward -y.
   motion.carrier = AngleAxisd(0.05, Vector3d::UnitX()).toRotationMatrix();
   for (int i = 0; i < 100; ++i) (void)tire.advance(motion, road::PlaneRoad(), 0.0, 1e-3);
   EXPECT_LT(tire.contact_forces().Fy, -50.0);

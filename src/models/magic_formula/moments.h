@@ -77,7 +77,7 @@ LATSCH_INLINE R rolling_resistance(const TireOf<R>& tire, const OperatingPoint<R
   const R& kappa = o.kappa_given;
   const auto fading = ((kappa >= low) & (kappa <= high));
   if (any(fading)) {
-    // the angle is 0 if VXLOW is 0
+    // The angle is 0 if VXLOW is 0.
     const R angle = 0.5 * kPi * (kappa + 1.0) / not_zero<R>(high + 1.0);
     My = select(fading, My * sin(angle), My);
   }

@@ -18,18 +18,18 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kWider = 1.5;  // width of the checked range relative to that of the data
 constexpr double kLeastFriction = 0.2, kMostFriction = 3.0;
-// rise of the friction with the load, as a share, below which it is ignored
+// Rise of the friction with the load, as a share, below which it is ignored.
 constexpr double kRise = 0.01;
-// smallest force in a direction, as a share of the convex hull of the forces
+// Smallest force in a direction, as a share of the convex hull of the forces.
 constexpr double kConvex = 0.8;
-// share of FNOMIN; the aligning moment at smaller loads is not checked
+// Share of FNOMIN; the aligning moment at smaller loads is not checked.
 constexpr double kLightest = 0.1;
-// largest aligning moment of opposite sign, as a share of the peak
+// Largest aligning moment of opposite sign, as a share of the peak.
 constexpr double kReturned = 0.5;
 // Slip angle up to which the aligning moment is checked at least, whatever the range of the data.
 // The trail has fallen to zero there.
 constexpr double kLeastSweep = 30.0 * kDegree;
-// largest checked slips of a tire that rolls forward
+// Largest checked slips of a tire that rolls forward.
 constexpr double kMostAlpha = 45.0 * kDegree, kMostKappa = 1.0;
 constexpr std::size_t kNamed = 3;
 constexpr double kBar = 1e5;
@@ -376,7 +376,7 @@ Finding stays_positive(const Parameters& p, const Lattice& at, const Factor& fac
 struct Row {
   std::string name;
   std::function<Finding(const Parameters&)> look;
-  // prefixes of the coefficients that may cause a violation
+  // Prefixes of the coefficients that may cause a violation.
   std::vector<std::string_view> suspects;
 };
 
@@ -426,7 +426,7 @@ std::vector<std::string> causes(const Row& row, Parameters p, double severity) {
         best = &field;
       }
     }
-    // no coefficient reduces the severity by more than 10 %
+    // No coefficient reduces the severity by more than 10 %.
     if (!best || !(least < 0.9 * severity)) break;
     named.emplace_back(best->name);
     p.*best->member = neutral_value(best->name);

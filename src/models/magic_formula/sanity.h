@@ -43,7 +43,7 @@ struct SanityFault {
   std::string row;  // name of the check, for example "friction over load"
   // description, for example "lateral friction rises with load: 1.1 at 600 N, ..."
   std::string words;
-  // coefficients that cause it, strongest first; may be empty
+  // Coefficients that cause it, strongest first; may be empty.
   std::vector<std::string> coefficients;
 };
 

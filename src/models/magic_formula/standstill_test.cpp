@@ -142,7 +142,7 @@ TEST(Standstill, AGradeIsHeldByASpringAndNotByCreep) {
   }
   EXPECT_NEAR(car.ride.tire.contact_forces().Fx, weight, 1e-6 * weight);
   EXPECT_NEAR(car.x, x_before, 1e-9);
-  // the patch has not slid before it came to rest
+  // The patch has not slid before it came to rest.
   EXPECT_NEAR(car.x, -weight / 3e5, 0.02 * weight / 3e5);
 }
 
@@ -160,9 +160,9 @@ TEST(Standstill, ABrakedCarComesToRestWithoutChatter) {
       before = car.v;
     }
     EXPECT_LT(std::abs(car.v), 1e-4) << mode;
-    // the mass springs back once, more slowly than on the carcass alone
+    // The mass springs back once, more slowly than on the carcass alone.
     EXPECT_LT(rise, 1.0) << mode;
-    // at most two reversals per period of the 4.4 Hz of mass and carcass
+    // At most two reversals per period of the 4.4 Hz of mass and carcass.
     EXPECT_LT(turns, 2 * 10 * 5) << mode;
   }
 }
@@ -239,7 +239,7 @@ TEST(Standstill, IsOfOrderTwoThroughStandstill) {
     HubForces hub;
     const double h = 1.0 / parts;
     for (int i = 0; i <= parts; ++i) {
-      // the velocity reverses exactly at the end of a step
+      // The velocity reverses exactly at the end of a step.
       const double t = i * h, Vx = 0.4 - 0.8 * t;
       hub = ride.go(Vx, 0.02 * std::sin(3.0 * t), 0.1 * std::cos(2.0 * t), 3.3 * Vx, i ? h : 0.0);
     }
@@ -303,7 +303,7 @@ TEST(Standstill, AForceWithoutSlipComesByRolling) {
     const double V = 0.5 * std::exp(-0.3 * i);
     ride.go(V, 0.0, 0.0, V / 0.295, 1e-3);
   }
-  // the force remains at rest
+  // The force remains at rest.
   EXPECT_NEAR(ride.go(0.0, 0.0, 0.0, 0.0, 1.0).force.y(), 0.02 * 4000.0, 0.8);
 }
 
@@ -335,7 +335,7 @@ TEST(Standstill, LetGoThePivotedWheelKeepsItsAngle) {
   Ride ride(p);
   ride.pivot(0.6);
   EXPECT_NEAR(ride.pivot(-std::numbers::ln2 * spun(p) / 5000.0).moment.z(), 0.0, 1e-3);
-  // steered back to straight ahead, a moment remains
+  // Steered back to straight ahead, a moment remains.
   EXPECT_NEAR(ride.pivot(-0.6).moment.z(), spun(p), 1e-3);
   for (int i = 0; i < 400; ++i) ride.go(0.5, 0.0, 0.0, 0.5 / 0.295, 1e-2);
   EXPECT_NEAR(ride.tire.contact_forces().Mz, 0.0, 1.0);  // rolling has removed the moment

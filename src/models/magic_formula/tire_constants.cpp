@@ -28,7 +28,7 @@ TireConstantsOf<K>::TireConstantsOf(const CoefficientsOf<K>& coefficients, Versi
   per_LONGVL = 1.0 / p.LONGVL;
   per_VXLOW = 1.0 / p.VXLOW;
   per_FZMIN = 1.0 / p.FZMIN;
-  // smallest friction factor, so that a road without friction causes no division by zero
+  // Smallest friction factor, so that a road without friction causes no division by zero.
   constexpr double kLeastFriction = 1e-9;
   per_LMUY = 1.0 / (p.LMUY == 0.0 ? K(kLeastFriction) : p.LMUY);
   R0_per_V0 = p.UNLOADED_RADIUS / p.LONGVL;

@@ -100,7 +100,7 @@ BushingStrain Assembly::strain(int i, const Motion& motion) const {
 
 void Assembly::add_plain_joints(const Motion& motion) {
   static const Vector6d kStill = Vector6d::Zero();
-  // receives the derivatives of wrenches on the ground, which are not used
+  // Receives the derivatives of wrenches on the ground, which are not used.
   Matrix6d nowhere = Matrix6d::Zero();
   tasks_.clear();
   for (const int i : plain_) {

@@ -27,11 +27,11 @@ struct BodyForce {
 /// Poses and velocities of the bodies, and further data, for which the forces are computed.
 struct Motion {
   const Poses& poses;
-  // velocity and angular velocity, six numbers per body; null: zero
+  // Velocity and angular velocity, six numbers per body; null: zero.
   const Eigen::VectorXd* rates = nullptr;
-  // needed for inerters and inertia forces; null: zero
+  // Needed for inerters and inertia forces; null: zero.
   const Eigen::VectorXd* accelerations = nullptr;
-  // memories of the force parts at the end of the last step; null: those at rest
+  // Memories of the force parts at the end of the last step; null: those at rest.
   const Memories* memories = nullptr;
   std::span<const double> drivers = {};  // values of the drivers; empty: all zero
   double time = 0.0;                     // s
@@ -92,7 +92,7 @@ class Assembly {
 
  private:
   struct Blocks {
-    // indices of blocks in J, by bodies a and b of the element; -1: a is the ground
+    // Indices of blocks in J, by bodies a and b of the element; -1: a is the ground.
     int aa, ab, ba, bb;
   };
   const Pose& pose(const Poses& poses, int body) const;
@@ -117,7 +117,7 @@ class Assembly {
   std::vector<Blocks> joint_blocks_;
   std::vector<int> plain_;  // indices of the joints that have springs and dampers only
   std::vector<BushingTask> tasks_;
-  // attachment points of joints with a driver, by index of the joint; unset for others
+  // Attachment points of joints with a driver, by index of the joint; unset for others.
   std::vector<BushingPlace> driven_;
   std::vector<LineGeometry> lines_;
   Eigen::VectorXd forces_;

@@ -142,7 +142,7 @@ Status Equilibrium::newton(Rest& rest, const RestSettings& standing, double shar
 }
 
 bool Equilibrium::go_on(Rest& rest, const RestSettings& standing, double share) {
-  // smallest fraction of a Newton correction that is tried
+  // Smallest fraction of a Newton correction that is tried.
   constexpr double kShortest = 1.0 / 256.0;
   // J is copied, because each trial overwrites the assembly's tangent
   const BlockElimination J = assembly_.J();

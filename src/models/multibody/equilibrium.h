@@ -25,7 +25,7 @@ struct EquilibriumSettings {
   // N and N m: largest residual at convergence, unless rounding errors are larger
   double force = 1e-6;
   int iterations = 20;  // largest number of Newton steps before the load is applied in shares
-  // largest number of halvings of the load increment: the last share found is accurate to 1/256
+  // Largest number of halvings of the load increment: the last share found is accurate to 1/256.
   int halvings = 8;
   double turn = 0.3;  // rad: largest rotation of a body in one correction
   // rad: if a bushing turns more than this, it counts as torn; its angles become singular at a

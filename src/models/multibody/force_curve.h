@@ -34,7 +34,7 @@ class ForceCharacteristic {
   double area_from_first(double x) const;
 
   std::vector<Point> points_;
-  // slopes at the points; integrals of the force from the first point to each point
+  // Slopes at the points; integrals of the force from the first point to each point.
   std::vector<double> slopes_, areas_;
 };
 

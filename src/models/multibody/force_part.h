@@ -60,7 +60,7 @@ struct PartForce {
   double s = 0.0;  // internal variable s at the end of the step
 };
 
-// length of a time step that stands for statics, s
+// Length of a time step that stands for statics, s.
 constexpr double kStatics = std::numeric_limits<double>::infinity();
 
 PartForce respond(

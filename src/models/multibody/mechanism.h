@@ -23,7 +23,7 @@ struct Body {
   std::string name;
   Eigen::Vector3d origin;  // at rest, m; the center of mass if the body has mass
   double mass = 0.0;       // kg
-  // about the origin, in the body's axes at rest, kg m^2
+  // About the origin, in the body's axes at rest, kg m^2.
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
@@ -35,7 +35,7 @@ struct Joint {
   BushingParameters bushing;
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns: axes of the bushing
   int driver = -1;  // driver whose travel shifts the joint's point in body a; -1: none
-  // direction of that shift, in the axes of body a
+  // Direction of that shift, in the axes of body a.
   Eigen::Vector3d along = Eigen::Vector3d::Zero();
 };
 

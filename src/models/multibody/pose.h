@@ -31,7 +31,7 @@ inline std::pair<double, double> rotation_series(double z) {
 
 struct Pose {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  // m, position of the body's origin
-  // rotation matrix from the body's axes to those of the ground
+  // Rotation matrix from the body's axes to those of the ground.
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 
   Eigen::Vector3d at(const Eigen::Vector3d& in_body) const { return place + turn * in_body; }

@@ -84,7 +84,7 @@ TEST(Transient, AMaxwellPartIsItsDifferentialEquation) {
   const auto slope = [](const Vector3d& y) -> Vector3d {
     return {y[1], (-800.0 * y[0] - y[2]) / 2.0, 400.0 * y[1] - y[2] / 0.05};
   };
-  // the Maxwell element, too, is stretched by 1 mm at the start
+  // The Maxwell element, too, is stretched by 1 mm at the start.
   Vector3d y(1e-3, 0.0, 400.0 * 1e-3);
   const int n = 100000;
   for (int i = 0; i < n; ++i) {
@@ -109,8 +109,8 @@ TEST(Transient, DryFrictionTakesTheSameFromEverySwing) {
   Transient transient(mechanism, {.dissipation = 0.0, .corrections = 4});
   Rest rest{mechanism.at_rest(), mechanism.no_memories()};
   rest.poses[0].place.x() = 1e-3;
-  // the friction element slips at the start, because the body is held out there by an external
-  // force
+  // The friction element slips at the start, because the body is held out there by an external
+  // force.
   rest.memories[0] = {R, 1e-3};
   MechanismState state = started(transient, mechanism, rest);
   const double period = 2.0 * std::numbers::pi / std::sqrt(400.0), h = period / 4000.0;

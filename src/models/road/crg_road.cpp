@@ -71,7 +71,7 @@ void CrgRoad::find_closure() {
   const Vector2d gap = grid_.line.front() - grid_.line.back();
   // Distance from the end along its direction to the normal at the start.
   const double beyond = gap.dot(first_) / cosine;
-  // distance from the start, backward along its direction, to the normal at the end
+  // Distance from the start, backward along its direction, to the normal at the end.
   const double before = gap.dot(last_) / cosine;
   if (beyond <= 0.0 || before <= 0.0) return;
   closed_ = true;

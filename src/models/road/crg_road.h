@@ -35,7 +35,7 @@ struct CrgGrid {
   std::vector<double> banking;        // slope across at each row, or empty
   std::vector<double> v;              // m, at least two positions, increasing
   std::vector<double> z;              // m, heights row by row, v from right to left
-  // one entry per z, or empty; true: z is a guess, and elevation() returns nothing there
+  // One entry per z, or empty; true: z is a guess, and elevation() returns nothing there.
   std::vector<bool> missing;
 
   Border border_u = Border::keep, border_v = Border::keep;
@@ -79,7 +79,7 @@ class CrgRoad final : public Road {
  private:
   struct Interval {
     int number = 0;  // index of the interval, which lies between points number and number + 1
-    // position in the interval, 0 to 1; outside this range beyond the ends of the line
+    // Position in the interval, 0 to 1; outside this range beyond the ends of the line.
     double part = 0.0;
     double v = 0.0;
     Eigen::Vector2d along_u;  // derivatives of the position (x, y) by u and v
@@ -88,7 +88,7 @@ class CrgRoad final : public Road {
   struct Place {
     int row = 0;
     double part = 0.0;
-    // sign of the derivative by the position; 0 if the height of the edge is kept
+    // Sign of the derivative by the position; 0 if the height of the edge is kept.
     double sign = 1.0;
     bool outside = false;
   };

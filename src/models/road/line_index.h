@@ -25,7 +25,7 @@ class LineIndex {
   };
 
   int leaves_ = 0;  // number of leaves of the tree, a power of two
-  // boxes of the tree: the root is 1, the children of box i are 2i and 2i + 1
+  // Boxes of the tree: the root is 1, the children of box i are 2i and 2i + 1.
   std::vector<Box> boxes_;
 };
 

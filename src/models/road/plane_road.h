@@ -15,7 +15,7 @@ class PlaneRoad final : public Road {
     double grade = 0.0;     // dz/dx: rises ahead
     double bank = 0.0;      // dz/dy: rises to the left
     double friction = 1.0;  // factor
-    // speed of the belt: it carries the ground backward, toward -x, below a standing tire
+    // Speed of the belt: it carries the ground backward, toward -x, below a standing tire.
     Travel belt = {};
   };
 

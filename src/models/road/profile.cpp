@@ -41,7 +41,7 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
     of_several_.back().highest = std::max(of_several_.back().highest, z);
   }
   if (points_.size() <= kFew || !(end() > begin())) return;
-  // one part of the look-up table per interval between points
+  // One part of the look-up table per interval between points.
   const auto parts = points_.size() - 1;
   parts_per_meter_ = static_cast<double>(parts) / (end() - begin());
   even_ = true;

@@ -151,7 +151,7 @@ inline double Profile::area(double s, Place right) const {
   if (right == points_.begin()) return (s - right->s) * right->z;
   const auto left = right - 1;
   const auto i = static_cast<std::size_t>(left - points_.begin());
-  // the slope stored for the last point is 0, since the profile is level beyond its end
+  // The slope stored for the last point is 0, since the profile is level beyond its end.
   const double way = s - left->s;
   return areas_[i] + way * (left->z + 0.5 * slopes_[i] * way);
 }

@@ -88,7 +88,7 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
   const Eigen::Vector2d begin = local(from.x(), from.y(), time),
                         way = local(to.x(), to.y(), time) - begin;
   if (const auto mean = mean_along(begin, way)) return *mean;
-  // positions along the line, 0 to 1, at which the slope changes
+  // Positions along the line, 0 to 1, at which the slope changes.
   std::vector<double> corners{0.0, 1.0};
   const auto add_corner = [&](double distance, double run) {
     if (const double u = distance / run; u > 0.0 && u < 1.0) corners.push_back(u);
@@ -230,9 +230,9 @@ void ProfileRoad::describe(const GroundRow& row,
                            : mean_height({row.border_x[j], row.border_y[j]},
                                          {row.border_x[j + 1], row.border_y[j + 1]},
                                          time);
-    // derivative of the height by s
+    // Derivative of the height by s.
     const double by_s = along[middle].slope * across[middle].height;
-    // derivative of the height by t
+    // Derivative of the height by t.
     const double by_t = along[middle].height * across[middle].slope;
     ground.slope[0][j] = by_s * cos_ - by_t * sin_;
     ground.slope[1][j] = by_s * sin_ + by_t * cos_;

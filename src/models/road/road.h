@@ -63,7 +63,7 @@ struct GroundBounds {
   // true: in the whole rectangle the road is the plane, with the friction, that at() returns for
   // its center
   bool plane = false;
-  // set if the road in the rectangle is this smooth drum
+  // Set if the road in the rectangle is this smooth drum.
   std::optional<Cylinder> cylinder = std::nullopt;
   /// True if the road along a line may be straight although the road in the whole rectangle is no
   /// plane.

@@ -73,7 +73,7 @@ TEST(Profile, OfACleatHasItsBevelAndTheHigherSideOfAFlank) {
   const Profile groove = cleat_profile(-0.020, 0.050, 0.005);
   EXPECT_NEAR(groove.at(-0.0225).height, -0.0025, kRounding);
   EXPECT_EQ(groove.at(0.0).height, -0.020);
-  // on a vertical flank the height is that of its upper edge
+  // On a vertical flank the height is that of its upper edge.
   EXPECT_EQ(groove.at(-0.020).height, -0.005);
 }
 

@@ -49,8 +49,8 @@ GroundPoint WaveRoad::at(double x, double, double) const {
 double WaveRoad::mean_height(const Eigen::Vector2d& from,
                              const Eigen::Vector2d& to,
                              double time) const {
-  // longest line for the quadrature rule as a share of the wave length; its relative error there is
-  // (π share)^6 / 3.15e4
+  // Longest line for the quadrature rule as a share of the wave length; its relative error there is
+  // (π share)^6 / 3.15e4.
   constexpr double kShort = 0.05;
   const auto [low, high] = std::minmax(from.x(), to.x());
   const auto length_at = [&](double x) {

@@ -33,7 +33,7 @@ TEST(AxleCompliance, OfTheOtherWheelIsThatOfItsOwnStatics) {
   const Matrix12d axle = uncoupled_axle(left);
   EXPECT_LT((axle.bottomRightCorner<6, 6>() - right).norm(), 1e-10 * right.norm());
   EXPECT_EQ((axle.topRightCorner<6, 6>().norm()), 0.0);
-  // the compliance matrix of an elastic axle is symmetric
+  // The compliance matrix of an elastic axle is symmetric.
   EXPECT_LT((axle - axle.transpose()).norm(), 1e-9 * axle.norm());
 }
 

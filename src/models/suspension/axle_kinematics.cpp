@@ -6,7 +6,7 @@
 namespace latsch::suspension {
 namespace {
 
-// smallest difference of the slopes of two normals at which they intersect
+// Smallest difference of the slopes of two normals at which they intersect.
 constexpr double kParallel = 1e-9;
 
 /// Returns the slope v_y / v_z of the path of the contact point.

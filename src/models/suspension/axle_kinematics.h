@@ -46,7 +46,7 @@ double roll_camber(const WheelKinematics& wheel, double track);
 struct VehicleData {
   double wheelbase, cg_height;  // m
   bool is_front = true;
-  // share of the axle in the braking or driving force, 0 to 1
+  // Share of the axle in the braking or driving force, 0 to 1.
   double brake_share = 0.0, drive_share = 0.0;
   bool has_outboard_brakes = true;
 };
@@ -54,7 +54,8 @@ struct VehicleData {
 /// Shares of the longitudinal load transfer that the links carry; 1: all of it.
 struct AntiFeatures {
   double braking;  // anti-dive of a front axle, anti-lift of a rear one
-  // anti-lift of a front axle, anti-squat of a rear one; the drive torque is reacted by the chassis
+  // Anti-lift of a front axle, anti-squat of a rear one; the drive torque is reacted by the
+  // chassis.
   double driving;
 };
 AntiFeatures anti_features(const WheelKinematics& wheel, const VehicleData& vehicle);

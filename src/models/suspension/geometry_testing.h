@@ -88,7 +88,7 @@ inline CornerGeometry right_of(CornerGeometry corner) {
     turn(*point);
   const auto turn_lever = [&](Lever& lever) {
     turn(lever.pivot), turn(lever.own), turn(lever.driving);
-    // the mirror image of an axial vector reverses its x and z
+    // The mirror image of an axial vector reverses its x and z.
     lever.axis.x() = -lever.axis.x(), lever.axis.z() = -lever.axis.z();
   };
   if (spring.rocker) {

@@ -60,7 +60,7 @@ TEST(KinematicOutputs, SlopesAreThoseOfDifferences) {
     const auto by_travel = [&](double WheelKinematics::*y) { return (up.*y - down.*y) / (2 * h); };
     const auto by_rack = [&](double WheelKinematics::*y) { return (left.*y - right.*y) / (2 * h); };
     using W = WheelKinematics;
-    // error bound of a difference: truncation of order h² plus rounding of 1e-13 divided by 2 h
+    // Error bound of a difference: truncation of order h² plus rounding of 1e-13 divided by 2 h.
     const double e = 1e-7;
     EXPECT_NEAR(by_travel(&W::toe), w.bump_steer, e);
     EXPECT_NEAR(by_travel(&W::camber), w.bump_camber, e);
@@ -144,10 +144,10 @@ TEST(SignViews, TurnAxesAround) {
   EXPECT_EQ(sign(SignView::adams, about_z), 1.0);
   EXPECT_EQ(sign(SignView::sae, along_z), -1.0);
   EXPECT_EQ(sign(SignView::adams, along_x), -1.0);
-  // in SAE, steering to the right per rack travel to the right is positive
+  // In SAE, steering to the right per rack travel to the right is positive.
   EXPECT_EQ(sign(SignView::sae, about_z, along_y), 1.0);
   for (const SignView view : {SignView::iso, SignView::sae, SignView::adams})
-    // the axes of the view form a right-handed system, so it is a proper rotation
+    // The axes of the view form a right-handed system, so it is a proper rotation.
     EXPECT_EQ(sign(view, about_x), sign(view, along_x));
 }
 

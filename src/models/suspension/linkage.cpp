@@ -25,7 +25,7 @@ constexpr double kShortStep = 1e-7;
 // rad, largest rotation of the upright in a step; beyond it the other assembly of the linkage may
 // be reached
 constexpr double kFarTurn = 0.35;
-// smallest pivot of the equations that counts as regular; lengths are relative to the longest arm
+// Smallest pivot of the equations that counts as regular; lengths are relative to the longest arm.
 constexpr double kSingular = 1e-5;
 
 }  // namespace

@@ -107,13 +107,13 @@ class MovingLinkage {
 
   const Linkage* linkage_;
   TravelOf of_;
-  // outer points of the links in the upright's axes, relative to the wheel center
+  // Outer points of the links in the upright's axes, relative to the wheel center.
   std::array<Eigen::Vector3d, Linkage::kLinks> outer_;
   std::array<double, Linkage::kLinks> length_;
   double height_;  // m, height at rest of the point whose travel is prescribed
   Pose pose_;
   double travel_ = 0.0, rack_ = 0.0, left_ = 0.0;
-  // sign of the Jacobian's determinant; if it changes, another assembly was reached
+  // Sign of the Jacobian's determinant; if it changes, another assembly was reached.
   double orientation_ = 0.0;
   Eigen::PartialPivLU<Matrix6d> factors_;
   Twists twists_;

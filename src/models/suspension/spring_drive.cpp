@@ -45,7 +45,7 @@ Moved on_wishbone(const SpringDrive& drive, const Moved& ball) {
       std::atan2(axis.dot(was.cross(is)), from_axis(axis, was).dot(from_axis(axis, is)));
   const Vector3d arm =
       Eigen::AngleAxisd(angle, axis).toRotationMatrix() * (drive.outer - drive.hinge_front);
-  // derivative of the ball joint's position by the wishbone's angle
+  // Derivative of the ball joint's position by the wishbone's angle.
   const Vector3d lever = axis.cross(is);
   Moved moved{drive.hinge_front + arm, {}};
   moved.velocities = axis.cross(arm) * (lever.transpose() * ball.velocities) / lever.squaredNorm();

@@ -54,7 +54,7 @@ TEST(Footprint, GripIsTheShareOfTheFrictionThatIsUsed) {
   Footprint print;
   EXPECT_EQ(print.grip_level(), 0.0);
   print.elements = {{0, 0, 0.01, 0.01, 4e5, 3e5, 4e5, 1.25},  // slides
-                    // this element uses a fifth of its friction
+                    // This element uses a fifth of its friction.
                     {0.02, 0, 0.03, 0.01, 4e5, 0.0, 1e5, 1.25}};
   EXPECT_NEAR(print.grip_level(), (1.0 + 3.0 * 0.2) / 4.0, 1e-12);
   for (FootprintElement& at : print.elements) at.friction = 0.0;

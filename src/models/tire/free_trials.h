@@ -15,8 +15,8 @@ template <class T>
 Result<HubForces> advance_by_trials(
     T& tire, WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double h) {
   constexpr int kMost = 30;
-  // convergence tolerance: residual relative to the force on the hub (times the radius for the
-  // spin)
+  // Convergence tolerance: residual relative to the force on the hub (times the radius for the
+  // spin).
   constexpr double kClose = 1e-7;
   using Pair = FreeWheel::Pair;
   const T before = tire;
@@ -45,7 +45,7 @@ Result<HubForces> advance_by_trials(
     last_rates = rates;
     last_T = of_tire;
     auto next = wheel.balanced(time, h, rates, of_tire, stiffness);
-    // the Jacobian's estimate is from the other side of a kink: start again without it
+    // The Jacobian's estimate is from the other side of a kink: start again without it.
     if (!next) {
       stiffness.setZero();
       next = wheel.balanced(time, h, rates, of_tire, stiffness);
