@@ -212,8 +212,8 @@ class Builder {
     bodies_.push_back(body_of(
         "the rocker " + name,
         multibody::mass_of_rods({{pivot, rod}, {pivot, damper}}, inboard.rocker_mass, 0.01)));
-    // If the push-rod has rigid joints, the rocker's bearing must not be softer than these.
-    // m, arm that converts a translational stiffness to one against tilting
+    // Arm, m, that converts a translational stiffness to one against tilting. If the push-rod has
+    // rigid joints, the rocker's bearing must not be softer than these.
     constexpr double kTiltArm = 0.03;
     const multibody::BushingParameters& joint = corner.bushings[DoubleWishbone::kPushrodInner];
     const double stiff = joint.rigid ? std::max(inboard.bearing, joint.stiffness.maxCoeff())
