@@ -51,7 +51,7 @@ Vector3d solve_three(const Matrix<double, 4, 3>& S, const Vector4d& b) {
   return (S.transpose() * S).inverse() * (S.transpose() * b);
 }
 
-/// The car with loaders, standing or rolling.
+/// A car with loaders (virtual downforces) on its chassis, standing or rolling.
 class LoadedCar {
  public:
   LoadedCar(Car& car,

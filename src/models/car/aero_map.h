@@ -4,11 +4,12 @@
 //
 //   F_f = q A C_f(h_f, h_r),   F_r = q A C_r(h_f, h_r),   D = q A C_D,      q = ρ v² / 2
 //
-// h is the height of the floor over the plane z = 0 at the two axles, in the middle of the car; a
-// kerb below the floor is not seen. The coefficients are bilinear between the heights of the map
-// and constant beyond them. Downforce acts straight down at the axles, drag backward at a given
-// height. The response is immediate. With a chassis that twists, all forces act on its front half,
-// at points in the middle of the car, where both halves agree.
+// h_f and h_r are the heights of the car's floor above the plane z = 0 at the two axles, in the
+// middle of the car; a kerb below the floor does not change them. The coefficients are bilinear
+// between the heights of the map and constant beyond them. The downforces F_f and F_r act
+// vertically at the axles, the drag D backward at a given height. There is no delay. If the chassis
+// is divided into halves that twist, all forces act on the front half, at points in the middle of
+// the car, where both halves have the same position.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,7 +38,8 @@ struct AeroMap {
   // m, heights of the floor at the axles in the car as drawn
   double floor_front = 0.0, floor_rear = 0;
 
-  /// Takes the rows of a complete grid, in any order. A single row means constant coefficients.
+  /// Sets the map from the rows of a complete grid of ride heights, in any order. A single row
+  /// means constant coefficients.
   void set_rows(const std::vector<Row>& rows);
   /// Returns a message that says why such rows form no map, or an empty text if they do.
   static std::string fault(const std::vector<Row>& rows);
@@ -46,7 +48,8 @@ struct AeroMap {
 
  private:
   std::vector<double> front_heights_ = {0.0}, rear_heights_ = {0.0};
-  Eigen::MatrixXd front_ = Eigen::MatrixXd::Zero(1, 1), rear_ = front_;  // one front height per row
+  // rows: front heights, columns: rear heights
+  Eigen::MatrixXd front_ = Eigen::MatrixXd::Zero(1, 1), rear_ = front_;
 };
 
 }  // namespace latsch::car

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests coefficients over ride heights, and a car that finds its heights under them.
+// Tests the aerodynamic coefficients as functions of ride heights, and a car that reaches
+// equilibrium under the resulting downforce.
 #include "models/car/aero_map.h"
 
 #include <gtest/gtest.h>
@@ -120,7 +121,7 @@ TEST(AeroMap, StepsWithItAreOfSecondOrder) {
   parameters.aero->drag_height = 0.4;
   parameters.aero->floor_front = 0.035;
   parameters.aero->floor_rear = 0.045;
-  // The floor rises and falls by less than a cell of the map as the wheels go over the kerb.
+  // While the wheels roll over the kerb, the floor rises and falls by less than a cell of the map.
   const auto height_over_kerb = [&](double h) {
     auto car = Car::make(parameters, spring_tires());
     const SmoothKerb road;

@@ -5,15 +5,16 @@
 //   wheel: I w' = My + T + B, solved with the tire's step     T: drive, B: brake
 //   on the upright: the hub's force and moment without My, -I w (ω × a) of the spinning wheel, -B
 //   on the chassis: aero loads, -T, and the guide
-// The tires are evaluated once a step, at the motion predicted for its end. The mechanism vibrates
-// faster than the tires and takes two steps meanwhile, with tire forces, loads and a rack that
-// change linearly. A guide takes the driver's place and keeps the car on its line and at its speed:
-// springs and dampers, soft against the tires, between the chassis and a point that moves straight
-// on at constant speed. Laterally and in yaw it holds the chassis at its center of mass.
-// Longitudinally it pulls like a driven axle with shafts from the chassis: P on the wheel centers
-// and -P r, r the loaded radius, on the chassis, together a force at the contact. The guide starts
-// with the force it has to bear (drag, rolling losses, side forces of the tires), so the car starts
-// in balance.
+// The tires are evaluated once per step, at the motion predicted for its end. The mechanism
+// vibrates faster than the tires and is advanced in two steps during this time, with tire forces,
+// loads and rack position that change linearly. In place of a driver, a guide keeps the car on its
+// line and at its speed. It consists of springs and dampers, much softer than the tires, between
+// the chassis and a point that moves straight ahead at constant speed. Laterally and in yaw it
+// holds the chassis at its center of mass. Longitudinally it acts like a driven axle with drive
+// shafts from the chassis: a force P on the wheel centers and a moment -P r on the chassis, with r
+// the loaded radius, which together are equivalent to a force at the contact points. At the start
+// the guide bears exactly the force that the car needs (drag, rolling losses, side forces of the
+// tires), so the car starts in equilibrium.
 #pragma once
 
 #include <array>
@@ -35,7 +36,7 @@ using Tires = std::array<std::unique_ptr<Tire>, kCorners>;
 
 /// Parameters of the guide, which holds the chassis against a point that moves along x.
 struct Guide {
-  double y = 0.0;        // m, line of the car's middle, added to that of a GuidePoint
+  double y = 0.0;        // m, lateral position of the car's middle, added to that of a GuidePoint
   double lateral = 2e4;  // N/m; damped critically with the car's mass
   double yaw = 5e4;      // N m/rad
   double along = 2e4;    // N/m
@@ -91,7 +92,7 @@ struct WheelState {
 struct CarState {
   multibody::MechanismState bodies;         // poses and rates of the bodies, and the time
   std::array<WheelState, kCorners> wheels;  // front left, front right, rear left, rear right
-  double speed = 0.0;                       // m/s, speed of the guide
+  double speed = 0.0;                       // m/s, speed of the guide's point
   Trim trim;                                // constant forces of the guide
   double rack = 0.0;                        // m, rack and loads of the last step's inputs
   std::vector<multibody::Load> loads;       // loads of the last step
@@ -102,11 +103,12 @@ struct CarState {
   bool operator==(const CarState& other) const;
 };
 
-/// The car of a parameter set on four tires, held on its line by a guide.
+/// A car made from a set of parameters, on four tires, held on its line by a guide.
 class Car {
  public:
-  /// The parameters must have no fault(). The springs carry the car in its drawn position, at rest
-  /// on tires that stand on z = 0 under the loads of the inputs; their preloads follow from this.
+  /// Makes a car. The parameters must have no fault(). The preloads of the springs are chosen such
+  /// that they carry the car in its drawn position, at rest on tires that stand on z = 0, under the
+  /// loads of the inputs.
   static Result<std::unique_ptr<Car>> make(const CarParameters& parameters,
                                            const Tires& tires,
                                            const CarInputs& at_rest = {},
@@ -128,7 +130,7 @@ class Car {
   const CarParts& parts() const { return parts_; }
   /// The guide that keeps the car on its line. It may be changed before settle() is called.
   Guide guide = {};
-  /// Steps of the mechanism per step of the tires.
+  /// Number of steps of the mechanism per step of the tires.
   int mechanism_steps = 2;
 
   /// Returns the state of equilibrium on the road, at rest or at constant speed: poses of the

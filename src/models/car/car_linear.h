@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A car at rest on its tires, for small motion (multibody/linear_model.h). Inputs are the heights h
 // of the road below its four tires, outputs are signals of sensors on it.
-//   tire: its force on the hub changes by  -k x - c x',  x: wheel center against its road, across
-//   and upward (y, z)
+//   tire: the force on the hub changes by -k x - c x',  x: wheel center relative to its road,
+//   lateral and vertical (y, z)
 // k and c of a tire of any kind are found by moving its wheel at constant velocity, which gives
 // F(t) - F(0) = -c v - k v t. They are fitted by least squares after the transient of the start has
 // decayed, as the mean of both directions. This is exact for a spring and damper. For other tires k
-// and c hold below the frequencies of their own modes (belt), with sticking friction. Along x a
-// free wheel rolls. Slopes by camber are omitted.
+// and c are valid below the frequencies of the tire's own (belt) modes, with sticking friction.
+// Along x a tire has no stiffness, because the wheel rolls freely. Derivatives by camber are
+// omitted.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bodies, joints and struts of a car, and the indices of its parts among them.
+// Builds the mechanism of a car, that is its bodies, joints and struts, and gives the indices of
+// its parts.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A car: a chassis, rigid or of two halves that twist against each other, and two axles of double
 // wishbones on bushings. Axes at rest: x forward, y left, z up, the ground z = 0; left and right
-// are mirror images. The springs act by rockers, or are locked: the chassis then holds the inboard
-// ends of the push-rods, as with rigid bars on a rig.
+// are mirror images. The springs act through rockers. Alternatively they are locked: then the
+// inboard ends of the push-rods are fixed to the chassis, as with rigid bars on a rig.
 #pragma once
 
 #include <Eigen/Core>

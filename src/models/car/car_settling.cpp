@@ -137,8 +137,8 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
   return rates;
 }
 
-/// Lets the tires roll to the car's starting position, in rounds; after each round the car's
-/// equilibrium is solved again.
+/// Settings for letting the tires roll to the car's starting position. They roll in rounds; after
+/// each round the car's equilibrium is computed again.
 struct RollIn {
   static constexpr int kRounds = 12;
   // Rounds in which the car's body is held until the belts have grown.

@@ -90,7 +90,7 @@ road::TriangleRoad short_road() {
        .triangles = {{{0, 1, 2}}, {{0, 2, 3}}}});
 }
 
-// The front wheels begin at x = 1.55 m and reach the road's end after 3.45 m.
+// The front wheels start at x = 1.55 m, so they reach the end of the road after 3.45 m.
 TEST(Car, ATireOffTheRoadsEdgeIsNamedWhenItLeaves) {
   const auto car = made(race_car(true));
   const auto road = short_road();

@@ -23,7 +23,8 @@ struct Aligning {
   R Dt, alphar_eq;
 };
 
-/// Effect of spin on the residual torque: its peak (4.E47) and shape (4.E45), (4.E46).
+/// Effects of spin on the residual torque: the change of its peak (4.E47) and of its shape (4.E45),
+/// (4.E46).
 template <class R>
 struct SpinTorque {
   R zeta6, Drp;

@@ -9,7 +9,8 @@
 namespace latsch::magic_formula {
 namespace {
 
-/// Returns 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3).
+/// Returns the factor 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 of the vertical
+/// force in (3).
 template <class K>
 K stiffening(const TireConstantsOf<K>& tire, const K& omega, const K& x, const K& y) {
   using std::abs;
@@ -23,9 +24,10 @@ K at_least(const K& x, double lower) {
 
 }  // namespace
 
-/// Returns Fz with rho_z = rho_zfr + rho_zg: Fz = [1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 -
-/// ((rho_z/R0)^q_FCy2 q_FCy (Fy - S_Fyg)/Fz0)^2] (q_Fz1 rho_z/R0 + q_Fz2 (rho_z/R0)^2) (1 + p_Fz1
-/// dp) Fz0.
+/// Returns the vertical force Fz at the deflection rho_z = rho_zfr + rho_zg:
+///   Fz = [1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2
+///         - ((rho_z/R0)^q_FCy2 q_FCy (Fy - S_Fyg)/Fz0)^2]
+///        (q_Fz1 rho_z/R0 + q_Fz2 (rho_z/R0)^2) (1 + p_Fz1 dp) Fz0
 template <class K>
 K vertical_force_62(const TireConstantsOf<K>& tire,
                     const WheelUnderLoadOf<K>& o,

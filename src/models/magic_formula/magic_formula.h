@@ -5,8 +5,8 @@
 // Axes: ISO-W at the contact point (NOTATION.md). alpha > 0 gives Fy < 0, kappa = -1 is a locked
 // wheel, Vsx = -kappa |Vx|. Sources and the points in which implementations differ:
 // docs/magic_formula.md. The equations are in operating_point.h, longitudinal.h, lateral.h,
-// aligning.h, moments.h and geometry.h. They are written once for one state and for eight side by
-// side, and for each kernel set (kernel_set.h).
+// aligning.h, moments.h and geometry.h. The source of the equations is compiled for one state and
+// for eight states at a time, and for each kernel set (kernel_set.h).
 #pragma once
 
 #include <span>

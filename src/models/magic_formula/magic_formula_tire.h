@@ -8,14 +8,15 @@
 //        its BOTTOM_STIFF
 //   Fx, Fy, Mx, My, Mz = Magic Formula(Fz, kappa', alpha', gamma, phit, Vx, p)
 //
-// USE_MODE of the file (or of the settings). Tens digit: 0 is steady state, kappa' and alpha' are
-// those of the wheel. 1 is relaxation with sigma = K/C at the load (19). In 2 and above sigma also
-// depends on the slip, sigma = |F - F(0)|/(C slip), because the sliding part of the patch needs no
-// deflection [Pacejka 2012, 7.2.3]; F(0) is the force that ply steer, conicity, camber and the
-// other slip cause without this slip. A step is of order 2 in its length, and exact for constant
-// velocities and load. Speeds below VXLOW, rest and turning on the spot are handled by
-// standstill.h, in every mode with relaxation. Units digit: 0 is vertical force alone, 1 Fx and My,
-// 2 Fy, Mx, Mz, 3 all without interaction of the slips, 4 and 5 all (5: with turn slip).
+// The digits of USE_MODE (of the file or of the settings) select the model. Tens digit 0: steady
+// state, in which kappa' and alpha' are the slips of the wheel. Tens digit 1: relaxation with sigma
+// = K/C at the load (19). Tens digit 2 and above: sigma also depends on the slip, sigma = |F -
+// F(0)|/(C slip), because the sliding part of the patch needs no deflection [Pacejka 2012, 7.2.3];
+// F(0) is the force that ply steer, conicity, camber and the other slip cause without this slip. A
+// step is of order 2 in its length, and exact for constant velocities and load. Speeds below VXLOW,
+// rest and turning on the spot are handled by standstill.h, in every mode with relaxation. Units
+// digit 0: vertical force alone; 1: with Fx and My; 2: with Fy, Mx, Mz; 3: all, without interaction
+// of the slips; 4: all, with interaction; 5: as 4, with turn slip.
 #pragma once
 
 #include "models/magic_formula/limits/range_log.h"

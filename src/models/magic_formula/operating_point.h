@@ -320,7 +320,7 @@ struct Shapes {
   }
 };
 
-/// Returns sin(C atan(Bx - E (Bx - atan(Bx)))) of a single curve.
+/// Returns sin(C atan(Bx - E (Bx - atan(Bx)))), a single curve of the Magic Formula.
 template <class R>
 LATSCH_INLINE R sine_shape(const R& Bx, const R& C, const R& E) {
   return sin(C * atan(Bx - E * (Bx - atan(Bx))));

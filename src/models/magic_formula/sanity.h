@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks whether a Magic Formula tire behaves like a tire beyond the data it was fitted to.
 //
-// A polynomial that is right inside the data may change its course outside. The checks use a
-// lattice over the ranges of the data, 1.5 times as wide about their middle, without the limits of
-// the file:
+// A polynomial that fits the data may behave differently outside of them. The checks use a lattice
+// of points over the ranges of the data, widened by a factor of 1.5 about their middle, and ignore
+// the limits of the file:
 //   cornering stiffness   keeps its sign and is nowhere 0
 //   slip stiffness        keeps its sign and is nowhere 0
 //   friction              stays in 0.2 ... 3, longitudinally and laterally
@@ -13,9 +13,9 @@
 //   aligning moment       falls beyond its peak, and beyond 0 it stays below half of the peak
 //   factors               of pressure and camber polynomials stay positive: no pole, no change
 //                         of sign
-// The coefficients that cause a failed row are found by trial: each suspect is set to its neutral
-// value (0 for a coefficient of load, camber or pressure), and the one that repairs the row, or
-// most of it, is named; then the next, at most three.
+// The coefficients that cause a failed check are found by trial. Each coefficient that may be the
+// cause is set to a neutral value (0 for a coefficient of load, camber or pressure). The one that
+// removes the violation, or most of it, is reported; then the next one is sought, at most three.
 #pragma once
 
 #include <string>

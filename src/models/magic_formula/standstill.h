@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Magic Formula for a wheel that hardly rolls, stands, turns on the spot or reverses: below
-// V_low = VXLOW of the file. At and above V_low it has no effect, to the last bit.
+// V_low = VXLOW of the file. At and above V_low these equations change nothing, to the last bit.
 //
 //   q = (1 - cos(pi |Vx|/V_low))/2                 0 at rest, 1 from V_low on, with zero slope at
 //                                                  both ends
@@ -20,18 +20,18 @@
 //   Mz = ... - (1 - q) C_psi psi                   psi_max = M_inf/C_psi
 //
 // u, v, their damping and their bound: [Pacejka 2012, 7.2.3]. M_inf is the torque of turning on the
-// spot (4.95), C_psi the overall yaw stiffness YAW_STIFFNESS (1 + PCMZ1 dfz): peak and slope of the
-// parking torque as in Adams' PAC2002 with turn slip. The law between them is that of friction
-// between elastic bodies [Dahl 1968]: turned from rest, M = -M_inf (1 - exp(-C_psi psi/M_inf));
-// after release, a part springs back and the rest stays. Forces and moments by ply steer, conicity,
-// trail and camber without slip appear in proportion to r and remain when the wheel stops. This
-// rule is specific to this program; it is continuous, while the formula itself jumps with the sign
-// of Vx.
+// spot (4.95), C_psi the overall yaw stiffness YAW_STIFFNESS (1 + PCMZ1 dfz): they are peak and
+// initial slope of the parking torque, as in Adams' PAC2002 with turn slip. Between them the torque
+// obeys the law of friction between elastic bodies [Dahl 1968]: a wheel turned from rest has the
+// torque M = -M_inf (1 - exp(-C_psi psi/M_inf)); after release a part of the angle springs back and
+// the rest remains. Forces and moments by ply steer, conicity, trail and camber without slip appear
+// in proportion to r and remain when the wheel stops. This rule is specific to this program; it is
+// continuous, while the formula itself jumps with the sign of Vx.
 //
-// Limits: the friction of the pivoting patch is independent, sliding does not reduce it; psi is
-// rolled off over half the patch. Mx keeps the contribution of the side force without slip. With
-// turn slip (USE_MODE 5) and backward faster than V_low the torque of turning has the sign of
-// MF-Tyre's formula, which is that of rolling forward.
+// Limits: the friction torque of the pivoting patch is independent of sliding, which does not
+// reduce it. Rolling removes psi over half the length of the patch. Mx keeps the contribution of
+// the side force without slip. With turn slip (USE_MODE 5) and backward motion faster than V_low,
+// the torque of turning has the sign of MF-Tyre's formula, which is that of rolling forward.
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 // f(x, v) and the blocks of
 //   J = ∂f/∂x + share ∂f/∂v,    share: change of v per change of x within a step; 0 in statics
 // Forces are about the bodies' origins, in the ground's axes. ∂f/∂x omits the effect of rotating
-// axes and arms on velocities and damping forces, which is small beside a damper's part.
+// axes and arms on velocities and damping forces, which is small compared with ∂f/∂v of a damper.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@
 
 namespace latsch::multibody {
 
-/// Force and moment on a body about its origin from something outside the mechanism.
+/// Force and moment on a body about its origin, exerted by something outside the mechanism.
 struct BodyForce {
   int body;
   Vector6d value = Vector6d::Zero();  // N, N m
@@ -47,7 +47,7 @@ using Outside = std::function<void(const Motion&, std::vector<BodyForce>&)>;
 
 class Assembly {
  public:
-  /// The mechanism must outlive this object.
+  /// Makes the assembly of a mechanism, which must outlive this object.
   explicit Assembly(const Mechanism& mechanism);
 
   /// Computes the forces and J for this motion, for elements, weight, loads (scaled by

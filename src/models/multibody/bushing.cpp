@@ -18,7 +18,8 @@ ForceAndMoment force_and_moment(const BushingStrain& s, const BushingForces& for
   return {-(s.axes * forces.f.head<3>()), -(s.axes * (s.N.transpose() * forces.f.tail<3>()))};
 }
 
-/// Returns a wrench about the origin of a body, given the arm to the point at which it acts.
+/// Returns force and moment about the origin of a body; `arm` leads from this origin to the point
+/// at which they act.
 Vector6d about(const Vector3d& arm, const Vector3d& F, const Vector3d& M) {
   Vector6d wrench;
   wrench << F, arm.cross(F) + M;

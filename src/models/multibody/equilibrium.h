@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statics of a mechanism: poses at which the elements' wrenches r and the load balance,
 //   r(x) + w(x) = 0,   J = d(r + w)/dx,   x <- x - J^-1 (r + w)          Newton's method, exact J
-// If this fails, the load is applied in shares s. The unbalance at the start x0 (weight, preloads,
-// loads, air, tires, drivers) is compensated and released evenly,
+// If this fails, the load is applied in shares s. The imbalance at the start x0 (weight, preloads,
+// loads, air, tires, drivers) is compensated by additional forces, which are reduced in proportion,
 //   r(x) + w(x; s) - (1 - s) (r(x0) + w(x0; 0)) = 0,   s from 0, with x0 in equilibrium, to 1
 // with corrections d = -J^-1 (r + w). A correction is halved until the next one with the same J is
-// shorter, |J^-1 (r + w)(x + l d)| <= (1 - l/4) |d|. The criterion uses lengths, not forces, so
-// that stiff joints, which any rotation strains, allow long steps [Deuflhard 2011, Newton Methods
-// for Nonlinear Problems: the natural monotonicity test].
-// The last J also gives the compliance and the slopes by the stiffnesses p,
+// shorter, |J^-1 (r + w)(x + l d)| <= (1 - l/4) |d|. The criterion compares lengths of corrections,
+// not forces. It therefore allows long steps even if stiff joints, which every rotation strains,
+// have large forces [Deuflhard 2011, Newton Methods for Nonlinear Problems: the natural
+// monotonicity test]. The last J also gives the compliance and the slopes by the stiffnesses p,
 //   dy/dp = -λ' dr/dp   with   J' λ = dy/dx                               adjoint
 #pragma once
 

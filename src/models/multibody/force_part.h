@@ -11,7 +11,8 @@
 //   Maxwell    s1 = e s0 + k T (1 - e)/h (d1 - d0),  e = exp(-h/T); statics, h infinite: s1 = 0
 //   Friction   s1 = clamp(s0 + k (d1 - d0))
 // Both are exact; for friction this requires that the rate does not change its sign within the
-// step. Play with friction gives a loop as wide as the gap and as high as the friction.
+// step. A part with play and friction has a hysteresis loop as wide as the gap and as high as the
+// friction.
 #pragma once
 
 #include <limits>
@@ -31,7 +32,7 @@ struct ViscousCurve {
   bool operator==(const ViscousCurve&) const = default;
 };
 struct Play {
-  double gap = 0.0;        // m or rad, to either side
+  double gap = 0.0;        // m or rad, gap to either side
   double stiffness = 0.0;  // N/m, N m/rad
   bool operator==(const Play&) const = default;
 };

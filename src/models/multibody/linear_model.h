@@ -10,10 +10,10 @@
 // therefore not symmetric in general, because rotations about the ground's axes are not coordinates
 // of a potential.
 //
-// Laws with a kink (damper maps, play) have their slopes at the equilibrium. Dry friction sticks.
-// Maxwell parts are relaxed, so their additional stiffness around and above their own frequency is
-// missing. Actions from outside enter by the slopes of their wrenches, evaluated with `share` 0 and
-// 1.
+// Nonlinear laws (damper curves, play) enter with their derivatives at the equilibrium. Dry
+// friction sticks. Maxwell elements are relaxed, so their additional stiffness near and above their
+// own frequency is not included. Actions from outside enter by the slopes of their wrenches,
+// evaluated with `share` 0 and 1.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,11 +29,11 @@ struct LinearModel {
 };
 
 struct LinearInputs {
-  Eigen::MatrixXd P, Q;  // rows as of K, one column per input
+  Eigen::MatrixXd P, Q;  // rows as in K, one column per input
 };
 
 struct LinearOutputs {
-  Eigen::MatrixXd A, B, D;  // one row per output
+  Eigen::MatrixXd A, B, D;  // matrices with one row per output
 };
 
 /// Returns the linear model of the mechanism about this equilibrium, under the actions that cause

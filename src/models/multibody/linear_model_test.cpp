@@ -86,8 +86,8 @@ Mechanism quarter_car(const QuarterCar& q) {
                     {"spring", 0, 1, {0.0, 0.0, 0.2}, along_z(q.ks, q.cs)}});
 }
 
-// The transfer functions from road to body and to wheel are [any text on vehicle dynamics], with S
-// = cs s + ks, T = ct s + kt,
+// The transfer functions of a quarter car from road to body and to wheel are [any text on vehicle
+// dynamics], with S = cs s + ks, T = ct s + kt,
 //   z_s = S T/N, z_u = (ms s² + S) T/N, N = (ms s² + S)(mu s² + S + T) - S²
 TEST(LinearModel, OfAQuarterCarHasItsTransferFunctions) {
   const QuarterCar q;
@@ -113,7 +113,8 @@ TEST(LinearModel, OfAnUndampedQuarterCarHasItsTwoNaturalFrequencies) {
   const Mechanism mechanism = quarter_car(q);
   const auto modes = modes_along_z(linear_model(mechanism, drawn(mechanism), {}));
   ASSERT_EQ(modes.size(), 2u);
-  // The frequencies solve ms mu ω⁴ - (ms (ks + kt) + mu ks) ω² + ks kt = 0.
+  // The angular frequencies of an undamped quarter car are roots of ms mu ω⁴ - (ms (ks + kt) + mu
+  // ks) ω² + ks kt = 0.
   const double a = q.ms * q.mu, b = q.ms * (q.ks + q.kt) + q.mu * q.ks,
                root = std::sqrt(b * b - 4.0 * a * q.ks * q.kt);
   EXPECT_NEAR(modes[0].frequency, std::sqrt((b - root) / (2.0 * a)) / kTwoPi, 1e-8);

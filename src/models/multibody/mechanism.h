@@ -39,7 +39,7 @@ struct Joint {
   Eigen::Vector3d along = Eigen::Vector3d::Zero();
 };
 
-/// A load of fixed direction at a point of a body.
+/// A force of constant direction on a body, at one of its points.
 struct Load {
   int body;
   Eigen::Vector3d point;                                                              // at rest, m
@@ -91,7 +91,7 @@ class Mechanism {
   }
   /// Returns the memories of all force parts at rest, which are zero.
   Memories no_memories() const { return Memories(memories_); }
-  double mass() const;  // kg, of all bodies
+  double mass() const;  // kg, total mass of all bodies
   Poses at_rest() const;
   /// Returns the pairs of bodies that share an element.
   std::vector<std::pair<int, int>> pairs() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mass, center and inertia of a part whose mass is spread evenly over straight rods between points,
 // as in a push-rod and nearly in a wishbone.
-//   along a rod m r²/2, across it m (L²/12 + r²/4), each about the rod's middle     solid cylinders
+//   inertia of a rod (solid cylinder) about its middle: along it m r²/2, across it m (L²/12 + r²/4)
 #pragma once
 
 #include <Eigen/Core>

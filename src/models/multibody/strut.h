@@ -17,7 +17,7 @@
 namespace latsch::multibody {
 
 struct StrutLine {
-  int a, b;                          // indices of bodies, or kGround
+  int a, b;                          // indices of the bodies, or kGround
   Eigen::Vector3d point_a, point_b;  // at rest, m
   double weight = 1.0;
 };

@@ -9,10 +9,10 @@
 // rotating bodies]. θ = 0 is the trapezoidal rule; a small θ damps vibrations faster than the step.
 // x1, v1 are predicted with a1 = a0, and corrected by one linear system,
 //   (M/((1 - θ) β h²) - J) δx = f - M g1,     J = ∂f/∂x + γ/(β h) ∂f/∂v
-// The remaining error is of order h⁴ per step, so the order stays 2. Forces are evaluated once per
-// step, at the predicted motion: actions from outside (tires on their road) may have a state that
-// advances with the step. More corrections can be chosen if elements have kinks and nothing outside
-// has a state.
+// The remaining error is of order h⁴ per step, so the order stays 2. Forces are evaluated only once
+// per step, at the predicted motion, so that forces from outside (tires on their road) may have a
+// state that advances with the step. More corrections can be chosen if elements have kinks and the
+// forces from outside have no state.
 //
 // The state is a value that can be copied, restored and compared.
 #pragma once
@@ -44,8 +44,8 @@ struct MechanismState {
 
 class Transient {
  public:
-  /// All bodies of the mechanism must have mass and inertia. The mechanism must outlive this
-  /// object.
+  /// Makes the integrator of a mechanism, all of whose bodies must have mass and inertia. The
+  /// mechanism must outlive this object.
   explicit Transient(const Mechanism& mechanism, const TransientSettings& settings = {});
 
   /// Returns the state with these poses and rates (null: at rest). Its accelerations satisfy M g =

@@ -144,7 +144,7 @@ TEST(Transient, AFreeBodyTurnsAsEulersEquationsSay) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.2);
 }
 
-/// Returns three bodies in a chain with uneven bushings and an inclined spring-damper unit.
+/// Returns a chain of three bodies on different bushings, with an inclined spring-damper unit.
 Mechanism chain(double damping, double inertance) {
   std::vector<Body> bodies;
   std::vector<Joint> joints;

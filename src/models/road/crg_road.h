@@ -6,13 +6,14 @@
 //   z(u, v) = line height(u) + banking(u) v + grid(u, v)
 //
 // Heights and banking are linear between rows, and the grid is bilinear. In the interval k between
-// the points P_k and P_k+1 of the line, v is the distance from the line through both. u divides,
-// parallel to this line, the distance from the normal on P_k-1 P_k+1 through P_k to the normal on
-// P_k P_k+2 through P_k+1. Beyond both ends the line continues straight. At a point closer to a
-// center of curvature than the line itself the coordinates are not unique, as in OpenCRG.
+// the points P_k and P_k+1 of the line, v is the distance from the line through both. u is
+// interpolated linearly, parallel to this line, between the normal to P_k-1 P_k+1 through P_k and
+// the normal to P_k P_k+2 through P_k+1. Beyond both ends the line continues straight. At a point
+// closer to a center of curvature than the line itself the coordinates are not unique, as in
+// OpenCRG.
 //
 // Beyond the grid the border modes of OpenCRG hold:
-//   none     no road: elevation() is empty there; for a tire at() keeps the edge
+//   none     no road: elevation() returns nothing there, but at() keeps the edge for tires
 //   zero     z = border_offset
 //   keep     the edge continues, raised by border_offset
 //   repeat   the grid begins again; reflect: it returns mirrored

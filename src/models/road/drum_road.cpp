@@ -108,7 +108,7 @@ DrumRoad::Surface DrumRoad::locate(double x, double y, double time) const {
     return surface;
   }
   const double depth = std::sqrt(R_ * R_ - x * x);
-  surface.z = up_ * x * x / (R_ + depth);  // R - depth without cancellation
+  surface.z = up_ * x * x / (R_ + depth);  // computes R - depth without cancellation
   surface.slope = up_ * x / depth;
   if (settings_.cleats.empty()) return surface;
   const double turned = settings_.surface.distance(time) / R_;

@@ -15,8 +15,9 @@
 // wound around the drum as a helix, turned by `angle` from the line of the axle, counterclockwise
 // seen from above as in profile_road.h. Its section is a Profile over the arc length across the
 // bar, wrapped around the drum: corners are at their arc length and height, edges between them are
-// straight. Where flank and drum hide each other from above, the upper surface counts. Beyond |x| =
-// 0.95 R the surface continues as the tangent there, without cleats.
+// straight. At positions where several surfaces lie above each other, such as a flank and the drum,
+// the road is the highest one. Beyond |x| = 0.95 R the surface continues as the tangent there,
+// without cleats.
 #pragma once
 
 #include <string>
@@ -35,7 +36,7 @@ class DrumRoad final : public Road {
     Profile profile = {};         // heights >= 0: a drum has no grooves
     double starting_angle = 0.0;  // rad
     double angle = 0.0;           // rad, angle to the axle, |angle| < 90 deg
-    double friction = 1.0;        // factor on the tire's own friction
+    double friction = 1.0;        // factor by which the tire's own friction is multiplied
   };
   /// Size, surface speed and cleats of the drum.
   struct Settings {

@@ -7,8 +7,8 @@
 //               of at most 0.004 % of the height
 //   block       a bar of `length` in the middle of every pitch, with beveled edges
 //
-// A negative height is a depth: the same section below the road. `ramp` at either side raises the
-// height gradually across the width, as on kart tracks.
+// A negative height is a depth, with the same section below the road. Over the width `ramp` at
+// either side the height rises gradually, as on kart tracks.
 #pragma once
 
 #include "models/road/profile_road.h"
@@ -24,12 +24,12 @@ struct Kerb {
   double width = 0.8;   // m, across
   double height = 0.0;  // m; negative: depth
   int count = 4;
-  double length = 0.0;  // m, length of a block's bar
+  double length = 0.0;  // m, length of the bar of a block
   double bevel = 0.0;   // m, bevel of a block
   double ramp = 0.0;    // m, width of the ramp at either side, at most width / 2
   // m, start of the first repetition at its right edge
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
-  double angle = 0.0;          // rad, direction of the track about z
+  double angle = 0.0;          // rad, direction of the track in the plane
   double friction = 1.0;       // friction factor on the kerb
   double road_friction = 1.0;  // friction factor beside the kerb
 };

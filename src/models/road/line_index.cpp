@@ -9,7 +9,7 @@
 namespace latsch::road {
 namespace {
 
-constexpr int kLeaf = 16;  // points per leaf
+constexpr int kLeaf = 16;  // number of points per leaf
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An infinite plane: the flat road, a grade, or a running flat belt.
+// An infinite plane as road: flat, with a grade, or a moving flat belt.
 #pragma once
 
 #include "models/road/road.h"
@@ -11,9 +11,9 @@ class PlaneRoad final : public Road {
  public:
   /// Height, slopes and motion of the plane.
   struct Settings {
-    double height = 0.0;    // m, at the origin
-    double grade = 0.0;     // dz/dx: rises ahead
-    double bank = 0.0;      // dz/dy: rises to the left
+    double height = 0.0;    // m, height at the origin
+    double grade = 0.0;     // slope dz/dx: positive if the road rises ahead
+    double bank = 0.0;      // slope dz/dy: positive if the road rises to the left
     double friction = 1.0;  // factor
     // Speed of the belt: it carries the ground backward, toward -x, below a standing tire.
     Travel belt = {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four plates of a post rig, one below each quarter of a car: level, each moved up and down by
-// an actuator. Heights between samples are cubics through both ends with slopes from central
-// differences, so that velocities have no jumps. Beyond the samples the first and last heights are
-// kept.
+// The road of a four-post rig: four level plates, one below each quarter of a car, each moved up
+// and down by an actuator. Between samples the height is a cubic polynomial in time, with slopes
+// from central differences, so that velocities are continuous. Beyond the samples the first and
+// last heights are kept.
 #pragma once
 
 #include <array>

@@ -6,8 +6,8 @@
 //              |              |                                 /  | /  | /  |
 //       -------+              +-------  0                      /   |/   |/   |
 //
-// Two points with the same s form a vertical flank; exactly there the greater of both heights
-// counts. Beyond its ends a profile keeps its last height.
+// Two points with the same s form a vertical flank; exactly at this s the height is the greater of
+// both. Beyond its ends a profile keeps the height of its end point.
 #pragma once
 
 #include <algorithm>

@@ -88,7 +88,8 @@ class ProfileRoad final : public Road {
   double cos_, sin_;
 };
 
-/// Returns a bar across the road at x, parallel to the axle at angle 0 [cleat_profile].
+/// Returns a road with a bar across it at x [cleat_profile]. At angle 0 the bar is parallel to the
+/// axle.
 ProfileRoad cleat_road(double x, double height, double length, double bevel, double angle = 0.0);
 
 }  // namespace latsch::road

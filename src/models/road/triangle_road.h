@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road of triangles, seen from above. The height is that of the plane of the triangle below a
-// point, and of the highest if there are several. Vertical triangles are walls and contain no
-// point.
+// A road that consists of triangles. The height at a position is that of the triangle that covers
+// it in plan view; if there are several, it is that of the highest. Vertical triangles are walls
+// and contain no point.
 //
 // Beside the mesh, and in its holes, the road is level at the height of the mesh's nearest point in
 // plan. Triangles are found through a grid of cells in the plane, with about one cell per triangle.
@@ -21,7 +21,7 @@ struct TriangleMesh {
   /// A triangle: the indices of its nodes, and its friction.
   struct Triangle {
     std::array<int, 3> nodes = {};  // indices of nodes
-    double friction = 1.0;          // factor on the tire's own friction
+    double friction = 1.0;          // factor by which the tire's own friction is multiplied
   };
   std::vector<Eigen::Vector3d> nodes;  // m
   std::vector<Triangle> triangles;     // in any order

@@ -9,8 +9,8 @@
 //   in phase C(i, j) + C(i, j + 6),   out of phase C(i, j) - C(i, j + 6)     of the left wheel
 //
 // Suspension analyses define lateral force steer, aligning torque camber and similar quantities in
-// this way. If nothing couples the wheels (anti-roll bar, compliant rack), both are equal. The
-// matrix is linear about the state for which C was computed.
+// this way. If nothing couples the wheels (no anti-roll bar, no compliant rack), the compliances in
+// phase and out of phase are equal. The matrix is linear about the state for which C was computed.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid kinematics of the two wheels of an axle on one rack, with the chassis held and the ground
-// moved. The right wheel is the mirror image of the left one. With contact points L and R, and
-// heights h_i(y) = z_i + v_yi / v_zi (y_i - y) of the normals to their paths, both in the chassis'
-// axes:
+// Rigid kinematics of the two wheels of an axle with a common rack, in which the chassis is fixed
+// and the ground moves. The right wheel is the mirror image of the left one. With contact points L
+// and R, and heights h_i(y) = z_i + v_yi / v_zi (y_i - y) of the normals to their paths, both in
+// the chassis' axes:
 //   roll = -atan2(z_L - z_R, y_L - y_R)      of the chassis to the ground, its left side up     (1)
 //   roll center (kinematic): where both normals meet, above the line through L and R            (2)
 //   roll center (force):     Σ s_i h_i(0), s_i the wheels' shares of the lateral force: where the
 //                            force that the links carry acts                                    (3)
 //   roll_steer = t/2 dtoe/dz,  roll_camber = 1 + t/2 dcamber/dz, t = y_L - y_R                  (4)
 //
-// (2) describes the motion of the chassis while the contact points stay. (3) describes the force on
-// it, and remains finite when both normals become parallel. [Mitchell, Roll Center - Myths and
-// Reality]
+// (2) describes the motion of the chassis while the contact points stay on the ground. (3)
+// describes the force on the chassis, and remains finite if both normals become parallel.
+// [Mitchell, Roll Center - Myths and Reality]
 //
 //   ideal cot δ_o - cot δ_i = t / wheelbase,  ackermann = (δ_i - δ_o) / (δ_ideal(δ_o) - δ_o)    (5)
 //

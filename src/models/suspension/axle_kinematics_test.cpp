@@ -83,8 +83,9 @@ TEST(Axle, RollSteerAndRollCamberAreSlopesOfOpposedTravel) {
   }
 }
 
-// If the wishbone axes rise to the front by an angle, the wheel travels at right angles to them,
-// upward and rearward. Anti-dive is then negative, and the rear axle's anti-lift positive.
+// If the axes of the wishbones rise toward the front, the wheel travels perpendicular to them,
+// upward and rearward. The anti-dive of a front axle is then negative, and the anti-lift of a rear
+// axle positive.
 TEST(Axle, AntiFeaturesAreThoseOfThePath) {
   const double angle = 0.1, wheelbase = 1.6, cg_height = 0.3;
   const VehicleData front{wheelbase, cg_height, true, 0.6, 0.2, true};

@@ -28,8 +28,8 @@ namespace latsch::suspension {
 /// Reads the bushing of a joint by its name in the table of bushings. Throws InputError.
 multibody::BushingParameters read_bushing(const Node& bushings, const std::string& name);
 
-/// Returns the keys of springs, curves and dampers, in SI, as `x = "1.2e7 N/m"`, from which
-/// read_bushing() makes this bushing. The bushing must have no other parts.
+/// Returns the keys of springs, curves and dampers, in SI units, such as `x = "1.2e7 N/m"`, from
+/// which read_bushing() makes this bushing. The bushing must have no other parts.
 std::vector<std::string> bushing_lines(const multibody::BushingParameters& bushing);
 
 /// Returns the keys that must not be given in a table that has the key `file`.

@@ -22,7 +22,7 @@ struct CornerGeometry {
   std::optional<Kingpin> kingpin;
   struct Rates {
     double spring;       // N/m
-    double sprung_mass;  // kg, carried by the spring of this corner at rest
+    double sprung_mass;  // kg, mass that the spring of this corner carries at rest
     double tire;         // N/m, vertical
   };
   std::optional<Rates> rates;

@@ -19,7 +19,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 struct Case {
   const char* name;
   Vector3d force, moment;
-  std::array<double, 6> moved;  // mm; deg: dx, dy, dz, camber, toe-in, caster
+  std::array<double, 6> moved;  // dx, dy, dz in mm; camber, toe-in, caster in deg
 };
 
 const std::array<Case, 4> kCases = {

@@ -16,9 +16,9 @@
 //
 // (2)-(4) are those printed by Lotus Suspension Analysis (verification/lotus_shark); the trail is
 // measured at right angles to the kingpin, the offset along the ground. (5) is the height at which
-// the normal to the path of the contact point meets the car's center plane. It belongs to the true
-// motion of the upright, not to a construction with planes. [Milliken & Milliken, Race Car Vehicle
-// Dynamics, 1995]
+// the normal to the path of the contact point meets the car's center plane. It is computed from the
+// true motion of the upright, not by a geometric construction with planes. [Milliken & Milliken,
+// Race Car Vehicle Dynamics, 1995]
 #pragma once
 
 #include <span>

@@ -34,7 +34,7 @@ struct Link {
   Eigen::Vector3d inner, outer;
 };
 
-/// A wheel. Its spin axis points to the left of the car on both sides.
+/// A wheel with its rigid tire. Its spin axis points to the left of the car on both sides.
 struct Wheel {
   Side side = Side::left;
   Eigen::Vector3d center, spin_axis = {0.0, 1.0, 0.0};
@@ -75,7 +75,7 @@ struct Twists {
 /// equal to the last bit.
 class MovingLinkage {
  public:
-  /// The linkage must have no fault().
+  /// Makes the linkage in its position at rest. It must have no fault().
   MovingLinkage(const Linkage& linkage, TravelOf of);
 
   /// Moves the linkage from its present position to this wheel travel and rack travel, in as many

@@ -68,8 +68,8 @@ TEST(MovingLinkage, TwistsAreTheLimitOfDifferencesWithOrderTwo) {
   }
 }
 
-// On parallel arms of equal length a point travels on a circle of that radius, and the path ends
-// where the arms stand upright.
+// If the arms are parallel and of equal length, a point of the upright travels on a circle with
+// this radius. The path must end where the arms are vertical.
 TEST(MovingLinkage, OfAParallelogramTravelsOnACircle) {
   const Linkage linkage = parallelogram().linkage;
   ASSERT_EQ(linkage.fault(), "");

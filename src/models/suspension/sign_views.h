@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signs of three conventions, as factors on results in ISO 8855. A quantity is directed along an
-// axis or about one, or has the same sign in all conventions (toe-in, camber, lengths, heights
-// above ground).
+// Sign conventions of three systems of axes, as factors by which results in ISO 8855 are
+// multiplied. A quantity is directed along an axis or about an axis, or it has the same sign in all
+// conventions (toe-in, camber, lengths, heights above ground).
 //
 //   iso    x forward,  y left,  z up          ISO 8855
 //   sae    x forward,  y right, z down        SAE J670, 1976

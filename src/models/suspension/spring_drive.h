@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drive of a corner's spring by its wheel: directly from a wishbone or the upright, or by a
-// push-rod (or pull-rod) and a rocker, which may also move the blade of an anti-roll bar. All rods
-// have constant length.
+// Mechanism by which a wheel moves the spring of its corner: directly from a wishbone or the
+// upright, or through a push-rod (or pull-rod) and a rocker, which may also move the blade of an
+// anti-roll bar. All rods have constant length.
 //
 //   wishbone:  hinged on its axis; turned by the angle of its ball joint
-//   rocker:    turned by φ about an axis through its pivot, so that |o - i(φ)| = l:
+//   rocker:    turned by φ about an axis through its pivot, so that |o - i(φ)| = l, the length of
+//              the push-rod with the ends o (at the wheel) and i (on the rocker):
 //              with u = i - pivot at rest, w = o - pivot, e the axis:
 //              a cos φ + b sin φ = d,   a = w'u - (e'u)(e'w),  b = w'(e × u),
 //              d = (u'u + w'w - l²)/2 - (e'u)(e'w),
@@ -24,7 +25,8 @@
 
 namespace latsch::suspension {
 
-/// A body that turns about a fixed axis, driven by a rod to one of its points. Points at rest, m.
+/// A body that rotates about a fixed axis and is driven by a rod to one of its points. Points are
+/// those at rest, m.
 struct Lever {
   std::string name, rod;
   Eigen::Vector3d pivot, axis = Eigen::Vector3d::UnitY();  // unit length

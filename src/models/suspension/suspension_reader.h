@@ -32,7 +32,7 @@
 
 namespace latsch::suspension {
 
-/// A suspension corner as its file states it.
+/// A suspension corner as described in its file.
 struct SuspensionCorner {
   CornerGeometry geometry;                   // hardpoints and links
   std::optional<CompliantCorner> compliant;  // bodies and bushings; not set without [bushing]

@@ -12,7 +12,7 @@ namespace latsch {
 struct FootprintElement {
   double x = 0.0, y = 0.0;              // m, its center
   double length = 0.0, width = 0.0;     // m
-  double pressure = 0.0;                // Pa, over the whole rectangle, grooves included
+  double pressure = 0.0;                // Pa, mean over the whole rectangle, grooves included
   double shear_x = 0.0, shear_y = 0.0;  // Pa, shear stress on the tire
   // The element slides if its shear stress is `friction` times its pressure.
   double friction = 0.0;
@@ -41,7 +41,7 @@ struct Footprint {
   /// Returns the utilized share of the friction over the whole footprint: 1 if all of it slides, 0
   /// without friction.
   double grip_level() const;
-  /// Returns the footprint of a tire whose patch is a rectangle with one pressure.
+  /// Returns a footprint that consists of one rectangle with uniform pressure.
   static Footprint rectangle(double load, double length, double width) {
     const double area = length * width;
     return {length, width, area, load, {{0.0, 0.0, length, width, load / area}}};

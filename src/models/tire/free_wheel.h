@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // A wheel whose spin, or whose axle's height, is not prescribed but follows from the forces on it:
-//   m w' = T + F(t, w),  y' = w
+//   m w' = T + F(t, w),  y' = w                   F: an additional moment or force (Push)
 //   spin:    y the angle, m the inertia about the spin axis, T the tire's moment My in C
 //   height:  y the center's inertial z, m the mass, T the tire's inertial Fz
 // It is integrated by the trapezoidal rule, with T of the tire at the end of the step:
 //   y1 = y0 + h (w0 + w1)/2,  m a1 = T1 + F(t1, w1),  a1 = 2 (w1 - w0)/h - a0
-// Tire::advance_free solves this together with the tire's own step, so the solution is stable
-// however fast wheel and belt vibrate against each other. The order is 2, which is visible if a
-// period has more than about ten steps. Without mass (m = 0) the rule is T1 + F(t1, w1) = 0, and y'
-// = w provides the lag. A brake acts on the spin with dry friction B: -brake if w > 0, +brake if w
-// < 0, and at w = 0 the moment that holds the wheel, up to brake.
+// Tire::advance_free solves this together with the tire's own step, so the solution is stable at
+// any frequency of wheel and belt. It is accurate to order 2 if a period has more than about ten
+// steps. Without mass (m = 0) the rule is T1 + F(t1, w1) = 0, and the motion follows from y' = w. A
+// brake acts on the spin with dry friction B: -brake if w > 0, +brake if w < 0, and at w = 0 the
+// moment that holds the wheel, up to brake.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mirror image of a tire, for the other side of the car than the one on which it was measured.
-// With S = diag(1, -1, 1) it receives the wheel's motion and the road mirrored in y = 0, and
-// returns mirrored results,
+// The mirror image of a tire, for use on the side of the car opposite to that on which the tire was
+// measured. The tire gets the wheel's motion and the road mirrored in the plane y = 0, with S =
+// diag(1, -1, 1), and its results are mirrored back:
 //   center S p, carrier S C S, velocity S v, angular velocity -S w;  force S F, moment -S M
 // so slip angle, inclination and turn slip enter with reversed sign and Fy, Mx, Mz are returned
 // with reversed sign, for any kind of tire: pulls by ply steer, conicity and tread pattern change

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tire condensed to the nodes of its tread, on ground that acts on few of them.
+// The tire's stiffness condensed to the nodes of its tread, for ground that acts on few of these
+// nodes.
 //
-// The condensed stiffness S of all nodes that may ever touch is dense. The ground reaches some of
-// these nodes (block 2); the others (block 1) are eliminated too, once per factorization,
+// The condensed stiffness S of all nodes that may touch the ground is a dense matrix. The ground
+// currently reaches only some of these nodes (block 2). The others (block 1) are eliminated once
+// per factorization,
 //   S = [ L 0 ] [ L' B' ]          T = S_22 - B B'                                            (D.1)
 //       [ B I ] [ 0  T  ]
-// and Newton's iterations on the ground, in which points come down, stick and slide, work with T.
-// The sum of T and the ground's tangent C is factorized anew if its old factor has become slow: by
-// Cholesky's method if C is symmetric, as L U if something slides. All but T, which measures the
-// error of a solution, is in single precision, as is the factor from which S comes.
+// and Newton's method for the contact, in which points touch, stick and slide, works with T. The
+// sum of T and the ground's tangent C is factorized again if iterations with the old factorization
+// converge slowly: by Cholesky's method if C is symmetric, as L U if points slide. Only T, with
+// which the error of a solution is computed, has double precision; all other matrices, and the
+// factorization from which S is computed, have single precision.
 #pragma once
 
 #include <Eigen/Core>

@@ -19,7 +19,7 @@ namespace latsch::fe_tire {
 
 namespace {
 
-/// Returns the force norm of the pressure on the undeformed tire, to which the solver's tolerance
+/// Returns the norm of the pressure forces on the undeformed tire, to which the solver's tolerance
 /// is relative.
 double pressure_force(const RingElements& elements, double pressure) {
   const Ring& ring = elements.ring();

@@ -7,8 +7,8 @@
 //   double Fz     = tire.stand(states->back()).force.z();
 //   auto modes    = tire.modes(states->back(), 20);
 //
-// A state is a value: it can be copied, stored and continued from as often as wanted. Results that
-// follow from a state depend on the state and the poses alone. The symbolic work (sparsity,
+// A state is a value: it can be copied and stored, and several computations can start from it.
+// Their results depend only on the state and the poses of the ground. The symbolic work (sparsity,
 // ordering) depends on the mesh alone and is done once, when more than one sector is first needed;
 // set() changes only the values.
 #pragma once
@@ -35,25 +35,26 @@ struct Inflated {
   double pressure = 0.0;  // Pa
   // rad/s about +y; if not 0, the tire has grown by its rotation (motion/spin.h)
   double spin = 0.0;
-  Eigen::Matrix3Xd u;     // [3 x nodes_per_sector], sector frame, m  (S = 1: the whole mesh)
+  // [3 x nodes_per_sector], displacements in the sector frame, m  (S = 1: the whole mesh)
+  Eigen::Matrix3Xd u;
   Eigen::VectorXd alpha;  // enhanced strain parameters of the elements in one sector
   double growth = 0.0;    // m, radial displacement of the tread node nearest to the middle plane
   double radius = 0.0;    // m, distance of the lowest tread point from the wheel center
-  double width = 0.0;     // m, of the section, from sidewall to sidewall
+  double width = 0.0;     // m, width of the section from sidewall to sidewall
 };
 
 /// Equilibrium on or above the ground, with clamped rim.
 struct TireState {
   std::shared_ptr<const Inflated> inflated;  // inflated state from which the loading started
   Ground ground;                             // the ground on which the tire stands
-  GroundPose pose;                           // pose of the ground, seen from the wheel
+  GroundPose pose;                           // pose of the ground relative to the wheel
   /// True if all poses stay below the wheel center (GroundPose::is_below) and symmetry allows half
   /// of the ring to represent all of it.
   bool is_halved = false;
   // Index of the part of the tread that may touch (a half angle, see TreadSurface); it grows with
   // the load.
   int window = 0;
-  Eigen::Matrix3Xd u;  // [3 x nodes], sector frames, m
+  Eigen::Matrix3Xd u;  // [3 x nodes], displacements in sector frames, m
   // Enhanced strain parameters of the elements in this half or whole ring. They are part of the
   // state because they can be found only from a nearby state.
   Eigen::VectorXd alpha;
@@ -66,8 +67,8 @@ struct TireState {
 
 /// Loads and contact patch of a state as a rig measures them.
 struct Standing {
-  double deflection = 0.0;     // m, from first touch of the inflated tire
-  double loaded_radius = 0.0;  // m, wheel center to ground
+  double deflection = 0.0;     // m, measured from first touch of the inflated tire
+  double loaded_radius = 0.0;  // m, distance from wheel center to ground
   /// Force and moment of the ground on the tire. The axes are level with the ground, with x in the
   /// heading of the wheel.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
@@ -78,7 +79,7 @@ struct Standing {
 /// Direction in which the belt mainly moves.
 enum class ModeType { torsional, lateral, radial, other };
 std::string name(ModeType type);  // "torsional"
-/// Returns nullopt if the name is none of a type.
+/// Returns the type with this name, or nullopt if there is none.
 std::optional<ModeType> mode_type(const std::string& name);
 
 /// A vibration mode of the tire with clamped rim.
@@ -93,7 +94,8 @@ struct Mode {
       // [3 x nodes], sector frames, mass-normalized; the two modes of an unloaded pair are
       // orthogonal
       shape;
-  std::string label() const;  // "lateral n=1", "radial n=2 a", "radial n=3 (2)"
+  // Returns the name of the mode, such as "lateral n=1", "radial n=2 a", "radial n=3 (2)".
+  std::string label() const;
 };
 
 struct TireDescription;
@@ -144,7 +146,7 @@ class FeTire {
   Result<std::vector<TireState>> press(const Inflated& inflated,
                                        const Ground& ground,
                                        const std::vector<double>& deflections);
-  /// Returns loads and contact patch of a state.
+  /// Returns loads and contact patch of a state, as a rig would measure them.
   Standing stand(const TireState& state);
   /// Returns the points that touch in a state. Given as Ground::held, they define this state's
   /// branch of equilibria: another pose, or another tire whose mesh has the same topology, can be

@@ -163,7 +163,7 @@ TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
       }
     }
   }
-  ASSERT_EQ(moved_nodes, 2 * ring.sectors());  // nodes of both beads
+  ASSERT_EQ(moved_nodes, 2 * ring.sectors());  // the nodes at the inner edges of both beads
   const Eigen::VectorXd d = whole.compress(u);
   AssembledState state = assembly.zero_state();
   state.x = 1e-4 * d;
@@ -384,8 +384,9 @@ TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
   const auto slick = tire.press(*inflated, Ground{2e10, 0.0}, {0.01, 0.02});
   const auto rough = tire.press(*inflated, Ground{2e10, 0.8}, {0.01, 0.02});
   ASSERT_TRUE(slick && rough);
-  // An independent prototype with other elements found +3.1 % in force and +15 % in the lowest
-  // frequency of this tire with mu = 0.8, on another mesh and at 25 mm.
+  // An independent program with another kind of element, another mesh and 25 mm of deflection found
+  // that friction (mu = 0.8) raises the force of this tire by 3.1 % and the lowest frequency by 15
+  // %.
   const double gain =
       tire.stand(rough->back()).force.z() / tire.stand(slick->back()).force.z() - 1.0;
   EXPECT_GT(gain, 0.01);

@@ -17,7 +17,7 @@ constexpr double kFrictionStep = 1.0 / 100.0, kPart = 1.0 / 1000.0;
 constexpr double kRounding = 1e-9;
 constexpr double kShortest = 1.0 / 64.0;  // shortest step, as a share of the intended one
 
-/// Returns the length of the ground's path, m.
+/// Returns the length of the ground's motion between two poses, m.
 double way(const GroundPose& a, const GroundPose& b) {
   const double turn = std::max(std::abs(b.camber - a.camber), std::abs(b.yaw - a.yaw));
   return std::max({std::abs(b.height - a.height),
@@ -26,7 +26,7 @@ double way(const GroundPose& a, const GroundPose& b) {
                    turn * std::max(a.height, b.height)});
 }
 
-/// Returns the poses of the ground on its path from a to b.
+/// Returns intermediate poses of the ground on its path from a to b, and b.
 std::vector<GroundPose> poses_between(const GroundPose& a, const GroundPose& b) {
   const int parts = static_cast<int>(std::ceil(way(a, b) / (kPart * a.height) - kRounding));
   std::vector<GroundPose> poses;

@@ -106,9 +106,10 @@ TEST(MassProperties, OfATube) {
   EXPECT_NEAR(on(1).spin_inertia / expected.spin_inertia, 1.0 - 1.5 * short_by, 1e-4);
 }
 
-// Hollow torus of radius R to the middle of its wall, which lies between circles of radii c, d: m =
-// 2 pi^2 rho R (d^2 - c^2). With q2, q4 the integrals over the section of r^2 and r^4 about its
-// middle, and A its area:  I_spin = 2 pi rho R (A R^2 + 3 q2 / 2), int y^2 dm = 2 pi rho R q2 / 2.
+// A hollow torus: R is the radius of its center line; the wall of its section lies between circles
+// of radii c and d. Its mass is m = 2 pi^2 rho R (d^2 - c^2). With q2, q4 the integrals over the
+// section of r^2 and r^4 about its middle, and A its area:  I_spin = 2 pi rho R (A R^2 + 3 q2 / 2),
+// int y^2 dm = 2 pi rho R q2 / 2.
 TEST(MassProperties, OfATorus) {
   constexpr double R = 0.28, c = 0.06, d = 0.07;
   const double A = kPi * (d * d - c * c), q2 = 0.5 * kPi * (std::pow(d, 4) - std::pow(c, 4));
@@ -190,8 +191,8 @@ MassProperties measured(const Mesh& mesh, const Materials& materials) {
   return all;
 }
 
-/// Returns a tire whose rows meet on plies, many in the crown and two in the sidewalls, so that
-/// some corners are not nodes.
+/// Returns a tire in which rows of elements meet on plies, many in the crown and two in the
+/// sidewalls, so that some corners of elements are not nodes.
 TireDescription tire_of_faces() {
   TireDescription tire = reference_tire_b();
   tire.cord_model = CordModel::rebar;
@@ -200,8 +201,9 @@ TireDescription tire_of_faces() {
   return tire;
 }
 
-// The midpoint rule errs by 1/16^2 of the Jacobian's curvature, some 4e-6. The vibrating mass of
-// the solid shells exceeds the moments by h^2/12 of a radius squared, 1e-3 for 60 sectors.
+// The midpoint rule has a relative error of 1/16^2 of the Jacobian's curvature, about 4e-6. The
+// mass matrix of the solid shells overestimates the moments by h^2/12 relative to a radius squared,
+// 1e-3 for 60 sectors.
 TEST(MassProperties, OfATireAreThoseOfItsVolumesAndCords) {
   const TireDescription tire = tire_of_faces();
   const Mesh mesh = build_mesh(tire);

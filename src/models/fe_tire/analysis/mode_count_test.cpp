@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests that no mode is missed. By Sylvester's law of inertia K - sigma M has as many negative
 // pivots as there are modes below sigma [Parlett, The Symmetric Eigenvalue Problem, 1998, section
-// 3.3]. Eigen's LDL' counts them here; our Lanczos method found the modes.
+// 3.3]. This test counts them with Eigen's LDL' factorization; the modes were found by this
+// program's Lanczos method.
 #include <gtest/gtest.h>
 
 #include <Eigen/SparseCholesky>

@@ -21,7 +21,7 @@ TEST(ModeLabel, KineticEnergyWeighsMotionByMass) {
   EXPECT_EQ(type_of(2, energy), ModeType::lateral);
 }
 
-/// Returns a square of four nodes in the plane y = 0, without sectors.
+/// Returns a mesh without sectors that consists of four nodes on a square in the plane y = 0.
 Mesh square() {
   Mesh mesh;
   mesh.X.resize(3, 4);

@@ -49,7 +49,7 @@ Failure unfinished(const std::string& what, Eigen::Index found, int count, int s
 }
 
 /// Finds the lowest modes of circumferential number n. Returns a Failure if the harmonic tangent is
-/// not positive definite or not all modes are found.
+/// not positive definite or if not all modes are found.
 Status solve_harmonic(const SectorBlocks& K,
                       const SectorBlocks& M,
                       int n,

@@ -19,9 +19,9 @@ namespace latsch::fe_tire {
 Failure no_tangent(const Ring& ring, int element);
 
 /// Computes modes of the inflated ring by circumferential harmonics n = 0, 1, ..., each a small
-/// Hermitian problem, until no further n can hold one of the `count` lowest. A mode of n > 0 comes
-/// as an orthogonal pair. Sectors of the ring are equally wide; shapes are given on the planes of
-/// `mesh`, which is the same tire with any division into sectors. `tolerance`:
+/// Hermitian problem, until no further n can hold one of the `count` lowest. Modes with n > 0 are
+/// returned as orthogonal pairs. Sectors of the ring are equally wide; shapes are given on the
+/// planes of `mesh`, which is the same tire with any division into sectors. `tolerance`:
 /// SolverSettings::mode_tolerance.
 Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          const Mesh& mesh,

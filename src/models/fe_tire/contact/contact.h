@@ -5,14 +5,15 @@
 // At every point of the tread's surface (tread_surface.h) with the distance g to the ground, its
 // normal n and the reference area dA,
 //   normal traction     p = -epsilon g            if g < 0, otherwise none                  (C.1)
-//                                                 (held points: for any g; others none)
-//   tangential trial    t = -epsilon_t (1 - n n^T) (x - a)  from the anchor a it sticks to   (C.2)
+//                                              (held points: for any g; other points: none)
+//   tangential trial    t = -epsilon_t (1 - n n^T) (x - a)  a: anchor, where it sticks       (C.2)
 //   Coulomb             |t| <= mu p; beyond it the point slips: t = mu p t / |t|, a follows (C.3)
-// in the ground's axes, so the ground carries the anchors along. A point that comes down within a
-// step is anchored where it touched, on the straight path from its position x_0 at the step's
-// start,
+// in the ground's axes, so the anchors move with the ground. A point that comes into contact within
+// a step gets its anchor where it touched the ground, on the straight path from its position x_0 at
+// the step's start:
 //   a = x_0 + s (x - x_0),   s = g_0 / (g_0 - g).                                           (C.4)
-// This holds only near the step's start: loading.h divides paths into short steps.
+// This holds only near the step's start: loading.h divides paths into short steps. epsilon and
+// epsilon_t are the penalty stiffnesses, mu is the coefficient of friction, x the position.
 #pragma once
 
 #include <Eigen/Core>
@@ -101,7 +102,7 @@ class TreadContact {
     Eigen::Vector3d t;  // Pa, tangential traction per reference area, in the ground's axes
     // Minus the symmetric part of the derivative of t with respect to the position x.
     Eigen::Matrix3d dt;
-    Eigen::Vector3d coupling;  // minus the derivative of t along the normal
+    Eigen::Vector3d coupling;  // minus the derivative of the traction t along the normal
     bool sticks;
   };
   Traction traction(const Eigen::Vector3d& q,

@@ -57,7 +57,8 @@ struct Above {
   }
 };
 
-/// Gap (F.1) a^2 / (2 R) of a cylinder of radius R on a half-space [Johnson 1985, section 4.2].
+/// Returns the gap (F.1) a^2 / (2 R) beside the contact of a cylinder of radius R with a half-space
+/// [Johnson 1985, section 4.2].
 std::function<double(double)> line_contact(double a) {
   return [a](double x) {
     const double t = std::max(std::abs(x) / a, 1.0);
@@ -121,9 +122,9 @@ TEST(FootprintSize, DoesNotMindSamplesInOnePlace) {
   EXPECT_EQ(footprint_size(tread.surface, above.at, above.area, 0.0).area, area);
 }
 
-// On the crown of the race tire, flat to 1 % across, a sector of h = 3 deg has the sag R h^2 / 12:
-// the mean of a parabola weighted by hat functions over two sectors, around nodes and around any
-// other point. Points lie 0.47 of this sag behind the arc.
+// The crown of the race tire is flat across to 1 %. A sector of h = 3 deg of it has the sag R h^2 /
+// 12: the mean of a parabola weighted by hat functions over two sectors, around nodes and around
+// any other point. Contact points must lie inside the arc by 0.47 of this sag.
 TEST(TreadSurface, PointsOfAnArcLieAShareOfItsSagBehindIt) {
   const Tread tread("race_16x7.5-10.toml");
   const Eigen::Matrix3Xd positions = tread.undeformed();

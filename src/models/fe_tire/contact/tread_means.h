@@ -29,7 +29,7 @@ struct MeanAround {
   int place;  // position, counted in kPlaces per face
   HatMean mean;
   double theta;   // rad, angle of the averaged point
-  double moment;  // second moment of the hat function, rad^3
+  double moment;  // rad^3, second moment of the hat function
   double share;   // (T.3)
 };
 

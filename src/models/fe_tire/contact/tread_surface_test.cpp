@@ -37,9 +37,9 @@ double area_of_facets(const Mesh& mesh) {
   return area;
 }
 
-// A smooth surface through the nodes bulges out of the facets: with sectors of 3 deg the arc is
-// (0.052 rad)^2 / 24 = 0.011 % longer than its chords, and a few times that across the tread's
-// shoulders.
+// A smooth surface through the nodes lies outside the flat facets and is larger. With sectors of 3
+// deg the arc is longer than its chords by (0.052 rad)^2 / 24 = 0.011 %; across the tread's
+// shoulders the difference is a few times as large.
 TEST(TreadSurface, OfShippedTiresCoversTheTreadOfHalfTheRing) {
   for (const char* name : {"passenger_205_55R16", "passenger_225_50R16", "passenger_235_45R20"}) {
     const TireDescription tire =

@@ -26,7 +26,7 @@ class Contour {
   double length() const { return length_; }  // m, length from bead to bead
   MeridianPoint point(double s) const;       // point of the curve at s
   MeridianPoint tangent(double s) const;     // unit vector in the direction of increasing s
-  /// Returns the point at this distance (m, positive outward) along the normal.
+  /// Returns the point at a distance (m, positive outward) from the curve, along its normal at s.
   MeridianPoint offset(double s, double distance) const;
 
  private:

@@ -9,7 +9,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Returns the meridian of a torus: n + 1 points of a half circle of radius a about radius R.
+/// Returns the meridian of a torus: n + 1 points on a half circle of radius a, whose center is at
+/// the radius R.
 Contour circle(double a, double R, int n) {
   std::vector<MeridianPoint> half;
   for (int i = 0; i <= n; ++i) {

@@ -32,7 +32,7 @@ struct TreadSplit {
 /// split to half of `largest.around`. If any column is split, all columns are.
 TreadSplit split_of(const TireDescription& tire, const TreadElements& largest);
 
-/// Returns the tire with columns and sectors split.
+/// Returns the description of the tire with its columns and sectors split.
 TireDescription with_split_tread(TireDescription tire, const TreadSplit& split);
 
 }  // namespace latsch::fe_tire

@@ -165,8 +165,8 @@ TEST(MeshBuilder, RefinementKeepsTheMassWithinTheGeometricError) {
   EXPECT_LT(std::abs(m2 - m3), 0.3 * std::abs(m1 - m3));
 }
 
-// Every ply crosses every element column that it covers exactly once, at its own distance from the
-// reference line.
+// Every ply must cross each column of elements that it covers exactly once, at its given distance
+// from the reference line.
 TEST(MeshBuilder, RefinementKeepsTheCordsAtTheirPlaceInTheWall) {
   const TireDescription tire = with_rebars();
   const Contour line(tire.section.contour);

@@ -13,7 +13,7 @@ namespace latsch::fe_tire {
 /// the first position after 0.
 std::vector<double> columns_of(const Section& section);
 
-/// Returns the tire with columns that end at these positions.
+/// Returns the description of the tire with columns that end at these positions.
 TireDescription with_columns(TireDescription tire, std::vector<double> columns);
 
 }  // namespace latsch::fe_tire

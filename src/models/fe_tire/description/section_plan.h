@@ -8,7 +8,7 @@
 
 namespace latsch::fe_tire {
 
-/// The unrefined section as a grid: columns from the +y to the -y bead, rows from inside to
+/// The section before refinement as a grid: columns from the +y to the -y bead, rows from inside to
 /// outside.
 class SectionPlan {
  public:

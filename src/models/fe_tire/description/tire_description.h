@@ -25,7 +25,7 @@ namespace latsch::fe_tire {
 struct WallProfile {
   std::vector<double> position;  // positions of the points, ascending, from 0 to 1
   std::vector<double> length;    // m
-  /// Returns the length, m, at position q, 0 to 1.
+  /// Returns the length, m, at the position q, 0 to 1.
   double at(double q) const;
   bool operator==(const WallProfile&) const = default;
 };
@@ -85,8 +85,8 @@ struct SpacingProfile {
   bool operator==(const SpacingProfile&) const = default;
 };
 
-/// A group of adjacent, equally wide sectors, counted from the contact upward, the same on both
-/// sides.
+/// A group of adjacent, equally wide sectors. Groups are counted from the contact upward and are
+/// the same on both sides.
 struct SectorZone {
   int sectors = 1;     // number of sectors in the zone
   double width = 0.0;  // rad, width of each of these sectors
@@ -164,7 +164,7 @@ struct TireDescription {
   std::string name;                                // title shown to the user
   std::string size;                                // designation, "225/50R16"
   double pressure = 0.0;                           // Pa, nominal inflation pressure
-  Section section;                                 // contour, wall and elements
+  Section section;                                 // contour, wall and elements of the section
   std::vector<Rubber> rubbers;                     // every rubber of the tire
   std::vector<RubberRegion> regions;               // regions that together fill the wall
   std::vector<CordPly> plies;                      // plies from the inside to the outside

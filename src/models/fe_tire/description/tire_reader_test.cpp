@@ -105,8 +105,9 @@ TEST(TireReader, AVariedModulusKeepsTheMeshAndChangesTheMaterials) {
   EXPECT_NEAR(2.0 * rubber.C10, 22.3e6 / (2.0 * (1.0 + 0.49)), 1.0);
 }
 
-// A cord on a drum of radius r_0 at angle a_0, lifted to radius r, has cos a = cos a_0 r / r_0. The
-// number of cords around, 2 pi r sin a / spacing, stays constant.
+// A cord that lies on a drum of radius r_0 at the angle a_0 and is lifted to the radius r has the
+// angle a with cos a = cos a_0 r / r_0. The number of cords around the tire, 2 pi r sin a /
+// spacing, stays constant.
 TEST(TireReader, LiftedBiasPliesSteepenTowardTheBead) {
   const TireDescription tire = read("race_16x7.5-10.toml");
   const Contour line(tire.section.contour);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eight-node element: forces, stiffness and mass of one element, total Lagrangian.
+// Forces, stiffness and mass of one eight-node element, in the total Lagrangian formulation.
 #pragma once
 
 #include <Eigen/Core>

@@ -3,8 +3,8 @@
 //   F = x dN^T,  E = (F^T F - 1) / 2
 //   f = sum dV dN^T F S
 //   K(a i, b j) = sum dV dN_a^T (B_i^T D B_j + S delta_ij) dN_b,  B_i = dE / dF_i
-// Used for comparison: it locks in shear, in thickness bending and for nearly incompressible
-// rubber. [Bathe 1996] Finite Element Procedures, section 6.3.5.
+// The element is used for comparison. It locks in shear, in thickness bending and for nearly
+// incompressible rubber. [Bathe 1996] Finite Element Procedures, section 6.3.5.
 //
 // Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION) == defined(LATSCH_KERNEL_TOGGLE)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quantities of the default element that do not depend on the displacement. The equations are in
-// hex8_solid_shell_kernel.h.
+// Quantities of the solid-shell, the default element, that do not depend on the displacement. The
+// equations are in hex8_solid_shell_kernel.h.
 #pragma once
 
 #include "models/fe_tire/element/hex8_shape.h"

@@ -248,8 +248,8 @@ LATSCH_INLINE void extrapolate(const SolidShellShape& s,
 }
 
 /// Solves for alpha by Newton's method. On return alpha is in equilibrium to first order, `inner`
-/// is its last linearization, and inner.S is the stress extrapolated to that alpha. An element that
-/// has met the tolerance is evaluated again at the same alpha until its neighbors have met it.
+/// is its last linearization, and inner.S is the stress extrapolated to that alpha. Lanes whose
+/// element has converged are evaluated again at the same alpha until all lanes have converged.
 LATSCH_INLINE Mask
 solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& inner) {
   const SolidShellShape& s = law.shape->solid_shell;

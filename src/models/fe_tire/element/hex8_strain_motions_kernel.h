@@ -41,9 +41,9 @@ LATSCH_INLINE void to_points(const SolidShellShape& s,
   }
 }
 
-/// Applies the transposed operator: adds the contributions of the weighted stresses S at the points
-/// to the stresses of the generalized and of the enhanced strains. Sums of many columns are kept in
-/// registers together.
+/// Applies the transpose of to_points(): adds the contributions of the weighted stresses S at the
+/// points to the stresses that belong to the generalized strains (t) and to the enhanced strains
+/// (alpha). Several columns are summed in registers at once.
 LATSCH_INLINE void from_points(const SolidShellShape& s, const V (*S)[6], V* t, V* alpha) {
   constexpr int kTogether = 9;
   static_assert(kStrains % kTogether == 0);

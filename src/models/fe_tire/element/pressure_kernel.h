@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Follower pressure on a bilinear face with 2x2 Gauss points: n dA = (x_xi cross x_eta) dxi deta.
-// The gas has the potential -p V. Over a closed boundary, or one held at its rim, the load
+// The gas has the potential -p V. For a closed surface, or one whose boundary is fixed, the load
 // stiffness is therefore symmetric and equals the sum of the symmetric parts of all faces.
-// [Schweizerhof & Ramm 1984, Computers & Structures 18] An edge that is neither closed nor held
-// would leave the volume, and so the load, undefined: a seal closes it.
+// [Schweizerhof & Ramm 1984, Computers & Structures 18] At an open edge that is not fixed, the
+// volume and thus the load would be undefined, so a seal closes it.
 //
 // Included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_PRESSURE) == defined(LATSCH_KERNEL_TOGGLE)

@@ -19,8 +19,8 @@
 
 namespace latsch::fe_tire {
 
-/// The blocks A (symmetric) and B of a block-circulant matrix, banded: entry (i, j) is stored at (i
-/// - j + band, j).
+/// The blocks A (symmetric) and B of a block-circulant matrix, in banded storage: entry (i, j) is
+/// stored at the row i - j + band of column j.
 class SectorBlocks {
  public:
   explicit SectorBlocks(const Ring& ring);

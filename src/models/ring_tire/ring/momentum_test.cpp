@@ -24,7 +24,8 @@ using Eigen::Vector3d;
 constexpr double kCleatSpeed = 15.0;
 
 struct Wrench {
-  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();  // about the wheel center
+  // force; moment about the wheel center
+  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
 };
 
 /// Returns force and moment of the road on the tire, as the sum over all blocks.

@@ -148,7 +148,7 @@ std::optional<Eigen::VectorXd> MotionSlopes::tread_slope(const RingState* slope,
   return (more - tread_forces()) / (2.0 * by);
 }
 
-/// Computes ω × x of all nodes.
+/// Computes the cross products ω × x for the positions x of all nodes.
 void MotionSlopes::turn_by(const Vector3d& omega, const Columns& x, Columns& to) const {
   to.resize(4 * q1_.cols(), kPadded);
   for (Eigen::Index k = 0; k < 4 * q1_.cols(); k += 4) {

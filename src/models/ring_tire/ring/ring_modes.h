@@ -6,7 +6,7 @@
 // Damping and dynamic stiffening are taken at the mode's own frequency, to first order in the
 // shape:
 //   ω^2 = ω_K^2 + φ* K_M φ (ωτ)^2/(1 + (ωτ)^2),  2 D ω = φ* (C + K_M τ/(1 + (ωτ)^2)) φ        (21)
-// Imbalance and run-out are left out. Friction elements stick, because vibrations are small.
+// Imbalance and run-out are not included. Friction elements stick, because vibrations are small.
 // Motions in the plane of the rim and out of it are independent, unless the plies couple them (32)
 // or the belt is a cone (33).
 #pragma once
@@ -30,7 +30,7 @@ struct RingMode {
 
 /// Frequency, Hz, and damping ratio of a mode by (21), from its ω_K^2, φ* C φ and φ* K_M φ.
 struct DampedMode {
-  double frequency, damping;  // Hz, share of critical damping
+  double frequency, damping;  // Hz; share of critical damping
 };
 /// Returns frequency and damping ratio of a mode by (21). `squared`: ω_K^2, `damping`: φ* C φ,
 /// `maxwell`: φ* K_M φ, `time_constant`: τ of the Maxwell elements, s.

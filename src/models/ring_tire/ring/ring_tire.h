@@ -115,8 +115,8 @@ class RingTire final : public Tire {
   const RimFrame& rim() const { return rim_; }
   /// Bending of the belt's cross-sections.
   const SectionBending& section() const { return section_; }
-  /// Positions of the nodes, one column each: x, y, z (inertial, m) and torsion of the section
-  /// (rad).
+  /// Positions of the nodes, one column each: x, y, z (in the inertial frame, m) and torsion of the
+  /// section (rad).
   const NodeValues& positions() const { return q_; }
   /// Rates of the values in positions(), per s.
   const NodeValues& velocities() const { return v_; }

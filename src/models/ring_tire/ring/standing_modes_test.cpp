@@ -272,11 +272,11 @@ Poles symmetric_poles(const RingParameters& ring) {
   return poles;
 }
 
-// One block without shear barely touches and acts as a spring c between the road and the ring. The
-// frequencies of modes symmetric to it are roots of the secular equation
+// A single block without shear stiffness touches the road and acts as a spring of stiffness c
+// between road and ring. The frequencies of modes symmetric to it are roots of the secular equation
 //   1/c + Σ φ_i²/(ω_i² - ω²) = 0
-// over the unloaded modes, where φ_i is the motion of the tip in mode i. The depth of 1 µm, 3e-6 of
-// the radius, carries a newton.
+// over the unloaded modes, where φ_i is the motion of the tip in mode i. At the depth of 1 µm, 3e-6
+// of the radius, the block carries one newton.
 TEST(StandingModes, OnOneBlockSolveTheSecularEquation) {
   RingParameters ring = passenger_ring();
   ring.tread.lines = ring.tread.blocks = 1;
