@@ -71,8 +71,9 @@ struct CarFile {
   CarParameters parameters;  // suspensions, masses, springs and air
   /// Parameters of the spring tires; set for an axle whose file names no tire.
   std::optional<SpringTireParameters> front_spring_tire, rear_spring_tire;
-  double driver_line = 0.0;                   // m
-  std::array<double, 2> drives = {0.0, 1.0};  // shares of front and rear axle in the pull
+  double driver_line = 0.0;  // m
+  // Shares of the front and the rear axle in the longitudinal pull.
+  std::array<double, 2> drives = {0.0, 1.0};
 };
 
 /// Reads the car with its suspensions, but without its tires: the tables front_tire and rear_tire

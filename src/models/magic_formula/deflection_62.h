@@ -11,7 +11,7 @@ namespace latsch::magic_formula {
 /// Variables of a state on which the deflection depends.
 template <class R>
 struct WheelUnderLoadOf {
-  R Fz, Fz_given;  // N: limited to the range of the file; as given
+  R Fz, Fz_given;  // N, load: limited to the range of the file; as given
   R omega, gamma;  // rad/s, rad
   R dpi;           // (4.E2b)
   R R_omega;       // m, free radius of the rolling tire at this speed

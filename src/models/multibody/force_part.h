@@ -61,7 +61,7 @@ struct PartForce {
   double s = 0.0;  // internal variable s at the end of the step
 };
 
-// Length of a time step that stands for statics, s.
+// Step, s, that means statics in the functions below: an infinite one.
 constexpr double kStatics = std::numeric_limits<double>::infinity();
 
 PartForce respond(

@@ -59,8 +59,8 @@ class CrgRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
-  /// Returns a reason for points beside the grid, unless the file has the grid repeated or
-  /// reflected there. Gaps in the grid, which the file fills, count as road.
+  /// Returns the reason why a point is off the road: it lies beside the grid, unless the file has
+  /// the grid repeated or reflected there. Gaps in the grid, which the file fills, count as road.
   std::string beyond(double x, double y) const override;
   /// Returns the mean height by integration from one grid line to the next, which is exact because
   /// the height between them is a quadratic polynomial.

@@ -56,8 +56,8 @@ class DrumRoad final : public Road {
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
-  /// Returns a reason for points beyond |x| = 0.95 R, where the tangent replaces the drum's
-  /// surface.
+  /// Returns the reason why a point is off the drum: |x| > 0.95 R, where a tangent replaces the
+  /// drum's surface. Returns an empty text for all other points.
   std::string beyond(double x, double y) const override;
 
   /// Radius of the drum, m.

@@ -34,7 +34,8 @@ class TriangleRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
-  /// Returns a reason for points beside the mesh and in its holes.
+  /// Returns the reason why a point is off the road: it lies beside the mesh or in a hole of it.
+  /// Returns an empty text for points of the road.
   std::string beyond(double x, double y) const override;
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,

@@ -131,14 +131,15 @@ struct FeTire::Impl {
   const Ring& even_ring() const { return even ? *even : ring; }
   const RingElements& even_elements() const { return even ? *even_elements_ : *elements_; }
 
-  /// Returns the index of the first window that is tried. If the result depends on the path
-  /// (friction) or a bar stands on the ground, the wide window 1 is used from the start and kept.
+  /// Returns the index of the first window (part of the tread on which contact is computed) that is
+  /// tried. If the result depends on the path (friction), or if a bar stands on the ground, the
+  /// wide window 1 is used from the start and kept.
   static int first_window(const Ground& ground) {
     if (ground.held) return ground.held->window;
     return ground.mu > 0.0 || ground.bar ? 1 : 0;
   }
-  /// Returns the index of the window for a path that starts at this state. Held points belong to
-  /// one fixed window.
+  /// Returns the index of the window (part of the tread on which contact is computed) for a path
+  /// that starts at this state. Held points belong to one fixed window.
   static int window_from(const TireState& state) {
     return state.ground.held ? state.ground.held->window : state.window;
   }

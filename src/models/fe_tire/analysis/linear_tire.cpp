@@ -368,8 +368,8 @@ bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::Vect
   return true;
 }
 
-/// Adds points to those within the ground's reach. Returns false if the tire, with these points
-/// free, is not positive definite.
+/// Adds points to those that the ground may reach. Returns false if the condensed stiffness of all
+/// other nodes is not positive definite.
 bool LinearTire::reach(const std::vector<int>& points) {
   is_reached_.resize(tread_.points().size(), 0);
   for (const int point : points) is_reached_[point] = 1;

@@ -107,8 +107,8 @@ void TreadSurface::add_means(const std::vector<TreadStrip>& strips,
   std::vector<std::vector<MeanAcross>> means;
   for (const TreadStrip& strip : strips) means.push_back(means_across(mesh, strip));
   std::vector<std::vector<int>> lines(strips.size(), std::vector<int>(mesh.sectors, -1));
-  // Half a ring has positions up to its last plane, a whole ring up to those before its first
-  // plane.
+  // Number of positions around the tire: half a ring has those up to its last section plane, a
+  // whole ring those before its first plane is reached again.
   const int places = is_halved() ? kPlaces * (planes() - 1) + 1 : kPlaces * planes();
   // Numbers of cells; index of the current row of faces around.
   int cells = 0, first_cell = 0, row = -1;

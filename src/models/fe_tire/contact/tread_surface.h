@@ -9,33 +9,38 @@
 //   x(u, v) = sum_i sum_j W_i(u) V_j(v) x_ij,   i, j: the four planes and four nodes around a face
 // The slopes are those of the parabola through each node and its two neighbors (one-sided at the
 // tread's edges). The surface has continuous tangents, is exact on circles to fourth order in the
-// sectors' width, and is flat where the ground has made it flat. The ground acts on its means over
-// hat functions N_a, bilinear and as wide as the elements, around four places a face, around and
-// across (the nodes and three places between two of them),
+// sectors' width, and is flat where the ground has made it flat. Contact is computed at points that
+// are averages of this surface. An average is weighted by a hat function N_a, bilinear and as wide
+// as the elements. In each direction there are four such points per face, one at a node and three
+// between two nodes:
 //   x_a = int N_a x dA / int N_a dA + n_a s c_a,   s = 0.53                                   (T.1)
-// Each average represents a sixteenth of a face, as in mortar methods. Pressures are then no
-// shorter than nodes can resist; shorter ones would act against each other. The error at the edge
-// of the patch changes sign as the edge passes a place and the middle between two places, and is
-// proportional to the square of their distance. With nodes alone as places Fz was up to 5 % off in
-// the first millimeters, 1 to 2 % at 10 mm. The mean of an arc lies behind the first place that
-// touches, by its sag
+// Each point represents a sixteenth of a face, as in mortar methods. Pressures then vary only over
+// lengths that the nodes can resist; pressures that vary over shorter lengths would act against
+// each other. The error that remains at the edge of the patch changes its sign while the edge moves
+// from a point to the middle between two points, and is proportional to the square of their
+// distance. With points at nodes only, Fz was up to 5 % off in the first millimeters of deflection,
+// and 1 to 2 % at 10 mm. The average of an arc lies inside the point of the arc that touches first,
+// by the sag
 //   c_a = n_a . (X_a - int N_a X dA / int N_a dA)                                             (T.2)
-// (undeformed, n_a its normal, X_a in its middle). The mean of a part that the ground has made flat
-// does not. At the edge of a patch, where this matters, the offset is between the two. Across, the
-// offset is limited to its value around, because at shoulders the faces are too long to resolve
-// their arc.
+// where X_a is the middle of the arc without load and n_a its normal there. The average of a part
+// that the ground has made flat has no such offset. At the edge of a patch, where the offset
+// matters, the share s of the sag is a compromise. Across the tread, the sag is limited to its
+// value around the tire, because at the shoulders the faces are too long to resolve their arc.
 // Forces are distributed to the nodes by the same weights, so they are the gradient of an energy.
-// Under a uniform pressure this gives a node int W_a dA, whereas the elements need int N_a dA.
-// Where the length of faces changes, the two differ, by a sixth at the last face before one of
-// twice its length, and so would the node's pressure. A mean around a node therefore stands for
+//
+// Under a uniform pressure the nodes would receive forces proportional to int W_a dA, but the
+// elements need int N_a dA. The two differ at nodes between faces of different lengths, by a sixth
+// at the last face before one of twice its length, and the pressure at the node would differ
+// likewise. The point at a node therefore represents the area
 //   dA_a = 1/16 int N_a dA (1 + 4 (1 - int W_a dA / int N_a dA)),                             (T.3)
-// around and across, which reproduces a uniform pressure to first order.
+// both around and across, which reproduces a uniform pressure to first order.
 //   [Wriggers, Computational Contact Mechanics, Springer 2006: smoothing, mortar methods;
 //   Puso & Laursen 2004, CMAME 193: a mortar segment-to-segment contact method]
-// Facets, each with 12x12 points, serve comparison with programs that use them, and meshes without
-// sectors.
 //
-// The surface ends at the half angle from the lowest place.
+// Flat facets, each with 12x12 points, are used for comparison with programs that use them, and for
+// meshes without sectors.
+//
+// The surface extends to a given angle on both sides of the lowest point of the tire.
 #pragma once
 
 #include <Eigen/Core>

@@ -93,8 +93,9 @@ TEST(TreadSurface, AUniformPressureLoadsPlanesEvenly) {
   EXPECT_LT(largest, 0.17 / 3.0);
 }
 
-// Points are computed in two steps, averages across first. They must equal the direct sums over
-// their weights, and must depend only on the nodes of their cell.
+// Contact points are computed in two steps: averages across the tread, then averages of these
+// around it. The result must equal the direct sums over all weights, and must depend only on the
+// nodes of the point's cell.
 TEST(TreadSurface, PointsAreWhereTheirWeightsSay) {
   const TireDescription tire =
       read_tire(Document::read(LATSCH_SOURCE_DIR "/studies/tires/passenger_225_50R16.toml").root());

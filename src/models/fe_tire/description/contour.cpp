@@ -8,7 +8,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Number of intervals, with which the arc length has a relative error of about 1e-8.
+// Number of intervals for the arc length, whose relative error is then about 1e-8.
 constexpr int kArcSamples = 4000;
 
 Eigen::Matrix2Xd mirrored(const std::vector<MeridianPoint>& half) {

@@ -6,7 +6,7 @@
 // The element is used for comparison. It locks in shear, in thickness bending and for nearly
 // incompressible rubber. [Bathe 1996] Finite Element Procedures, section 6.3.5.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION
 #undef LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION

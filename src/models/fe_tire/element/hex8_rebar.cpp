@@ -4,11 +4,11 @@
 //   W = t int w(e) dA,   e = (l.l - 1) / 2,   l = a1 g_1 + a2 g_2                               (1)
 //   g_1 = x_1 + x_12 eta,  g_2 = x_2 + x_12 xi          (tangents of the layer's bilinear surface)
 // where a1, a2 are the cord's components in the undeformed surface, |a1 G_1 + a2 G_2| = 1. The
-// angle counts from the circumference at the point (of the true circle, not of the chord: cords of
-// 90 degrees are radial and have no torsion) toward +eta in the tangent plane. The stretch is the
-// full one. In bending in the plane of the layer the product 2 a1 a2 g_1 . g_2 varies along xi and
-// eta although it should not, which makes belts of inclined cords too stiff. The solid-shell
-// removes this variation:
+// angle of the cord is measured in the tangent plane, from the circumferential direction at the
+// point (of the true circle, not of the chord: cords of 90 degrees are radial and have no torsion)
+// toward +eta. The strain e is that of the full stretch of the cord. In bending in the plane of the
+// layer the product 2 a1 a2 g_1 . g_2 varies along xi and eta although it should not, which makes
+// belts of inclined cords too stiff. The solid-shell removes this variation:
 //   e -= c ((xi - <xi>) x_1 + (eta - <eta>) x_2) . (x_12 - s_1 x_1 - s_2 x_2),  c = a1 a2       (2)
 // with X_12 = s_1 X_1 + s_2 X_2 in the undeformed plane. The correction vanishes in a constant
 // strain and in the mean over the layer's area, so that patch tests hold. The square of the

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight-node solid-shell for walls of few, thin, very different layers of nearly incompressible
-// rubber and cords. Total Lagrangian; all laws see the Green-Lagrange strain
+// Eight-node solid-shell element for walls that consist of few, thin, very different layers of
+// nearly incompressible rubber and cords. The formulation is total Lagrangian; the argument of all
+// material laws is the Green-Lagrange strain
 //
 //   E = E_c + (A - <A>) (e - H E_c) + (A - <A>) alpha            <.>: mean over the volume      (1)
 //   E_c = (F^T F - 1) / 2 + w c c,   F = sum_a x_a b_a^T,  b_a = <grad N_a>                     (2)
 //   e = x_m . x_n - X_m . X_n,  x = x_0 + x_1 xi + x_2 eta + ... + x_123 xi eta zeta            (3)
 //   z_m = x_m - F X_m,  c_mj = z_m . F a_j,  a_j: unit vectors along xi, across it, normal (4)
 //
-// E_c is the strain of the mean deformation gradient. e are the twelve coefficients of the
-// convected strains in xi, eta, zeta that bending, twisting and tapering need
-// (hex8_solid_shell_modes.h). H E_c are their values in a constant strain E_c, and A turns
-// convected strain at a point into Cartesian strain. The omitted strains are those that lock: shear
+// E_c is the strain of the mean deformation gradient. The vector e contains the twelve coefficients
+// of the convected strains in xi, eta, zeta that bending, twisting and tapering need
+// (hex8_solid_shell_modes.h). H E_c are the values of e in a constant strain E_c, and A converts
+// convected strain at a point to Cartesian strain. The omitted strains are those that lock: shear
 // that varies along its own direction (2 E_13 along xi, as in the assumed strains of Dvorkin and
 // Bathe), in-plane shear along xi and eta, and the thickness strain of a curved element's middle.
 // Six and twelve strains represent the 24 - 6 deformations exactly once: there is no hourglass mode
 // and no hourglass stiffness.
 //   The twelve modes have zero values and slopes in a constant strain, and <A - <A>> = 0, so
-// elements of any shape pass every patch test [Simo & Hughes 1986]. Curved walls then stretch their
-// nodes' thickness a little instead of locking. The mean of the quadratic terms, w c c, is of
-// second order there too; it keeps the tension of an inflated wall acting on the hourglass shapes.
-// The square of a c belongs in E_11 or E_22 exactly if the strain that is linear in that c is kept:
-// z_12 along xi (E_11), across it (E_22) and along the normal (twist, both); z_13 along xi and
-// across it (E_11); z_23 along xi and across it (E_22). If a shear is omitted, an edge that leans
-// counts as rotated without strain, and its square alone would dilate the element. A pressure of
-// the order of G (b/L)^2 or more would then buckle long elements alternately in and out. For the
-// same reason the thickness strain has no such squares.
+// elements of any shape pass every patch test [Simo & Hughes 1986]. In curved walls the thickness
+// at the nodes then changes a little, instead of locking. The mean of the quadratic terms, w c c,
+// is of second order in these tests, too. With this term the tension of an inflated wall acts on
+// the hourglass shapes. The square of a c belongs in E_11 or E_22 exactly if the strain that is
+// linear in that c is kept: z_12 along xi (E_11), across it (E_22) and along the normal (twist,
+// both); z_13 along xi and across it (E_11); z_23 along xi and across it (E_22). If a shear is
+// omitted, an edge that leans counts as rotated without strain, and its square alone would dilate
+// the element. A pressure of the order of G (b/L)^2 or more would then buckle long elements
+// alternately in and out. For the same reason the thickness strain has no such squares.
 //   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's
 // contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta.
 // Without the last three, the thickness at the nodes of an element of constant volume would be
@@ -40,7 +41,7 @@
 // and gamma are short sums and every coefficient of e is a product of two vectors. Products with P,
 // 48 x 26 numbers, are most of the work; P is the same for all lanes.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_SOLID_SHELL) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_SOLID_SHELL
 #undef LATSCH_FE_TIRE_HEX8_SOLID_SHELL

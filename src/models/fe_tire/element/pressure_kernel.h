@@ -5,7 +5,7 @@
 // [Schweizerhof & Ramm 1984, Computers & Structures 18] At an open edge that is not fixed, the
 // volume and thus the load would be undefined, so a seal closes it.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_PRESSURE) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_PRESSURE
 #undef LATSCH_FE_TIRE_PRESSURE

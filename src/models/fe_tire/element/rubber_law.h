@@ -6,7 +6,7 @@
 // Holds for moderate strain (rubber below about 100 %); no Mullins effect, no viscosity.
 // [Holzapfel 2000] Nonlinear Solid Mechanics, sections 6.4-6.6.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_RUBBER_LAW) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_RUBBER_LAW
 #undef LATSCH_FE_TIRE_RUBBER_LAW

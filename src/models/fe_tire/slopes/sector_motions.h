@@ -38,8 +38,8 @@ class SectorMotions {
                 const Inflated& at,
                 std::span<const HarmonicShape> modes);
 
-  /// Computes D3W[phi, phi, .] for every mode [sector unknowns x modes]. Returns false if an
-  /// element is inverted.
+  /// Computes the third derivative D3W[phi, phi, .] of the energy W for every mode phi [sector
+  /// unknowns x modes]. Returns false if an element is inverted.
   bool curvatures(Eigen::MatrixXd& g);
 
   /// Computes the derivative of D2W[phi~, phi~] - omega^2 phi^T M phi + DW[along~] with respect to

@@ -38,7 +38,8 @@ struct TireSlopes::Impl {
     // State to which the tangent belongs; not set if the tangent is not positive definite.
     std::optional<TireState> of;
   };
-  // Tangents of the last state that needed one of its own.
+  // Factorized tangents about the last state for which the solver's own factorization could not be
+  // used.
   std::map<const Systems*, Tangent> own_tangents;
   /// Solution w of (S.2) at an intermediate state of a path, computed while the solver's
   /// factorization was near.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records the extremes of the inputs that a rolling tire passes to the Magic Formula, and reports
 // which ranges of its file they leave. The formula clamps its inputs to these ranges, so beyond
-// them its forces are those at the limit. The user is told so.
+// them its forces are those at the limit. A report of them warns the user.
 #pragma once
 
 #include <memory>

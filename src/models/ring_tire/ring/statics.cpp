@@ -87,7 +87,8 @@ bool RingTire::relax() {
 
 /// Finds the equilibrium at the present position of the rim, starting at q_.
 Status RingTire::equilibrate(const road::Road& road, double time) {
-  constexpr int kRenewals = 40;  // after so many renewals there counts as being no equilibrium
+  // Number of renewals after which the search for an equilibrium is given up.
+  constexpr int kRenewals = 40;
   // A block on an edge of the road may alternate between the two planes of this edge. After this
   // number of updates it keeps its plane.
   constexpr int kLooksAtRoad = 12;
