@@ -78,8 +78,8 @@ class Builder {
       return;
     }
     // The two halves of the chassis together have the mass, center and inertia of the whole. The
-    // distance of their centers is such that it uses four fifths of the whole's moments about y and
-    // z.
+    // distance between the centers of the halves accounts for four fifths of the whole's moments of
+    // inertia about y and z; the rest is the inertia of each half.
     const Vector3d I = chassis.body.inertia.diagonal();
     const double front = car_.front.corner.wheel_center.x(),
                  rear = car_.rear.corner.wheel_center.x(), center = chassis.body.center.x();

@@ -37,8 +37,8 @@ double Footprint::pressure_at(double x, double y, double side) const {
 
 double Footprint::peak_pressure(double side) const {
   if (elements.empty()) return 0.0;
-  // Steps of the first search per side of the sensor; smallest step of the last search over that
-  // side.
+  // Number of steps per side of the sensor in the first search, and the step, relative to the side,
+  // at which the search ends.
   constexpr double kSteps = 6.0, kLast = 1e-3;
   const auto by_x = [](const auto& a, const auto& b) { return a.x < b.x; };
   const auto by_y = [](const auto& a, const auto& b) { return a.y < b.y; };

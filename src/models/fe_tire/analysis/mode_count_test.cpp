@@ -115,8 +115,8 @@ TEST(ModeCount, NoLoadedModeIsMissed) {
       ASSERT_TRUE(modes);
       const Motions motions(tire, loaded->back());
       EXPECT_EQ(motions.below(0.0), 0);  // the state is stable
-      // Modes are counted at frequencies between neighboring modes that are apart. The equal
-      // frequencies of a pair, on the tire off the ground, are not separated.
+      // Modes are counted at frequencies between two successive modes whose frequencies differ.
+      // Pairs of modes with equal frequencies, as on the tire off the ground, are skipped.
       for (int i = 0; i + 1 < kModes; ++i) {
         const double f = (*modes)[i].frequency, next = (*modes)[i + 1].frequency;
         if (i % 6 != 5 || next < 1.0001 * f) continue;

@@ -287,7 +287,8 @@ void TreadSurface::add_mean_points(const MeanAround& around,
   const HatMean& hat = around.mean;
   const bool is_own_image = unknowns_.multiplicity() > 1.0 &&
                             (around.place == 0 || around.place == kPlaces * unknowns_.sectors());
-  std::vector<Part> planes;  // first averages across, one per section plane, with their weights
+  // Index of the first average across the tread in each section plane, with the plane's weight.
+  std::vector<Part> planes;
   for (std::size_t i = 0; i < hat.weight.size(); ++i) {
     if (hat.weight[i] == 0.0) continue;
     const int plane = ((hat.first + static_cast<int>(i)) % S + S) % S;

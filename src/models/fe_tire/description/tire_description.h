@@ -89,7 +89,7 @@ struct SpacingProfile {
 /// the same on both sides.
 struct SectorZone {
   int sectors = 1;     // number of sectors in the zone
-  double width = 0.0;  // rad, width of each of these sectors
+  double width = 0.0;  // rad, width of each sector of the zone
   bool operator==(const SectorZone&) const = default;
 };
 

@@ -79,7 +79,7 @@ class FreeRows {
   double time_ = 0.0, step_ = 0.0;
   // Rates and forces at the solution of the step.
   FreeWheel::Pair rates_ = FreeWheel::Pair::Zero(), forces_ = rates_;
-  std::vector<RimRows> rows_;           // g, in the axes of the rim
+  std::vector<RimRows> rows_;           // vector g of (36), in the axes of the rim
   double follows_[kWays] = {0.0, 0.0};  // s
   long tangent_[kWays] = {0, 0};
   FreeWheel::Matrix stiffness_ = FreeWheel::Matrix::Zero();  // g' φ - (1-θ) g' K^-1 g
