@@ -36,10 +36,11 @@ using Tires = std::array<std::unique_ptr<Tire>, kCorners>;
 
 /// Parameters of the guide, which holds the chassis against a point that moves along x.
 struct Guide {
-  double y = 0.0;        // m, lateral position of the car's middle, added to that of a GuidePoint
-  double lateral = 2e4;  // N/m; damped critically with the car's mass
-  double yaw = 5e4;      // N m/rad
-  double along = 2e4;    // N/m
+  double y = 0.0;  // m, lateral position of the car's middle, added to that of a GuidePoint
+  // N/m, lateral stiffness; the lateral damping is critical for the car's mass
+  double lateral = 2e4;
+  double yaw = 5e4;    // N m/rad
+  double along = 2e4;  // N/m
   /// Shares of the front and the rear axle in the longitudinal pull; together 1.
   std::array<double, 2> drives = {0.0, 1.0};
 };

@@ -97,8 +97,8 @@ Result<Lever::Turned> Lever::turned(const Vector3d& driving_now) const {
                                name,
                                1e3 * (std::abs(d) - size) / (own - driving).norm(),
                                d > 0.0 ? "short" : "long")};
-  // The two solutions are atan2(b, a) ± acos(d / size). The sign is chosen such that the angle is 0
-  // at rest, which the sign of -b there decides.
+  // The equation has the two solutions atan2(b, a) ± acos(d / size). The sign is chosen such that
+  // the angle is 0 at rest; it is opposite to that of b at rest.
   const double sign = (driving - pivot).dot(across) > 0.0 ? -1.0 : 1.0;
   const double ratio = std::max(-1.0, std::min(1.0, d / size));
   const double angle = std::remainder(std::atan2(b, a) + sign * std::acos(ratio), 2.0 * M_PI);

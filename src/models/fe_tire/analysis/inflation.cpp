@@ -168,8 +168,8 @@ Status newton(const RingElements& elements,
 }  // namespace
 
 void measure_growth(const Mesh& mesh, Inflated& inflated) {
-  // Nodes count as equally far from the middle plane if their distances differ by less than this
-  // share of the outer radius, as do those of the tread's two halves.
+  // Tolerance for distances from the middle plane, as a share of the outer radius: nodes of the
+  // tread's two halves count as equally far from it.
   constexpr double kSameDistance = 1e-6;
   const double same = kSameDistance * mesh.outer_radius();
   double nearest = std::numeric_limits<double>::infinity(), outer = 0.0;

@@ -120,8 +120,9 @@ struct Section {
   bool first_face_to_bead = false;  // true: the first of these plies reaches the bead
   // position, 0 to 1, as described above; 0 if all these plies reach the bead
   double faces_to = 0.0;
-  /// Number of columns between the crown and the position where all rows end except those of the
-  /// sidewall. Not set if all these plies reach the bead.
+  /// Number of columns between the crown and the position at which all rows of elements end except
+  /// those of the sidewall. Not set if no row ends, because all plies on which rows meet reach the
+  /// bead.
   std::optional<double> crown_columns() const;
   /// Positions, ascending, at which plies and rubbers end. The nearest column ends are moved
   /// exactly to these positions. Empty if all columns have the same length.
