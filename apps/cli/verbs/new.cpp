@@ -12,6 +12,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "cli/console/console.h"
+#include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
 #include "cli/templates/car_template.h"
 #include "cli/templates/drum_template.h"
@@ -20,6 +21,7 @@
 #include "cli/templates/sized_tire.h"
 #include "cli/templates/study_template.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/twin.h"
@@ -127,6 +129,41 @@ fs::path new_study(const fs::path& folder) {
   return study;
 }
 
+/// Files that are being written for a study. Unless the study turns out to be good, those that did
+/// not exist before are removed: `latsch new` leaves a study that can be read, or nothing.
+class Unfinished {
+ public:
+  Unfinished(const fs::path& folder, const std::vector<std::string>& names) : folder_(folder) {
+    for (const std::string& name : names) {
+      files_.push_back(folder / name);
+      if (!fs::exists(files_.back())) new_files_.push_back(files_.back());
+    }
+    was_there_ = fs::exists(folder);
+  }
+  ~Unfinished() {
+    if (is_good_) return;
+    std::error_code ignored;
+    for (const fs::path& file : new_files_) fs::remove_all(file, ignored);
+    if (!was_there_) fs::remove(folder_, ignored);  // only if it is empty
+  }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+
+  /// Reads the study and reports the files. Throws InputError for what `latsch check` refuses.
+  correlation::Study finish(const fs::path& study, const experiment::Language& language) {
+    correlation::Study read = correlation::read_study(study, language);
+    correlation::refuse_doubtful(correlation::all_ledgers_of(read));
+    is_good_ = true;
+    for (const fs::path& file : files_) say_written(file.string());
+    return read;
+  }
+
+ private:
+  fs::path folder_;
+  std::vector<fs::path> files_, new_files_;
+  bool was_there_ = false, is_good_ = false;
+};
+
 double length_of(const std::string& text) {
   const auto quantity = parse_quantity(text);
   if (!quantity || si_unit(quantity->unit.dimension()) != "m" || !(quantity->si > 0.0))
@@ -141,11 +178,13 @@ void start_magic_formula(const NewOptions& options, const experiment::Language& 
   test.held_out = held_out_of(options.held_out);
   if (!options.radius.empty()) test.unloaded_radius = length_of(options.radius);
   const MagicFormulaStudy written = magic_formula_study(test, folder);
+  Unfinished files(folder, {"tire.tir", "study.toml"});
   fs::create_directories(folder);
-  write(folder / "tire.tir", written.tire);
-  write(study, written.study);
+  write_text_file(folder / "tire.tir", written.tire);
+  write_text_file(study, written.study);
+  const auto read = files.finish(study, language);
   for (const std::string& word : written.words) say("  {}\n", word);
-  correlation::read_study(study, language);
+  say_ledgers(correlation::ledgers_of(read), LinesTo::output, "Files");
   say("\nNext\n"
       "  latsch show {0}                         what is used of the recordings\n"
       "  latsch run {0}                          fits, stage by stage\n"
@@ -172,10 +211,11 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
         "to "
         "MODEL begins at the values of the known ring");
   }
+  Unfinished files(folder, {"ring.toml", "study.toml"});
   fs::create_directories(folder);
-  write(folder / "ring.toml", written.ring);
-  write(study, written.study);
-  correlation::read_study(study, language);
+  write_text_file(folder / "ring.toml", written.ring);
+  write_text_file(study, written.study);
+  files.finish(study, language);
   say("\n{1}\n"
       "  latsch run {0}                          finds the numbers\n"
       "  latsch identify {0}                     what the data do not determine, what would "
@@ -228,6 +268,7 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
     throw InputError(
         "--drum: no recording contains the cleat's size; expected --cleat \"10 mm x 20 mm\" "
         "beside it, its height and its length along the road");
+  Unfinished files(folder, {"rig.toml", "rig_processed", "ring.toml", "study.toml"});
   fs::create_directories(folder);
   const DrumStudy written = drum_study({{options.drum.begin(), options.drum.end()},
                                         options.cleat,
@@ -237,14 +278,13 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
                                        known,
                                        folder,
                                        language);
-  say_written((folder / "rig.toml").string());
-  say_written((folder / "rig_processed").string());
-  write(folder / "ring.toml", written.ring);
-  write(study, written.study);
+  write_text_file(folder / "ring.toml", written.ring);
+  write_text_file(study, written.study);
+  const auto read = files.finish(study, language);
   for (const std::string& word : written.words) say("  {}\n", word);
   if (options.known.empty())
     say("  ring.toml is the published ring of a 205/55 R16 tire; give your own by --known RING\n");
-  correlation::read_study(study, language);
+  say_ledgers(correlation::ledgers_of(read), LinesTo::output, "Files");
   say("\nNext\n"
       "  latsch process {1}                      the rig's page: averages, spectra\n"
       "  latsch show {0}                         what is used of the averages\n"

@@ -187,9 +187,9 @@ inline constexpr Ambiguous kAmbiguousWords[] = {
      true,
      "which may be a kilonewton or a knot: write \"kN\" or \"knot\""},
     {"KN", {"kN", "knot"}, false, false, ""},
-    {"\"", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\""},
-    {"''", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\""},
-    {"'", {"ft", "arcmin"}, false, true, "which may be a foot or an arc minute: write \"ft\""},
+    {"\"", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\" or \"arcsec\""},
+    {"''", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\" or \"arcsec\""},
+    {"'", {"ft", "arcmin"}, false, true, "which may be a foot or an arc minute: write \"ft\" or \"arcmin\""},
 };
 /// Ambiguous whole texts, compared after every word has been replaced by its meaning.
 inline constexpr Ambiguous kAmbiguousTexts[] = {

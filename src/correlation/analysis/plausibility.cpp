@@ -2,7 +2,9 @@
 #include "correlation/analysis/plausibility.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -10,11 +12,15 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/observable/curve.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
 #include "experiment/language/usual_numbers.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
+#include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/natural_unit.h"
+#include "measurement/meaning/rest_offset.h"
 #include "measurement/meaning/suspension_checks.h"
 
 namespace latsch::correlation {
@@ -266,6 +272,69 @@ void examine_sides(const Study& study, const Document& file, std::vector<Finding
   }
 }
 
+/// True for a test of a K&C rig, which prescribes loads and records changes from rest.
+bool records_changes(const experiment::Test& test) {
+  bool has_load = false, has_motion = false;
+  for (const experiment::ChannelInfo& channel : test.channels()) {
+    const auto known = recognized(channel.name);
+    const std::string_view name = known ? known->meaning->name : std::string_view();
+    has_load = has_load || name == "Fx" || name == "Fy" || name == "Fz" || name == "Mz";
+    has_motion = has_motion || name == "dx" || name == "dy" || name == "toe";
+  }
+  return has_load && has_motion;
+}
+
+/// Finds angles and displacements of a K&C table that are not 0 without load, while those of the
+/// test are.
+void examine_rest(const Study& study, const Document& file, std::vector<Finding>& found) {
+  std::map<std::string, std::pair<std::shared_ptr<const Measurement>, std::vector<std::string>>> of;
+  for (const StudyExperiment& experiment : study.experiments) {
+    const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
+    if (!curve || !experiment.read_from ||
+        curve->measured().comparison.what != ComparedCurve::values)
+      continue;
+    const std::string& y = curve->measured().y;
+    const auto test = std::find_if(study.tests.begin(), study.tests.end(), [&](const auto& one) {
+      return y.starts_with(one.name + "/");
+    });
+    const std::string moved = y.substr(y.find('/') + 1);
+    if (test == study.tests.end() || !records_changes(*test->test) ||
+        !experiment.read_from->has(moved))
+      continue;
+    auto& [measurement, names] = of[experiment.read_from->name()];
+    measurement = experiment.read_from;
+    names.push_back(measurement->name_of(moved));
+  }
+  for (const auto& [name, channels] : of) {
+    const Channels& table = channels.first->channels();
+    const auto offsets = offsets_at_rest(table, channels.second);
+    if (offsets.empty()) continue;
+    std::vector<std::string> values, names;
+    for (const RestOffset& one : offsets) {
+      const std::string& unit = table.find(one.channel)->unit;
+      values.push_back(one.channel + " is " +
+                       format_quantity(Unit::of(natural_unit(unit)).from_si(one.offset), "1", 3) +
+                       " " + natural_unit(unit));
+      names.push_back(in_quotes(one.channel));
+    }
+    const std::string windows = rest_windows(table);
+    found.push_back(
+        {written_at(file, "measurement." + name + ".file").place,
+         fmt::format(
+             "measurement.{}: without load {}, but the test records changes from the "
+             "unloaded wheel. {}compare = \"about_mean\" in the experiments compares without "
+             "constant offsets",
+             name,
+             fmt::join(values, ", "),
+             windows.empty() ? ""
+                             : fmt::format("zero = {{channels = [{}], at = {}}} takes these "
+                                           "values off; ",
+                                           fmt::join(names, ", "),
+                                           windows)),
+         false});
+  }
+}
+
 }  // namespace
 
 std::vector<Finding> implausible(const Study& study) {
@@ -273,10 +342,18 @@ std::vector<Finding> implausible(const Study& study) {
   const Document file = Document::read(study.file);
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (kind) append(experiment::findings_of_model(*kind, study.model, study.model_file), found);
-  if (kind) append(experiment::unusual_numbers(file), found);
+  // Only a model of our own says which quantity a number is; settings of a run are known.
+  append(experiment::unusual_numbers(file,
+                                     "",
+                                     [&](const std::string& path) {
+                                       return !kind && !path.starts_with("run.") &&
+                                              !path.starts_with("simulator.timeout");
+                                     }),
+         found);
   examine_variables(study, file, found);
   examine_repetitions(study, file, found);
   examine_sides(study, file, found);
+  examine_rest(study, file, found);
   const auto size = kind ? kind->size(study.model) : std::nullopt;
   if (size) examine_deflections(file, *size, found);
   for (const StudyExperiment& experiment : study.experiments) {

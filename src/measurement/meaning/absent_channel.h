@@ -33,10 +33,12 @@ struct MayBe {
   std::string column;           // in the file
   std::string words;            // to follow the name: "a steer angle"; empty: nothing more is known
   bool is_as_it_stands = true;  // false if the channel has to be computed from the column
+  bool has_its_name = false;    // the name contains that of the channel
 };
 
-/// Returns the columns that may be the channel `channel`, whose SI unit is `unit`, in the order of
-/// the file. Those that only serve to compute the channel come last.
+/// Returns the columns that may be the channel `channel`, whose SI unit is `unit`: first those of
+/// which the name contains that of the channel, last those that only serve to compute it, each in
+/// the order of the file.
 std::vector<MayBe> columns_that_may_be(std::string_view channel,
                                        std::string_view unit,
                                        const std::vector<OtherColumn>& columns);

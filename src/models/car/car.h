@@ -219,6 +219,9 @@ class Car {
                 std::vector<multibody::BodyForce>& wrenches) const;
   /// Describes in words how far the car at rest has sunk at the corner that sank most.
   std::string sunk(const multibody::Rest& rest, const LineTires& tires, double speed) const;
+  /// Describes the forces on the car as drawn, for the case that no share of them leads to an
+  /// equilibrium.
+  std::string unstable_as_drawn(double speed) const;
   /// Returns the deviation of the chassis from the guide's line and heading, m, m, rad.
   Eigen::Vector3d off_guide(const multibody::Pose& chassis, const GuidePoint& point) const;
   /// Returns the static equilibrium on tires that are pressed down without rolling in, at rest or
@@ -227,12 +230,23 @@ class Car {
                                           LineTires& lines,
                                           const road::Road& road,
                                           const CarInputs& inputs);
-  /// Returns the static equilibrium on tires that have rolled to their starting positions.
+  /// Returns the static equilibrium on tires that have rolled to their starting positions, over a
+  /// distance after which their forces are steady. Returns a Failure if a tire does not become
+  /// steady.
   Result<multibody::Rest> roll_in(CarState& state,
                                   LineTires& lines,
                                   const multibody::Rest& rest,
                                   const road::Road& road,
                                   const CarInputs& inputs);
+  /// Lets the tires roll a given number of rounds. Sets, for each tire, the range of its force in
+  /// the last half round, N, if this range is still decreasing; otherwise 0.
+  Result<multibody::Rest> roll_rounds(int rounds,
+                                      CarState& state,
+                                      LineTires& lines,
+                                      const multibody::Rest& rest,
+                                      const road::Road& road,
+                                      const CarInputs& inputs,
+                                      std::array<double, kCorners>& falling);
   void rebuild(std::vector<multibody::Strut> struts);
   /// Returns a Failure if a corner needs a preload that no real spring of its stiffness can have.
   Status check_spring(int corner, const std::vector<multibody::Strut>& springs) const;

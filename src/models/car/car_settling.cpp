@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "models/car/car.h"
 #include "models/road/plane_road.h"
@@ -62,12 +64,31 @@ Result<Rest> Car::stand(const LineTires& tires,
   // the load in shares.
   if (!found) found = statics_->solve(standing, statics_->unloaded());
   if (!found)
-    return Failure{found.failure().reason + "; " + sunk(statics_->reached(), tires, speed)};
+    return Failure{found.failure().reason + "; " +
+                   (statics_->share() > 0.0 ? sunk(statics_->reached(), tires, speed)
+                                            : unstable_as_drawn(speed))};
   const double off = off_guide(found->poses[at(parts_.chassis)], {0.0, 0.0, 0.0}).x();
   const double left = -kStill * guide.along * off;
   trim.along += left;
   if (held) *held = left;
   return found;
+}
+
+std::string Car::unstable_as_drawn(double speed) const {
+  std::string words =
+      "not even a small share of the load has an equilibrium near the position in which the car is "
+      "drawn";
+  if (!parameters_.aero || speed == 0.0) return words;
+  const AeroMap& air = *parameters_.aero;
+  const double q = 0.5 * air.density * speed * speed * air.area;
+  const AeroMap::Coefficients there = air.at(air.floor_front, air.floor_rear);
+  return words + fmt::format(
+                     ". There the downforce is {:.4g} N, {:.2g} times the weight, and grows by "
+                     "{:.3g} N with every millimeter that the floor sinks; springs and tires have "
+                     "to hold more than that",
+                     q * there.downforce.sum(),
+                     q * there.downforce.sum() / (mechanism_->mass() * parameters_.gravity),
+                     -1e-3 * q * there.by_height.sum());
 }
 
 std::string Car::sunk(const Rest& rest, const LineTires& tires, double speed) const {
@@ -141,16 +162,44 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
 /// each round the car's equilibrium is computed again.
 struct RollIn {
   static constexpr int kRounds = 12;
+  static constexpr int kMostRounds = 32 * kRounds;  // 115 m of path, or 11 s below 10 m/s
   // Rounds in which the car's body is held until the belts have grown.
   static constexpr int kHeld = 3;
-  // Duration of a round, s. It covers at least 0.3 m of path, after which a tire has lost its
-  // initial transient.
+  // Duration of a round, s. It covers at least 0.3 m of path, after which a tire of short relaxation
+  // length has lost its initial transient.
   double duration;
   int steps;  // number of steps of a round, each 12 mm long
 
   explicit RollIn(double speed)
       : duration(std::max(0.03, 0.3 / speed)),
         steps(static_cast<int>(std::ceil(duration * speed / 0.012))) {}
+};
+
+/// Ranges (maximum minus minimum) of a tire's forces over the second halves of the rounds. While the
+/// slip relaxes, the range decreases from round to round. If forces vary periodically with the
+/// rotation of the wheel, the range remains.
+class FallingRanges {
+ public:
+  void add(const Vector3d& force) {
+    low_ = low_.cwiseMin(force);
+    high_ = high_.cwiseMax(force);
+  }
+  void end_round() {
+    ranges_.push_back((high_ - low_).maxCoeff());
+    low_.setConstant(std::numeric_limits<double>::infinity());
+    high_ = -low_;
+  }
+  /// Returns the last range, N, if it has decreased within three rounds and is above `least`;
+  /// otherwise 0.
+  double still_falling(double least) const {
+    constexpr double kFalls = 0.9;  // remaining share of the range; relaxation length of 8.5 m
+    const double last = ranges_.back();
+    return last > least && last < kFalls * ranges_[ranges_.size() - 4] ? last : 0.0;
+  }
+
+ private:
+  Vector3d low_ = Vector3d::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
+  std::vector<double> ranges_;
 };
 
 /// Returns the height of the wheel center over the road, m.
@@ -253,21 +302,50 @@ Result<Rest> Car::roll_in(CarState& state,
                           const Rest& start,
                           const road::Road& road,
                           const CarInputs& inputs) {
+  Rest rest = start;
+  for (int rounds = RollIn::kRounds;; rounds *= 2) {
+    std::array<double, kCorners> falling{};
+    auto rolled = roll_rounds(rounds, state, lines, rest, road, inputs, falling);
+    if (!rolled) return rolled;
+    rest = std::move(*rolled);
+    const auto most = std::max_element(falling.begin(), falling.end());
+    if (*most == 0.0) return rest;
+    if (rounds >= RollIn::kMostRounds)
+      return Failure{fmt::format(
+          "the tire {} is not steady after {:.3g} m of free rolling: its force still changes by "
+          "{:.3g} N in 0.15 m; its relaxation length (slip stiffness over carcass stiffness) is "
+          "too large under its load of {:.4g} N",
+          kCornerNames[most - falling.begin()],
+          rounds * RollIn(state.speed).duration * state.speed,
+          *most,
+          lines[at(static_cast<int>(most - falling.begin()))].force)};
+  }
+}
+
+Result<Rest> Car::roll_rounds(int rounds,
+                              CarState& state,
+                              LineTires& lines,
+                              const Rest& start,
+                              const road::Road& road,
+                              const CarInputs& inputs,
+                              std::array<double, kCorners>& falling) {
+  constexpr double kSteady = 1e-6;  // range of force in half a round, relative to the weight
   const RollIn way(state.speed);
   const double speed = state.speed, h = way.duration / way.steps;
   const Eigen::VectorXd rates = straight_on(mechanism_->bodies().size(), speed);
+  std::array<FallingRanges, kCorners> ranges;
   Rest rest = start;
   for (int corner = 0; corner < kCorners; ++corner) {
     WheelState& wheel = state.wheels[at(corner)];
     const road::PlaneRoad level{
         {.height = road.height(wheel.motion.center.x(), wheel.motion.center.y(), 0.0)}};
-    const double whole = way.duration * RollIn::kRounds;
+    const double whole = way.duration * rounds;
     wheel.motion.center.x() -= speed * whole;
     wheel.tire = tires_[at(corner)]->clone();
     if (const auto hub = wheel.tire->settle(wheel.motion, level, -whole); !hub)
       return no_stand(corner, hub.failure().reason);
   }
-  for (int round = 0; round < RollIn::kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     if (round >= RollIn::kHeld) {
       auto stood = stand(lines, state.speed, inputs, rest, state.trim);
       if (!stood) return stood;
@@ -283,7 +361,7 @@ Result<Rest> Car::roll_in(CarState& state,
       // these forces
       double height = 0.0;
       for (int i = 1; i <= way.steps; ++i) {
-        const double left = way.duration * (RollIn::kRounds - 1 - round) + h * (way.steps - i);
+        const double left = way.duration * (rounds - 1 - round) + h * (way.steps - i);
         WheelMotion there = end;
         const double part = static_cast<double>(i) / way.steps;
         there.center.y() = from.y() + part * (end.center.y() - from.y());
@@ -300,13 +378,18 @@ Result<Rest> Car::roll_in(CarState& state,
         height += share * there.center.z();
         mean.force += share * hub->force;
         mean.moment += share * hub->moment;
+        ranges[at(corner)].add(hub->force);
       }
+      ranges[at(corner)].end_round();
       std::swap(wheel.hub, mean);
       take(lines[at(corner)], wheel);
       lines[at(corner)].height = height;
       std::swap(wheel.hub, mean);
     }
   }
+  const double least = kSteady * mechanism_->mass() * parameters_.gravity;
+  for (int corner = 0; corner < kCorners; ++corner)
+    falling[at(corner)] = ranges[at(corner)].still_falling(least);
   return rest;
 }
 

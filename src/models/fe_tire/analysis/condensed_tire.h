@@ -42,6 +42,7 @@ class CondensedTire {
   /// reach.
   void expand(const Eigen::VectorXd& within, Eigen::VectorXd& v) const;
 
+  const Eigen::MatrixXd& stiffness() const { return T_; }  // T
   /// Returns T w.
   Eigen::VectorXd multiply(const Eigen::VectorXd& w) const { return T_ * w; }
   /// Factorizes T + C.

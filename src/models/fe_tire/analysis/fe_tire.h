@@ -173,6 +173,7 @@ class FeTire {
  private:
   friend class TireSlopes;
   friend class SpinningTire;
+  friend class RollingTire;
   friend struct Varied;
   struct Impl;
   std::unique_ptr<Impl> impl_;
