@@ -20,7 +20,7 @@ constexpr int kMostSteps = 8;
 // Number of times that a step is halved at most while the car finds no static equilibrium at its
 // end.
 constexpr int kHalvings = 6;
-// N, force of a finite difference; large against the residual of the static equilibrium
+// Force of a finite difference, N; large against the residual of the static equilibrium.
 constexpr double kProbe = 200.0;
 // Convergence tolerance: size of a step relative to the loaders' forces. Rolling tires settle to
 // some newtons, so a smaller tolerance is not reached.

@@ -4,6 +4,7 @@
 //   min |p - p0 - S (F - F0)|²,    S: slopes of the four axial forces by the loaders' forces
 // where p are the wanted axial forces of the push-rods, F the forces of the loaders, and p0, F0 the
 // values of both at the last step.
+//
 // Three loaders can change the four push-rod forces in three independent ways. The combination of
 // push-rod forces that they cannot produce, which is nearly the cross-weight, is reported as
 // remainder.

@@ -35,7 +35,7 @@ struct AeroMap {
   double area = 1.0;         // m^2
   double drag = 0.0;         // C_D
   double drag_height = 0.0;  // m, height at which drag acts, in the car as drawn
-  // m, heights of the floor at the axles in the car as drawn
+  // Heights of the floor at the axles in the car as drawn, m.
   double floor_front = 0.0, floor_rear = 0;
 
   /// Sets the map from the rows of a complete grid of ride heights, in any order. A single row
@@ -48,7 +48,7 @@ struct AeroMap {
 
  private:
   std::vector<double> front_heights_ = {0.0}, rear_heights_ = {0.0};
-  // rows: front heights, columns: rear heights
+  // Rows: front heights, columns: rear heights.
   Eigen::MatrixXd front_ = Eigen::MatrixXd::Zero(1, 1), rear_ = front_;
 };
 

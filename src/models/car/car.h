@@ -50,7 +50,7 @@ struct Guide {
 struct Trim {
   double along = 0.0, lateral = 0.0;  // N
   double yaw = 0.0;                   // N m
-  // m, height of the wheel center above the road: arm of the reaction to the longitudinal pull
+  // Height of the wheel center above the road, m: arm of the reaction to the longitudinal pull.
   std::array<double, kCorners> arm{};
   bool operator==(const Trim&) const = default;
 };

@@ -56,7 +56,8 @@ struct AxleMasses {
   double upper_wishbone = 0.8, lower_wishbone = 1.0, pushrod = 0.4, trackrod = 0.3;
   double rod_radius = 0.01;          // m
   multibody::BodyMass upright = {};  // center in m, relative to the wheel center
-  // kg, including that part of the tire's mass which the tire model does not contain
+  // Mass of the wheel, kg, including that part of the tire's mass which the tire model does not
+  // contain.
   double wheel = 0.0;
   double wheel_spin = 0.0;    // kg m^2 about the spin axis, with the same part of the tire
   double wheel_across = 0.0;  // kg m^2 about an axis at right angles to the spin axis
@@ -66,7 +67,7 @@ struct Axle {
   suspension::DoubleWishbone corner;  // hardpoints of the left corner
   AxleMasses masses;
   std::optional<Inboard> inboard;  // not set: the springs are locked
-  // rad, spin axis of the wheel relative to the upright's y axis at rest
+  // Spin axis of the wheel relative to the upright's y axis at rest, rad.
   double camber = 0.0, toe = 0.0;
   bool steered = false;  // true: the rack moves the inboard ends of the track-rods along y
 };

@@ -357,8 +357,8 @@ Result<Rest> Car::roll_rounds(int rounds,
       const road::PlaneRoad level{{.height = road.height(end.center.x(), end.center.y(), 0.0)}};
       const Vector3d from = wheel.motion.center;
       HubForces mean;  // mean forces over the second half of the round, which contains no transient
-      // m, mean height of the wheel center over the same time, at which the linearized tire has
-      // these forces
+      // Mean height of the wheel center over the same time, at which the linearized tire has these
+      // forces, m.
       double height = 0.0;
       for (int i = 1; i <= way.steps; ++i) {
         const double left = way.duration * (rounds - 1 - round) + h * (way.steps - i);

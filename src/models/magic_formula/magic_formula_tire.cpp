@@ -13,7 +13,7 @@ namespace latsch::magic_formula {
 namespace {
 
 constexpr double kNoSlip = 1e-4;  // slip below which the force counts as linear in the slip
-// m, lower limit of the relaxation length: shorter than any contact patch
+// Lower limit of the relaxation length, m: shorter than any contact patch.
 constexpr double kLeastSigma = 0.01;
 
 Conventions for_mode(Conventions conventions, int use_mode) {

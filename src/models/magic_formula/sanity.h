@@ -41,7 +41,7 @@ DataRange range_of(const Parameters& parameters);
 
 struct SanityFault {
   std::string row;  // name of the check, for example "friction over load"
-  // description, for example "lateral friction rises with load: 1.1 at 600 N, ..."
+  // Description of the fault, for example "lateral friction rises with load: 1.1 at 600 N, ...".
   std::string words;
   // Coefficients that cause it, strongest first; may be empty.
   std::vector<std::string> coefficients;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLowSpeed = 0.1;   // m/s, used if VXLOW of the file is 0
 constexpr double kDampVlow = 1e-3;  // s, default of DAMP_VLOW, from the sample file of MF-Swift
-// rad, default of M_inf/C_psi from that file: 4795 N m/rad and about 240 N m
+// Default of M_inf/C_psi, rad, from the sample file of MF-Swift: 4795 N m/rad and about 240 N m.
 constexpr double kPivotAngle = 0.05;
 constexpr double kShortestPatch = 0.01;  // m
 

@@ -100,7 +100,7 @@ TEST(Standstill, AFarPushIsAnsweredByTheFriction) {
   const double Ky = 20.0 * 4000.0 * std::sin(2.0 * std::atan(1.0 / 1.5));
   const double x = curve(3.0 * Dx / Kx, Kx, Dx, 1.6, 0.1);
   const double y = curve(std::atan(3.0 * Dy / Ky), Ky, Dy, 1.3, -0.5);
-  // m/s; at higher speeds the limit of the deflection would be larger
+  // At a higher speed, m/s, the limit of the deflection would be larger.
   constexpr double kSlowly = 1e-4;
   EXPECT_NEAR(Ride(p).push({0.4, 0.0, 0.0}, kSlowly).force.x(), -x, 1e-3);
   EXPECT_NEAR(Ride(p).push({0.0, 0.4, 0.0}, kSlowly).force.y(), -y, 1e-3);
@@ -206,7 +206,7 @@ TEST(Standstill, ForcesAreContinuousOnTheWayToRestAndBack) {
         largest[fine] = std::max(largest[fine], (forces[i] - forces[i - 1]).norm());
       }
     }
-    // a jump of the force would not shrink with the step
+    // If the force had a jump, this difference would not shrink with the step.
     EXPECT_LT(largest[1], 0.55 * largest[0]) << mode;
   }
 }
@@ -381,7 +381,7 @@ TEST(Standstill, AMotionThatIsNoneIsToldAndForgotten) {
   EXPECT_FALSE(ride.tire.advance(ride.motion, ride.road, 0.0, none.velocity.y()).ok());
   const HubForces a = ride.go(0.2, 0.01, 0.1, 1.0, 0.01), b = twin.go(0.2, 0.01, 0.1, 1.0, 0.01);
   EXPECT_EQ(a.force, b.force);
-  // a step of zero length changes nothing
+  // A step of zero length must change nothing.
   const HubForces again = ride.go(0.2, 0.01, 0.1, 1.0, 0.0);
   EXPECT_EQ(a.force, again.force);
   EXPECT_EQ(a.moment, again.moment);

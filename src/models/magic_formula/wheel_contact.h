@@ -28,7 +28,7 @@ struct WheelContact {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();     // inertial
   double height = 0.0;  // m, distance in the wheel plane from the center down to the road
   double gamma = 0.0;   // rad
-  // m/s, velocity of the wheel plane's point at the contact relative to the ground
+  // Velocity of the wheel plane's point at the contact relative to the ground, m/s.
   double Vx = 0.0, Vy = 0.0;
   double approach = 0.0;  // m/s, velocity of the wheel center toward the road
   double yaw_rate = 0.0;  // rad/s, rotation about the road normal

@@ -28,8 +28,8 @@ struct EquilibriumSettings {
   // Largest number of halvings of the load increment: the last share found is accurate to 1/256.
   int halvings = 8;
   double turn = 0.3;  // rad: largest rotation of a body in one correction
-  // rad: if a bushing turns more than this, it counts as torn; its angles become singular at a
-  // right angle
+  // Largest rotation of a bushing, rad. A bushing that turns more counts as torn; its angles become
+  // singular at a right angle.
   double most = 1.2;
 };
 
@@ -102,7 +102,7 @@ class Equilibrium {
   const Mechanism& mechanism_;
   EquilibriumSettings settings_;
   Assembly assembly_;
-  // held_: forces that compensate the imbalance of the start; empty: none
+  // Forces that compensate the imbalance of the start (held_); empty: none.
   Eigen::VectorXd step_, held_;
   Rest reached_;
   double share_ = 0.0;

@@ -73,7 +73,7 @@ Result<MechanismState> Transient::start(const Rest& rest,
   const auto size = 6 * static_cast<Eigen::Index>(rest.poses.size());
   state.rates = rates ? *rates : VectorXd::Zero(size);
   state.accelerations = VectorXd::Zero(size);
-  // a deflection that the memories do not contain acts as a sudden one
+  // A deflection that the memories do not contain acts as a sudden one.
   if (!state.memories.empty()) {
     const Memories before = state.memories;
     Motion motion = motion_of(state, standing.drivers);

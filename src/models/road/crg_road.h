@@ -41,7 +41,7 @@ struct CrgGrid {
 
   Border border_u = Border::keep, border_v = Border::keep;
   double border_offset_u = 0.0, border_offset_v = 0.0;  // m
-  // m, length at each end over which z fades in from the line's height
+  // Length at each end over which z fades in from the line's height, m.
   double smooth_begin = 0.0, smooth_end = 0.0;
   bool closed = false;  // the end of the line joins its start, if possible
 

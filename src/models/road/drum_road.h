@@ -78,7 +78,7 @@ class DrumRoad final : public Road {
   double R_;
   double up_;  // position of the axis: -1 below the road (outer drum), +1 above it (inner drum)
   double edge_x_, edge_z_;  // m, point from which the tangent replaces the drum
-  // rad, angle from the middle of each cleat beyond which it is not visible
+  // Angle from the middle of each cleat beyond which it is not visible, rad.
   std::vector<double> windows_;
 };
 

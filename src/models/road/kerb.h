@@ -27,7 +27,7 @@ struct Kerb {
   double length = 0.0;  // m, length of the bar of a block
   double bevel = 0.0;   // m, bevel of a block
   double ramp = 0.0;    // m, width of the ramp at either side, at most width / 2
-  // m, start of the first repetition at its right edge
+  // Start of the first repetition at its right edge, m.
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
   double angle = 0.0;          // rad, direction of the track in the plane
   double friction = 1.0;       // friction factor on the kerb

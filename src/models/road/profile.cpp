@@ -118,7 +118,8 @@ Profile rounded_profile(const std::vector<Profile::Point>& points,
                         const std::vector<double>& radii) {
   assert(points.size() == radii.size());
   constexpr double kChord = std::numbers::pi / 36.0;
-  // rad; beyond this turn the two edges nearly coincide, and no arc fits between them
+  // Largest turn of the profile at a corner, rad. Beyond it the two edges nearly coincide, and no
+  // arc fits between them.
   constexpr double kSharpest = 0.999 * std::numbers::pi;
   std::vector<Profile::Point> rounded;
   for (std::size_t i = 0; i < points.size(); ++i) {

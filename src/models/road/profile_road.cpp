@@ -10,7 +10,7 @@
 namespace latsch::road {
 namespace {
 
-// m; for shorter lines the difference of two areas would lose its digits
+// Length of a line, m, below which the difference of two integrals would lose its digits.
 constexpr double kShortest = 1e-4;
 
 }  // namespace
@@ -94,7 +94,7 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
     if (const double u = distance / run; u > 0.0 && u < 1.0) corners.push_back(u);
   };
   const auto add = [&](const Profile& profile, double shift, double start, double run) {
-    // m, larger than rounding; add_corner() rejects points outside the line
+    // Margin, m, larger than rounding errors; add_corner() rejects points outside the line.
     constexpr double kSlack = 1e-6;
     const double from = std::min(start, start + run) - shift,
                  to = std::max(start, start + run) - shift;
@@ -156,7 +156,7 @@ struct ProfileRoad::RowPlaces {
   Of<Profile::Value> along, across;
   Of<double> height;
   Of<double> area;  // integral of `along`, computed if the profile across is level
-  // true: the height factor across is the same at all positions of the row and between them
+  // True: the height factor across is the same at all positions of the row and between them.
   bool level;
 };
 

@@ -25,7 +25,7 @@ constexpr double kThinnest = 1e-3;                      // m, smallest pitch and
 constexpr double kHighest = 2.0;                        // m, largest height of cleats and kerbs
 constexpr double kFastest = 1e3;                        // m/s
 constexpr double kRightAngle = std::numbers::pi / 2.0;  // rad
-// rad, largest angle of a cleat to the axle
+// Largest angle of a cleat to the axle, rad.
 constexpr double kMostOblique = 80.0 / 90.0 * kRightAngle;
 
 Range friction_range() { return Range::between(0.0, 10.0); }

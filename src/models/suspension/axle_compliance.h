@@ -40,7 +40,7 @@ enum class Phase { in, out };
 struct ClassicalCompliances {
   double lateral_force_toe, lateral_force_camber;  // rad/N, per force to the left
   double longitudinal_force_toe;                   // rad/N, per force forward
-  // rad/(N m), per moment that turns to the left
+  // Compliances per moment that turns to the left, rad/(N m).
   double aligning_torque_toe, aligning_torque_camber;
   double longitudinal, lateral, vertical;  // m/N
 };

@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// m; smallest length of a rod, and smallest distance of a rod from the axis about which it holds a
-// wishbone
+// Smallest length of a rod, and smallest distance of a rod from the axis about which it holds a
+// wishbone, m.
 constexpr double kNear = 1e-3;
 constexpr double kFar = 50.0;  // m; largest plausible coordinate
 

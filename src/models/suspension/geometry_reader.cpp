@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// m; largest distance along x between contact point and wheel center
+// Largest distance along x between contact point and wheel center, m.
 constexpr double kBelow = 5e-3;
-// m; if the ends of a rocker's arms are this close to one line, they define no plane
+// Smallest distance, m, of the ends of a rocker's arms from one line at which they define a plane.
 constexpr double kInLine = 1e-3;
 
 std::optional<Vector3d> find_point(const Node& points, const char* name) {

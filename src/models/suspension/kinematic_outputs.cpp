@@ -17,9 +17,10 @@ using enum Sense;
 using Group = KinematicOutput::Group;
 
 constexpr double kGravity = 9.80665;  // m/s²
-// m of wheel travel, step of the finite differences for second derivatives
+// Step of wheel travel, m, in the finite differences for second derivatives.
 constexpr double kStep = 1e-4;
-// rad/m; if the wheel turns less than this per rack travel, the rack does not steer it
+// Smallest rotation of the wheel per rack travel, rad/m, at which the rack is considered to steer
+// it.
 constexpr double kNoSteer = 1e-3;
 
 constexpr std::array kOutputs = {

@@ -11,19 +11,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNear = 1e-3;  // m; a shorter link is a fault
-// m; convergence tolerance: the rounding of coordinates of about a meter
-constexpr double kFar = 50.0;
-// m; residual that is accepted if rounding prevents a smaller one
+// Smallest length of a link, m. A shorter one is a fault.
+constexpr double kNear = 1e-3;
+constexpr double kFar = 50.0;  // m, largest plausible coordinate
+// Convergence tolerance, m: the rounding of coordinates of about a meter.
 constexpr double kConverged = 1e-13;
-constexpr double kSolved = 1e-10;  // m; accepted residual if rounding prevents a smaller one
+// Residual, m, that is accepted if rounding prevents a smaller one.
+constexpr double kSolved = 1e-10;
 constexpr int kIterations = 12;
-// m of travel and rack; in a step of this length the links turn little
+// Longest step of travel and rack, m, in which the links turn little.
 constexpr double kLongStep = 0.05;
-// m; the linkage is at the end of its range if its steps become shorter
+// Shortest step, m. If steps become shorter, the linkage is at the end of its range.
 constexpr double kShortStep = 1e-7;
-// rad, largest rotation of the upright in a step; beyond it the other assembly of the linkage may
-// be reached
+// Largest rotation of the upright in a step, rad; beyond it the other assembly of the linkage may
+// be reached.
 constexpr double kFarTurn = 0.35;
 // Smallest pivot of the equations that counts as regular; lengths are relative to the longest arm.
 constexpr double kSingular = 1e-5;

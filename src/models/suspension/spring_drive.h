@@ -47,7 +47,7 @@ struct SpringDrive {
   enum class On { upper_wishbone, lower_wishbone, upright };
 
   On on = On::upright;
-  // m, ends of the push-rod; without a rocker these are the ends of the spring
+  // Ends of the push-rod, m; without a rocker these are the ends of the spring.
   Eigen::Vector3d outer, inner;
   /// Points of the wishbone on which the push-rod acts, m: the two ends of its axis on the chassis,
   /// and its ball joint.

@@ -18,7 +18,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-// rad, half angle of the part of the tread that may touch the ground
+// Half angle of the part of the tread that may touch the ground, rad.
 constexpr double kHalfAngle = 0.4;
 
 Sparse sparse(const numerics::SymmetricMatrix& A) {

@@ -59,7 +59,8 @@ struct Line {
 struct Run {
   int first, last;
   double from, to;  // m, positions of its edges
-  // m; not positive if both edges coincide before the gap grows like that beside a patch
+  // Length, m. It is not positive if both edges coincide before the gap grows like that beside a
+  // patch.
   double length;
 };
 

@@ -80,7 +80,7 @@ class TreadSurface {
     double share;               // For a sampling point: its share of the face's parameter square.
     double dA;                  // m^2, area of the undeformed surface that the point represents
     double around;              // m, length of that area around the tire
-    // m, offset added by (T.1), in the wheel frame
+    // Offset added by (T.1), in the wheel frame, m.
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
     bool is_own_image = false;  // true: half of the point belongs to its image
     int cell = 0;               // index of the cell; all points of a cell depend on the same nodes

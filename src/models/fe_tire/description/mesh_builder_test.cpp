@@ -115,7 +115,7 @@ TEST(MeshBuilder, RowsThatEndInTheSidewallLeaveTheVolume) {
 // section.
 TEST(MeshBuilder, VolumeConvergesToTheSweptSectionWithOrderTwo) {
   for (TireDescription tire : {reference_tire_a(), reference_tire_b()}) {
-    // a constant thickness, since kinks between nodes would disturb the convergence
+    // The thickness is constant, since kinks between nodes would disturb the convergence.
     tire.section.inside = {{0.0}, {5e-3}};
     tire.section.outside = {{0.0}, {7e-3}};
     const double exact = swept_volume(tire.section);

@@ -7,7 +7,7 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kMegapascal = 1e6;
-// m; for smeared cords only the product of modulus and thickness matters
+// Thickness of smeared cords, m. Only the product of modulus and thickness matters.
 constexpr double kCordThickness = 1e-3;
 
 CordPly ply(const char* name, double to, double stiffness, double angle_deg) {

@@ -17,7 +17,7 @@ constexpr double kLargestFlange = 20e-3;  // m, largest distance between rim and
 constexpr double kFlangeOfRim = 0.04;
 constexpr double kSmallestMetricRim = 100.0;    // rim diameters from here on are in mm
 constexpr double kSmallestMillimeters = 200.0;  // outer diameters from here on are in mm
-// inches, largest rim of a metric tire of motorcycle width
+// Largest rim of a metric tire of motorcycle width, inches.
 constexpr double kLargestOfMotorcycles = 24.5;
 constexpr double kHeightOfSeries82 = 0.82, kHeightOfInches = 0.95;
 

@@ -30,7 +30,7 @@ struct ElementLaw {
   bool linear = false;  // true: St. Venant-Kirchhoff law with the stiffness D; false: rubber
   Hyperelastic rubber;
   double D[6][6] = {};
-  // Pa, additional stiffness of the solid-shell against gradients of the thickness strain
+  // Additional stiffness of the solid-shell against gradients of the thickness strain, Pa.
   double relaxation = 0.0;
   std::vector<CordSheet> cords;
   EdgeTie tie;

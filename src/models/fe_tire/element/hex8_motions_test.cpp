@@ -90,7 +90,7 @@ TEST_P(ElementMotions, CurvatureIsTheChangeOfStiffness) {
     std::vector<ElementMotion> motions = {of.motion()};
     ElementSurroundings around{.pressure = kGasPressure};
     ASSERT_TRUE(add_curvatures(law, around, batch, motions));
-    // m, step of the differences; their error is of order h^4: 2.0e-6 at 4 um, 1.2e-7 at 2 um
+    // Step of the differences, m; their error is of order h^4: 2.0e-6 at 4 um, 1.2e-7 at 2 um.
     constexpr double h = 1.5e-6;
     const auto change = [&](double step) {
       return Vector24((stiffness_times(of.at(law, of.u + step * of.phi), of.phi) -

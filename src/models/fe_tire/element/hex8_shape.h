@@ -58,7 +58,7 @@ struct SolidShellShape : SolidShellOperators<double> {
 struct HexShape {
   ElementKind kind = ElementKind::full_integration;
   Matrix38 X;  // m
-  // m^3, volume of each Gauss point; not positive if the element is inverted
+  // Volume of each Gauss point, m^3; not positive if the element is inverted.
   std::array<double, 8> dV;
   double dN[8][3][8];  // 1/m, gradients [point][direction][node] in the axes of the point
   // Set only for the solid-shell. `rough` holds the same operators in single precision, for rough

@@ -102,7 +102,7 @@ std::vector<std::string> ranges_left(const InputExtremes& inputs, const Paramete
   below("gamma", inputs.gamma.from, "CAMMIN", p.CAMMIN, kDegrees, " deg");
   above("The pressure", inputs.p.to, "PRESMAX", p.PRESMAX, 1e-5, " bar");
   below("The pressure", inputs.p.from, "PRESMIN", p.PRESMIN, 1e-5, " bar");
-  // m/s; a test in which the tire is never faster is meant for a standing or parked tire
+  // Speed, m/s. A test in which the tire is never faster is meant for a standing or parked tire.
   constexpr double kStands = 0.5;
   if (inputs.speed.to > kStands && inputs.speed.to < p.VXLOW)
     sentences.push_back(

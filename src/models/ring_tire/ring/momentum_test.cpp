@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 constexpr double kCleatSpeed = 15.0;
 
 struct Wrench {
-  // force; moment about the wheel center
+  // Force; moment about the wheel center.
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
 };
 

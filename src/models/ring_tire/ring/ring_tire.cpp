@@ -414,7 +414,7 @@ Status RingTire::solve_step(bool held, double time) {
   // If a correction leaves more than this share of the residual, Newton's method converges slowly,
   // and the following correction is lengthened.
   constexpr double kCrawling = 0.5;
-  // N, residual at a node of the initial guess above which the tolerance grows in proportion to it
+  // Residual at a node of the initial guess above which the tolerance grows in proportion to it, N.
   constexpr double kViolent = 1000.0;
   if (held) factor_.turn_to(rim_.axes());
   double last = std::numeric_limits<double>::infinity();

@@ -51,7 +51,7 @@ struct RingSettings {
   /// step begins with a residual above 1 kN, the tolerance grows in proportion to it. A larger
   /// value saves iterations.
   double tolerance = 0.1;
-  // N, convergence tolerance in statics: norm of all residual forces
+  // Convergence tolerance in statics, N: norm of all residual forces.
   double static_tolerance = 1e-3;
   int halvings = 4;            // number of times that a step without solution is halved
   int most_iterations = 15;    // largest number of Newton iterations in a step
