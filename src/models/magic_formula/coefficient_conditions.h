@@ -28,7 +28,7 @@ const char* name_of(Condition condition);
 struct ConditionOrder {
   Condition condition;
   int order = 1;
-  bool is_even = false;           // the order counts powers of its square or modulus
+  bool is_even = false;  // true: the order counts powers of the condition's square or modulus
   bool needs_both_signs = false;  // levels with both signs of the condition are needed
 };
 

@@ -33,7 +33,7 @@ class RingElements {
   struct Sectors {
     int first, count;
   };
-  /// Returns the sectors 0 ... count-1, divided into such groups.
+  /// Returns the sectors 0 ... count-1, divided into groups of successive, equally wide sectors.
   std::vector<Sectors> groups(int count) const;
 
   /// Computes the forces and, if requested, the stiffness of the section's element number `element`

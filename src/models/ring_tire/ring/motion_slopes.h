@@ -99,8 +99,8 @@ class MotionSlopes {
   // Unit translations and rotations of all nodes about the center, and the products of the belt's
   // stiffness and of its transpose with them.
   Columns fields_, stiff_, stiff_transposed_;
-  // Derivatives of the rim's motion, one column per component of m: center, rotation with spin,
-  // velocity, angular velocity; and rotation of the carrier.
+  // Derivatives of the rim's motion, one column per component of the wheel's motion m: center,
+  // rotation with spin, velocity, angular velocity; and rotation of the carrier.
   Vectors center_, turn_, velocity_, rate_, carrier_;
   // Derivatives with the nodes kept in place, by column: forces of belt and sidewall; forces of the
   // tread blocks on nodes and sections with their moment on the rim; velocities and accelerations
