@@ -7,6 +7,7 @@
 #include "base/document_tree.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "base/utf8.h"
 
 namespace latsch {
 namespace {
@@ -30,6 +31,7 @@ Document Document::read(const std::filesystem::path& file) {
 }
 
 Document Document::parse(std::string_view text, std::string file_name) {
+  refuse_utf16(text, file_name);
   Document document;
   document.tree_ = std::make_shared<DocumentTree>(text, std::move(file_name));
   document.changes_ = std::make_shared<DocumentChanges>();

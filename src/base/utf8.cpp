@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "base/error.h"
+
 namespace latsch {
 namespace {
 
@@ -39,6 +41,14 @@ std::size_t utf8_character(std::string_view bytes) {
 }
 
 }  // namespace
+
+void refuse_utf16(std::string_view bytes, const std::string& file) {
+  const auto zero = bytes.find('\0');
+  const bool alternates =
+      zero <= 1 && bytes.size() > 3 && bytes[zero + 1] != '\0' && bytes[zero + 2] == '\0';
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff") || alternates)
+    throw InputError({file, 0}, "is UTF-16 text, expected UTF-8: save it as UTF-8");
+}
 
 bool is_utf8(std::string_view bytes) {
   while (!bytes.empty()) {

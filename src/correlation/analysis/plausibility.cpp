@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -145,13 +146,12 @@ void examine_load_deflection(const StudyExperiment& experiment,
                                    // the force
   if (measured.force.empty()) return;
   std::optional<formats::CsvTable> table;
-  if (!experiment.measurement) table = formats::CsvTable::read(experiment.measurement_file);
+  if (!experiment.read_from) table = formats::CsvTable::read(experiment.measurement_file);
   const bool radii = measured.abscissa == Abscissa::loaded_radius;
   const auto& positions = measured.position;
   std::vector<Finding> worst;
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Place place =
-        table ? table->place(static_cast<int>(i)) : experiment.measurement->place(i);
+    const Place place = table ? table->place(static_cast<int>(i)) : experiment.read_from->place(i);
     std::vector<Finding> of_row;
     if (radii && positions[i] > kGrowth * size.outer_radius) {
       of_row.push_back(
@@ -272,6 +272,60 @@ void examine_sides(const Study& study, const Document& file, std::vector<Finding
   }
 }
 
+/// Finds statements that leave a variable or a number without effect, or the values without weight.
+void examine_statements(const Study& study, const Document& file, std::vector<Finding>& found) {
+  const auto add = [&](const Place& place, std::string text) {
+    found.push_back({place, std::move(text), false});
+  };
+  std::size_t values = 0;
+  bool has_prior = false;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (experiment.fitted) values += experiment.values();
+    const auto deviations = stated_deviations(experiment);
+    const auto& scales = experiment.observable->scales();
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (std::size_t i = 0; i < deviations.size() && i < scales.size(); ++i)
+      least = std::min(least, deviations[i] * std::abs(scales[i]));
+    for (const double value : experiment.observable->measured_values())
+      most = std::max(most, std::abs(value));
+    if (!experiment.fitted || deviations.empty() || !(least > most)) continue;
+    const std::string& unit = experiment.observable->shown_unit();
+    add(written_at(file, "experiment." + experiment.name + ".noise").place,
+        fmt::format(
+            "experiment.{}: the noise is at least {}, more than the largest measured value, "
+            "{}: the experiment hardly counts; is its unit right?",
+            experiment.name,
+            format_quantity(least, unit, 3),
+            format_quantity(most, unit, 3)));
+  }
+  for (const DesignVariable& variable : study.space.variables()) {
+    has_prior = has_prior || variable.prior.has_value();
+    if (variable.prior &&
+        (variable.prior->value < variable.lower || variable.prior->value > variable.upper))
+      add(variable.place,
+          fmt::format(
+              "variable.{}.prior is {}, outside of its bounds, {} .. {}: it pulls the value "
+              "to a bound",
+              variable.name,
+              format_quantity(variable.prior->value, variable.unit, 4),
+              format_quantity(variable.lower, variable.unit, 4),
+              format_quantity(variable.upper, variable.unit, 4)));
+    for (const Follower& follower : variable.followers)
+      if (follower.factor == 0.0)
+        add(variable.place,
+            fmt::format("{} follows variable {} with factor 0: it stays constant, whatever the "
+                        "variable is",
+                        in_quotes(follower.paths.front()),
+                        variable.name));
+  }
+  if (values > 0 && !has_prior && values < static_cast<std::size_t>(study.space.size()))
+    add({study.file.string(), 0},
+        fmt::format("{} fitted for {} variables: the values cannot determine all of them; measure "
+                    "more, hold variables, or state priors",
+                    values == 1 ? "1 value is" : fmt::format("{} values are", values),
+                    study.space.size()));
+}
+
 /// True for a test of a K&C rig, which prescribes loads and records changes from rest.
 bool records_changes(const experiment::Test& test) {
   bool has_load = false, has_motion = false;
@@ -354,6 +408,7 @@ std::vector<Finding> implausible(const Study& study) {
   examine_repetitions(study, file, found);
   examine_sides(study, file, found);
   examine_rest(study, file, found);
+  examine_statements(study, file, found);
   const auto size = kind ? kind->size(study.model) : std::nullopt;
   if (size) examine_deflections(file, *size, found);
   for (const StudyExperiment& experiment : study.experiments) {

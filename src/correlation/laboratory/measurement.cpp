@@ -183,6 +183,34 @@ void narrow(const Node& table,
   words.push_back(fmt::format("{} {}: {} of {} samples", key, what, count(kept), count(before)));
 }
 
+/// Doubts a sweep whose direction changes every few samples: the channel is constant but for noise.
+void doubt_sweep(const std::vector<int>& directions,
+                 const Channel& channel,
+                 const Place& place,
+                 LabRecord& record) {
+  constexpr double kFewest = 4.0;  // samples between turning points; larger: coarse sweeps are
+                                   // doubted
+  double changes = 0.0, samples = 0.0;
+  int last = 0;
+  for (const int direction : directions) {
+    if (direction == 0) continue;
+    ++samples;
+    changes += last != 0 && direction != last;
+    last = direction;
+  }
+  if (changes < 2.0 || samples >= kFewest * (changes + 1.0)) return;
+  record.ledgers.front().doubts.push_back(
+      {record.written.at(channel.name).column,
+       fmt::format(
+           "sweep keeps samples by the direction of {}, which changes every {} samples: the "
+           "channel goes {} and may be constant but for noise; expected a channel that is "
+           "swept",
+           channel.name,
+           format_number(samples / (changes + 1.0), 2),
+           range_in_words(channel)),
+       place});
+}
+
 void read_sweeps(const Node& table,
                  LabRecord& record,
                  std::vector<bool>& kept,
@@ -190,11 +218,13 @@ void read_sweeps(const Node& table,
   const auto sweep = table.find_table("sweep");
   if (!sweep) return;
   const auto stretches = stretches_of(record.time(), record.samples());
+  note_use(record, "time", "sweep");
   for (const std::string& key : sweep->keys()) {
     const Channel& channel = channel_of(*sweep, key, record);
     const std::string way = sweep->choice(key, {"rising", "falling"});
     note_use(record, key, "sweep");
     const auto directions = directions_of(channel.values, stretches);
+    doubt_sweep(directions, channel, sweep->place(key), record);
     std::vector<bool> mask;
     for (const int one : directions) mask.push_back(one == (way == "rising" ? 1 : -1));
     narrow(*sweep, key, way, mask, record, kept, words);
@@ -318,6 +348,7 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   told.recorded = record.table();
   read_zero(table, record, told.words);
   if (table.has("in_frame")) turn_frames(table, record, told);
+  if (table.has("low_pass")) note_use(record, "time", "low_pass");
   if (table.has("low_pass"))
     told.words.push_back(low_pass(
         record, table.quantity("low_pass", "Hz", Range::positive()), table.place("low_pass")));

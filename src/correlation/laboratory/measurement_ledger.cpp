@@ -77,12 +77,30 @@ Ledger& ledger_of_file(std::vector<Ledger>& ledgers, const std::string& file) {
   return ledgers.front();
 }
 
-std::vector<OtherColumn> columns_in(const Ledger& ledger) {
+/// True for numbers of both signs that are all below 1.5, as the slip of a tire is.
+bool is_slip_like(const std::vector<double>& values) {
+  constexpr double kMostSlip = 1.5;
+  double low = 0.0, high = 0.0;
+  for (const double value : values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return low < 0.0 && high > 0.0 && low > -kMostSlip && high < kMostSlip;
+}
+
+std::vector<OtherColumn> columns_in(const Ledger& ledger, const Measurement::Told& told) {
+  std::map<std::string, const Channel*> read;
+  for (const Channel& channel : told.channels.all())
+    read[told.written.at(channel.name).column] = &channel;
   std::vector<OtherColumn> columns;
-  for (const LedgerRow& row : ledger.rows)
-    if (!row.written.empty() && !row.unit.empty())  // the unit of a column left out is empty
-      columns.push_back(
-          {row.written, row.unit, !row.unit_written.empty(), row.taken_as, !row.used_by.empty()});
+  for (const LedgerRow& row : ledger.rows) {
+    if (row.written.empty() || row.unit.empty())
+      continue;  // the unit of a column left out is empty
+    columns.push_back(
+        {row.written, row.unit, !row.unit_written.empty(), row.taken_as, !row.used_by.empty()});
+    const auto values = read.find(row.written);
+    columns.back().is_slip_like = values != read.end() && is_slip_like(values->second->values);
+  }
   return columns;
 }
 
@@ -133,7 +151,8 @@ std::string Measurement::way_out_of_missing(const std::string& channel,
   const auto may_be =
       told_.ledgers->empty()
           ? std::vector<MayBe>()
-          : columns_that_may_be(meaning_of(channel), unit, columns_in(told_.ledgers->front()));
+          : columns_that_may_be(
+                meaning_of(channel), unit, columns_in(told_.ledgers->front(), told_));
   if (may_be.empty()) return "";
   return fmt::format("; columns that may be it: {}. Did you mean {}? Then {}",
                      list_in_words(may_be, kMostNamed),
@@ -162,7 +181,7 @@ std::vector<Ledger> Measurement::ledgers() const {
     row.remark = "is " + instead + " by " + absent.by;
     ledgers.front().rows.push_back(std::move(row));
     const auto may_be =
-        columns_that_may_be(absent.channel, absent.unit, columns_in(ledgers.front()));
+        columns_that_may_be(absent.channel, absent.unit, columns_in(ledgers.front(), told_));
     if (may_be.empty()) continue;
     const std::string& first = may_be.front().column;
     ledgers.front().doubts.push_back(

@@ -84,7 +84,7 @@ class RigidRingKind : public SpecimenKind {
   std::string file() const override {
     return "a .tir file with belt and stiffnesses (MF 6.1, 6.2)";
   }
-  int version() const override { return 4; }
+  int version() const override { return 5; }
   std::vector<std::string> abilities() const override { return abilities_of<RigidRingSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }

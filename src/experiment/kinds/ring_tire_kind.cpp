@@ -65,7 +65,7 @@ class RingTireKind : public SpecimenKind {
   std::string name() const override { return "ring_tire"; }
   std::string in_words() const override { return "flexible ring"; }
   std::string file() const override { return "a TOML file with kind = \"ring_tire\""; }
-  int version() const override { return 10; }
+  int version() const override { return 11; }
   std::vector<std::string> abilities() const override { return abilities_of<RingSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "formats/text/letter_case.h"
 
 namespace latsch::formats {
@@ -102,6 +103,7 @@ class HeaderReading {
 
   bool next(std::string_view& line) {
     if (at_ >= bytes_.size()) return false;
+    if (at_ == 0) refuse_utf16(bytes_, header_.file);
     const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
     line = bytes_.substr(at_, end - at_);
     at_ = end + 1;

@@ -109,6 +109,8 @@ std::optional<MayBe> unknown_name(std::string_view channel,
   if (is_within && (!fits || is_function(column.name)))
     return MayBe{column.name, "a function of it?", false};
   if (fits) return MayBe{column.name, "", true, is_within};
+  if (channel == "alpha" && column.unit == "1" && column.is_slip_like)
+    return MayBe{column.name, "a plain number: its tangent?", false};
   return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 //   any       a column of an unknown name whose unit has the dimension of the channel; a column
 //             whose name contains that of the channel ("tan alpha", "|SA|"); a column that is
 //             called so but was stated to be another channel; the channel of one wheel (alpha_FL)
+//   alpha     also a plain number of an unknown name with values like a slip: tan alpha, Vy / Vx
 //   alpha     also toe and steer, which are the slip angle on a rig that turns the wheel; Vy with
 //             Vx, of which it is computed
 //   kappa     also SL, the slip of the loaded radius; omega with Vx, of which it is computed
@@ -26,6 +27,7 @@ struct OtherColumn {
   bool has_unit = false;  // false if the file and its reader know no unit
   std::string taken_as = {};
   bool is_used = false;
+  bool is_slip_like = false;  // plain numbers of both signs, all below 1.5: may be a tangent
 };
 
 /// A column that may be a missing channel.

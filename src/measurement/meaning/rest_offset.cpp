@@ -10,6 +10,7 @@
 
 #include "base/units.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/projection.h"
 
 namespace latsch {
 namespace {
@@ -53,20 +54,6 @@ bool is_at_rest(const std::vector<Driver>& drivers, std::size_t i) {
   return std::all_of(drivers.begin(), drivers.end(), [&](const Driver& one) {
     return std::abs(one.channel->values[i]) <= one.rest;
   });
-}
-
-double dot(const Values& a, const Values& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-/// Removes the share of `values` along `direction`.
-void project_out(const Values& direction, Values& values) {
-  const double square = dot(direction, direction);
-  if (!(square > 0.0)) return;
-  const double share = dot(direction, values) / square;
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= share * direction[i];
 }
 
 /// Returns the constant of the plane y = c + sum b_k x_k of least squares; 0 if the drivers hardly

@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "correlation/analysis/beyond_data.h"
+#include "correlation/analysis/test_limits.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_experiment.h"
@@ -118,6 +119,7 @@ Json warnings(const Study& study, const Sight& sight) {
     for (const LedgerDoubt& doubt : ledger.doubts)
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
         list.push_back(doubt.sentence);  // the page shows each sentence once
+  for (const std::string& limit : correlation::limits_of_tests(study)) list.push_back(limit);
   for (const std::string& words : sight.spoiled) list.push_back(words);
   for (const std::string& words : correlation::untold_in_words(study)) list.push_back(words);
   double largest = 0.0;

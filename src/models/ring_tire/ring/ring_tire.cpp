@@ -335,7 +335,7 @@ void RingTire::predict(const WheelMotion& motion, const road::Road& road, double
     section_.flow(motion.spin_rate * h * angles_.nodes() / (2.0 * std::numbers::pi));
     tread_.bend(section_);
   }
-  tread_.approach(q_predicted_, rim_, road, time, rule_);
+  tread_.approach(q_predicted_, rim_, road, time, rule_, {&q_, &v_});
   if (section_.on()) section_.touch(tread_.nodes_near_road());
 }
 

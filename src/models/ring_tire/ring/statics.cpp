@@ -99,7 +99,7 @@ Status RingTire::equilibrate(const road::Road& road, double time) {
   double left = 0.0;
   for (int renewal = 0; renewal < kRenewals; ++renewal) {
     if (renewal < kLooksAtRoad) {
-      tread_.approach(q_, rim_, road, time, rule_);
+      tread_.approach(q_, rim_, road, time, rule_, {&q_, &v_});
       if (section_.on()) section_.touch(tread_.nodes_near_road());
     }
     if (!tread_.knows_road())
