@@ -175,8 +175,8 @@ struct RollIn {
         steps(static_cast<int>(std::ceil(duration * speed / 0.012))) {}
 };
 
-/// Ranges (maximum minus minimum) of a tire's forces over the second halves of the rounds. While the
-/// slip relaxes, the range decreases from round to round. If forces vary periodically with the
+/// Ranges (maximum minus minimum) of a tire's forces over the second halves of the rounds. While
+/// the slip relaxes, the range decreases from round to round. If forces vary periodically with the
 /// rotation of the wheel, the range remains.
 class FallingRanges {
  public:
