@@ -165,8 +165,8 @@ struct RollIn {
   static constexpr int kMostRounds = 32 * kRounds;  // 115 m of path, or 11 s below 10 m/s
   // Rounds in which the car's body is held until the belts have grown.
   static constexpr int kHeld = 3;
-  // Duration of a round, s. It covers at least 0.3 m of path, after which a tire of short relaxation
-  // length has lost its initial transient.
+  // Duration of a round, s. It covers at least 0.3 m of path, after which a tire of short
+  // relaxation length has lost its initial transient.
   double duration;
   int steps;  // number of steps of a round, each 12 mm long
 

@@ -17,7 +17,7 @@ namespace latsch {
 /// mass or weight.
 double weight_in_air(const Tire& tire);
 
-/// Returns the tire with tared forces: itself if it has no weight.
+/// Returns the tire with tared forces, or the tire itself if it has no weight.
 std::unique_ptr<Tire> tared(std::unique_ptr<Tire> tire);
 
 }  // namespace latsch
