@@ -42,6 +42,12 @@ std::vector<std::string> limits_met_by(const magic_formula::Parameters& paramete
                                        const magic_formula::RangeLog& log,
                                        const Inflation& asked_pressure);
 
+/// Throws InputError at `place` if a tire has no vertical stiffness at this inflation pressure, Pa:
+/// the factor 1 + PFZ1 dpi of its stiffness is then 0 or negative.
+void refuse_soft_pressure(const magic_formula::Parameters& parameters,
+                          double pressure,
+                          const Place& place);
+
 /// Returns a sentence on why a tire that stands still has no stiffness in a direction
 /// (KnowsLimits::no_stiffness), and on the value assumed for it.
 std::string no_stiffness_of(const magic_formula::Parameters& parameters,
@@ -52,6 +58,10 @@ std::string assumed_stiffness_of(const magic_formula::Parameters& parameters,
 /// Returns a sentence if a .tir cannot distinguish conicity from ply steer
 /// (KnowsLimits::limits_backward); none if the tire has no side force at zero slip angle.
 std::vector<std::string> limits_backward_of(const magic_formula::Parameters& parameters);
+
+/// Returns a sentence that says that camber does not change the contact patch of a standing tire
+/// (KnowsLimits::limits_at_camber).
+std::vector<std::string> upright_footprint(bool rolls);
 
 /// Returns the text of a new file with these numbers and with those parts of their old file that
 /// have no effect in Latsch (formats/tire/kept_parts.h).

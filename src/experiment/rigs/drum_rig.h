@@ -45,6 +45,12 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured = {
 /// Runs any tire; the tire keeps its final state.
 Result<Channels> run(Tire& tire, const DrumTest& test);
 
+/// Returns the greatest distance, m, between the axle and the middle of an oblique cleat at which
+/// the tire may touch the cleat. It is an upper estimate, computed from half the width, m, over
+/// which the tire touches the road and from the chord of a wheel that is pressed into the road as
+/// deeply as its load may require.
+double reach_of_cleat(const DrumTest& test, double free_radius, double half_width);
+
 /// Returns a Failure if a deflection, m, exceeds the section height of any tire of this radius. If
 /// the tire's file states its rim radius, the limit is lower.
 Status check_depth(const Tire& tire, double deflection);

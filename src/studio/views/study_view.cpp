@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "correlation/analysis/beyond_data.h"
+#include "correlation/analysis/plausibility.h"
 #include "correlation/analysis/test_limits.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/study_ledgers.h"
@@ -108,15 +109,25 @@ Json failures(const TrialTable& table) {
   return list;
 }
 
+/// Returns the findings of `latsch check` about a study. If the study's file can no longer be read,
+/// as while a user edits it, returns only the findings about its model.
+std::vector<experiment::Finding> findings(const Study& study) {
+  try {
+    return correlation::implausible(study);
+  } catch (const InputError&) {
+    const experiment::SpecimenKind* kind = study.specimens->kind();
+    if (!kind) return {};
+    return experiment::findings_of_model(*kind, study.model, study.model_file);
+  }
+}
+
 /// Returns the warnings about a study before or during its run.
-Json warnings(const Study& study, const Sight& sight) {
+Json warnings(const Study& study, const Sight& sight, const std::vector<Ledger>& ledgers) {
   Json list = Json::array();
   if (!sight.error.empty()) list.push_back(sight.error);
   if (!sight.no_best.empty()) list.push_back(sight.no_best);
-  if (const experiment::SpecimenKind* kind = study.specimens->kind())
-    for (const auto& one : experiment::findings_of_model(*kind, study.model, study.model_file))
-      list.push_back(one.place.text() + ": " + one.sentence);
-  for (const Ledger& ledger : correlation::ledgers_of(study))
+  for (const experiment::Finding& one : findings(study)) list.push_back(experiment::in_words(one));
+  for (const Ledger& ledger : ledgers)
     for (const LedgerDoubt& doubt : ledger.doubts)
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
         list.push_back(doubt.sentence);  // the page shows each sentence once
@@ -246,10 +257,10 @@ Json study_view(const ShelvedStudy& shelved, StudyRuns& runs) {
     for (const auto& constraint : study.constraints)
       view["constraints"].push_back(in_words(constraint));
     view["failures"] = failures(table);
-    view["warnings"] = warnings(study, sight);
+    const std::vector<Ledger> ledgers = correlation::all_ledgers_of(study);
+    view["warnings"] = warnings(study, sight, ledgers);
     view["ledgers"] = Json::array();
-    for (const Ledger& ledger : correlation::all_ledgers_of(study))
-      view["ledgers"].push_back(correlation::json_of(ledger));
+    for (const Ledger& ledger : ledgers) view["ledgers"].push_back(correlation::json_of(ledger));
     return view;
   });
 }
