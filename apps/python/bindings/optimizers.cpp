@@ -76,11 +76,11 @@ class AskTell {
   std::unique_ptr<Optimizer> optimizer_;
   MethodChoice choice_;
   std::mutex mutex_;
-  std::optional<Counts> first_;  // of the first point that did not fail
+  std::optional<Counts> first_;  // counts at the first point that did not fail
 };
 
-/// Reads a point of the design space at which a search may evaluate the objective: finite and, up to
-/// rounding, inside the bounds.
+/// Reads a point of the design space at which a search may evaluate the objective: it is finite and,
+/// up to rounding, inside the bounds.
 DesignPoint point_of_search(const Array& at, const DesignSpace& space) {
   constexpr double kRounding = 1e-9;  // share of the range
   const DesignPoint read = point(at, space.size());

@@ -216,7 +216,7 @@ TEST_F(CarFile, HardpointsOfNoSuspensionAreDoubtedInACarAsInTheirOwnFile) {
   const auto notes = kind.notes(folder_ / "baseline.toml");
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_NE(notes[0].find("hardpoint.contact is 1000 mm beside"), std::string::npos) << notes[0];
-  // The same car as one file with its parts as tables.
+  // Check the same car again, as one file in which the parts are tables.
   const Document whole = kind.read(folder_ / "baseline.toml");
   write_text_file(folder_ / "whole.toml", kind.text(whole));
   const auto of_tables = kind.notes(folder_ / "whole.toml");
