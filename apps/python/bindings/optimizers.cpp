@@ -79,8 +79,8 @@ class AskTell {
   std::optional<Counts> first_;  // counts at the first point that did not fail
 };
 
-/// Reads a point of the design space at which a search may evaluate the objective: it is finite and,
-/// up to rounding, inside the bounds.
+/// Reads a point of the design space at which a search may evaluate the objective: it is finite
+/// and, up to rounding, inside the bounds.
 DesignPoint point_of_search(const Array& at, const DesignSpace& space) {
   constexpr double kRounding = 1e-9;  // share of the range
   const DesignPoint read = point(at, space.size());
