@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "base/document.h"
 #include "base/file.h"
@@ -23,8 +24,11 @@ template <class Measurement>
 void check(const Measurement& measurement, const CsvTable& table) {
   const auto fault = find_fault(measurement);
   if (!fault) return;
+  std::string way_out;
+  if constexpr (std::is_same_v<Measurement, LoadDeflectionCurve>)
+    way_out = way_out_of(measurement, *fault);
   throw InputError(fault->point < 0 ? Place{table.file(), 0} : table.place(fault->point),
-                   fault->message);
+                   fault->message + way_out);
 }
 
 /// The columns of a table of modes by the names in the file; empty if there is none.
