@@ -54,8 +54,14 @@ class TrialFolder {
  public:
   TrialFolder(const fs::path& scratch, const DesignPoint& point)
       : path_(scratch / fmt::format("{:016x}-{}-{}", hash(point.bits()), host_name(), ::getpid())) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
+    std::error_code error;
+    fs::remove_all(path_, error);
+    fs::create_directories(path_, error);
+    if (error)
+      throw InputError(
+          {path_.string(), 0},
+          "the folder in which the outside program runs cannot be created: " + error.message() +
+              "; copy the study's folder to a place that can be written");
   }
   ~TrialFolder() {
     std::error_code ignored;

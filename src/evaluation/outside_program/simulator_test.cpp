@@ -12,6 +12,7 @@
 #include <fstream>
 #include <thread>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "evaluation/trial/encoding.h"
@@ -147,6 +148,19 @@ TEST_F(SimulatorTest, TheFolderOfAFailedTrialIsKeptWhereThatIsAskedFor) {
   expect_contains(result.failure().reason, "its folder is ");
   const fs::path kept = fs::directory_iterator(folder_ / "scratch")->path();
   EXPECT_EQ(read_text_file(kept / "in.txt"), "k = 42\n");
+}
+
+// A file of the folder's name stands for a folder that may not be written.
+TEST_F(SimulatorTest, AFolderThatCannotBeCreatedIsToldWithAWayOut) {
+  std::ofstream(folder_ / "scratch") << "no folder";
+  std::string said;
+  try {
+    said = reason("exit 0");
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  expect_contains(said, "the folder in which the outside program runs cannot be created");
+  expect_contains(said, "copy the study's folder");
 }
 
 TEST_F(SimulatorTest, TheNextTrialRemovesTheFolderOfOneThatWasKilled) {
