@@ -6,15 +6,18 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstring>
 #include <iterator>
+#include <set>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "evaluation/outside_program/named_files.h"
 #include "evaluation/outside_program/outside_program.h"
 #include "evaluation/trial/encoding.h"
 
@@ -193,8 +196,35 @@ std::string told(const std::string& argument, const fs::path& file) {
       "{}: {} bytes, {:016x}\n", argument, size, hash(read_text_file(file, kLargestRead)));
 }
 
-/// Returns the program and the files among its arguments. This program itself is identified by its
-/// versions.
+bool is_in_study(const Simulator& simulator, const fs::path& file) {
+  const fs::path folder = fs::weakly_canonical(simulator.study_folder);
+  const fs::path relative = fs::weakly_canonical(file).lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace
+
+std::vector<fs::path> watched_files(const Simulator& simulator) {
+  std::set<std::string> of_the_trial;  // files of the trial's own folder
+  for (const Simulator::Input& input : simulator.inputs) of_the_trial.insert(input.file);
+  for (const OutputReader& output : simulator.outputs)
+    of_the_trial.insert(output.file.filename().string());
+  std::vector<fs::path> files;
+  for (const std::string& argument : command(simulator)) {
+    std::error_code ignored;
+    if (!argument.starts_with('/') || !fs::is_regular_file(argument, ignored) ||
+        !is_in_study(simulator, argument))
+      continue;
+    for (const fs::path& file : files_named_beside(argument, of_the_trial))
+      if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  }
+  return files;
+}
+
+namespace {
+
+/// Returns the program, the files among its arguments, and those that these name beside them. This
+/// program itself is identified by its versions.
 std::string program_files(const Simulator& simulator) {
   const std::vector<std::string> arguments = command(simulator);
   std::string text;
@@ -207,6 +237,8 @@ std::string program_files(const Simulator& simulator) {
     std::error_code ignored;
     if (file && fs::is_regular_file(*file, ignored)) text += told(written, *file);
   }
+  for (const fs::path& file : watched_files(simulator))
+    text += told(file.filename().string(), file);
   return text;
 }
 

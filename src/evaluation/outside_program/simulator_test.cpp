@@ -183,6 +183,27 @@ TEST_F(SimulatorTest, TheNextTrialRemovesTheFolderOfOneThatWasKilled) {
   EXPECT_TRUE(fs::exists(elsewhere));
 }
 
+TEST_F(SimulatorTest, FilesThatAScriptNamesBesideItCountAsItsOwn) {
+  const auto write = [&](const char* name, const char* text) {
+    std::ofstream(folder_ / name) << text;
+  };
+  write("main.py", "import helper  # and open(\"table.csv\")\nout.txt, in.txt\n");
+  write("helper.py", "from deep import f\n");
+  write("deep.py", "f = 1\n");
+  for (const char* other : {"table.csv", "other.py", "helper.csv", "out.txt", "in.txt", "a.latsch"})
+    write(other, "1\n");
+  Simulator python = simulator("true");
+  python.arguments = {"/bin/sh", (folder_ / "main.py").string(), "in.txt"};
+  std::vector<std::string> names;
+  for (const fs::path& file : watched_files(python)) names.push_back(file.filename().string());
+  EXPECT_EQ(names, (std::vector<std::string>{"deep.py", "helper.py", "table.csv"}));
+  const StudyIdentity before = identity(python, simulator_space());
+  write("other.py", "2\n");
+  EXPECT_FALSE(difference(before, identity(python, simulator_space())));
+  write("deep.py", "f = 2\n");
+  expect_contains(*difference(before, identity(python, simulator_space())), "deep.py");
+}
+
 TEST_F(SimulatorTest, ItsIdentityIsProgramInputsReadersAndUnits) {
   const Simulator one = simulator("true");
   Simulator other = one;
