@@ -13,8 +13,11 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/slip/flat_track.h"
+#include "experiment/rigs/slip/lift_watch.h"
+#include "experiment/rigs/static_stiffness.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
+#include "models/tire/tared_tire.h"
 
 namespace latsch::experiment {
 namespace {
@@ -187,6 +190,41 @@ TEST_P(EveryTire, OnTheDrumTheFrameIsTheSame) {
   for (std::size_t i = 0; i < C["Fz"].size(); ++i)
     EXPECT_NEAR(
         H["Fz"][i], std::sin(test.camber) * C["Fy"][i] + std::cos(test.camber) * C["Fz"][i], 1e-9);
+}
+
+/// Expects the road to carry the load of a test, standing and rolling, and the rig to record it.
+void expect_load_of_the_test(std::unique_ptr<Tire> tire) {
+  constexpr double kLoad = 400.0;  // N; a belt weighs some tens of newtons
+  const auto standing = tared(tire->clone());
+  ASSERT_TRUE(height_under_load(*standing, road::PlaneRoad(), Eigen::Matrix3d::Identity(), kLoad));
+  EXPECT_NEAR(*standing->road_load(), kLoad, 0.01);
+  const auto force = load_at(*standing, 0.004);
+  ASSERT_TRUE(force) << force.failure().reason;
+  EXPECT_NEAR(*force, *standing->road_load(), 0.01);
+  LiftLog lifts;
+  const auto rolling = watched(std::move(tire), lifts);
+  const auto channels =
+      run(*rolling, SlipSweep{.load = kLoad, .alpha_to = 0.01, .duration = 0.1, .step = 1e-3});
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  EXPECT_NEAR((*channels)["Fz"].back(), kLoad, 1.0);
+  EXPECT_NEAR(*rolling->road_load(), kLoad, 2.0);
+}
+
+// A rigid ring of a .tir with gravity stood under its load and the weight of its belt.
+TEST_P(EveryTire, StandsAndRollsUnderTheLoadOfTheTest) {
+  expect_load_of_the_test(tire());
+  EXPECT_NEAR(weight_in_air(*tire()), GetParam() == "rigid_ring" ? 7.0 * 9.81 : 0.0, 1e-9);
+}
+
+TEST(EveryTireWithWeight, AFlexibleRingWithGravityStandsUnderTheLoadOfTheTest) {
+  const SpecimenKind& kind = *language().find_kind("ring_tire");
+  Document numbers = kind.read(std::filesystem::path(LATSCH_SOURCE_DIR) /
+                               "studies/ring_tires/passenger_205_55R16.toml");
+  numbers.set("belt.gravity", 9.81);
+  numbers.set("tread.blocks", 6.0);
+  const auto tire = [&] { return kind.build(numbers)->find<Rolls>()->tire(); };
+  EXPECT_NEAR(weight_in_air(*tire()), 4.52276 * 9.81, 1e-3);
+  expect_load_of_the_test(tire());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds,

@@ -37,6 +37,14 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
         "while that of a finite-element tire falls (docs/ring_tire.md); belt.bending_across lets "
         "the sections bend"};
   }
+  /// A flat tread leans on the edge that camber presses; a real one leans on its crown.
+  std::vector<std::string> limits_at_camber(bool rolls) const override {
+    if (!rolls || parameters_.tread.crown_radius > 0.0) return {};
+    return {
+        "the tread of this flexible ring is flat across (tread.crown_radius is 0): a cambered "
+        "wheel that rolls on it may be pushed to the side that it leans away from, which no tire "
+        "does; tread.crown_radius gives it a crown"};
+  }
   double felt_half_width() const override { return 0.5 * parameters_.tread.width; }
   std::optional<double> tread_half_width() const override { return felt_half_width(); }
   std::vector<std::string> limits_across() const override {
@@ -65,7 +73,7 @@ class RingTireKind : public SpecimenKind {
   std::string name() const override { return "ring_tire"; }
   std::string in_words() const override { return "flexible ring"; }
   std::string file() const override { return "a TOML file with kind = \"ring_tire\""; }
-  int version() const override { return 10; }
+  int version() const override { return 11; }
   std::vector<std::string> abilities() const override { return abilities_of<RingSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }

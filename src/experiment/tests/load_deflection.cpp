@@ -13,6 +13,7 @@
 #include "experiment/rigs/static_stiffness.h"
 #include "experiment/tests/test_kinds.h"
 #include "models/road/plane_road.h"
+#include "models/tire/tared_tire.h"
 
 namespace latsch::experiment {
 namespace {
@@ -103,7 +104,7 @@ Result<Channels> LoadDeflectionTest::run(Specimen& specimen) const {
 
 Result<Channels> LoadDeflectionTest::run_with_slopes(Specimen& specimen, const Asked& asked) const {
   if (auto* pressed = specimen.find<IsPressed>()) return pressed->press(test_, asked);
-  const auto pressed = press_rolling(*specimen.find<Rolls>()->tire(test_.pressure), test_);
+  const auto pressed = press_rolling(*tared(specimen.find<Rolls>()->tire(test_.pressure)), test_);
   if (pressed) stood_under(specimen, (*pressed)["force"]);
   return pressed;
 }

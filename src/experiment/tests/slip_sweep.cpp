@@ -42,7 +42,7 @@ Channels thinned(const Channels& all, long every) {
   return kept;
 }
 
-class SlipSweepTest : public Test {
+class SlipSweepTest : public Test, public TellsLimits {
  public:
   SlipSweepTest(const SlipSweep& sweep, double sample_step)
       : sweep_(sweep), sample_step_(sample_step) {}
@@ -87,11 +87,16 @@ class SlipSweepTest : public Test {
     return thinned(*channels, std::lround(sample_step_ / sweep_.step));
   }
 
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return limits_of_camber(specimen, sweep_.camber, /*rolls=*/true);
+  }
+
   /// Says if the sweep is too short for the tire to follow it.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     auto notes = Test::run_in_blocks(specimen, tell);
     if (!notes) return notes;
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
     constexpr double kRadii = 10.0;  // a relaxation length is about a radius
     const double rolled = sweep_.speed * sweep_.duration;
     const double radius = specimen.find<Rolls>()->tire(sweep_.pressure)->free_radius();

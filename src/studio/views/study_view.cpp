@@ -12,6 +12,7 @@
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_experiment.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 #include "experiment/language/usual_numbers.h"
 #include "studio/views/json_values.h"
@@ -57,7 +58,7 @@ Json experiments(const Study& study, const TrialTable& table, std::optional<std:
     if (experiment.fitted && parts) {
       const double target = weighting.target(*parts);
       share = target > 0.0 ? finite(weighting.share(*parts, fitted) / target) : Json(nullptr);
-      error = finite(parts->mean_errors[fitted]);
+      error = finite(parts->errors[fitted]);
     }
     if (experiment.fitted) ++fitted;
     list.push_back({{"name", experiment.name},
@@ -69,7 +70,8 @@ Json experiments(const Study& study, const TrialTable& table, std::optional<std:
                     {"weight", experiment.objective.weight},
                     {"exponent", experiment.objective.exponent},
                     {"values", experiment.values()},
-                    {"mean_error", error},
+                    {"measure", measure_in_words(experiment)},
+                    {"error", error},
                     {"share", share}});
   }
   return list;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "models/tire/free_wheel.h"
+#include "models/tire/tared_tire.h"
 
 namespace latsch {
 namespace {
@@ -91,7 +92,7 @@ std::string LiftLog::sentence() const {
 }
 
 std::unique_ptr<Tire> watched(std::unique_ptr<Tire> tire, LiftLog& log) {
-  return std::make_unique<WatchedTire>(std::move(tire), log);
+  return std::make_unique<WatchedTire>(tared(std::move(tire)), log);
 }
 
 }  // namespace latsch

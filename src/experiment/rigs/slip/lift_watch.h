@@ -28,7 +28,8 @@ class LiftLog {
   bool off_ = false;                               // in the last step
 };
 
-/// Returns the tire with a log of its steps. The log has to live longer than the tire.
+/// Returns the tire on a tared rig (tared_tire.h) with a log of its steps. The log has to live
+/// longer than the tire.
 std::unique_ptr<Tire> watched(std::unique_ptr<Tire> tire, LiftLog& log);
 
 }  // namespace latsch
