@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A tire on a rig whose load cell was tared with the wheel in the air: its forces do not include
-// the weight of the belt, which the hub carries there. Fz of the hub at rest is then the load of the
-// road, for a tire without mass, a rigid ring with its belt's weight and a flexible ring alike.
+// the weight of the belt, which the hub carries there. Fz of the hub at rest is then the load of
+// the road, for a tire without mass, a rigid ring with its belt's weight and a flexible ring alike.
 //
 // Only the vertical force is tared. The weight of an imbalance still turns the wheel.
 #pragma once
