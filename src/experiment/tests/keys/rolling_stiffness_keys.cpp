@@ -24,11 +24,15 @@ camber stiffness      C_γ = -(Fy(γ) - Fy(-γ))/2γ, above 0: toward the side i
 
 Forces are in W (NOTATION.md). Each difference includes the reduction of C by friction at that
 slip.
+
+The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
+a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is
+that of the road on the tire.
 )md",
       .sentences =
           {
               {"load",
-               "Load of the wheel; the mean of the channel Fz if it comes from a measurement."},
+               "Load of the road; the mean of the channel Fz if it comes from a measurement."},
               {"measures",
                "Stiffnesses to determine, of \"slip\", \"cornering\" and \"camber\". Channels are "
                "\"slip_stiffness\" (N), \"cornering_stiffness\" (N/rad) and \"pneumatic_trail\" "
