@@ -44,9 +44,9 @@ that of the road on the tire.
               {"angle", "Slip angle to both sides of free rolling."},
               {"camber", "Camber to both sides of the upright wheel."},
               {"step",
-               "Step of the simulation; from 144 km/h on a shorter one, which moves the tire by 20 "
+               "Step of the simulation; from 72 km/h on a shorter one, which moves the tire by 10 "
                "mm.",
-               "`\"0.0005 s\"`, less from 144 km/h on"},
+               "`\"0.0005 s\"`, less from 72 km/h on"},
           },
       .samples =
           {
