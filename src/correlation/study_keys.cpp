@@ -149,6 +149,7 @@ class SampleFolder {
              {"beam.txt", "modulus {modulus}\n"},
              {"old.latsch", ""},
              {"force.csv", "deflection [mm],force [N]\n5,1000\n10,2100\n"},
+             {"two_runs.csv", "run1.Fz [N],run2.Fz [N]\n4000,4010\n3990,4005\n"},
              {"lengths.csv", "length [mm]\n112\n139\n"},
              {"modes.csv", "frequency [Hz],n,type\n54,0,torsional\n70,1,radial\n"},
              {"mode_shapes.csv",

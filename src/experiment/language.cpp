@@ -39,7 +39,8 @@ const Language& language() {
                                 &kKerbTest,
                                 &kAxleKcTest,
                                 &kMassPropertiesTest,
-                                &kInflationTest}};
+                                &kInflationTest,
+                                &kRollingTest}};
   return all;
 }
 

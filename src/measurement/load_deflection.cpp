@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measurement/load_deflection.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/text.h"
@@ -10,6 +12,25 @@ namespace {
 
 std::string name(Abscissa abscissa) {
   return abscissa == Abscissa::deflection ? "deflection" : "loaded_radius";
+}
+
+/// Returns the way out of rows that are no points of a curve.
+std::string way_out(const std::string& key, const std::string& statement) {
+  return fmt::format(
+      "; {} = {{{}}} in a [measurement.NAME] of the file keeps the others", key, statement);
+}
+
+/// Returns the window of the positions above 0, for `select`; empty if there is none.
+std::string above_zero(const LoadDeflectionCurve& curve) {
+  double least = 0.0;
+  for (const double position : curve.position)
+    if (position > 0.0 && (least == 0.0 || position < least)) least = position;
+  constexpr double kPerMm = 1e-3;
+  return least == 0.0 ? ""
+                      : way_out("select",
+                                fmt::format("{} = \"{} mm ..\"",
+                                            name(curve.abscissa),
+                                            format_number(0.5 * least / kPerMm, 3)));
 }
 
 /// Returns "" if the value is finite and positive (or zero, if `zero_allowed`), else the fault.
@@ -33,7 +54,7 @@ std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve) {
          {fault_of(position, curve.position[i], "m", false),
           fault_of("force", curve.force[i], "N", false),
           curve.spread.empty() ? "" : fault_of("spread", curve.spread[i], "N", true)})
-      if (!fault.empty()) return MeasurementFault{point, fault};
+      if (!fault.empty()) return MeasurementFault{point, fault + above_zero(curve)};
     if (i == 0) continue;
     const bool rising = curve.position[1] > curve.position[0];
     if (rising ? curve.position[i] <= curve.position[i - 1]
@@ -41,7 +62,8 @@ std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve) {
       return MeasurementFault{point,
                               position + " is " + format_number(curve.position[i]) + " m after " +
                                   format_number(curve.position[i - 1]) +
-                                  " m, expected values that all rise or all fall"};
+                                  " m, expected values that all rise or all fall" +
+                                  way_out("sweep", position + " = \"rising\"")};
   }
   return std::nullopt;
 }

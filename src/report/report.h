@@ -38,15 +38,16 @@ struct ExperimentRow {
                          // it is not 1
   bool fitted = true;    // false: predicted only
   double weight = 1.0;
-  int values = 0;                            // number of measured values compared
-  double value = 0.0;                        // T_e
-  double mean_error = 0.0;                   // mean |dF| or mean |df|
-  double largest_error = 0.0;                // largest |dF| or |df|
-  std::optional<double> initial_mean_error;  // at the initial values of the variables
-  /// T_e as an error in its own measure, 1 = 100 %: the RMS if T_e is a mean square.
+  int values = 0;              // number of measured values compared
+  double value = 0.0;          // T_e
+  double mean_error = 0.0;     // mean |dF| or mean |df|
+  double largest_error = 0.0;  // largest |dF| or |df|
+  /// T_e as an error in its own measure, 1 = 100 %: the RMS if T_e is a mean square. It is the
+  /// number that every page shows.
   double error = 0.0;
-  std::string measure = "mean";  // name of the measure: "RMS"
-  std::string whole = "";        // size of 100 % if it is equal for all values: "4000 N"
+  std::optional<double> initial_error = {};  // likewise at the initial values of the variables
+  std::string measure = "mean";              // name of the measure: "RMS"
+  std::string whole = "";  // size of 100 % if it is equal for all values: "4000 N"
   /// Least error that an earlier stage of the fit left, and its name; empty if no stage counts.
   std::string own_stage = "";
   double own_stage_error = 0.0;

@@ -17,6 +17,9 @@ void reject_implausible(const correlation::Study& study);
 
 /// Warns of all of them and refuses none, for a single trial.
 void warn_of_implausible(const correlation::Study& study);
+/// Warns of limits that a model met in a trial, but not of those of limits_of_tests(), of which a
+/// verb warns before the trial.
+void warn_of_limits_met(const correlation::Study& study, const std::vector<std::string>& limits);
 /// Warns of and refuses numbers of the file of a model alone; also warns of its faults beyond the
 /// data that it was fitted to.
 void examine_model(const experiment::SpecimenKind& kind,

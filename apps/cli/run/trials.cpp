@@ -23,6 +23,7 @@
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_change.h"
 #include "correlation/study_report/study_report.h"
+#include "correlation/target/failed_trials.h"
 #include "correlation/target/trial_ownership.h"
 #include "evaluation/journal/local_file_system.h"
 #include "evaluation/journal/readable_journal.h"
@@ -263,6 +264,17 @@ std::string report_page(const correlation::Study& study,
 
 namespace {
 
+/// Says why trials failed, as a warning if the failures decide the result.
+void print_failures(const correlation::FailedTrials& failures) {
+  for (const auto& [reason, trials] : failures.reasons)
+    answer()["failures"].push_back({{"reason", reason}, {"trials", trials}});
+  const std::string words = correlation::in_words(failures);
+  if (failures.is_doubtful())
+    warn(words);
+  else if (!words.empty())
+    say("{}\n", words);
+}
+
 /// `change` says how the study's files have changed since they were read; empty: not at all.
 int write_page(const correlation::Study& study,
                const Journal& journal,
@@ -288,6 +300,7 @@ int write_page(const correlation::Study& study,
       file.string(),
       journal.file().string(),
       correlation::in_words(counts));
+  print_failures(correlation::failed_trials(weighted, journal));
   return kDone;
 }
 

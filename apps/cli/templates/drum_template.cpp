@@ -272,6 +272,13 @@ class DrumPassage {
         plateau_(plateau),
         name_(fmt::format("{}_{:.0f}kph", run.name, 3.6 * plateau.plateau.mean)),
         table_("average_" + correlation::plateau_name(run.name, plateau.plateau.target) + ".csv") {
+    for (const auto& channel : plateau.channels) {
+      const auto known = recognized(channel.name);
+      const bool is_force = known && known->channel.size() == 3 && known->meaning->unit == "N";
+      if (is_force) frames_.push_back(known->channel.substr(2));
+    }
+    std::sort(frames_.begin(), frames_.end());
+    frames_.erase(std::unique(frames_.begin(), frames_.end()), frames_.end());
     const auto& force = plateau.force();
     const double mean = std::accumulate(force.begin(), force.end(), 0.0) / std::ssize(force);
     hit_ = std::max_element(
@@ -312,19 +319,30 @@ class DrumPassage {
     return fmt::format(
         "kind = \"drum_cleat\"\nspeed = {}\nload = {}           # at rest; rolling in front of the "
         "hit it is {}\n"
-        "drum_diameter = {}\nlead = \"{:.0f} ms\"\nduration = \"{:.0f} ms\"\ncleat = {}\n",
+        "drum_diameter = {}\nlead = \"{:.0f} ms\"\nduration = \"{:.0f} ms\"\ncleat = {}\n{}",
         in_quotes(format_quantity(speed(), "km/h", 5)),
         in_quotes(format_quantity(load_at_rest(), "N", 4)),
         format_quantity(std::abs(load()), "N", 4),
         in_quotes(format_quantity(diameter, "m", 5)),
         1e3 * (before_ + room()),
         1e3 * (before_ + behind_ + 2.0 * room()),
-        cleat);
+        cleat,
+        frames_.empty() ? ""
+                        : fmt::format("frame = [\"{}\"]   # that of the columns' names\n",
+                                      fmt::join(frames_, "\", \"")));
+  }
+
+  /// Returns the name of a channel of the test: "Fz", or with its frame if the record has several.
+  std::string in_test(std::size_t i, const std::string& ours) const {
+    if (frames_.size() < 2) return ours;
+    const auto known = recognized(channel(i));
+    const bool has_frame = known && known->channel.size() == 3;
+    return ours + (has_frame ? known->channel.substr(2) : frames_.front());
   }
 
   /// Finds the shift with the greatest similarity between record and simulation, and keeps both.
   void align(const Channels& simulated, double sign) {
-    const auto &time = simulated["time"], &force = simulated["Fz"];
+    const auto &time = simulated["time"], &force = simulated[in_test(0, "Fz")];
     for (double moved = -kFarthest; moved <= kFarthest; moved += kShiftStep) {
       const double alike = sign * correlation_at(time, force, moved);
       if (alike <= alike_) continue;
@@ -339,7 +357,7 @@ class DrumPassage {
   /// The known ring has another force when it rolls than at rest; the measured tire is assumed to
   /// have the same ratio.
   void learn_rolling_load(const Channels& simulated) {
-    const auto &time = simulated["time"], &force = simulated["Fz"];
+    const auto &time = simulated["time"], &force = simulated[in_test(0, "Fz")];
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < time.size() && time[i] < -kQuiet; ++i, ++count) sum += force[i];
@@ -366,7 +384,7 @@ class DrumPassage {
         "measurement = \"{0}\"\ncompare = \"about_mean\"\nexponent = 2\nnoise = \"{2:.3g} N\"\n"
         "nuisance = {{delay = \"free\"}}\n",
         name_,
-        ours,
+        in_test(i, ours),
         std::max(noise(i), 1e-3));
   }
 
@@ -391,26 +409,12 @@ class DrumPassage {
   double rate_;
   const ProcessedPlateau& plateau_;
   std::string name_, table_;
+  std::vector<std::string> frames_;  // of the columns' names; empty: they state none
   long hit_ = 0;
   double before_ = 0.0, behind_ = 0.0;  // s, the window around the hit
   double moved_ = 0.0, alike_ = 0.0;
   double at_rest_ = 1.0;  // ratio of the load at rest to that of rolling
 };
-
-/// Processes the recordings of a rig file that was just written. If that fails, no file remains
-/// that would look like a result.
-std::pair<RigFile, correlation::RigResults> processed(const fs::path& file) {
-  try {
-    RigFile rig = correlation::read_rig_file(file);
-    auto results = correlation::process(rig, [](long, long, const std::string&) {});
-    return {std::move(rig), std::move(results)};
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(file, ignored);
-    fs::remove(file.parent_path(), ignored);  // only if it is empty
-    throw;
-  }
-}
 
 /// Returns the drum's diameter, stated or computed from speed and period, and adds remarks about
 /// it.
@@ -501,7 +505,8 @@ DrumStudy drum_study(const DrumRecordings& recordings,
   written.rig = rig_text(
       recordings, columns, speeds_in(read, recordings, columns, diameter), diameter, folder);
   write_text_file(folder / "rig.toml", written.rig);
-  const auto [rig, results] = processed(folder / "rig.toml");
+  const RigFile rig = correlation::read_rig_file(folder / "rig.toml");
+  const auto results = correlation::process(rig, [](long, long, const std::string&) {});
   correlation::write_rig_tables(rig, results, folder / "rig_processed");
   for (const std::string& doubt : correlation::doubts_of(rig, results))
     written.words.push_back("caution: " + doubt);

@@ -136,8 +136,7 @@ class ExactFit(unittest.TestCase):
 
     def test_exact_values_beside_one_far_off_have_intervals_as_narrow_as_the_corner(self):
         """The corner of the loss limits how far one wrong value moves the fit; the intervals contain the truth and do
-        not depend on the start or on how far off the value is. At an end of the curve Huber's loss leaves residuals
-        that share noise, and intervals are open there, which is not tested."""
+        not depend on the start or on how far off the value is."""
         starts = [{"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)}, {"a": (0, 10, 0), "b": (-5, 0, 0), "c": (0, 2, 2)},
                   {"a": (0, 10, 10), "b": (-5, 0, -5), "c": (0, 2, 0)}]
         cases = [("huber", 2, -50.0), ("cauchy", 2, 3.0), ("cauchy", 4, 1.0)]
@@ -158,6 +157,17 @@ class ExactFit(unittest.TestCase):
                 for one, other in zip(halves[0], half):
                     # An identification moves its center for what changes an interval by more than a sixth.
                     self.assertAlmostEqual(other / one, 1.0, delta=1 / 6, msg=f"{loss}, {off}")
+
+    def test_a_wrong_value_at_the_end_of_a_curve_leaves_the_intervals_closed(self):
+        """With Huber's loss the wrong value pulls the fit by its leverage, which is largest at the end of the curve, and
+        takes a second value beyond the corner. The intervals are wider for it, contain the truth and come from the data."""
+        words, answer = self.fit({"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)},
+                                 measured=lambda t: exponential(t) + (3.0 if t == 0 else 0),
+                                 more='loss = "huber"\nloss_scale = "1 %"\nscale = "2.5 N"')
+        self.assertNotIn("anywhere", words)
+        self.assertIn("2 of 21 values lie beyond the corner of their loss", words)
+        self.assert_known(answer, to=1.5)
+        self.assertEqual({row["interval_from"] for row in answer["variables"]}, {"data"})
 
     def test_no_value_beyond_the_corner_is_least_squares(self):
         variables = {"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)}

@@ -226,6 +226,13 @@ class Files(FileCase):
         self.assertRegex(text, r'no channels: .*kerbs.csv:2')
         self.assertRegex(text, r"exit +800")
 
+    def test_utf_16_is_named_by_every_reader(self):
+        for name in ("t.tir", "t.bus", "t.rdf", "t.crg", "t.inp", "t.toml", "t.csv", "t.tdx", "t.dat"):
+            for mark in ("\ufeff", ""):
+                (self.folder / name).write_bytes((mark + "[UNITS]\nLENGTH = 'meter'\n").encode("utf-16-le"))
+                with self.subTest(f"{name} {bool(mark)}"):
+                    self.assertIn("is UTF-16 text, expected UTF-8", self.latsch("show", self.folder / name, code=WRONG_INPUT))
+
     def test_bad_files_are_named_with_their_line(self):
         self.assertIn('expected ".bus", ".crg"', self.latsch("show", self.write("a.xyz", ""), code=WRONG_INPUT))
         torso = self.write("torso.tdx", "**HEADER\n**MEASURCHANNELS\n")

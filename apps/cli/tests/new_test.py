@@ -145,6 +145,18 @@ class New(unittest.TestCase):
                     self.folder / "kerb.csv")
         self.latsch("new", self.folder / "both", "--car", "--suspension", code=WRONG_INPUT)
 
+    def test_the_size_of_the_inflated_tire_is_said(self):
+        """A passenger tire hardly grows, the soft race tire by three per cent; both are those of the test of inflation."""
+        for size, grows in (("20.5x7.0-13", (2.0, 5.0)), ("205/55R16", (-1.0, 1.0))):
+            folder = self.folder / re.sub(r"\W", "_", size)
+            said = self.latsch("new", folder, "--size", size)
+            found = re.search(r"the tire is ([\d.]+) mm high .* and ([\d.]+) mm wide, ([+-][\d.]+) % of the diameter of its size", said)
+            self.assertTrue(found, said)
+            measured = json.loads(self.latsch("test", folder / "tire.toml", '{kind = "inflation"}', "--json"))["result"]["channels"]
+            radius = next(one["values"][0] for one in measured if one["name"] == "outer_radius")
+            self.assertAlmostEqual(float(found[1]), 2e3 * radius, delta=0.06)
+            self.assertTrue(grows[0] < float(found[3]) < grows[1], said)
+
     def test_sizes_that_make_no_tire(self):
         for size, said in (("275", "expected a size such as"), ("325/80R13", "there is no template near it"),
                            ("205/15R16", "there is no template near it"), ("13x2-10", "there is no template near it")):

@@ -156,6 +156,8 @@ class Simulators(Outside):
         self.assertGreater(self.found(text, "x"), 0.5)
         self.assert_says((self.folder / "study.html").read_text(), "took more than the 0.7 s allowed")
         self.assertRegex(text, r"[1-9]\d* failed")
+        self.assertRegex(text, r"\d+ of \d+ trials failed: \d+ because: took more than the 0\.7 s allowed.*raise timeout in \[run\]")
+        self.assertRegex(self.latsch("check", study), r"trials failed: .*took more than the 0\.7 s allowed")
 
     def test_an_interrupt_also_ends_what_cannot_be_asked(self):
         """Checks a run that writes its page to a pipe that nobody reads."""
@@ -197,10 +199,12 @@ class Simulators(Outside):
         study = self.study("quarter_car")
         edit(study, ("step_tolerance = .*", "max_steps = 12"), (r"\[run\]", "[run]\nintervals = false"), ("timeout = .*", 'timeout = "0.6 s"'))
         edit(study.parent / "quarter_car.py", (r"    state = \(", '    if car["damper"] < 2500: import time; time.sleep(1.2)\n    state = ('))
-        self.latsch("run", study)
+        self.assertRegex(self.latsch("run", study), r"trials failed: .*took more than the 0\.6 s")
         self.assert_says((study.parent / "study.html").read_text(), "took more than the 0.6 s")
         edit(study, ("timeout = .*", 'timeout = "20 s"'))
-        self.assert_says(self.latsch("resume", study), "failed at a limit which is now higher")
+        text = self.latsch("resume", study)
+        self.assert_says(text, "failed at a limit which is now higher")
+        self.assertNotIn("trials failed:", text)
 
     def test_stages_and_a_start_in_the_journal_survive_a_kill(self):
         study = self.study("quarter_car")

@@ -155,6 +155,30 @@ class Serve(Coarse):
         self.assertTrue(any(frame["frequency"] for frame in head["frames"]))
         self.assertTrue(page.get("/api/section?study=study.toml")["polygons"])
 
+    def test_states_outside_the_ranges_of_a_tire_are_warnings_of_the_page_as_of_the_terminal(self):
+        tire = self.folder / "tire"
+        tire.mkdir()
+        text = (SOURCE / "studies/tire_model_comparison/magic_formula.tir").read_text().replace("USE_MODE = 14", "USE_MODE = 124")
+        (tire / "mf.tir").write_text(text + "\n[VERTICAL_FORCE_RANGE]\nFZMIN = 0\nFZMAX = 3000\n")
+        rows = "".join(f"{fz},{a},{-900.0 * a}\n" for fz in (2000, 4000) for a in (-2, -1, 0, 1, 2))
+        (tire / "m.csv").write_text("Fz [N],alpha [deg],Fy [N]\n" + rows)
+        (tire / "study.toml").write_text(
+            'model = "mf.tir"\n[measurement.m]\nfile = "m.csv"\naxes = "iso"\n[test.t]\nkind = "steady_states"\n'
+            'states = {from = "measurement.m"}\n[variable.v]\npath = "PKY1"\nlower = -40\nupper = -5\ninitial = -20\n'
+            '[experiment.Fy]\nkind = "curve"\ny = "t/Fy"\nmeasurement = "m"\nnoise = "10 N"\n[optimizer]\nmax_steps = 20\n')
+        words = "5 of 10 states lie outside of the ranges of the tire's file"
+        run = subprocess.run([LATSCH, "run", tire / "study.toml", "--json"], capture_output=True, text=True)
+        answer = json.loads(run.stdout)
+        self.assertEqual(sum(words in warning["message"] for warning in answer["warnings"]), 1, answer["warnings"])
+        self.assertEqual(sum(words in limit for limit in answer["result"]["limits"]), 1)
+        self.assertTrue(any("USE_MODE is 124" in warning["message"] for warning in answer["warnings"]), answer["warnings"])
+        page = self.serve()
+        page.wait("/api/home", lambda view: len(view["studies"]) > 1)
+        warnings = page.get("/api/study?study=tire/study.toml")["warnings"]
+        for expected in (words, "USE_MODE is 124"):
+            self.assertEqual(sum(expected in warning for warning in warnings), 1, warnings)
+        self.assertEqual(sum(words in limit for limit in page.get("/api/limits?study=tire/study.toml&trial=best")["limits"]), 1)
+
     def test_a_corner_is_shown_under_the_loads_of_its_tests(self):
         shutil.copytree(SOURCE / "studies/compliance", self.folder / "corner",
                         ignore=shutil.ignore_patterns("rear_axle", "*.latsch*"))

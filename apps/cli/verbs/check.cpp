@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -32,7 +31,8 @@
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/derivative_check.h"
-#include "correlation/target/study_trials.h"
+#include "correlation/target/estimated_noise.h"
+#include "correlation/target/failed_trials.h"
 #include "evaluation/journal/journal.h"
 #include "evaluation/journal/local_file_system.h"
 #include "experiment/language/model_file.h"
@@ -131,23 +131,14 @@ void print_trials_so_far(const Study& study) {
     return;
   }
   const Study weighted = correlation::with_estimated_noise(study, journal);
-  const Objective target = correlation::objective(weighted);
-  std::map<std::string, long> reasons;
-  journal.for_each([&](const Trial& trial) {
-    const auto& result = trial.outcome.result;
-    const auto score = result ? target(trial.point, *result) : Result<Score>(result.failure());
-    if (!score) ++reasons[score.failure().reason];
-  });
+  const correlation::FailedTrials failures = correlation::failed_trials(weighted, journal);
   const correlation::TrialCounts counts = correlation::count_trials(weighted, journal);
   answer_counts(counts);
-  const std::pair<const std::string, long>* most = nullptr;
-  for (const auto& reason : reasons) {
-    if (!most || reason.second > most->second) most = &reason;
-  }
   say("{} trials so far, {} of them without a target{}\n",
       counts.trials,
       counts.failed,
-      most ? ", most often because: " + most->first : "");
+      failures.reasons.empty() ? "" : ", most often because: " + failures.reasons.front().first);
+  if (failures.timed_out > 0) warn(correlation::in_words(failures), {study.file.string(), 0});
   if (counts.foreign > 0) say("{}\n", correlation::in_words(counts));
   const std::string why = correlation::why_no_best(weighted, journal);
   if (!why.empty()) warn(why, {study.file.string(), 0});

@@ -6,12 +6,15 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/random.h"
 #include "base/units.h"
+#include "cli/console/answers.h"
 #include "cli/console/console.h"
+#include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
 #include "cli/templates/car_template.h"
 #include "cli/templates/drum_template.h"
@@ -20,10 +23,13 @@
 #include "cli/templates/sized_tire.h"
 #include "cli/templates/study_template.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/twin.h"
+#include "experiment/language.h"
 #include "formats/tables/measurement_file.h"
+#include "models/fe_tire/description/size_designation.h"
 
 namespace latsch::cli {
 namespace {
@@ -127,6 +133,41 @@ fs::path new_study(const fs::path& folder) {
   return study;
 }
 
+/// Files that are being written for a study. Unless the study turns out to be good, those that did
+/// not exist before are removed: `latsch new` leaves a study that can be read, or nothing.
+class Unfinished {
+ public:
+  Unfinished(const fs::path& folder, const std::vector<std::string>& names) : folder_(folder) {
+    for (const std::string& name : names) {
+      files_.push_back(folder / name);
+      if (!fs::exists(files_.back())) new_files_.push_back(files_.back());
+    }
+    was_there_ = fs::exists(folder);
+  }
+  ~Unfinished() {
+    if (is_good_) return;
+    std::error_code ignored;
+    for (const fs::path& file : new_files_) fs::remove_all(file, ignored);
+    if (!was_there_) fs::remove(folder_, ignored);  // only if it is empty
+  }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+
+  /// Reads the study and reports the files. Throws InputError for what `latsch check` refuses.
+  correlation::Study finish(const fs::path& study, const experiment::Language& language) {
+    correlation::Study read = correlation::read_study(study, language);
+    correlation::refuse_doubtful(correlation::all_ledgers_of(read));
+    is_good_ = true;
+    for (const fs::path& file : files_) say_written(file.string());
+    return read;
+  }
+
+ private:
+  fs::path folder_;
+  std::vector<fs::path> files_, new_files_;
+  bool was_there_ = false, is_good_ = false;
+};
+
 double length_of(const std::string& text) {
   const auto quantity = parse_quantity(text);
   if (!quantity || si_unit(quantity->unit.dimension()) != "m" || !(quantity->si > 0.0))
@@ -141,11 +182,13 @@ void start_magic_formula(const NewOptions& options, const experiment::Language& 
   test.held_out = held_out_of(options.held_out);
   if (!options.radius.empty()) test.unloaded_radius = length_of(options.radius);
   const MagicFormulaStudy written = magic_formula_study(test, folder);
+  Unfinished files(folder, {"tire.tir", "study.toml"});
   fs::create_directories(folder);
-  write(folder / "tire.tir", written.tire);
-  write(study, written.study);
+  write_text_file(folder / "tire.tir", written.tire);
+  write_text_file(study, written.study);
+  const auto read = files.finish(study, language);
   for (const std::string& word : written.words) say("  {}\n", word);
-  correlation::read_study(study, language);
+  say_ledgers(correlation::ledgers_of(read), LinesTo::output, "Files");
   say("\nNext\n"
       "  latsch show {0}                         what is used of the recordings\n"
       "  latsch run {0}                          fits, stage by stage\n"
@@ -172,10 +215,11 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
         "to "
         "MODEL begins at the values of the known ring");
   }
+  Unfinished files(folder, {"ring.toml", "study.toml"});
   fs::create_directories(folder);
-  write(folder / "ring.toml", written.ring);
-  write(study, written.study);
-  correlation::read_study(study, language);
+  write_text_file(folder / "ring.toml", written.ring);
+  write_text_file(study, written.study);
+  files.finish(study, language);
   say("\n{1}\n"
       "  latsch run {0}                          finds the numbers\n"
       "  latsch identify {0}                     what the data do not determine, what would "
@@ -228,6 +272,7 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
     throw InputError(
         "--drum: no recording contains the cleat's size; expected --cleat \"10 mm x 20 mm\" "
         "beside it, its height and its length along the road");
+  Unfinished files(folder, {"rig.toml", "rig_processed", "ring.toml", "study.toml"});
   fs::create_directories(folder);
   const DrumStudy written = drum_study({{options.drum.begin(), options.drum.end()},
                                         options.cleat,
@@ -237,20 +282,49 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
                                        known,
                                        folder,
                                        language);
-  say_written((folder / "rig.toml").string());
-  say_written((folder / "rig_processed").string());
-  write(folder / "ring.toml", written.ring);
-  write(study, written.study);
+  write_text_file(folder / "ring.toml", written.ring);
+  write_text_file(study, written.study);
+  const auto read = files.finish(study, language);
   for (const std::string& word : written.words) say("  {}\n", word);
   if (options.known.empty())
     say("  ring.toml is the published ring of a 205/55 R16 tire; give your own by --known RING\n");
-  correlation::read_study(study, language);
+  say_ledgers(correlation::ledgers_of(read), LinesTo::output, "Files");
   say("\nNext\n"
       "  latsch process {1}                      the rig's page: averages, spectra\n"
       "  latsch show {0}                         what is used of the averages\n"
       "  latsch run {0}                          finds sidewall and delays, with intervals\n",
       study.string(),
       (folder / "rig.toml").string());
+}
+
+/// Says how large the tire is under its pressure: the size of a designation is that of an inflated
+/// tire, but the contour is drawn to it without pressure.
+void say_inflated_size(const Document& tire,
+                       const std::string& size,
+                       const experiment::Language& language) {
+  const auto designation = fe_tire::parse_size(size);
+  const experiment::SpecimenKind& kind = *language.find_kind("fe_tire");
+  const auto test = language.read_test(
+      Document::parse("test = {kind = \"inflation\"}", "inflation").root().table("test"), {});
+  const auto inflated = test->run(*kind.build(tire));
+  if (!designation || !inflated) return;  // check says why a tire does not inflate
+  const double radius = (*inflated)["outer_radius"].front(),
+               pressure = (*inflated)["pressure"].front(), growth = (*inflated)["growth"].front(),
+               wanted = designation->outer_diameter;
+  const std::string words = fmt::format(
+      "inflated to {} the tire is {:.1f} mm high (outer diameter) and {:.1f} mm wide, {:+.1f} % of "
+      "the diameter of its size, {:.1f} mm: its contour is drawn to the size without pressure, and "
+      "the crown grows by {:.1f} mm",
+      format_quantity(pressure, "kPa", 4),
+      2e3 * radius,
+      1e3 * (*inflated)["section_width"].front(),
+      100.0 * (2.0 * radius / wanted - 1.0),
+      1e3 * wanted,
+      1e3 * growth);
+  answer()["inflated"] = Json{{"outer_diameter_m", 2.0 * radius}, {"size_diameter_m", wanted}};
+  say("\nAssumed: {}. If the size is that of the inflated tire, subtract the growth from the radii "
+      "of its contour\n",
+      words);
 }
 
 void start_study(const NewOptions& options, const experiment::Language& language) {
@@ -262,6 +336,7 @@ void start_study(const NewOptions& options, const experiment::Language& language
   write(folder / "tire.toml", tire.text());
   write(study, text);
   write_example(study, language);
+  if (!options.size.empty()) say_inflated_size(tire, options.size, language);
   say("\nReplace the example values of the .csv files by your measurements, then\n"
       "  latsch check {0}\n  latsch run {0}\n",
       study.string());

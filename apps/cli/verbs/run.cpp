@@ -321,7 +321,7 @@ int finish(const Study& study,
   if (const auto found = correlation::best_trial(study, journal)) {
     warn_beyond_data(study, found->point);
     const auto limits = correlation::limits_met_at(study, found->point);
-    for (const std::string& limit : limits) warn(limit);
+    warn_of_limits_met(study, limits);
     answer()["limits"] = limits;
   }
   const int exit_code = write_report_of_run(study, as_read, journal, language);

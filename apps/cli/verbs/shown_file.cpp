@@ -32,6 +32,27 @@ std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
 }
 
+/// Shows the channels of a recording under the names of the file, in the units that a study reads:
+/// table and ledger come from one reading. Returns false if a study cannot read the file or leaves
+/// a column out.
+bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownFile& shown) {
+  try {
+    const auto measurement = correlation::read_measurement(path, axes);
+    Channels channels;
+    for (const Channel& channel : measurement.channels().all())
+      channels.add({measurement.written(channel.name).column, channel.unit, channel.values});
+    const Ledger ledger = measurement.ledgers().front();
+    const bool is_whole = std::none_of(ledger.rows.begin(), ledger.rows.end(), [](const auto& row) {
+      return row.state == LedgerState::doubtful && row.unit.empty();
+    });
+    if (channels.empty() || !is_whole) return false;
+    show_channels(channels, false, shown);
+    return true;
+  } catch (const InputError&) {  // the ledger says why
+    return false;
+  }
+}
+
 ShownTable entries_table(const std::string& title, const std::vector<TydexFile::Entry>& entries) {
   ShownTable table{title, {"name", "as written", "in SI", "comment"}, {}};
   for (const TydexFile::Entry& entry : entries) {
@@ -70,7 +91,7 @@ ShownFile show_tydex(const std::filesystem::path& path, AxisConvention axes) {
          about.comment});
   }
   shown.tables.push_back(std::move(written));
-  show_channels(to_iso(file.channels, axes), false, shown);
+  if (!show_as_read(path, axes, shown)) show_channels(to_iso(file.channels, axes), false, shown);
   return shown;
 }
 
@@ -79,6 +100,7 @@ ShownFile show_csv(const std::filesystem::path& path, AxisConvention axes) {
   ShownFile shown;
   shown.kind = "Table (CSV)";
   shown.facts.push_back(fmt::format("{} rows", table.rows()));
+  if (show_as_read(path, axes, shown)) return shown;
   try {
     show_channels(to_iso(table.channels(), axes), false, shown);
   } catch (const InputError& error) {  // texts or an unknown unit: shown unchanged
@@ -112,7 +134,7 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
     vectors = vectors || variable.is_vector();
   }
   shown.tables.push_back(std::move(table));
-  if (!vectors) return shown;
+  if (!vectors || show_as_read(path, axes, shown)) return shown;
   const auto named = file.named_channels();
   for (const auto& [name, why] : named.left_out)
     shown.facts.push_back(name + " is left out: it " + why);
@@ -120,7 +142,6 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
   return shown;
 }
 
-/// Shows a file of a test consortium: only the recording.
 /// Shows a recording of a kind that has no view of its own.
 ShownFile show_recording(const std::filesystem::path& path, AxisConvention axes) {
   const auto measurement = correlation::read_measurement(path, axes);

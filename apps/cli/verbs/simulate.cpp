@@ -60,7 +60,7 @@ int simulate(const std::string& file,
       target * 100.0,
       correlation::target_in_words(correlation::fitted_exponents(study.experiments), target));
   const auto limits = correlation::limits_met_at(study, point);
-  for (const std::string& limit : limits) warn(limit);
+  warn_of_limits_met(study, limits);
   answer()["limits"] = limits;
   return kDone;
 }

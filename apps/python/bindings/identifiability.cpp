@@ -155,6 +155,8 @@ class SpacedIdentification {
     std::vector<Result<Evaluated>> told;
     for (std::size_t k = 0; k < std::min(outcomes.size(), wanted.size()); ++k)
       told.push_back(evaluated(space_, wanted[k], outcomes[k]));
+    for (const auto& one : told)
+      if (one) expect_same_count(one->r.size());
     const bool is_first_enough = !told.empty() && found_.is_enough(told.front());
     if (outcomes.size() != wanted.size() && !(outcomes.size() == 1 && is_first_enough))
       throw InputError("observe: " + std::to_string(wanted.size()) +
@@ -175,8 +177,18 @@ class SpacedIdentification {
   const DesignSpace& space() const { return space_; }
 
  private:
+  /// The points of one problem have equally many residuals.
+  void expect_same_count(Eigen::Index count) {
+    if (!count_) count_ = count;
+    if (count != *count_)
+      throw InputError("residuals: found " + std::to_string(count) + " values, but " +
+                       std::to_string(*count_) +
+                       " at the first point: expected equally many at every point, or a Failure");
+  }
+
   DesignSpace space_;
   Identification found_;
+  std::optional<Eigen::Index> count_;  // number of residuals, once it is known
 };
 
 void bind_confidence(py::module_& module) {

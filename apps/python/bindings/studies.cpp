@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/text.h"
+#include "base/units.h"
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
 #include "bindings/failures.h"
@@ -199,11 +202,30 @@ Score scored(const SharedStudy& study, const DesignPoint& at, const py::object& 
   return *found;
 }
 
+/// Reads a point of a study. A value that is not finite is an InputError, one outside of its bounds
+/// a Python warning: the model may be asked there, but no search would.
+DesignPoint point_of(const Study& study, const Array& at) {
+  const DesignPoint read = point(at, study.space.size());
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& v = study.space[i];
+    const double x = read.values[static_cast<std::size_t>(i)];
+    if (!std::isfinite(x))
+      throw InputError("variable " + v.name + " is " + format_number(x) +
+                       ", expected a finite number");
+    if (x >= v.lower && x <= v.upper) continue;
+    const std::string words = "variable " + v.name + " is " + format_quantity(x, v.unit) +
+                              ", outside of its bounds " + format_quantity(v.lower, v.unit) +
+                              " to " + format_quantity(v.upper, v.unit);
+    if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) < 0) throw py::error_already_set();
+  }
+  return read;
+}
+
 Model model_at(const Study& study, const py::object& at) {
   const auto* kind = study.specimens->kind();
   if (!kind) throw InputError({study.file.string(), 0}, "has a [simulator] instead of a model");
   if (at.is_none()) return {*kind, study.model};
-  const DesignPoint p = point(at.cast<Array>(), study.space.size());
+  const DesignPoint p = point_of(study, at.cast<Array>());
   return {*kind, correlation::at(study.model, study.space, p)};
 }
 
@@ -281,22 +303,21 @@ void bind_studies(py::module_& module) {
       .def(
           "target",
           [](const Read& s, const Array& at, const py::dict& channels) {
-            return target_of(*s.study, point(at, s.study->space.size()), channels_of(channels));
+            return target_of(*s.study, point_of(*s.study, at), channels_of(channels));
           },
           py::arg("point"),
           py::arg("channels"))
       .def(
           "score",
           [](const Read& s, const Array& at, const py::object& slopes) {
-            return scored(s.study, point(at, s.study->space.size()), slopes);
+            return scored(s.study, point_of(*s.study, at), slopes);
           },
           py::arg("point"),
           py::kw_only(),
           py::arg("slopes") = py::none())
-      .def("_simulate",
-           [](const Read& s, const Array& at) {
-             return simulated(s.study, point(at, s.study->space.size()));
-           })
+      .def(
+          "_simulate",
+          [](const Read& s, const Array& at) { return simulated(s.study, point_of(*s.study, at)); })
       .def("_limits",
            [](const Read& s, const Array& at) {
              const DesignPoint p = point(at, s.study->space.size());

@@ -69,7 +69,7 @@ class Study(_latsch._Study):
     """A study as read: `file`, `title`, `journal`; `space` and `variables`; `experiments`; `method` of its search.
 
     score(point, slopes=None): runs a trial in this process, without the journal, and returns a Score with residuals and,
-    if the model knows them, their jacobian. target(point, channels): the Score of given channels, a dict like a Recording.
+    if the model knows them, their jacobian. A point outside of the bounds is a Python warning. target(point, channels): the Score of given channels, a dict like a Recording.
     model(point=None): the Model as written, or at a point. fitted_text(): the text of the file of the fitted model.
     """
 

@@ -135,10 +135,25 @@ class AskTell(unittest.TestCase):
         says("(3,)", lambda: latsch.optimizer(space()).observe([1, 2], 0.0))
         says("columns", lambda: latsch.optimizer(space()).observe(
             [1, 1, 0], latsch.Score(residuals=[1.0], jacobian=[[1.0, 2.0]])))
+        says("within its bounds", lambda: latsch.optimizer(space()).observe([1, 1, 1e9], 0.0))
+        says("nan", lambda: latsch.optimizer(space()).observe([1, 1, float("nan")], 0.0))
         says("at least one", lambda: latsch.optimizer(space()).propose(0))
         says("lower", lambda: latsch.DesignSpace([latsch.Variable("a", lower=2, upper=1)]))
         says("outcome", lambda: latsch.optimizer(space()).observe([1, 1, 0], "bad"))
         says("levenberg_marquardt", lambda: latsch.optimizer(space(), "levenberg_marquardt", constraints=True))
+
+    def test_outcomes_of_another_number_are_complained_of(self):
+        def told_twice(first, second):
+            optimizer = latsch.optimizer(space(), residuals=True)
+            points = [optimizer.propose()[0]]
+            optimizer.observe(points[0], first)
+            optimizer.observe(points[0], latsch.Failure("no equilibrium"))  # a failure has no number
+            with self.assertRaisesRegex(latsch.InputError, "but that of the first point has .* equally many"):
+                optimizer.observe(optimizer.propose()[0], second)
+        told_twice(latsch.Score(residuals=[1.0, 2.0, 3.0]), latsch.Score(residuals=[1.0, 2.0]))
+        told_twice(latsch.Score(residuals=[1.0, 2.0, 3.0]), 4.0)
+        told_twice(latsch.Score(residuals=[1.0], constraints=[0.1]), latsch.Score(residuals=[1.0]))
+        told_twice(latsch.Score(residuals=[1.0], equations=[]), latsch.Score(residuals=[1.0], equations=[0.0]))
 
     def test_the_space_leads_to_the_unit_cube_and_back(self):
         points = latsch.latin_hypercube(space(), 12)

@@ -75,6 +75,9 @@ class Identifiability(unittest.TestCase):
         what = latsch.Identification(SPACE, self.fit.x)
         with self.assertRaises(latsch.InputError):
             what.observe([residuals(self.fit.x)] * (len(what.wanted) + 1))
+        with self.assertRaisesRegex(latsch.InputError, "found 5 values, but 30 at the first point"):
+            what.observe([residuals(x)[: None if k == 0 else 5] for k, x in enumerate(what.wanted)])
+        what = latsch.Identification(SPACE, self.fit.x)
         what.observe([latsch.Failure("solver gave up")] * len(what.wanted))
         with self.assertRaises(latsch.Failure) as caught:
             what.confidence

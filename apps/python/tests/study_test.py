@@ -14,6 +14,7 @@ import tempfile
 import textwrap
 import time
 import unittest
+import warnings
 
 os.environ.setdefault("LATSCH_PROGRAM", sys.argv[1] if len(sys.argv) > 1 else "latsch")
 
@@ -131,6 +132,20 @@ class Studies(unittest.TestCase):
         self.assertEqual(first.channels, ["A/dz_by_Fz"])
         np.testing.assert_allclose(first.measured, [0.24329e-6], rtol=1e-12)  # m/N
         self.assertEqual(study.model(study.space.initial)["bushing.uca_front.x"], study.space.initial[0])
+
+    def test_a_point_outside_of_the_bounds_is_told(self):
+        study = self.compliance()
+        point = study.space.initial.copy()
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            study.model(point)
+        point[0] = 2 * study.space.upper[0]
+        for door in (study.score, study.simulate, study.model, lambda at: study.target(at, study.simulate(study.space.initial))):
+            with self.subTest(door), self.assertWarnsRegex(UserWarning, "variable uca_front is .* outside of its bounds"):
+                door(point)
+        point[0] = float("nan")
+        with self.assertRaisesRegex(latsch.InputError, "uca_front is nan, expected a finite number"):
+            study.score(point)
 
     def test_a_run_its_journal_and_its_target(self):
         study = self.compliance()

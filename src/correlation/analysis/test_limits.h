@@ -15,11 +15,11 @@ namespace latsch::correlation {
 /// has no limits; its trials say why they fail.
 std::vector<std::string> limits_of_tests(const Study& study);
 
-/// Runs the fitted and predicted tests once more at a point whose trial succeeded, and returns a
-/// sentence for each limit that the model met in one of them, with these tests: ranges of its file
-/// that it left, a tire off the road, a pressure without effect. Returns nothing, and runs nothing,
-/// for models that know no limits. The sentences of the last points are kept: terminal, page and
-/// report run the tests once.
+/// Runs the fitted and predicted tests once more at a point whose trial succeeded. Returns a
+/// sentence for each limit of limits_of_tests() and for each limit that the model met in one of
+/// these tests: ranges of its file that it left, a tire off the road, a pressure without effect. A
+/// test of a model that knows no limits is not run. The sentences of the last points are kept:
+/// terminal, page and report run the tests once.
 std::vector<std::string> limits_met_at(const Study& study, const DesignPoint& point);
 
 }  // namespace latsch::correlation

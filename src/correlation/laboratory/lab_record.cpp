@@ -75,6 +75,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
     record.left_out[found == stated.end() ? theirs : found->second] = why;
   }
   record.header = table.header;
+  record.structs = table.structs;
   std::set<std::string> taken;
   for (const auto& [theirs, ours] : stated) taken.insert(ours);
   for (std::size_t k = 0; k < table.channels.all().size(); ++k) {
@@ -174,6 +175,7 @@ Channels LabRecord::table() const {
 
 LabRecord join_files(const std::vector<std::filesystem::path>& files,
                      const std::map<std::string, StatedColumn>& columns,
+                     const std::string& part,
                      std::vector<std::string>& words) {
   std::map<std::string, std::string> units;
   std::map<std::string, std::string> ours_of;
@@ -197,7 +199,7 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
   };
   LabRecord record;
   for (const std::filesystem::path& file : files) {
-    LabRecord more = record_of(formats::read_lab_table(file, units, expected), columns);
+    LabRecord more = record_of(formats::read_lab_table(file, units, expected, part), columns);
     words.push_back(fmt::format(
         "{}: {} samples of {} channels", name_of(file), more.samples(), more.channels.size()));
     if (record.channels.empty()) {
@@ -245,15 +247,11 @@ std::vector<std::string> conventions_that_fit(const LabRecord& record) {
   return names;
 }
 
-std::optional<TakenZero> take_zero(const LabRecord& record,
-                                   Channel& channel,
-                                   const Window& window) {
-  const auto time = record.time();
+std::optional<TakenZero> take_zero(Channel& channel, const std::vector<bool>& mask) {
   double sum = 0.0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    if (!(time[i] >= window.from && time[i] <= window.to) || std::isnan(channel.values[i]))
-      continue;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i] || std::isnan(channel.values[i])) continue;
     sum += channel.values[i];
     ++count;
   }

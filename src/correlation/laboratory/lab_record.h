@@ -52,6 +52,7 @@ struct LabRecord {
   std::map<std::string, std::vector<std::string>> ambiguous;  // further columns that claim a
                                                               // channel
   std::vector<SuspectSamples> suspects;
+  std::vector<std::string> structs;  // of the first file, if none of them was chosen
 
   std::size_t samples() const { return places.size(); }
   std::vector<std::string> names() const;
@@ -64,9 +65,11 @@ struct LabRecord {
 };
 
 /// Joins files one after the other; channels that one of them lacks are left out. `columns` maps
-/// our name to the files' column.
+/// our name to the files' column. `part` is the struct of the files that has the channels, or
+/// empty.
 LabRecord join_files(const std::vector<std::filesystem::path>& files,
                      const std::map<std::string, StatedColumn>& columns,
+                     const std::string& part,
                      std::vector<std::string>& words);
 
 /// Turns the channels into iso axes.
@@ -80,9 +83,9 @@ struct TakenZero {
   double mean = 0.0;
   std::size_t samples = 0;
 };
-/// Subtracts the channel's mean over the samples of `window`. Returns nothing if the window holds
-/// no samples.
-std::optional<TakenZero> take_zero(const LabRecord& record, Channel& channel, const Window& window);
+/// Subtracts the channel's mean over the samples of a mask. Returns nothing if all of them are
+/// gaps, or the mask has none.
+std::optional<TakenZero> take_zero(Channel& channel, const std::vector<bool>& mask);
 
 /// Filters all channels except time. Gaps, and stretches too short for the filter, are left
 /// unfiltered. Throws InputError at `place` if there is no time or the frequency is not possible.

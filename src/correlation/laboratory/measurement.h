@@ -26,6 +26,7 @@
 #include "correlation/laboratory/lab_record.h"
 #include "correlation/laboratory/measurement_noise.h"
 #include "measurement/channels.h"
+#include "measurement/meaning/absent_channel.h"
 
 namespace latsch::correlation {
 
@@ -51,6 +52,7 @@ class Measurement {
     std::map<std::string, std::string> ambiguous;  // channels that two columns claim, in words
     std::vector<LedgerDoubt> suspects;  // numbers that are hardly measured; an error only counts
                                         // if something uses the channel
+    std::vector<std::string> structs;   // structs of the file, if none of them was chosen
     Channels recorded;                  // all samples as read, in Latsch's names and
                                         // axes
     Channels channels;                  // processed and selected samples
@@ -122,6 +124,13 @@ class Measurement {
 
  private:
   NamedChannel named(const std::string& channel) const;
+  /// Returns what to state if a channel is missing, to follow its sentence: the columns that may be
+  /// it, or the structs of the file.
+  std::string way_out_of_missing(const std::string& channel, const std::string& unit) const;
+  /// Returns what to do if a column is the missing channel: `say columns = {toe = "toe_left"}`.
+  std::string advice_for(const std::string& channel,
+                         const std::string& unit,
+                         const MayBe& column) const;
   /// Returns a message that a channel has no unit or one of another dimension, with the remedy.
   std::string other_dimension(const std::string& found,
                               const std::string& wanted,

@@ -160,5 +160,32 @@ TEST_F(MeasurementDoubts, AnAssumedEncodingIsARowOfTheLedger) {
   EXPECT_NE(said(read(japanese, ""), "they look like Shift-JIS"), "");
 }
 
+TEST_F(MeasurementDoubts, StepsAreUsersOfTheChannelsThatTheyRead) {
+  const auto users = [&](const std::string& names, const std::string& lines) {
+    const Measurement run = read(sweep(names, 1.0), lines);
+    std::string all;
+    for (const LedgerRow& row : run.ledgers().front().rows)
+      for (const std::string& user : row.used_by) all += row.written + " by " + user + ";";
+    return all;
+  };
+  EXPECT_NE(users(kNames, "low_pass = \"2 Hz\"").find("time by low_pass;"), std::string::npos);
+  EXPECT_NE(users(kNames, "sweep = {SA = \"rising\"}").find("time by sweep;"), std::string::npos);
+  const std::string zero = "zero = {channels = [\"FY\"], at = {SA = \"0 deg +- 1 deg\"}}";
+  EXPECT_NE(users(kNames, zero).find("SA by zero;"), std::string::npos);
+  const std::string turned =
+      users("gamma [deg],loaded_radius [mm],FyH [N],MxH [N m]", "in_frame = \"W\"");
+  EXPECT_NE(turned.find("gamma by in_frame;"), std::string::npos) << turned;
+  EXPECT_NE(turned.find("loaded_radius by in_frame;"), std::string::npos) << turned;
+}
+
+// 1.99 .. 2.01 deg: the direction changes with every sample.
+TEST_F(MeasurementDoubts, ASweepOfAConstantChannelIsDoubted) {
+  std::string table = "time [s],IA [deg],FY [N]\n";
+  for (int i = 0; i < 60; ++i)
+    table += fmt::format("{},{:.4f},{}\n", 0.1 * i, 2.0 + 0.01 * std::sin(7.0 * i * i), 100 + i);
+  EXPECT_NE(said(read(table, "sweep = {gamma = \"rising\"}"), "constant but for noise"), "");
+  EXPECT_EQ(said(read(sweep(kNames, 1.0), "sweep = {SA = \"rising\"}"), "but for noise"), "");
+}
+
 }  // namespace
 }  // namespace latsch::correlation

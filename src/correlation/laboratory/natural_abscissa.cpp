@@ -65,24 +65,6 @@ std::optional<std::vector<double>> values_of(const Measurement& measurement, con
   return found->values;
 }
 
-/// Returns the candidate that covers the most of its usual range; nullptr if none varies.
-template <std::size_t N>
-const Usual* widest(const std::array<Usual, N>& candidates,
-                    const Measurement& measurement,
-                    const std::string& y) {
-  const Usual* found = nullptr;
-  double most = kVaries;
-  for (const Usual& one : candidates) {
-    if (y == one.name || force_without_frame(y) == one.name) continue;
-    const auto values = values_of(measurement, one.name);
-    const double share = values ? range_of(*values) / one.range : 0.0;
-    if (share <= most) continue;
-    most = share;
-    found = &one;
-  }
-  return found;
-}
-
 /// Returns the first value of every level but the lowest. `sorted` rises.
 std::vector<double> level_starts(const std::vector<double>& sorted) {
   const double range = sorted.back() - sorted.front();
@@ -118,6 +100,41 @@ std::vector<int> levels_of(const std::vector<double>& values, double usual_range
     levels[i] = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), values[i]) -
                                  starts.begin());
   return levels;
+}
+
+/// Returns the candidate that was swept; nullptr if none varies. It covers the most of its usual
+/// range; among candidates that cover a similar share it has the most levels, because a channel
+/// with few levels is a condition, as camber of 0, 2, 4 and 6 deg is beside a sweep of slip.
+template <std::size_t N>
+const Usual* swept(const std::array<Usual, N>& candidates,
+                   const Measurement& measurement,
+                   const std::string& y) {
+  constexpr double kSimilar = 1.0 / 3.0;  // share of the largest share
+  struct Candidate {
+    const Usual* channel;
+    double share;  // range, relative to the usual range
+    int levels;    // more than a condition has if it has no levels
+  };
+  std::vector<Candidate> all;
+  double most = kVaries;
+  for (const Usual& one : candidates) {
+    if (y == one.name || force_without_frame(y) == one.name) continue;
+    const auto values = values_of(measurement, one.name);
+    const double share = values ? range_of(*values) / one.range : 0.0;
+    if (share <= kVaries) continue;
+    most = std::max(most, share);
+    const std::vector<int> levels = levels_of(*values, one.range);
+    const int highest = *std::max_element(levels.begin(), levels.end());
+    all.push_back({&one, share, highest == 0 ? static_cast<int>(kMostLevels) : highest});
+  }
+  const Candidate* found = nullptr;
+  for (const Candidate& one : all) {
+    if (one.share < kSimilar * most) continue;
+    if (!found || one.levels > found->levels ||
+        (one.levels == found->levels && one.share > found->share))
+      found = &one;
+  }
+  return found ? found->channel : nullptr;
 }
 
 struct Condition {
@@ -197,8 +214,8 @@ std::string unit_of_file(const Measurement& measurement,
 std::optional<NaturalAbscissa> natural_abscissa(const Measurement& measurement,
                                                 const std::string& y) {
   if (measurement.samples() == 0) return std::nullopt;
-  const Usual* found = widest(kSlips, measurement, y);
-  if (!found) found = widest(kMoved, measurement, y);
+  const Usual* found = swept(kSlips, measurement, y);
+  if (!found) found = swept(kMoved, measurement, y);
   if (!found) return std::nullopt;
   NaturalAbscissa abscissa;
   abscissa.channel = found->name;

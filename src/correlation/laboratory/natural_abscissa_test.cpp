@@ -69,6 +69,21 @@ TEST_F(Abscissas, AGroupIsNamedByItsLevelAndNotByItsOwnScatter) {
   EXPECT_EQ(levels, (std::set<std::string>{"Fz 1020 N", "Fz 3020 N"}));
 }
 
+// The camber covers a larger share of its usual range than the slip, but has four levels.
+TEST_F(Abscissas, AChannelOfFewLevelsIsNoSweep) {
+  std::string table = "Fz [N],alpha [deg],kappa,gamma [deg],Fy [N],Fx [N]\n", braked = table;
+  for (const double gamma : {0.0, 2.0, 4.0, 6.0})
+    for (const double load : {2000.0, 4000.0})
+      for (int k = -10; k <= 10; ++k) {
+        table += fmt::format("{},{},0,{},{},0\n", load, 0.5 * k, gamma, -100 * k);
+        braked += fmt::format("{},{},{},0,0,{}\n", load, 2.0 * gamma, 0.01 * k, 100 * k);
+      }
+  const NaturalAbscissa over = of(table, "Fy");
+  EXPECT_EQ(over.channel, "alpha");
+  EXPECT_EQ(over.groups.size(), 8u);
+  EXPECT_EQ(of(braked, "Fx").channel, "kappa");
+}
+
 TEST_F(Abscissas, ALoadThatRisesWithTheTravelFormsNoGroups) {
   std::string table = "dz [mm],Fz [N],toe [deg]\n";
   for (int k = 0; k < 6; ++k) table += fmt::format("{},{},{}\n", 20 * k, 1000 + 600 * k, 0.1 * k);

@@ -118,6 +118,10 @@ LedgerRow row_of_channel(const formats::LabTable& table,
   row.unit_written = table.units[k];
   row.unit = channel.unit;
   take_unit(row);
+  if (k < table.columns.size()) {
+    row.offset += row.factor * table.columns[k].offset;
+    row.factor *= table.columns[k].factor;
+  }
   if (ours) {
     const double sign = record.written.at(*ours).sign;
     row.taken_as = *ours;
@@ -166,6 +170,26 @@ void note_encoding(const formats::LabTable& table, Ledger& ledger) {
         {"", "the text is taken as " + table.assumed_encoding, {ledger.file, 0}});
 }
 
+/// Adds the struct that was taken because it is the only one with known channels, or says that
+/// several have them.
+void note_structs(const formats::LabTable& table, Ledger& ledger) {
+  if (!table.assumed_struct.empty()) {
+    LedgerRow row;
+    row.taken_as = "struct";
+    row.state = LedgerState::assumed;
+    row.remark = table.assumed_struct + ", because all known channels are in it";
+    ledger.rows.push_back(std::move(row));
+  }
+  if (table.structs.empty()) return;
+  ledger.doubts.push_back(
+      {"",
+       fmt::format("known channels are in several structs: {}; a study chooses one by struct = {} "
+                   "in its [measurement.NAME]",
+                   list_of(table.structs),
+                   in_quotes(table.structs.front())),
+       {ledger.file, 0}});
+}
+
 }  // namespace
 
 Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
@@ -183,6 +207,7 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
   for (const auto& [name, why] : table.left_out)
     ledger.rows.push_back(row_left_out(table, name, why));
   note_encoding(table, ledger);
+  note_structs(table, ledger);
   for (const LedgerRow& row : ledger.rows)
     if (row.state == LedgerState::doubtful)
       ledger.doubts.push_back({row.written,

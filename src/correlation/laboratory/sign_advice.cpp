@@ -59,6 +59,28 @@ std::string words_beside_sae(const std::string& channel) {
 
 }  // namespace
 
+namespace {
+
+/// Returns the table `columns` that turns the other lateral channels in place of one: the mirror
+/// image of a record whose signs agree agrees as well. Empty if it does not, or if there is no
+/// other lateral channel.
+std::string mirror_of(const LabRecord& record, const Channels& channels, const std::string& name) {
+  Channels mirrored = channels;
+  auto stated = record.stated;
+  std::string last;
+  for (const char* lateral : {"Fy", "alpha", "Mz", "gamma"}) {
+    const Channel* channel = record.find(lateral);
+    if (!channel || channel->name == name) continue;
+    if (!last.empty()) stated[last] = column_turned(record, last);
+    last = channel->name;
+    mirrored = with_other_sign(mirrored, last);
+  }
+  if (last.empty() || !signs_agree(mirrored)) return "";
+  return columns_hint(stated, last, column_turned(record, last));
+}
+
+}  // namespace
+
 std::string turned(const LabRecord& record, const std::string& channel) {
   return columns_hint(record.stated, channel, column_turned(record, channel));
 }
@@ -77,6 +99,13 @@ std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are
     if (const Channel* channel = record.find(name)) names.push_back(channel->name);
   for (const std::string& name : names)
     if (signs_agree(with_other_sign(channels, name))) advice.push_back(turned(record, name));
+  for (const char* lateral : {"Fy", "alpha", "Mz"}) {
+    const Channel* channel = record.find(lateral);
+    if (!channel || !signs_agree(with_other_sign(channels, channel->name))) continue;
+    const std::string mirrored = mirror_of(record, channels, channel->name);
+    if (!mirrored.empty() && std::find(advice.begin(), advice.end(), mirrored) == advice.end())
+      advice.push_back(mirrored);
+  }
   if (!axes_are_stated)
     for (const std::string& name : names)
       if (const std::string also = words_beside_sae(name);

@@ -2,7 +2,8 @@
 // Finds what to state about a record whose signs contradict each other: other axes, or one column
 // with the other sign. Every statement is tried on the record, and only those are advised that
 // leave no contradiction. Several may: a record in sae axes whose loads are written as positive is
-// the mirror image of one in iso axes whose inclination has the other sign.
+// the mirror image of one in iso axes whose inclination has the other sign. Beside one lateral
+// column that is turned, its mirror image is named: all the others turned.
 #pragma once
 
 #include <string>

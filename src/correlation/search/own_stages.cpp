@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "correlation/study/study_stages.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/estimated_noise.h"
 
 namespace latsch::correlation {
@@ -28,16 +29,6 @@ double stated_noise(const StudyExperiment& experiment) {
 }
 
 }  // namespace
-
-double own_measure(const StudyExperiment& experiment, const Comparison& comparison) {
-  return std::pow(comparison.value, 1.0 / experiment.objective.exponent);
-}
-
-std::string measure_in_words(const StudyExperiment& experiment) {
-  const double k = experiment.objective.exponent;
-  if (k == 1.0) return "mean";
-  return k == 2.0 ? "RMS" : fmt::format("mean to the power {:g}", k);
-}
 
 void add_stage_end(const Study& study,
                    int k,

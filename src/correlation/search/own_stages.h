@@ -29,12 +29,6 @@ struct OwnStage {
   bool is_known() const { return !stage.empty(); }
 };
 
-/// Returns the mean |d|^k to the power 1/k of a comparison without weights, 1 = 100 %.
-double own_measure(const StudyExperiment& experiment, const Comparison& comparison);
-
-/// Returns the name of that measure: "mean", "RMS", "mean to the power 4".
-std::string measure_in_words(const StudyExperiment& experiment);
-
 /// Updates `own` with the end of stage k. `own` has one entry for each experiment of the study, or
 /// is empty.
 void add_stage_end(const Study& study,

@@ -9,6 +9,7 @@
 #include "correlation/analysis/refit_trials.h"
 #include "correlation/search/study_reuse_testing.h"
 #include "correlation/target/best_trial.h"
+#include "correlation/target/compared_trial.h"
 
 namespace latsch::correlation {
 namespace {

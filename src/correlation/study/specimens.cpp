@@ -158,6 +158,39 @@ void take_absent(const Node& table,
   measurement.note_absent({condition.channel, condition.unit, by, condition.otherwise});
 }
 
+/// Throws InputError if a force or moment was measured in another frame than the test takes it in,
+/// or at another point than the test applies it.
+void expect_frame(const Node& table,
+                  const experiment::MeasuredCondition& condition,
+                  const std::string& channel,
+                  const std::string& frame) {
+  if (frame.empty() || condition.frame.empty()) return;
+  const bool is_same = condition.acts_at_origin ? frame == condition.frame
+                                                : is_same_in(channel, frame, condition.frame);
+  if (is_same) return;
+  const auto point = [](const std::string& of) {
+    return of == "W" ? "the contact patch" : "the wheel center";
+  };
+  const std::string from = table.text("from");
+  const bool is_elsewhere = condition.acts_at_origin && (frame == "W") != (condition.frame == "W");
+  table.reject(
+      "from",
+      fmt::format(
+          "is {0}, whose {1} is in axes {2}{5}, but the test takes it in axes {3}{6}; {7}put "
+          "in_frame = \"{3}\" into [{4}]{8}",
+          in_quotes(from),
+          channel,
+          frame,
+          condition.frame,
+          from,
+          is_elsewhere ? fmt::format(", at {}", point(frame)) : "",
+          is_elsewhere ? fmt::format(", at {}", point(condition.frame)) : "",
+          is_elsewhere ? fmt::format("say at = \"{}\" in the test, or ",
+                                     frame == "W" ? "contact_patch" : "wheel_center")
+                       : "",
+          is_elsewhere ? ", which needs its loaded_radius and gamma" : ""));
+}
+
 /// Returns the measured conditions of a test, for {from = "measurement.NAME"}. `by` names the user
 /// of the conditions for the ledger.
 Channels measured_conditions(const Node& table,
@@ -190,15 +223,7 @@ Channels measured_conditions(const Node& table,
       measurement.note_ignored(channel, by, condition.ignored);
     const auto& values = measurement.values(channel, condition.unit);
     const std::string frame = measurement.frame(channel);
-    if (!frame.empty() && !condition.frame.empty() && !is_same_in(channel, frame, condition.frame))
-      table.reject("from",
-                   fmt::format("is {0}, whose {1} is in axes {2}, but the test takes it in axes "
-                               "{3}; put in_frame = \"{3}\" into [{4}]",
-                               in_quotes(from),
-                               channel,
-                               frame,
-                               condition.frame,
-                               from));
+    expect_frame(table, condition, channel, frame);
     channels.add({condition.channel, condition.unit, values});
   }
   return channels;

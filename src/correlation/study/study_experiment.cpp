@@ -109,6 +109,16 @@ void add_own_test(const Node& table,
   tests.push_back({table.name(), std::move(test), keys.text(), {}, true});
 }
 
+/// Returns the measurement of a load-deflection curve: a [measurement.NAME], or a file with other
+/// columns than those of such a table; nullptr for a plain table.
+std::shared_ptr<const Measurement> measured_curve(const Node& table,
+                                                  const ExperimentContext& context) {
+  if (auto stated = find(context.laboratory, table.text("measurement"))) return stated;
+  const auto file = find_file(table, "measurement", context.folder, context.measurements);
+  if (file.empty() || formats::is_load_deflection_table(file)) return nullptr;
+  return std::make_shared<Measurement>(read_measurement(file));
+}
+
 std::shared_ptr<const Observable> read_load_deflection(const Node& table,
                                                        const ExperimentContext& context,
                                                        const Measurement* stated,
@@ -262,7 +272,7 @@ StudyExperiment read_experiment(const Node& table,
   std::shared_ptr<const Measurement> measured;  // set if channels are compared with one
   if (compared && (compared->needs_measurement || table.has("measurement")))
     measured = read_named_measurement(table, context);
-  if (kind == "load_deflection") measured = find(context.laboratory, table.text("measurement"));
+  if (kind == "load_deflection") measured = measured_curve(table, context);
   const bool is_kept = compared && !compared->needs_measurement;
   if (measured && (measured->is_stated() || is_kept)) experiment.measurement = measured;
   if (measured) {

@@ -17,6 +17,7 @@
 #include "correlation/search/stage_runs.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/best_trial.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 
 namespace latsch::correlation {

@@ -18,6 +18,7 @@
 #include "correlation/study/variables.h"
 #include "correlation/study_report/report_identifiability.h"
 #include "correlation/target/best_trial.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/schedule/scheduler.h"
 
@@ -64,7 +65,7 @@ report::ExperimentRow experiment_row(const StudyExperiment& experiment,
   row.value = found.value;
   row.mean_error = found.mean_error;
   row.largest_error = found.largest_error;
-  if (initial) row.initial_mean_error = initial->mean_error;
+  if (initial) row.initial_error = own_measure(experiment, *initial);
   row.error = own_measure(experiment, found);
   row.measure = measure_in_words(experiment);
   row.whole = experiment.observable->whole();

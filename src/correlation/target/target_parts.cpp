@@ -31,7 +31,7 @@ Result<TargetParts> PartedTarget::parts(const DesignPoint& point, const Channels
   TargetParts parts;
   for (std::size_t e = 0; e < fitted_.size(); ++e) {
     Comparison& comparison = (*comparisons)[e];
-    parts.mean_errors.push_back(comparison.mean_error);
+    parts.errors.push_back(own_measure(fitted_[e], comparison));
     parts.largest_errors.push_back(comparison.largest_error);
     weigh(fitted_[e], common_, comparison);
     parts.values.push_back(comparison.value);

@@ -19,8 +19,8 @@ namespace latsch::correlation {
 
 /// parts of the trial, one for each fitted experiment in the order of the study
 struct TargetParts {
-  std::vector<double> values;       // T_e
-  std::vector<double> mean_errors;  // mean |dF| or |df|
+  std::vector<double> values;  // T_e
+  std::vector<double> errors;  // own_measure() of each experiment
   std::vector<double> largest_errors;
   double priors = 0.0;     // P
   double violation = 0.0;  // violation of the constraints on channels

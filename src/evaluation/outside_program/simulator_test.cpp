@@ -83,8 +83,8 @@ TEST_F(SimulatorTest, ADiskFilledByWhatAProgramPrintsIsNamed) {
   ASSERT_FALSE(result.ok());
   expect_contains(result.failure().reason, "the disk is full, nothing more can be written to ");
   EXPECT_EQ(result.failure().cause, Cause::transient);
-  expect_contains(reason("exit 3"), "\"/bin/sh\" exited with code 3");  // a full disk is not named
-                                                                        // without cause
+  // The message does not mention a full disk if the disk is not full.
+  expect_contains(reason("exit 3"), "\"/bin/sh\" exited with code 3");
 }
 
 TEST_F(SimulatorTest, HowAProgramFailedIsToldWithTheLastLineItPrinted) {
@@ -117,8 +117,9 @@ TEST_F(SimulatorTest, AProgramThatOverrunsItsTimeoutIsKilledWithAllItStarted) {
   expect_contains(outcome.result.failure().reason, "took more than the 0.3 s allowed to it");
   EXPECT_LT(outcome.wall_time, 1.3);
   const pid_t child = std::stoi(read_text_file(folder_ / "child"));
-  while (::kill(child, 0) == 0) {  // waits until its new parent has reaped it; until then it is a
-                                   // zombie
+  // Waits until the killed child's new parent has collected its exit status; until then it is a
+  // zombie.
+  while (::kill(child, 0) == 0) {
     const std::string stat = read_text_file(fs::path("/proc") / std::to_string(child) / "stat");
     if (stat.find(") Z ") != std::string::npos) break;
     std::this_thread::yield();

@@ -10,6 +10,7 @@
 
 #include "base/document_parts.h"
 #include "base/text.h"
+#include "experiment/kinds/hardpoint_doubts.h"
 #include "experiment/kinds/pictures/films_of_tests.h"
 #include "experiment/kinds/pictures/suspension_scene.h"
 #include "experiment/kinds/specimen_kinds.h"
@@ -280,13 +281,22 @@ class CarKind : public SpecimenKind {
   }
   void check(const Document& numbers) const override { CarSpecimen(numbers).check_tires(); }
   bool has_usual_numbers() const override { return true; }
-  /// Returns the notes of its tires, and says which of them are mirror images.
+  /// Returns the notes of its suspensions and tires, also of a suspension that is a table of its
+  /// own file.
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
     std::vector<std::string> notes;
     std::set<std::filesystem::path> told;
     for (const Part& part : parts(file)) {
-      if (part.key.ends_with("_suspension") || !told.insert(part.file).second) continue;
+      if (!told.insert(part.file).second) continue;
       for (std::string& note : part.kind->notes(part.file)) notes.push_back(std::move(note));
+    }
+    const Document written = Document::read(file);
+    for (const char* axle : kAxles) {
+      const std::string suspension = std::string(axle) + "_suspension";
+      if (!has_part(written, suspension)) continue;
+      const Document part = part_of(written, suspension);
+      for (const std::string& doubt : doubts_about_hardpoints(part.root()))
+        notes.push_back(fmt::format("{}: {}: {}", file.string(), suspension, doubt));
     }
     return notes;
   }

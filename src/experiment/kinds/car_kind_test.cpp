@@ -198,5 +198,33 @@ TEST_F(CarFile, AFileThatStatesNoSideIsSaid) {
             std::string::npos);
 }
 
+TEST_F(CarFile, HardpointsOfNoSuspensionAreDoubtedInACarAsInTheirOwnFile) {
+  const fs::path kerb = fs::path(LATSCH_SOURCE_DIR) / "studies/kerb";
+  const SpecimenKind& kind = *language().find_kind("car");
+  EXPECT_TRUE(kind.notes(kerb / "baseline.toml").empty());
+  for (const char* name : {"baseline.toml", "front_rigid.toml", "rear_rigid.toml", "slick.tir"})
+    fs::copy_file(kerb / name, folder_ / name);
+  const auto change = [&](const char* name, const std::string& from, const std::string& to) {
+    std::string text = read_text_file(folder_ / name);
+    const auto at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write_text_file(folder_ / name, text.replace(at, from.size(), to));
+  };
+  change("front_rigid.toml",
+         "contact = [\"1550.000 mm\", \"612.500 mm\"",
+         "contact = [\"1550.000 mm\", \"1612.500 mm\"");
+  const auto notes = kind.notes(folder_ / "baseline.toml");
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("hardpoint.contact is 1000 mm beside"), std::string::npos) << notes[0];
+  // The same car as one file with its parts as tables.
+  const Document whole = kind.read(folder_ / "baseline.toml");
+  write_text_file(folder_ / "whole.toml", kind.text(whole));
+  const auto of_tables = kind.notes(folder_ / "whole.toml");
+  ASSERT_EQ(of_tables.size(), 1u);
+  EXPECT_NE(of_tables[0].find("front_suspension: hardpoint.contact is 1000 mm beside"),
+            std::string::npos)
+      << of_tables[0];
+}
+
 }  // namespace
 }  // namespace latsch::experiment

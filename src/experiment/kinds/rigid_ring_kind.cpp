@@ -26,6 +26,7 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
     settings.pressure = pressure.value_or(settings.pressure);
     settings.log = log_;
     if (pressure) asked_pressure_ = pressure;
+    refuse_soft_pressure(parameters_, pressure.value_or(parameters_.INFLPRES), {file_, 0});
     auto tire = rigid_ring::RigidRingTire::make(parameters_, settings);
     if (!tire) throw InputError({file_, 0}, "makes no rigid ring: " + tire.failure().reason);
     return std::move(*tire);
@@ -52,6 +53,9 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
         0.0,
         formula.evaluate({parameters_.FNOMIN, 0, 0, 0, 0, parameters_.LONGVL, parameters_.INFLPRES})
             .b);
+  }
+  std::vector<std::string> limits_at_camber(bool rolls) const override {
+    return upright_footprint(rolls);
   }
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);

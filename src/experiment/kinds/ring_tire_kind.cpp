@@ -45,6 +45,14 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
       all.push_back(std::move(unresolved));
     return all;
   }
+  /// A flat tread leans on the edge that camber presses; a real one leans on its crown.
+  std::vector<std::string> limits_at_camber(bool rolls) const override {
+    if (!rolls || parameters_.tread.crown_radius > 0.0) return {};
+    return {
+        "the tread of this flexible ring is flat across (tread.crown_radius is 0): a cambered "
+        "wheel that rolls on it may be pushed to the side that it leans away from, which no tire "
+        "does; tread.crown_radius gives it a crown"};
+  }
   double felt_half_width() const override { return 0.5 * parameters_.tread.width; }
   std::optional<double> tread_half_width() const override { return felt_half_width(); }
   std::vector<std::string> limits_across() const override {

@@ -132,6 +132,9 @@ TEST(HardpointsOfNoSuspension, AreDoubted) {
               "contact = [\"1550.000 mm\", \"1612.500 mm\"",
               "hardpoint.contact is 1000 mm beside");
   expect_note("\"350.000 mm\"]", "\"100.000 mm\"]", "are the two exchanged?");
+  expect_note("trackrod_inner = [\"1490.000 mm\", \"266.310 mm\"",
+              "trackrod_inner = [\"1490.000 mm\", \"2663.10 mm\"",
+              "the inner end of link trackrod is");
 }
 
 }  // namespace

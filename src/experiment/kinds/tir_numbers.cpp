@@ -6,9 +6,11 @@
 
 #include <cmath>
 
+#include "base/units.h"
 #include "formats/tire/kept_parts.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/standstill.h"
+#include "models/magic_formula/symmetry.h"
 
 namespace latsch::experiment {
 namespace {
@@ -79,6 +81,15 @@ std::vector<std::string> tir_notes(const std::filesystem::path& file) {
                     "(LEFT); a car puts "
                     "its mirror image on the right",
                     file.string()));
+  const auto asymmetric = magic_formula::asymmetric_coefficients(tir.parameters);
+  if (tir.parameters.side == magic_formula::MeasuredSide::symmetric && !asymmetric.empty())
+    tir.notes.push_back(
+        fmt::format("{}: TYRESIDE is SYMMETRIC, but {} {} not 0, so that the tire differs from its "
+                    "mirror image: they count, and a car has the tire on the left and its mirror "
+                    "image on the right. State the side, or set them to 0",
+                    file.string(),
+                    fmt::join(asymmetric, ", "),
+                    asymmetric.size() == 1 ? "is" : "are"));
   return std::move(tir.notes);
 }
 
@@ -171,6 +182,20 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
   return sentences;
 }
 
+void refuse_soft_pressure(const Parameters& p, double pressure, const Place& place) {
+  const double factor = 1.0 + p.PFZ1 * (pressure / p.NOMPRES - 1.0);
+  if (p.PFZ1 == 0.0 || factor > 0.0) return;
+  throw InputError(
+      place,
+      fmt::format("the tire has no vertical stiffness at {}: its factor 1 + PFZ1 dpi is {:.3g}, "
+                  "with PFZ1 = {:g} and dpi = p / NOMPRES - 1; expected a pressure above {}, or a "
+                  "smaller PFZ1",
+                  format_quantity(pressure, "kPa", 4),
+                  factor,
+                  p.PFZ1,
+                  format_quantity(p.NOMPRES * (1.0 - 1.0 / p.PFZ1), "kPa", 4)));
+}
+
 std::string no_stiffness_of(const Parameters& p, const std::string& direction) {
   const auto at_nominal_load =
       magic_formula::MagicFormula(p).evaluate({p.FNOMIN, 0.0, 0.0, 0.0, 0.0, p.LONGVL, p.INFLPRES});
@@ -200,6 +225,13 @@ std::vector<std::string> limits_backward_of(const magic_formula::Parameters& p) 
       "rolls "
       "backward: conicity holds all of the side force at zero slip angle and ply_steer none of it, "
       "so neither is a property of this tire"};
+}
+
+std::vector<std::string> upright_footprint(bool rolls) {
+  if (rolls) return {};
+  return {
+      "length and width of the footprint depend on the load alone in a .tir (Q_RA1 .. Q_RB2): at "
+      "camber they are those of the upright tire"};
 }
 
 std::string tir_text_of(const Document& numbers) {

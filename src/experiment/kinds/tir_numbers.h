@@ -42,6 +42,12 @@ std::vector<std::string> limits_met_by(const magic_formula::Parameters& paramete
                                        const magic_formula::RangeLog& log,
                                        const Inflation& asked_pressure);
 
+/// Throws InputError at `place` if a tire has no vertical stiffness at this pressure, Pa: its factor
+/// 1 + PFZ1 dpi is 0 or negative there.
+void refuse_soft_pressure(const magic_formula::Parameters& parameters,
+                          double pressure,
+                          const Place& place);
+
 /// Says why a standing tire has no stiffness in a direction (KnowsLimits::no_stiffness), and what
 /// is assumed for it.
 std::string no_stiffness_of(const magic_formula::Parameters& parameters,
@@ -52,6 +58,9 @@ std::string assumed_stiffness_of(const magic_formula::Parameters& parameters,
 /// Says that a .tir does not tell conicity from ply steer (KnowsLimits::limits_backward); empty if
 /// the tire has no side force at zero slip angle.
 std::vector<std::string> limits_backward_of(const magic_formula::Parameters& parameters);
+
+/// Says that camber does not change the patch of a standing tire (KnowsLimits::limits_at_camber).
+std::vector<std::string> upright_footprint(bool rolls);
 
 /// Returns the text of a new file of these numbers, with the parts of their file that have no
 /// effect here (formats/tire/kept_parts.h).

@@ -22,6 +22,9 @@ struct KnowsLimits {
   /// Returns a sentence for every limit that matters if the tire rolls forward and backward; empty
   /// if none does.
   virtual std::vector<std::string> limits_backward() const { return {}; }
+  /// Returns a sentence for every limit that matters if the wheel is cambered, while it rolls or
+  /// while it stands; empty if none does.
+  virtual std::vector<std::string> limits_at_camber(bool /*rolls*/) const { return {}; }
   /// Returns a sentence for every limit that the specimen has met since it was built: ranges of its
   /// file that it left, conditions that have no effect on it.
   virtual std::vector<std::string> limits_met() const { return {}; }
@@ -64,6 +67,13 @@ constexpr double kStraightCleat = 0.02;
 inline std::vector<std::string> limits_of(Specimen& specimen, const std::optional<Cleat>& cleat) {
   const auto* knows = specimen.find<KnowsLimits>();
   return knows && cleat ? knows->limits_on(*cleat) : std::vector<std::string>();
+}
+
+/// Returns the limits of a specimen at a test's camber, rad; empty if it knows none or the wheel is
+/// upright.
+inline std::vector<std::string> limits_of_camber(Specimen& specimen, double camber, bool rolls) {
+  const auto* knows = specimen.find<KnowsLimits>();
+  return knows && camber != 0.0 ? knows->limits_at_camber(rolls) : std::vector<std::string>();
 }
 
 /// Returns the limits that a specimen has met and the sentences that its tests have recorded; empty

@@ -20,6 +20,7 @@ using Units = std::vector<const char*>;
 
 const Units kPressures{"kPa", "bar", "psi", "MPa", "Pa"};
 const Units kModuli{"MPa", "GPa", "kPa", "Pa"};
+const Units kTimes{"s", "min", "h", "ms"};
 const Units kLengths{"mm", "cm", "m", "in"};
 const Units kForces{"N", "kN", "lbf"};
 const Units kDensities{"kg/m^3", "g/cm^3"};
@@ -30,6 +31,8 @@ const Units kBeds{"MN/m^2", "kN/m^2", "N/m^2", "N/mm^2"};
 /// Quantities of tests and studies.
 const std::vector<UsualMagnitude>& of_tests() {
   static const std::vector<UsualMagnitude> all{
+      {"run", "timeout", "the time allowed to a trial", "s", 1e-12, 0.1, 1e6, 1e15, kTimes},
+      {"simulator", "timeout", "the time allowed to a run", "s", 1e-12, 0.01, 1e6, 1e15, kTimes},
       {"", "pressure", "an inflation pressure", "bar", 0.02, 0.3, 16, 40, kPressures},
       {"experiment", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, kForces},
       {"test", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, kForces},

@@ -17,6 +17,7 @@ namespace {
 constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
 constexpr double kFirstShare = 0.25;       // share of the radius; greatest first guess of the
                                            // deflection
+constexpr double kWidestTire = 0.8;        // half width of any tire over its radius
 constexpr double kFastest = 200.0;         // m/s; a greater value means another unit in the file
 
 road::DrumRoad::Settings drum_of(const DrumTest& test) {
@@ -121,7 +122,10 @@ class Passage {
  private:
   Result<HubForces> advance(FreeWheel& wheel, double time) {
     // Far from the axle the cleat cannot touch the tire; the smooth drum is computed faster.
-    const bool away = std::abs(time) * test_.speed > 0.5 * tire_.free_radius() + 0.5;
+    const double radius = tire_.free_radius();
+    const double reach =
+        std::max(0.5 * radius + 0.5, reach_of_cleat(test_, radius, kWidestTire * radius));
+    const bool away = std::abs(time) * test_.speed > reach;
     return tire_.advance_free(
         motion_, wheel, away ? surfaces_.smooth : surfaces_.drum, time, test_.step);
   }
@@ -191,6 +195,16 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
                             test.lead));
   root.close();
   return test;
+}
+
+double reach_of_cleat(const DrumTest& test, double free_radius, double half_width) {
+  if (!test.cleat) return 0.0;
+  const double expected =
+      std::min(test.load.value_or(0.0) / kFirstStiffness, kFirstShare * free_radius);
+  const double depth = test.deflection.value_or(expected) + test.cleat->height;
+  const double chord = std::sqrt(2.0 * free_radius * depth);
+  const double slope = std::tan(std::abs(test.cleat->angle));
+  return chord + half_width * slope + 0.5 * test.cleat->length / std::cos(test.cleat->angle);
 }
 
 Status check_depth(const Tire& tire, double deflection) {

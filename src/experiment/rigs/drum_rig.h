@@ -45,6 +45,11 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured = {
 /// Runs any tire; the tire keeps its final state.
 Result<Channels> run(Tire& tire, const DrumTest& test);
 
+/// Returns the greatest distance, m, between the axle and the middle of an oblique cleat at which a
+/// tire may touch the cleat, from half the width over which it feels the road and from the chord of
+/// a wheel that is pressed as deep as its load lets expect. It is an upper estimate.
+double reach_of_cleat(const DrumTest& test, double free_radius, double half_width);
+
 /// Returns a Failure if a deflection, m, is deeper than the section of any tire of this radius. A
 /// tire whose file states its rim refuses less.
 Status check_depth(const Tire& tire, double deflection);

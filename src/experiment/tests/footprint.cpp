@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test_words.h"
 #include "experiment/tests/pictures/footprint_pictures.h"
 #include "experiment/tests/test_kinds.h"
@@ -13,7 +14,7 @@
 namespace latsch::experiment {
 namespace {
 
-class StandingFootprintTest : public Test {
+class StandingFootprintTest : public Test, public TellsLimits {
  public:
   explicit StandingFootprintTest(FootprintTest test) : test_(std::move(test)) {}
 
@@ -56,6 +57,16 @@ class StandingFootprintTest : public Test {
     const auto printed = specimen.find<HasFootprint>()->print(test_, asked);
     if (!printed) return printed;
     return with_slopes_of(asked.channels, *printed);
+  }
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return limits_of_camber(specimen, test_.camber, /*rolls=*/false);
+  }
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    return notes;
   }
   Result<Details> details(Specimen& specimen) const override {
     const auto states = specimen.find<HasFootprint>()->footprints(test_);

@@ -105,9 +105,11 @@ class KcTestOfCorner : public Test {
   KcTest test_;
 };
 
-std::vector<Prescribed> kc_loads() {
+/// The loads, in axes of the road at the point where they act.
+std::vector<Prescribed> kc_loads(const std::string& frame) {
   std::vector<Prescribed> loads;
-  for (std::size_t i = 0; i < 6; ++i) loads.push_back({KcTest::kLoads[i], i < 3 ? "N" : "N m"});
+  for (std::size_t i = 0; i < 6; ++i)
+    loads.push_back({KcTest::kLoads[i], i < 3 ? "N" : "N m", frame});
   return loads;
 }
 
@@ -115,7 +117,7 @@ std::unique_ptr<Test> read_kc(const Node& root, const TestSource& source) {
   KcTest test;
   test.at_wheel_center =
       root.choice("at", {"contact_patch", "wheel_center"}, "contact_patch") == "wheel_center";
-  const Histories histories(root, source, kc_loads(), {}, "Fz");
+  const Histories histories(root, source, kc_loads(test.at_wheel_center ? "H" : "W"), {}, "Fz");
   test.loads.setZero(6, static_cast<Eigen::Index>(histories.states()));
   for (std::size_t i = 0; i < 6; ++i)
     if (const std::vector<double>* load = histories.find(KcTest::kLoads[i])) {

@@ -19,6 +19,7 @@ namespace latsch::experiment {
 /// A quantity that a rig prescribes.
 struct Prescribed {
   std::string name, unit;  // SI
+  std::string frame = "";  // of a load: W acts at the contact patch, H at the wheel center
 };
 
 /// Histories by name, all of one length; only stated quantities.

@@ -27,7 +27,13 @@ constexpr double kUsualStep = 0.01;
 
 const std::vector<std::string> kMeasures = {"slip", "cornering", "camber"};
 
-class RollingStiffness : public Test {
+// What a negative stiffness means.
+constexpr std::pair<const char*, const char*> kWrongSign[] = {
+    {"slip_stiffness", "a driven wheel is pushed backward"},
+    {"cornering_stiffness", "a steered wheel is pushed out of the turn"},
+    {"camber_stiffness", "a cambered wheel is pushed to the side that it leans away from"}};
+
+class RollingStiffness : public Test, public TellsLimits {
  public:
   RollingStiffness(const RollingStiffnessTest& test, std::vector<std::string> measures)
       : test_(test), measures_(std::move(measures)) {}
@@ -54,6 +60,10 @@ class RollingStiffness : public Test {
   std::vector<std::string> needs() const override { return kRollingStiffnessTest.needs; }
   std::optional<long> samples() const override { return 1; }
 
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);
+  }
+
   Result<Channels> run(Specimen& specimen) const override {
     LiftLog lifts;
     const auto tire = watched(specimen.find<Rolls>()->tire(test_.pressure), lifts);
@@ -77,6 +87,14 @@ class RollingStiffness : public Test {
     Channels recorded;
     for (const ChannelInfo& channel : channels())
       recorded.add({channel.name, channel.unit, {values[recorded.all().size()]}});
+    for (const auto& [name, effect] : kWrongSign)
+      if (const Channel* channel = recorded.find(name); channel && channel->values.front() < 0.0)
+        record_limit(specimen,
+                     fmt::format("{} is negative, {:.4g} {}: {}, which no tire does",
+                                 name,
+                                 channel->values.front(),
+                                 channel->unit,
+                                 effect));
     return recorded;
   }
 

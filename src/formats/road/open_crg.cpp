@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "formats/road/open_crg_checks.h"
+#include "formats/road/open_crg_contradictions.h"
 #include "formats/road/open_crg_grid.h"
 #include "formats/road/open_crg_header.h"
 #include "formats/road/open_crg_records.h"
@@ -68,6 +69,15 @@ OpenCrg assemble(const std::string& bytes, OpenCrgHeader header) {
                         last_of(Kind::slope, header, records),
                         last_of(Kind::banking, header, records)});
   result.grid = open_crg_grid(header, records, result.gaps);
+  if (header.modifiers.empty()) {
+    warn_of_contradictions(header, records, result.grid);
+  } else {
+    OpenCrgHeader unmoved = header;
+    unmoved.modifiers.clear();
+    int ignored = 0;
+    const road::CrgGrid grid = open_crg_grid(unmoved, records, ignored);
+    warn_of_contradictions(header, records, grid);
+  }
   result.warnings = std::move(header.warnings);
   for (const std::string& statement : header.kept)
     result.kept.push_back(utf8_text(statement, header.file));

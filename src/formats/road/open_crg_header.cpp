@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "formats/text/letter_case.h"
 
 namespace latsch::formats {
@@ -102,6 +103,7 @@ class HeaderReading {
 
   bool next(std::string_view& line) {
     if (at_ >= bytes_.size()) return false;
+    if (at_ == 0) refuse_utf16(bytes_, header_.file);
     const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
     line = bytes_.substr(at_, end - at_);
     at_ = end + 1;
@@ -232,9 +234,24 @@ class HeaderReading {
     } else if (text.starts_with("D:") || text.starts_with("d:")) {
       if (header_.channels.size() == kMostRoadChannels) fail("has too many channels");
       header_.channels.push_back(channel_of(lower(trimmed(text.substr(2)))));
-    } else if (!text.starts_with("U:") && !text.starts_with("u:")) {
+    } else if (text.starts_with("U:") || text.starts_with("u:")) {
+      take_virtual_channel(lower(text.substr(2)));
+    } else {
       fail("is " + in_quotes(text) + ", expected #:, D: or U:");
     }
+  }
+
+  /// Only tools that draw the data use a virtual channel; that of u is compared with the road.
+  void take_virtual_channel(const std::string& text) {
+    std::vector<std::string_view> parts;
+    for (std::string_view rest = text; !rest.empty();) {
+      const std::size_t comma = std::min(rest.find(','), rest.size());
+      parts.push_back(trimmed(rest.substr(0, comma)));
+      rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    if (parts.size() < 4 || parts[0] != "reference line u") return;
+    const auto begin = parse_number(parts[2]), step = parse_number(parts[3]);
+    if (begin && step) header_.virtual_u = {*begin, *step, line_};
   }
 
   OpenCrgHeader::Channel channel_of(const std::string& text) const {

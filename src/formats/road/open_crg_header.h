@@ -31,6 +31,12 @@ struct OpenCrgHeader {
     int line = 0;
   };
 
+  /// The line "U: reference line u,m,BEGIN,STEP", which states the rows once more.
+  struct VirtualChannel {
+    double begin = 0.0, step = 0.0;  // m
+    int line = 0;
+  };
+
   std::string file;
   std::string comment;
   Values road, options, modifiers;  // keys are names in lower case
@@ -41,6 +47,7 @@ struct OpenCrgHeader {
   std::string format;             // "LRFI"
   int format_line = 0;
   std::vector<Channel> channels;
+  std::optional<VirtualChannel> virtual_u;
   std::vector<std::string> warnings;  // file, line and interpretation
   std::vector<Reference> references;  // lines of $ROAD_CRG_FILE, unchanged
   std::size_t data_begin = 0;         // first byte behind the line $$$$; npos: there is no such

@@ -14,11 +14,13 @@
 #include "base/utf8.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/mat_file.h"
+#include "formats/tables/mat_runs.h"
 #include "formats/tables/tydex_file.h"
 #include "formats/text/fortran_number.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/natural_unit.h"
 
 namespace latsch::formats {
 namespace {
@@ -117,15 +119,27 @@ LabTable table_of(const std::filesystem::path& file) {
   return table;
 }
 
+/// Throws InputError if a part is stated of a file whose channels have no paths.
+void expect_no_part(const std::filesystem::path& file, const std::string& part) {
+  if (!part.empty())
+    throw InputError({file.string(), 0},
+                     "has no structs, but struct = " + in_quotes(part) +
+                         " is stated; expected a .mat, or a .csv with columns such as " +
+                         in_quotes(part + ".Fz"));
+}
+
 LabTable read_csv(const std::filesystem::path& file,
                   const Units& units,
-                  const ExpectedUnit& expected) {
+                  const ExpectedUnit& expected,
+                  const std::string& part) {
   const CsvTable csv = CsvTable::read(file);
   LabTable table = table_of(file);
   std::vector<CsvTable::Wanted> wanted;
   std::vector<LabColumn> columns;
   for (TableColumn source : csv.header()) {
     const std::string in_file = source.name;
+    if (!part.empty() && !in_file.starts_with(part + ".")) continue;
+    if (!part.empty()) source.name.erase(0, part.size() + 1);
     take_minus_of_name(source);
     if (expected && !units.contains(source.name)) take_unit_of_name(source, expected(source.name));
     const std::string known = expected && !source.unit.empty() ? expected(source.name) : "";
@@ -136,6 +150,10 @@ LabTable read_csv(const std::filesystem::path& file,
     wanted.push_back({in_file, is_si ? si : ""});
     columns.push_back({source, {}, is_si});
   }
+  if (columns.empty())
+    throw InputError(csv.header_place(),
+                     "has no column that begins with " + in_quotes(part + ".") +
+                         " (columns: " + list_of(csv.columns()) + ")");
   CsvTable::Gaps gaps = csv.numbers_and_gaps(wanted);
   table.lines = std::move(gaps.lines);
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -272,7 +290,9 @@ double cell_of_dat(std::string_view field, const LabColumn& column, const Place&
 
 LabTable read_dat(const std::filesystem::path& file,
                   const Units& stated,
-                  const ExpectedUnit& expected) {
+                  const ExpectedUnit& expected,
+                  const std::string& part) {
+  expect_no_part(file, part);
   const std::string text = utf8_text(read_settled_file(file, kLargestLabFile), file.string());
   const std::vector<Line> lines = lines_of(text);
   if (lines.empty()) throw InputError({file.string(), 0}, "is empty, expected a line of names");
@@ -329,11 +349,30 @@ std::size_t samples_of(const MatFile::Named& vectors, const std::string& file, c
   return (first ? *first : vectors.channels.all().front()).values.size();
 }
 
+/// Returns the channels of one struct: the stated one, or the only one with known channels unless
+/// `units` names channels by their whole paths.
+MatFile part_of(MatFile mat, const Units& units, const std::string& part, LabTable& table) {
+  if (!part.empty()) return run_of(mat, part);
+  const std::vector<std::string> runs = runs_in(mat);
+  const bool is_by_path = std::any_of(units.begin(), units.end(), [&](const auto& one) {
+    return std::any_of(runs.begin(), runs.end(), [&](const std::string& run) {
+      return !run.empty() && one.first.starts_with(run + ".");
+    });
+  });
+  if (is_by_path || std::find(runs.begin(), runs.end(), "") != runs.end()) return mat;
+  if (runs.size() > 1) table.structs = runs;
+  if (runs.size() != 1) return mat;
+  table.assumed_struct = runs.front();
+  return run_of(mat, runs.front());
+}
+
 LabTable read_mat(const std::filesystem::path& file,
                   const Units& units,
-                  const ExpectedUnit& expected) {
+                  const ExpectedUnit& expected,
+                  const std::string& part) {
   LabTable table = table_of(file);
-  const MatFile mat = MatFile::read(file);
+  MatFile mat = part_of(MatFile::read(file), units, part, table);
+  const auto constants = spread_constants(units, mat);
   MatFile::Named vectors = mat.named_channels(units, expected);
   const std::size_t samples = samples_of(vectors, table.file, units);
   table.left_columns = std::move(vectors.left_columns);
@@ -347,14 +386,28 @@ LabTable read_mat(const std::filesystem::path& file,
       table.left_columns.push_back(std::move(column));
       continue;
     }
+    if (constants.contains(column.name) && column.assumed.empty())
+      column.assumed = "a single number, the same in all samples";
     table.channels.add(channel);
     table.units.push_back(column.unit);
     table.columns.push_back(std::move(column));
   }
   for (const MatVariable& variable : mat.variables) {
-    if (variable.is_text || variable.values.size() != 1 || !recognized(variable.name)) continue;
+    if (variable.is_text || variable.values.size() != 1) continue;
+    const auto known = recognized(variable.name);
+    if (!known || table.channels.find(variable.name)) continue;
+    const auto there =
+        std::find_if(table.columns.begin(), table.columns.end(), [&](const TableColumn& column) {
+          return same_channel(column.name, variable.name);
+        });
+    const std::string unit = natural_unit(known->meaning->unit);
     table.left_out[variable.name] =
-        fmt::format("is a single number, {:g}, and no channel", variable.values.front());
+        fmt::format("is a single number, {:g}", variable.values.front()) +
+        (there != table.columns.end()
+             ? "; the vector " + in_quotes(there->name) + " is used"
+             : fmt::format(", without a unit: columns = {{{} = {}}} makes it a channel",
+                           known->channel,
+                           in_quotes(variable.name + (unit == "1" ? "" : " [" + unit + "]"))));
     table.left_columns.push_back({.name = variable.name, .title = variable.name});
   }
   return table;
@@ -391,7 +444,9 @@ void leave_out_constant(const TydexFile::Entry& constant, const Channel& channel
 
 LabTable read_tydex(const std::filesystem::path& file,
                     const Units& units,
-                    const ExpectedUnit& expected) {
+                    const ExpectedUnit& expected,
+                    const std::string& part) {
+  expect_no_part(file, part);
   TydexFile tydex = TydexFile::read(file);
   LabTable table = table_of(file);
   table.lines = std::move(tydex.lines);
@@ -418,6 +473,11 @@ LabTable read_tydex(const std::filesystem::path& file,
     const auto& about = tydex.descriptions[k];
     const Channel& channel = tydex.channels.all()[k];
     add(channel.name, about.unit, about.line, channel.values);
+    TableColumn& source = columns.back().source;
+    source.factor = about.factor;
+    source.offset = about.factor * about.measured_offset + about.physical_offset;
+    if (source.factor != 1.0 || source.offset != 0.0)
+      source.assumed = "factor and offsets of the file are applied";
   }
   for (const TydexFile::Entry& constant : tydex.constants) {
     if (!constant.number) continue;
@@ -490,7 +550,10 @@ std::string encoding_of(const std::filesystem::path& file) {
   return "Windows-1252, because the bytes are no UTF-8";
 }
 
-using LabReader = LabTable (*)(const std::filesystem::path&, const Units&, const ExpectedUnit&);
+using LabReader = LabTable (*)(const std::filesystem::path&,
+                               const Units&,
+                               const ExpectedUnit&,
+                               const std::string&);
 
 /// The readers by the extensions of their files.
 const std::vector<std::pair<std::string, LabReader>>& lab_readers() {
@@ -513,11 +576,12 @@ Place LabTable::place(std::size_t sample) const {
 
 LabTable read_lab_table(const std::filesystem::path& file,
                         const Units& units,
-                        const ExpectedUnit& expected) {
+                        const ExpectedUnit& expected,
+                        const std::string& part) {
   const std::string ending = lower(file.extension().string());
   for (const auto& [known, reader] : lab_readers()) {
     if (known != ending) continue;
-    LabTable table = reader(file, units, expected);
+    LabTable table = reader(file, units, expected, part);
     if (known != ".mat") table.assumed_encoding = encoding_of(file);
     return table;
   }

@@ -3,7 +3,8 @@
 //
 //   .csv .txt                 csv_table.h
 //   .dat                      files of tire test consortia (below)
-//   .mat                      mat_file.h
+//   .mat                      mat_file.h; a single number that is known and has a unit is the same
+//                             for all samples
 //   .tdx .tydex .tda .tdb     tydex_file.h; a constant that is no channel (INFLPRES) is the same
 //                             for all samples
 //
@@ -48,6 +49,8 @@ struct LabTable {
   std::vector<TableColumn> left_columns;        // the columns left out, as the file states them
   Place header;                                 // line of the names
   std::string assumed_encoding;                 // encoding of a text that is no UTF-8, in words
+  std::string assumed_struct;        // the only struct with known channels, if none is stated
+  std::vector<std::string> structs;  // the structs among which nothing was chosen
 
   /// Returns the place of a sample for messages: the line, or the file alone.
   Place place(std::size_t sample) const;
@@ -55,12 +58,15 @@ struct LabTable {
 
 /// `units` are those of columns for which the file states none; an empty unit only says that the
 /// column is required. `expected` says which unit a column of a name must have; a unit of another
-/// dimension is an error then, and a unit with several meanings is read in that dimension. Throws
-/// InputError naming file, line and column: an unknown extension, a broken file, ragged rows, two
-/// columns of the same name, all columns of `units` that do not exist or state another unit.
+/// dimension is an error then, and a unit with several meanings is read in that dimension. A
+/// `part` that is not empty is the path of a struct of a MAT file, or what stands before the dot in
+/// the names of a .csv: only its channels are read, without it in their names. Throws InputError
+/// naming file, line and column: an unknown extension, a broken file, ragged rows, two columns of
+/// the same name, all columns of `units` that do not exist or state another unit, no such part.
 LabTable read_lab_table(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {},
-                        const ExpectedUnit& expected = {});
+                        const ExpectedUnit& expected = {},
+                        const std::string& part = "");
 
 /// Returns the extensions of the files that read_lab_table() reads, in lower case: ".csv", ... A
 /// new kind of file is one reader and its line in lab_table.cpp; every door of the program that

@@ -183,10 +183,8 @@ void take_listed_units(const std::vector<MatVariable>& variables,
 
 }  // namespace
 
-MatFile::Named MatFile::named_channels(const std::map<std::string, std::string>& units,
-                                       const ExpectedUnit& expected) const {
+std::map<std::string, std::string> MatFile::written_units() const {
   std::map<std::string, std::string> written;
-  std::set<std::string> names;
   for (const MatVariable& variable : variables) {
     const std::size_t dot = variable.name.rfind('.');
     if (!variable.is_text || dot == variable.name.npos) continue;
@@ -196,12 +194,25 @@ MatFile::Named MatFile::named_channels(const std::map<std::string, std::string>&
     }
   }
   take_listed_units(variables, written);
+  return written;
+}
+
+std::string MatFile::channel_of(const MatVariable& variable,
+                                const std::map<std::string, std::string>& units) {
+  std::string holder = holder_of(variable.name);
+  return units.contains(holder) ? holder : variable.name;
+}
+
+MatFile::Named MatFile::named_channels(const std::map<std::string, std::string>& units,
+                                       const ExpectedUnit& expected) const {
+  const std::map<std::string, std::string> written = written_units();
+  std::set<std::string> names;
   Named result;
   for (const MatVariable& variable : variables) {
     if (!variable.is_vector()) continue;
-    const std::string holder = holder_of(variable.name);
-    const bool is_held = written.contains(holder) || units.contains(holder);
-    TableColumn column{.name = is_held ? holder : variable.name, .title = variable.name};
+    const std::string stated = channel_of(variable, units);
+    TableColumn column{.name = stated == variable.name ? channel_of(variable, written) : stated,
+                       .title = variable.name};
     column.place = static_cast<int>(names.size() + 1);
     column.unit_place = UnitPlace::text_beside;
     if (!names.insert(column.name).second)

@@ -53,6 +53,12 @@ struct MatFile {
   };
   Named named_channels(const std::map<std::string, std::string>& units = {},
                        const ExpectedUnit& expected = {}) const;
+  /// Returns the units that the file states, by the name of the channel.
+  std::map<std::string, std::string> written_units() const;
+  /// Returns the name under which named_channels() knows a variable: "Fz" for "Fz.data" if `units`
+  /// has a unit of the struct Fz, otherwise the variable's own.
+  static std::string channel_of(const MatVariable& variable,
+                                const std::map<std::string, std::string>& units);
   Channels channels(const std::map<std::string, std::string>& units = {}) const {
     return named_channels(units).channels;
   }

@@ -2,10 +2,12 @@
 // The tables that a laboratory delivers, and such tables written from a simulation (a twin).
 //
 // Load-deflection, CSV: columns "deflection" (from first touch) or "loaded_radius" (wheel center to
-// ground), "force" and, if known, "spread", the standard deviation of the force.
+// ground), "force" and, if known, "spread", the standard deviation of the force. A table with other
+// names is read as any measurement (correlation/laboratory/measurement.h).
 //
-// Modes, CSV: column "frequency"; if known "n", "type" (torsional, lateral, radial) and "phase" (s,
-// a); a cell may be empty. Or TOML, one table for each mode:
+// Modes, CSV: column "frequency" (also "f", "Eigenfrequenz" ...); if known "n" (also "order"),
+// "type" (torsional, lateral, radial) and "phase" (s, a), in any case; a cell may be empty. Or
+// TOML, one table for each mode:
 //
 //   [[mode]]
 //   frequency = "43.2 Hz"
@@ -30,6 +32,8 @@ namespace latsch::formats {
 
 /// Throws InputError naming file and line: a missing column, a wrong unit, a fault of the curve.
 LoadDeflectionCurve read_load_deflection(const std::filesystem::path& file);
+/// True if a file is a CSV with no other columns than read_load_deflection() reads.
+bool is_load_deflection_table(const std::filesystem::path& file);
 
 /// Reads modes without shapes, from .toml or CSV.
 ModeTable read_modes(const std::filesystem::path& file);

@@ -130,5 +130,26 @@ TEST_F(MeasurementFile, FaultsOfShapesNameTheirLine) {
             "s.csv:3: shape is zero everywhere");
 }
 
+TEST_F(MeasurementFile, ModesAreKnownByOtherNames) {
+  write_text_file(folder_ / "a.csv", "Frequency [Hz],Order,Typ\n54,0,torsional\n70,1,radial\n");
+  write_text_file(folder_ / "b.csv", "f [Hz],n,type\n54,0,torsional\n70,1,radial\n");
+  EXPECT_EQ(read_modes(folder_ / "a.csv"), read_modes(folder_ / "b.csv"));
+  const auto read = [](const std::filesystem::path& file) { read_modes(file); };
+  const std::string said = complaint("c.csv", "omega [rad/s],n\n260,0\n", read);
+  EXPECT_NE(said.find("unknown column \"omega\""), said.npos) << said;
+  EXPECT_NE(said.find("frequency, n (the number of waves), type and phase"), said.npos) << said;
+  EXPECT_NE(complaint("d.csv", "f [Hz],frequency [Hz]\n54,54\n", read).find("unknown column"),
+            std::string::npos);
+}
+
+TEST_F(MeasurementFile, RowsThatAreNoPointsOfACurveHaveAWayOut) {
+  const auto read = [](const std::filesystem::path& file) { read_load_deflection(file); };
+  const std::string zero = complaint("z.csv", "deflection [mm],force [N]\n0,0\n5,900\n", read);
+  EXPECT_NE(zero.find("select = {deflection = \"2.5 mm ..\"}"), zero.npos) << zero;
+  const std::string loop =
+      complaint("l.csv", "deflection [mm],force [N]\n5,900\n9,1700\n5,850\n", read);
+  EXPECT_NE(loop.find("sweep = {deflection = \"rising\"}"), loop.npos) << loop;
+}
+
 }  // namespace
 }  // namespace latsch::formats

@@ -235,9 +235,47 @@ class Reading {
              "), such as " + in_quotes(natural_unit(known->si_unit)));
   }
 
+  /// Reads name, comment, unit and three numbers between tabs; nullopt for any other line.
+  std::optional<TydexFile::Entry> entry_between_tabs(std::string_view line) const {
+    std::vector<std::string_view> fields;
+    for (line = trimmed(line); line.find('\t') != line.npos;
+         line = trimmed(line.substr(line.find('\t'))))
+      fields.push_back(trimmed(line.substr(0, line.find('\t'))));
+    fields.push_back(line);
+    constexpr std::size_t kFields = 6;
+    if (fields.size() != kFields || !number_of(fields[3]) || !number_of(fields[4]) ||
+        !number_of(fields[5]))
+      return std::nullopt;
+    TydexFile::Entry entry;
+    entry.line = line_;
+    entry.name = capitals(fields[0]);
+    entry.comment = fields[1];
+    entry.unit = fields[2];
+    entry.text = fmt::format("{} {} {}", fields[3], fields[4], fields[5]);
+    return entry;
+  }
+
+  /// Fails for a line whose last words are a unit and three numbers that do not stand in their
+  /// columns.
+  void expect_columns(const TydexFile::Entry& entry, std::string_view line) const {
+    const auto words = words_of(line);
+    constexpr std::size_t kFewest = 5;  // name, unit, factor, two offsets
+    if (words.size() < kFewest || !looks_like_unit(words[words.size() - 4])) return;
+    const bool are_numbers = std::all_of(words.end() - 3, words.end(), [](std::string_view word) {
+      return number_of(word).has_value();
+    });
+    if (!are_numbers || words_of(entry.text).size() >= 3) return;
+    fail(line_,
+         fmt::format("channel {} has its fields beside their columns: the name is in columns 1 to "
+                     "10, the comment in 11 to 40, the unit in 41 to 50, factor and offsets from "
+                     "51; or name, comment, unit and the three numbers between tabs",
+                     entry.name));
+  }
+
   void take_channel(std::string_view line) {
     TydexFile::Description about;
-    const TydexFile::Entry entry = entry_of(line);
+    const TydexFile::Entry entry = entry_between_tabs(line).value_or(entry_of(line));
+    expect_columns(entry, line);
     about.comment = entry.comment;
     about.unit = entry.unit;
     about.line = line_;

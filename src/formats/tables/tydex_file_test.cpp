@@ -237,5 +237,25 @@ TEST(TydexFile, LeavesOutAChannelOfItsOwnWhoseUnitIsUnknown) {
   EXPECT_NE(file.left_out.at("SENSOR_7").find("unknown unit \"grC\""), std::string::npos);
 }
 
+// A spreadsheet saves tabs in place of the columns.
+TEST(TydexFile, ChannelsBetweenTabsAreRead) {
+  const TydexFile file = TydexFile::parse(kHead +
+                                              "**MEASURCHANNELS\n"
+                                              "RUNTIME\tRunning time\ts\t1\t0\t0\n"
+                                              "SLIPANGL\tSlip angle\tdeg\t2\t1\t-0.5\n"
+                                              "FZW\tVertical force\tkN\t1\t0\t0\n" +
+                                              kData,
+                                          "rig.tdx");
+  const TydexFile whole = TydexFile::parse(kHead + kChannels + kData, "rig.tdx");
+  EXPECT_EQ(file.channels.all(), whole.channels.all());
+}
+
+TEST(TydexFile, ChannelsBesideTheirColumnsAreRefusedByThatReason) {
+  for (const char* line : {"RUNTIME Running time s 1 0 0\n", "FZW load N m 1 0 0\n"})
+    expect_tydex_message(kHead + "**MEASURCHANNELS\n" + line + kData,
+                         "rig.tdx:9: ",
+                         "has its fields beside their columns");
+}
+
 }  // namespace
 }  // namespace latsch::formats

@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "base/utf8.h"
 #include "formats/text/letter_case.h"
 
 namespace latsch::formats {
@@ -30,7 +31,15 @@ std::optional<double> number_in(std::string_view text) {
 
 std::string no_number(const std::string& what, const std::string& found) {
   std::string hint;
-  if (found.find(',') != std::string::npos) hint = "; decimals are written with a point";
+  if (const auto comma = found.find(','); comma != std::string::npos) {
+    hint = "; decimals are written with a point";
+    std::string without = found;
+    without.erase(std::remove(without.begin(), without.end(), ','), without.end());
+    const auto digits = found.find_first_not_of("0123456789", comma + 1);
+    const auto behind = (digits == std::string::npos ? found.size() : digits) - comma - 1;
+    if (behind == 3 && number_in(without))
+      hint += ", and thousands without a mark: " + without + " if the comma separates thousands";
+  }
   return fmt::format("{} is {}, expected a finite number{}", what, in_quotes(found), hint);
 }
 
@@ -43,6 +52,7 @@ class TeimOrbitReader {
 
   void read() {
     const std::string_view text = into_.source_;
+    refuse_utf16(text, into_.file());
     std::size_t begin = text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
     while (begin < text.size()) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());

@@ -128,6 +128,9 @@ TEST(TeimOrbit, ComplaintsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(
       orbit_complaint("[A]\n\nFNOMIN = 3,5\n", fnomin),
       "t.tir:3: FNOMIN is \"3,5\", expected a finite number; decimals are written with a point");
+  EXPECT_EQ(orbit_complaint("[A]\nFNOMIN = 260,000\n", fnomin),
+            "t.tir:2: FNOMIN is \"260,000\", expected a finite number; decimals are written with a "
+            "point, and thousands without a mark: 260000 if the comma separates thousands");
   EXPECT_EQ(orbit_complaint("[A]\nFNOMIN = nan\n", fnomin),
             "t.tir:2: FNOMIN is \"nan\", expected a finite number");
   EXPECT_EQ(orbit_complaint("[A]\nB = 2\n", fnomin), "t.tir:1: [A] has no FNOMIN");

@@ -44,12 +44,8 @@ std::string from_windows_1252(std::string_view bytes) {
 /// Throws InputError for UTF-16 and for zero bytes, which do not occur in a text with one byte per
 /// character.
 void expect_text(std::string_view bytes, const std::string& file) {
+  refuse_utf16(bytes, file);
   const auto zero = bytes.find('\0');
-  // Even without a byte order mark, every ASCII letter of UTF-16 has a zero byte.
-  const bool alternates =
-      zero <= 1 && bytes.size() > 3 && bytes[zero + 1] != '\0' && bytes[zero + 2] == '\0';
-  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff") || alternates)
-    throw InputError({file, 0}, "is UTF-16 text, expected UTF-8: save it as UTF-8");
   if (bytes.find('\n') == bytes.npos && bytes.find('\r') < bytes.size() - 1)
     throw InputError({file, 0},
                      "has lines that end in a carriage return alone, as old Macintosh programs "

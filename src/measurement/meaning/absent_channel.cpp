@@ -108,7 +108,9 @@ std::optional<MayBe> unknown_name(std::string_view channel,
                     Unit::of(column.unit).same_dimension(Unit::of(unit));
   if (is_within && (!fits || is_function(column.name)))
     return MayBe{column.name, "a function of it?", false};
-  if (fits) return MayBe{column.name, ""};
+  if (fits) return MayBe{column.name, "", true, is_within};
+  if (channel == "alpha" && column.unit == "1" && column.is_slip_like)
+    return MayBe{column.name, "a plain number: its tangent?", false};
   return std::nullopt;
 }
 
@@ -125,7 +127,7 @@ std::optional<MayBe> known_name(std::string_view channel,
       return MayBe{
           column.name, fmt::format("in {}, expected {}", column.unit, known.meaning->unit), false};
     if (known.channel == channel) return std::nullopt;
-    return MayBe{column.name, "that of one wheel or frame"};
+    return MayBe{column.name, "that of one wheel or frame", true, true};
   }
   if (column.is_used) return std::nullopt;
   const auto has = [&](std::string_view other) {
@@ -154,6 +156,8 @@ std::vector<MayBe> columns_that_may_be(std::string_view channel,
         known ? known_name(channel, column, *known, columns) : unknown_name(channel, unit, column);
     if (one) (one->is_as_it_stands ? found : computed).push_back(std::move(*one));
   }
+  std::stable_partition(
+      found.begin(), found.end(), [](const MayBe& one) { return one.has_its_name; });
   found.insert(found.end(), computed.begin(), computed.end());
   return found;
 }

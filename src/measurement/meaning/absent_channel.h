@@ -6,6 +6,7 @@
 //   any       a column of an unknown name whose unit has the dimension of the channel; a column
 //             whose name contains that of the channel ("tan alpha", "|SA|"); a column that is
 //             called so but was stated to be another channel; the channel of one wheel (alpha_FL)
+//   alpha     also a plain number of an unknown name with values like a slip: tan alpha, Vy / Vx
 //   alpha     also toe and steer, which are the slip angle on a rig that turns the wheel; Vy with
 //             Vx, of which it is computed
 //   kappa     also SL, the slip of the loaded radius; omega with Vx, of which it is computed
@@ -26,6 +27,7 @@ struct OtherColumn {
   bool has_unit = false;  // false if the file and its reader know no unit
   std::string taken_as = {};
   bool is_used = false;
+  bool is_slip_like = false;  // plain numbers of both signs, all below 1.5: may be a tangent
 };
 
 /// A column that may be a missing channel.
@@ -33,10 +35,12 @@ struct MayBe {
   std::string column;           // in the file
   std::string words;            // to follow the name: "a steer angle"; empty: nothing more is known
   bool is_as_it_stands = true;  // false if the channel has to be computed from the column
+  bool has_its_name = false;    // the name contains that of the channel
 };
 
-/// Returns the columns that may be the channel `channel`, whose SI unit is `unit`, in the order of
-/// the file. Those that only serve to compute the channel come last.
+/// Returns the columns that may be the channel `channel`, whose SI unit is `unit`: first those of
+/// which the name contains that of the channel, last those that only serve to compute it, each in
+/// the order of the file.
 std::vector<MayBe> columns_that_may_be(std::string_view channel,
                                        std::string_view unit,
                                        const std::vector<OtherColumn>& columns);

@@ -81,5 +81,23 @@ TEST(AbsentChannel, AListSaysHowManyItDoesNotName) {
   EXPECT_EQ(list_in_words(many, 2), "`c0` (an angle), `c1` and 7 more");
 }
 
+// tan alpha or Vy / Vx under a name that nobody knows. Numbers of one sign, or above 1.5, are none.
+TEST(AbsentChannel, APlainNumberLikeASlipMayBeTheTangentOfTheSlipAngle) {
+  OtherColumn plain = column("sigma_y", "1");
+  plain.is_slip_like = true;
+  EXPECT_EQ(offered("alpha", "rad", {plain}), "sigma_y");
+  EXPECT_FALSE(columns_that_may_be("alpha", "rad", {plain}).front().is_as_it_stands);
+  EXPECT_EQ(offered("gamma", "rad", {plain}), "");
+  plain.is_slip_like = false;
+  EXPECT_EQ(offered("alpha", "rad", {plain}), "");
+}
+
+TEST(AbsentChannel, AColumnThatContainsTheNameComesFirst) {
+  EXPECT_EQ(columns_that_may_be("toe", "rad", {column("spin", "rad"), column("toe_left", "rad")})
+                .front()
+                .column,
+            "toe_left");
+}
+
 }  // namespace
 }  // namespace latsch

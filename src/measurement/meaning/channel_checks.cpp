@@ -54,6 +54,7 @@ constexpr std::array kRanges = {
     UsualRange{"dy", "m", -10, -0.1, 0.1, 10, kLengths},
     UsualRange{"dz", "m", -10, -0.5, 0.5, 10, kLengths},
     UsualRange{"travel", "m", -10, -0.5, 0.5, 10, kLengths},
+    UsualRange{"deflection", "m", -10, -0.5, 0.5, 10, kLengths},
     UsualRange{"rack", "m", -10, -0.3, 0.3, 10, kLengths},
     UsualRange{"mux", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},
     UsualRange{"muy", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},
@@ -250,6 +251,63 @@ void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   }
 }
 
+/// A motion, the force along it, and the usual stiffness between the two, N/mm.
+struct UsualStiffness {
+  std::string_view motion, force;
+  double least, most;
+};
+// The ranges are wide: the upright of a race car has 50 kN/mm along y, the hub of a comfortable car
+// 0.2 kN/mm along x. A motion in m in place of mm has a thousandth of that, below every range.
+constexpr std::array kStiffnesses = {UsualStiffness{"dx", "Fx", 100, 2e5},
+                                     UsualStiffness{"dy", "Fy", 100, 2e5},
+                                     UsualStiffness{"dz", "Fz", 1, 2e4},
+                                     UsualStiffness{"travel", "Fz", 1, 2e4},
+                                     UsualStiffness{"deflection", "Fz", 10, 1e4}};
+
+/// Returns force over motion, N/m, by the ranges of the two; nullopt unless one clearly follows the
+/// other.
+std::optional<double> stiffness_of(const Channel& motion, const Channel& force) {
+  constexpr double kClearly = 0.9;  // least correlation
+  constexpr std::size_t kFewest = 3;
+  double x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0, n = 0.0;
+  for (std::size_t i = 0; i < std::min(motion.values.size(), force.values.size()); ++i) {
+    const double d = motion.values[i], F = force.values[i];
+    if (!std::isfinite(d + F)) continue;
+    x += d, y += F, xx += d * d, yy += F * F, xy += d * F, n += 1.0;
+  }
+  if (n < kFewest) return std::nullopt;
+  const double dd = xx - x * x / n, FF = yy - y * y / n, dF = xy - x * y / n;
+  if (!(dd > 0.0) || !(FF > 0.0) || !(std::abs(dF) > kClearly * std::sqrt(dd * FF)))
+    return std::nullopt;
+  return std::sqrt(FF / dd);
+}
+
+/// Checks that a motion is of the size that its force causes: a displacement in mm that is read as
+/// m may lie within the range of displacements.
+void check_stiffness(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+  constexpr double kPerMm = 1e-3;  // N/mm in N/m
+  for (const Channel& motion : channels.all()) {
+    const std::string name = base_name(motion);
+    for (const UsualStiffness& usual : kStiffnesses) {
+      if (name != usual.motion || motion.unit != "m") continue;
+      const std::string end =
+          motion.name.starts_with(usual.motion) ? motion.name.substr(usual.motion.size()) : "";
+      const Channel* force = channels.find(std::string(usual.force) + end);
+      const auto stiffness =
+          force && force->unit == "N" ? stiffness_of(motion, *force) : std::nullopt;
+      if (!stiffness || (*stiffness * kPerMm >= usual.least && *stiffness * kPerMm <= usual.most))
+        continue;
+      doubts.push_back({motion.name,
+                        fmt::format("moves by {} N/mm of {}, expected {:g} .. {:g} N/mm; {}",
+                                    format_number(*stiffness * kPerMm, 3),
+                                    force->name,
+                                    usual.least,
+                                    usual.most,
+                                    kLengths)});
+    }
+  }
+}
+
 /// Checks that a horizontal force is at most three times the load.
 void check_friction(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   constexpr double kMostFriction = 3.0;
@@ -425,6 +483,7 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels,
   if (!is_turned) {
     check_friction(channels, doubts);
     check_pairs(channels, doubts);
+    check_stiffness(channels, doubts);
     check_inclination(channels, doubts);
     for (ChannelDoubt& doubt : suspension_doubts(channels)) doubts.push_back(std::move(doubt));
   }

@@ -13,6 +13,10 @@
 //   kappa                         -1.05 to 1.5              beyond 100
 //   mux, muy, friction            0 to 3
 //   |Fx| / Fz, |Fy| / Fz          0 to 3, where Fz is above a fifth of its median
+//   dx, dy, dz, travel            0.1 m, 0.5 m              beyond 10 m
+//   deflection, rack              0.5 m, 0.3 m              beyond 10 m
+//   Fx over dx, Fy over dy        100 N/mm to 200 kN/mm, if one follows the other
+//   Fz over dz, travel            1 N/mm to 20 kN/mm; over a tire's deflection 10 N/mm to 10 kN/mm
 //   RIMDIAME                      below OVALLDIA            above it
 //
 //   slip angle and side force     opposite: Fy falls as alpha rises

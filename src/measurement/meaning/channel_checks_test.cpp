@@ -196,5 +196,36 @@ TEST(ChannelChecks, CountGapsAndTellANegativeLoad) {
   EXPECT_NE(gaps[0].sentence.find("empty in 1 of 3 samples, first in sample 2"), std::string::npos);
 }
 
+/// A wheel that 4 kN move by `most` along each of the axes, at the ends of the sweep.
+Channels moved_wheel(const char* motion, const char* force, double most) {
+  Channel d{motion, "m", {}}, F{force, "N", {}};
+  for (int i = -4; i <= 4; ++i) {
+    d.values.push_back(most * i / 4.0);
+    F.values.push_back(1e3 * i);
+  }
+  Channels channels;
+  channels.add(std::move(d));
+  channels.add(std::move(F));
+  return channels;
+}
+
+// 0.02 mm, 0.11 mm and 3 mm written in a column [m]: the first two stay within 0.1 m.
+TEST(ChannelChecks, ADisplacementInMillimetersReadAsMetersIsDoubted) {
+  for (const auto& [motion, force] :
+       {std::pair{"dx", "Fx"}, {"dy", "Fy"}, {"dy_L", "Fy_L"}, {"dz", "Fz"}, {"travel", "Fz"}}) {
+    const double most = motion[1] == 'z' || motion[0] == 't' ? 30.0 : 0.05;  // mm under 4 kN
+    EXPECT_FALSE(doubts_about(moved_wheel(motion, force, most)).empty()) << motion;
+    EXPECT_TRUE(doubts_about(moved_wheel(motion, force, 1e-3 * most)).empty()) << motion;
+  }
+  const auto doubts = doubts_about(moved_wheel("dy", "Fy", 0.05));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_NE(doubts[0].sentence.find("80 N/mm"), std::string::npos) << doubts[0].sentence;
+}
+
+TEST(ChannelChecks, ADisplacementInMetersReadAsMillimetersIsDoubted) {
+  EXPECT_FALSE(doubts_about(moved_wheel("dy", "Fy", 5e-8)).empty());
+  EXPECT_TRUE(doubts_about(moved_wheel("dy", "Fy", 5e-5)).empty());
+}
+
 }  // namespace
 }  // namespace latsch

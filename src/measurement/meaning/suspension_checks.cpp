@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "measurement/meaning/projection.h"
+
 namespace latsch {
 namespace {
 
@@ -32,18 +34,6 @@ constexpr std::array<WheelEnd, 9> kWheelEnds = {{{"", 0},
                                                  {"_FR", -1},
                                                  {"_RL", 1},
                                                  {"_RR", -1}}};
-
-double dot(const Values& a, const Values& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-/// Removes from `values` its share along `direction`.
-void project_out(const Values& direction, Values& values) {
-  const double share = dot(direction, values) / dot(direction, direction);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= share * direction[i];
-}
 
 /// Partial correlation of a motion with a load at fixed other loads; 0 if the load does not vary by
 /// itself.

@@ -18,7 +18,7 @@ struct Side {
   std::shared_ptr<const correlation::Study> study;
   std::optional<DesignPoint> best;
   Json target = nullptr;
-  std::map<std::string, double> errors;  // mean error of each experiment
+  std::map<std::string, double> errors;  // of each experiment, in its own measure
   Json convergence;
   KeptIdentifiability kept;
   std::string no_intervals;  // reason why there are no intervals
@@ -40,8 +40,7 @@ Side side_of(const ShelvedStudy& shelved) {
     side.best = row.point;
     side.target = finite(target.weighting(target.weights()).target(*row.parts));
     const auto names = target.experiments();
-    for (std::size_t e = 0; e < names.size(); ++e)
-      side.errors[names[e]] = row.parts->mean_errors[e];
+    for (std::size_t e = 0; e < names.size(); ++e) side.errors[names[e]] = row.parts->errors[e];
   });
   side.kept = kept_identifiability(shelved);
   side.no_intervals = side.best ? side.kept.why_not_at(*side.best) : kNoTrial;

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/study/study_experiment.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/study_trials.h"
 #include "studio/views/kept_answers.h"
@@ -157,6 +158,13 @@ Drawn draw(const RecordedTrial& recorded,
       if (start) at_start = std::move(*start);
       if (!start) initial = nullptr;
     }
+    report::ExperimentRow row;
+    row.name = experiment.name;
+    row.fitted = experiment.fitted;
+    row.error = own_measure(experiment, *comparison);
+    row.measure = measure_in_words(experiment);
+    if (at_start) row.initial_error = own_measure(experiment, *at_start);
+    drawn.page.experiments.push_back(std::move(row));
     experiment.observable->draw({experiment.name,
                                  conditions_of(experiment, study.tests),
                                  experiment.fitted,

@@ -28,7 +28,7 @@ struct RecordedTrial {
 RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& trial);
 
 struct Drawn {
-  report::StudyReport page;                                 // forces, curves, modes, values
+  report::StudyReport page;  // experiments, forces, curves, modes, values
   std::vector<std::pair<std::string, std::string>> absent;  // experiment and reason
 };
 

@@ -7,9 +7,12 @@
 
 #include "base/units.h"
 #include "correlation/analysis/beyond_data.h"
+#include "correlation/analysis/plausibility.h"
+#include "correlation/analysis/test_limits.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_experiment.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 #include "experiment/language/usual_numbers.h"
 #include "studio/views/json_values.h"
@@ -55,7 +58,7 @@ Json experiments(const Study& study, const TrialTable& table, std::optional<std:
     if (experiment.fitted && parts) {
       const double target = weighting.target(*parts);
       share = target > 0.0 ? finite(weighting.share(*parts, fitted) / target) : Json(nullptr);
-      error = finite(parts->mean_errors[fitted]);
+      error = finite(parts->errors[fitted]);
     }
     if (experiment.fitted) ++fitted;
     list.push_back({{"name", experiment.name},
@@ -67,7 +70,8 @@ Json experiments(const Study& study, const TrialTable& table, std::optional<std:
                     {"weight", experiment.objective.weight},
                     {"exponent", experiment.objective.exponent},
                     {"values", experiment.values()},
-                    {"mean_error", error},
+                    {"measure", measure_in_words(experiment)},
+                    {"error", error},
                     {"share", share}});
   }
   return list;
@@ -104,18 +108,29 @@ Json failures(const TrialTable& table) {
   return list;
 }
 
+/// Returns the findings of `latsch check`. If the study's file cannot be read any more, while it is
+/// edited, those of its model alone.
+std::vector<experiment::Finding> findings(const Study& study) {
+  try {
+    return correlation::implausible(study);
+  } catch (const InputError&) {
+    const experiment::SpecimenKind* kind = study.specimens->kind();
+    if (!kind) return {};
+    return experiment::findings_of_model(*kind, study.model, study.model_file);
+  }
+}
+
 /// Returns warnings before or during a run.
-Json warnings(const Study& study, const Sight& sight) {
+Json warnings(const Study& study, const Sight& sight, const std::vector<Ledger>& ledgers) {
   Json list = Json::array();
   if (!sight.error.empty()) list.push_back(sight.error);
   if (!sight.no_best.empty()) list.push_back(sight.no_best);
-  if (const experiment::SpecimenKind* kind = study.specimens->kind())
-    for (const auto& one : experiment::findings_of_model(*kind, study.model, study.model_file))
-      list.push_back(one.place.text() + ": " + one.sentence);
-  for (const Ledger& ledger : correlation::ledgers_of(study))
+  for (const experiment::Finding& one : findings(study)) list.push_back(experiment::in_words(one));
+  for (const Ledger& ledger : ledgers)
     for (const LedgerDoubt& doubt : ledger.doubts)
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
         list.push_back(doubt.sentence);  // the page shows each sentence once
+  for (const std::string& limit : correlation::limits_of_tests(study)) list.push_back(limit);
   for (const std::string& words : sight.spoiled) list.push_back(words);
   for (const std::string& words : correlation::untold_in_words(study)) list.push_back(words);
   double largest = 0.0;
@@ -241,10 +256,10 @@ Json study_view(const ShelvedStudy& shelved, StudyRuns& runs) {
     for (const auto& constraint : study.constraints)
       view["constraints"].push_back(in_words(constraint));
     view["failures"] = failures(table);
-    view["warnings"] = warnings(study, sight);
+    const std::vector<Ledger> ledgers = correlation::all_ledgers_of(study);
+    view["warnings"] = warnings(study, sight, ledgers);
     view["ledgers"] = Json::array();
-    for (const Ledger& ledger : correlation::all_ledgers_of(study))
-      view["ledgers"].push_back(correlation::json_of(ledger));
+    for (const Ledger& ledger : ledgers) view["ledgers"].push_back(correlation::json_of(ledger));
     return view;
   });
 }

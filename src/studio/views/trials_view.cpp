@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "correlation/target/compared_trial.h"
 #include "studio/views/json_values.h"
 #include "studio/views/trial_hints.h"
 #include "studio/views/views.h"
@@ -161,7 +162,8 @@ Json trial_view(const ShelvedStudy& study, long trial) {
            {"weight", experiment.objective.weight},
            {"value", finite(row.parts->values[e])},
            {"share", whole > 0.0 ? finite(weighting.share(*row.parts, e) / whole) : Json(nullptr)},
-           {"mean_error", finite(row.parts->mean_errors[e])},
+           {"measure", measure_in_words(experiment)},
+           {"error", finite(row.parts->errors[e])},
            {"largest_error", finite(row.parts->largest_errors[e])}});
       ++e;
     }

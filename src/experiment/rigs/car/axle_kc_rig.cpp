@@ -104,8 +104,7 @@ class AxleOnRig {
   Status go_to(Eigen::Index state) {
     set_loads(state);
     auto found = statics_.solve(standing(), rest_);
-    if (!found)
-      return Failure{fmt::format("state {} of the K&C rig: {}", state + 1, found.failure().reason)};
+    if (!found) return unreached(state, found.failure().reason);
     rest_ = std::move(*found);
     return {};
   }
@@ -166,6 +165,32 @@ class AxleOnRig {
   }
 
  private:
+  /// Names the travel and the rack of a state on pads, not a load that nobody stated.
+  Failure unreached(Eigen::Index state, const std::string& reason) const {
+    if (!test_.travel)
+      return Failure{fmt::format("state {} of the K&C rig: {}", state + 1, reason)};
+    constexpr std::string_view kOfTheLoad = " of the load: ";
+    std::string why = reason;
+    if (const auto at = why.find(kOfTheLoad); at != why.npos)
+      why.replace(at, kOfTheLoad.size(), " of the way there: ");
+    const auto at = static_cast<std::size_t>(state);
+    const auto& travel = *test_.travel;
+    const std::string from = at == 0 ? "rest"
+                                     : fmt::format("travel {:.4g} mm (left) and {:.4g} mm (right)",
+                                                   1e3 * travel[0][at - 1],
+                                                   1e3 * travel[1][at - 1]);
+    return Failure{
+        fmt::format("state {} of the K&C rig: travel {:.4g} mm (left) and {:.4g} mm (right) with "
+                    "the rack at {:.4g} mm cannot be reached from {}: {}; the wheels cannot travel "
+                    "so far, or the step there is too long",
+                    state + 1,
+                    1e3 * travel[0][at],
+                    1e3 * travel[1][at],
+                    1e3 * test_.rack[at],
+                    from,
+                    why)};
+  }
+
   const car::CornerParts& corner(int side) const {
     return car_.parts.corners[static_cast<std::size_t>(left_ + side)];
   }

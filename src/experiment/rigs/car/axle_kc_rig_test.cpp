@@ -161,5 +161,22 @@ TEST(AxleOnKcRigOfRigidJoints, ItsWheelRateIsThatOfTheLinkage) {
   }
 }
 
+TEST_F(AxleOnKcRig, ATravelThatTheWheelCannotMakeIsNamedAsTravel) {
+  const auto said = [&](const std::string& travel) -> std::string {
+    const auto specimen = language().find_kind("car")->build(numbers_);
+    const auto found = test("springs = \"free\"\ntravel = " + travel + "\n")->run(*specimen);
+    return found ? "" : found.failure().reason;
+  };
+  const std::string first = said("[\"-400 mm\"]");
+  EXPECT_NE(first.find("state 1 of the K&C rig: travel -400 mm (left) and -400 mm (right) with the "
+                       "rack at 0 mm cannot be reached from rest"),
+            std::string::npos)
+      << first;
+  EXPECT_EQ(first.find("of the load"), std::string::npos) << first;
+  const std::string second = said("[\"10 mm\", \"400 mm\"]");
+  EXPECT_NE(second.find("state 2 of the K&C rig: travel 400 mm"), std::string::npos) << second;
+  EXPECT_NE(second.find("cannot be reached from travel 10 mm (left)"), std::string::npos) << second;
+}
+
 }  // namespace
 }  // namespace latsch::experiment

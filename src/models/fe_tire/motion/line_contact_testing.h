@@ -96,8 +96,14 @@ class LineContact : public RollingBody {
              const Eigen::VectorXd& R,
              Eigen::VectorXd& dq) override {
     Eigen::MatrixXd J = S_, right = R;
-    const Eigen::MatrixXd& by = tractions.by[0];
-    for (int k = 0; k <= count_; ++k) J.middleCols<2>(2 * k) -= h_ * by.middleCols<2>(4 * k);
+    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(2, S_.cols());  // derivative of place k's traction
+    for (int k = 1; k <= count_; ++k) {
+      const GripLink& link = tractions.links[k];
+      by = (link.by_before * by).eval();
+      by.middleCols<2>(2 * k) += link.by_step;
+      by.middleCols<2>(2 * k - 2) -= link.by_step;
+      J.middleRows<2>(2 * k) -= h_ * by;
+    }
     numerics::Lu lu;
     lu.factorize(J);
     lu.solve(right);

@@ -121,6 +121,7 @@ class RollingSearch {
     int count = 0;
     for (int k = 0; k < grip_.lines().points(); ++k) {
       if (now_.state.grip[k] != Grip::slides || returns_[k] >= options_.most_returns) continue;
+      if (!(now_.tractions.limit[k] > 0.0)) continue;  // without friction nothing sticks
       const double along = now_.tractions.trial.col(k).dot(now_.state.direction.col(k));
       if (along >= (1.0 - options_.excess) * now_.tractions.limit[k]) continue;
       now_.state.grip[k] = Grip::sticks;

@@ -56,13 +56,10 @@ GripTractions RollingGrip::tractions(const RollingInput& input,
                       Eigen::VectorXd::Zero(n),
                       Eigen::Matrix2Xd::Zero(2, n),
                       {}};
+  if (with_derivatives) found.links.resize(n);
   for (const RollingLines::Line& line : lines_.lines) {
-    const int m = line.last - line.first;
-    Eigen::MatrixXd by;
-    if (with_derivatives) by.setZero(2 * m, 4 * m);
     for (int k = line.first; k < line.last; ++k) {
       if (!(input.p[k] > 0.0)) continue;
-      const int i = k - line.first;
       const Step step = step_to(input, line, k);
       Pair trial = -stiffness_ * step.share * step.full;
       if (step.carries) trial += found.t.col(k - 1);
@@ -74,24 +71,18 @@ GripTractions RollingGrip::tractions(const RollingInput& input,
       const Pair direction = turned ? Pair(trial.normalized()) : kept;
       found.t.col(k) = slides ? Pair(found.limit[k] * direction) : trial;
       if (!with_derivatives) continue;
-      auto row = by.middleRows<2>(2 * i);
-      if (!slides || turned) {
-        if (step.carries) row = by.middleRows<2>(2 * i - 2);
-        if (i > 0) {
-          row.middleCols<2>(4 * i).diagonal().array() -= stiffness_ * step.share;
-          row.middleCols<2>(4 * i - 4).diagonal().array() += stiffness_ * step.share;
-          if (!step.carries) row.col(4 * i + 3) -= stiffness_ * step.full;
-        }
-      }
-      if (turned) {
-        const Eigen::Matrix2d across =
-            Eigen::Matrix2d::Identity() - direction * direction.transpose();
-        row = (found.limit[k] / trial.norm() * across * row).eval();
-      }
-      if (slides)
-        row.col(4 * i + 2) += friction_.limit_slope(input.p[k], state.speed[k]) * direction;
+      // The traction follows the trial as a whole, or across its direction, or not at all.
+      Eigen::Matrix2d follows = Eigen::Matrix2d::Zero();
+      if (!slides) follows.setIdentity();
+      if (turned)
+        follows = found.limit[k] / trial.norm() *
+                  (Eigen::Matrix2d::Identity() - direction * direction.transpose());
+      GripLink& link = found.links[k];
+      if (step.carries) link.by_before = follows;
+      if (k > line.first) link.by_step = -stiffness_ * step.share * follows;
+      if (k > line.first && !step.carries) link.by_share = -stiffness_ * (follows * step.full);
+      if (slides) link.by_p = friction_.limit_slope(input.p[k], state.speed[k]) * direction;
     }
-    if (with_derivatives) found.by.push_back(std::move(by));
   }
   find_slip(input, state, found);
   return found;

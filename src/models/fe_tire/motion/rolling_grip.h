@@ -70,15 +70,22 @@ struct GripState {
         speed(Eigen::VectorXd::Zero(points)) {}
 };
 
+/// Derivative of a point's traction, given that of the point before it on its line:
+///   dt_k = by_before dt_{k-1} + by_step (dx_k - dx_{k-1}) + by_share dshare_k + by_p dp_k.
+struct GripLink {
+  Eigen::Matrix2d by_before = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d by_step = Eigen::Matrix2d::Zero();   // Pa/m
+  Eigen::Vector2d by_share = Eigen::Vector2d::Zero();  // Pa
+  Eigen::Vector2d by_p = Eigen::Vector2d::Zero();
+};
+
 /// Tractions by (F.1) for given states of the points.
 struct GripTractions {
-  Eigen::Matrix2Xd t;      // Pa
-  Eigen::Matrix2Xd trial;  // t' of (F.1), Pa
-  Eigen::VectorXd limit;   // mu p, Pa
-  Eigen::Matrix2Xd w;      // m/s; 0 of points that stick
-  /// Derivative of t of each line's points [2 m] with respect to x, p and share of its points
-  /// [4 m], (x, y, p, share) each; empty if not asked for.
-  std::vector<Eigen::MatrixXd> by;
+  Eigen::Matrix2Xd t;           // Pa
+  Eigen::Matrix2Xd trial;       // t' of (F.1), Pa
+  Eigen::VectorXd limit;        // mu p, Pa
+  Eigen::Matrix2Xd w;           // m/s; 0 of points that stick
+  std::vector<GripLink> links;  // one for each point; empty if not asked for
 };
 
 class RollingGrip {

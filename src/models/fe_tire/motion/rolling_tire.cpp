@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/motion/rolling_tire.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "models/fe_tire/analysis/fe_tire_impl.h"
+#include "models/fe_tire/motion/linear_roller.h"
+#include "models/fe_tire/motion/spin.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+/// Half angle of the tread that may touch, rad: flat ground below a tire pressed by 8 % of its
+/// radius reaches to 0.22 rad.
+constexpr double kReach = 0.4;
+/// Residual of a state, relative to the ground's load.
+constexpr double kAccepted = 1e-6;
+constexpr int kMostIterations = 25;
+/// Share of the residual before above which the tangent is renewed, and above which the iteration
+/// is given up. Renewing costs some ten passes over the elements.
+constexpr double kSlow = 0.2, kDiverging = 4.0;
+/// Residual of a first step, relative to the load, that the tangent at hand leads to the end.
+constexpr double kNearby = 0.1;
+/// Most halvings of a step that inverts elements.
+constexpr int kMostHalvings = 4;
+/// Longest motion of a step, relative to the section height. A longer one turns elements so far
+/// that cords, which hardly stretch, spoil the next residual.
+constexpr double kLongest = 0.04;
+/// Accepted error of load and drive (linear_roller.h) of a state, and of the iterations before.
+constexpr double kBalanced = 1e-7, kRoughly = 1e-2;
+/// Shortest part of a path.
+constexpr double kShortestPart = 1.0 / 128.0;
+
+/// Returns the distance of the tread from the rim, m.
+double section_height(const Mesh& mesh) {
+  double rim = mesh.outer_radius();
+  for (const int node : mesh.clamped)
+    rim = std::min(rim, std::hypot(mesh.X(0, node), mesh.X(2, node)));
+  return mesh.outer_radius() - rim;
+}
+
+}  // namespace
+
+/// The whole ring with its tread, and the tangent at hand.
+struct RollingTire::Impl {
+  FeTire& tire;
+  const RingElements& elements;
+  RingUnknowns unknowns;
+  TreadSurface tread;
+  RingAssembly assembly;
+  TreadLines lines;
+  numerics::SymmetricMatrix K, W;
+  Eigen::VectorXd w_0;
+  LinearRoller linear;
+  double longest;  // m, motion of a step
+
+  Impl(FeTire& of, const RingElements& with, TreadShape shape)
+      : tire(of),
+        elements(with),
+        unknowns(with.ring(), RingSymmetry::none, {}),
+        tread(unknowns, shape, kReach),
+        assembly(unknowns),
+        lines(tread, with.ring().mesh()),
+        K(*assembly.pattern()),
+        W(flow_stiffness(assembly, with)),
+        w_0(flow_forces(unknowns, with, Eigen::Matrix3Xd::Zero(3, with.ring().mesh().nodes()))),
+        linear(assembly, tread, lines),
+        longest(kLongest * section_height(with.ring().mesh())) {}
+
+  /// An iterate: unknowns and the forces g of (R.1) without the ground.
+  struct Iterate {
+    AssembledState state;
+    Eigen::VectorXd g;
+  };
+  Status evaluate(Iterate& at, double pressure, double spin, bool with_tangent);
+  Result<double> advance(Iterate& now, const LinearRoller::Found& found, double pressure);
+  Result<LinearRoller::Found> step(
+      Iterate& now, const RollingCase& of, double load, double enough, RollingState& state);
+  Result<RollingState> part(const RollingState& from, const RollingCase& of);
+};
+
+/// Computes g, and renews the tangent if asked for.
+Status RollingTire::Impl::evaluate(Iterate& at, double pressure, double spin, bool with_tangent) {
+  int worst = 0;
+  if (!assembly.assemble(elements, at.state, pressure, at.g, with_tangent ? &K : nullptr, &worst))
+    return Failure{"an element is inverted, " + unknowns.ring().place(worst)};
+  Eigen::VectorXd Wu(at.state.x.size());
+  W.multiply(at.state.x.data(), Wu.data());
+  at.g -= spin * spin * (w_0 + Wu);
+  if (!with_tangent) return {};
+  K.add(-spin * spin, W);
+  if (!linear.factorize(K))
+    return Failure{"the tangent of the tire is not positive definite: the tire buckles"};
+  return {};
+}
+
+/// Moves to the state found on the linear tire, or a part of the way to it. Returns the part.
+Result<double> RollingTire::Impl::advance(Iterate& now,
+                                          const LinearRoller::Found& found,
+                                          double pressure) {
+  double share = std::min(1.0, longest / found.d.cwiseAbs().maxCoeff());
+  for (int halving = 0;; ++halving, share *= 0.5) {
+    Iterate trial{{now.state.x - share * found.d, now.state.alpha}, {}};
+    const Status done = evaluate(trial, pressure, found.of.spin, false);
+    if (!done && halving < kMostHalvings) continue;
+    if (!done) return done.failure();
+    now = std::move(trial);
+    return share;
+  }
+}
+
+/// Solves the linear tire on its ground. If it has no solution with an old tangent, that is
+/// renewed.
+Result<LinearRoller::Found> RollingTire::Impl::step(
+    Iterate& now, const RollingCase& of, double load, double enough, RollingState& state) {
+  const bool is_old = linear.has_factor();
+  const auto renew = [&] {
+    ++state.factors;
+    return evaluate(now, state.pressure, of.spin, true);
+  };
+  if (!is_old)
+    if (const Status done = renew(); !done) return done.failure();
+  GripState grip = state.grip;
+  auto found = linear.solve(of, now.state.x, now.g, load, enough, grip, state.passes);
+  if (!found && is_old) {
+    if (const Status done = renew(); !done) return done.failure();
+    grip = state.grip;
+    found = linear.solve(of, now.state.x, now.g, load, enough, grip, state.passes);
+  }
+  if (found) state.grip = std::move(grip);
+  return found;
+}
+
+/// Newton's method for one part of a path.
+Result<RollingState> RollingTire::Impl::part(const RollingState& from, const RollingCase& of) {
+  RollingState state = from;
+  state.iterations = state.factors = state.passes = 0;
+  const double load = std::max(of.load.value_or(std::abs(from.forces.force.z())), 1.0);
+  Iterate now{{unknowns.compress(from.u), from.alpha}, {}};
+  if (const Status done = evaluate(now, state.pressure, of.spin, false); !done)
+    return done.failure();
+  RollingCase at = of;
+  double before = 0.0, enough = kRoughly;
+  for (state.iterations = 1; state.iterations <= kMostIterations; ++state.iterations) {
+    const auto found = step(now, at, load, enough, state);
+    if (!found) return found.failure();
+    at = found->of;
+    const auto share = advance(now, *found, state.pressure);
+    if (!share) return share.failure();
+    if (*share < 1.0) {
+      linear.forget();
+      before = 0.0;
+      continue;
+    }
+    state.residual = (now.g - found->c).norm();
+    if (state.residual <= kAccepted * load && enough <= kBalanced && found->is_balanced) {
+      state.of = at;
+      state.forces = found->forces;
+      state.patch = found->patch;
+      state.u = unknowns.expand(now.state.x);
+      state.alpha = now.state.alpha;
+      return state;
+    }
+    if (before > 0.0 && state.residual > kDiverging * before) break;
+    if (state.residual > kSlow * (before > 0.0 ? before : kNearby * load)) linear.forget();
+    before = state.residual;
+    enough = std::clamp(kRoughly * state.residual / load, kBalanced, kRoughly);
+  }
+  return Failure{
+      fmt::format("not in equilibrium after {} iterations; residual {:.3g} N, accepted "
+                  "{:.3g} N",
+                  std::min(state.iterations, kMostIterations),
+                  state.residual,
+                  kAccepted * load)};
+}
+
+namespace {
+
+Status check(const RollingCase& of) {
+  if (!(of.speed > 0.0) || !std::isfinite(of.speed))
+    return Failure{fmt::format(
+        "the wheel has a speed of {:.4g} m/s: expected one above 0; a tire at rest is pressed",
+        of.speed)};
+  if (!(of.spin >= 0.0) || !std::isfinite(of.spin))
+    return Failure{fmt::format(
+        "the wheel turns at {:.4g} rad/s: expected forward rotation or a locked wheel", of.spin)};
+  if (!(std::abs(of.slip_angle) < 0.5 * std::numbers::pi))
+    return Failure{fmt::format("the slip angle is {:.4g} rad: expected less than a right angle",
+                               of.slip_angle)};
+  if (of.friction.at_rest == 0.0 && of.drive.value_or(0.0) != 0.0)
+    return Failure{"frictionless ground carries no torque: expected friction, or a free wheel"};
+  return {};
+}
+
+/// Says which state of a path was not reached.
+Failure not_reached(const RollingCase& at, const std::string& why) {
+  return Failure{fmt::format(
+      "rolling at {:.5g} m/s, {:.5g} rad/s, slip angle {:.4g} deg, camber {:.4g} deg: {}",
+      at.speed,
+      at.spin,
+      at.slip_angle * 180.0 / std::numbers::pi,
+      at.camber * 180.0 / std::numbers::pi,
+      why)};
+}
+
+}  // namespace
+
+RollingTire::RollingTire(FeTire& tire)
+    : impl_(std::make_unique<Impl>(
+          tire, tire.impl_->elements(), tire.impl_->settings.tread_shape())) {}
+RollingTire::~RollingTire() = default;
+
+void RollingTire::forget() { impl_->linear.forget(); }
+
+RollingState RollingTire::start(const TireState& pressed) {
+  assert(!pressed.is_halved);
+  RollingState state;
+  state.of.height = pressed.pose.height;
+  state.of.camber = pressed.pose.camber;
+  state.of.friction.at_rest = 0.0;
+  state.pressure = pressed.inflated->pressure;
+  state.u = pressed.u;
+  state.alpha = pressed.alpha;
+  state.grip = GripState(static_cast<int>(std::ssize(impl_->tread.points())));
+  state.forces.force = impl_->tire.stand(pressed).force;
+  return state;
+}
+
+Result<RollingState> RollingTire::roll(const RollingState& from, const RollingCase& of) {
+  if (const Status done = check(of); !done) return done.failure();
+  RollingState state = from;
+  RollingCase start = from.of;
+  if (!(start.speed > 0.0)) {  // a tire at rest begins to roll with the speed and the spin at once
+    start.speed = of.speed;
+    start.spin = of.spin;
+  }
+  start.load = from.forces.force.z();
+  start.drive = from.forces.drive;
+  RollingCase end = of;
+  if (of.load && !(end.height > 0.0)) end.height = start.height;
+  if (of.drive && !(end.spin > 0.0)) end.spin = start.spin;
+  int iterations = 0, factors = 0, passes = 0, parts = 0;
+  for (double share = 0.0, step = 1.0; share < 1.0;) {
+    const double next = std::min(1.0, share + step);
+    RollingCase there = between(start, end, next);
+    if (share > 0.0 && of.load) there.height = state.of.height;
+    if (share > 0.0 && of.drive) there.spin = state.of.spin;
+    auto found = impl_->part(state, there);
+    if (!found) {
+      impl_->linear.forget();
+      step *= 0.5;
+      if (step < kShortestPart) return not_reached(there, found.failure().reason);
+      continue;
+    }
+    iterations += found->iterations;
+    factors += found->factors;
+    passes += found->passes;
+    ++parts;
+    state = *std::move(found);
+    share = next;
+    step = std::min(2.0 * step, 1.0 - share);
+  }
+  state.iterations = iterations;
+  state.factors = factors;
+  state.passes = passes;
+  state.parts = parts;
+  state.of.load = of.load;
+  state.of.drive = of.drive;
+  return state;
+}
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Steady rolling of the finite-element tire on flat ground, with inertia and friction.
+//
+//   RollingTire rolling(tire);
+//   auto start = rolling.start(pressed);                    // at rest, without friction
+//   auto free  = rolling.roll(start, {.speed = 20.0, .load = load, .drive = 0.0,
+//                                      .friction = {.at_rest = 1.0}});
+//   auto next  = rolling.roll(*free, with_slip);            // from neighbor to neighbor
+//
+// The mesh stands and the tire runs through it: displacements are constant in time, and the ground
+// passes by with V_g (rolling_grip.h). On the whole ring, since friction has no symmetry,
+//   f_int(u) - Omega^2 (w_0 + W u) = c(u)                                                    (R.1)
+// with the inertia (W.1) of spin.h. c is the ground's pressure, by the penalty (C.1), and the
+// friction of rolling (F.1) along the lines of the tread's points in the order of flow.
+//
+// Newton's method solves (R.1) with the tangent K - Omega^2 W of this or of an earlier state. In
+// each iteration K is eliminated down to the nodes below which the ground may be; there the contact
+// is solved with its own Jacobian, dense and not symmetric, by the active set of rolling_contact.h,
+// on the tire linear about the iterate. So the contact never limits a step, only the elements do.
+// Height and spin that follow from a load and a drive are found on this linear tire, too. A case
+// far from the last state is approached in parts, which are halved where one does not converge.
+//
+// In (F.1) the time between two points is that of their material angles, Delta theta/Omega, where
+// the angle of a mean (T.1) is the mean of its planes' angles with the same weights. A tread that
+// rolls without slip then has no creep, whatever the width of the sectors.
+#pragma once
+
+#include <memory>
+
+#include "base/result.h"
+#include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/motion/rolling_case.h"
+
+namespace latsch::fe_tire {
+
+class RollingTire {
+ public:
+  /// Keeps a reference to the tire; its material values must not change.
+  explicit RollingTire(FeTire& tire);
+  ~RollingTire();
+
+  /// Returns a start for the first case: a tire at rest, pressed on flat ground without friction.
+  /// The state has to be one of the whole ring (FeTire::Poses::any).
+  RollingState start(const TireState& pressed);
+  /// Finds the steady state of a case, starting from a neighboring state. A Failure says what did
+  /// not converge and how far the path was followed, or which number of the case is out of range.
+  Result<RollingState> roll(const RollingState& from, const RollingCase& of);
+
+  /// Forgets the factorization at hand: the next state then does not depend on those before `from`.
+  void forget();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace latsch::fe_tire

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tire, linear about a state and condensed to the tread nodes below which the ground is, as a
+// body that rolls (rolling_contact.h).
+//
+//   R(q) = T q + r - A^T(p n + t)(x_0 + A q) dA,     q: displacements of the nodes' unknowns
+//
+// T and r come from CondensedTire; the points' positions are linear in q. The pressure is the
+// penalty (C.1). A point at the leading edge has the share of its step behind the height 0, with
+// its derivative.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "models/fe_tire/contact/ground.h"
+#include "models/fe_tire/motion/rolling_contact.h"
+#include "models/fe_tire/motion/tread_lines.h"
+
+namespace latsch::fe_tire {
+
+/// Motion of the ground seen from the wheel center, in the ground's axes.
+struct GroundMotion {
+  Eigen::Vector2d velocity;  // m/s, below the wheel center
+  double turn = 0.0;         // rad/s, about the vertical through the wheel center
+  double spin = 0.0;         // rad/s, Omega of the tire
+};
+
+class TreadBody : public RollingBody {
+ public:
+  /// `u`: displacements of the tread's nodes; points higher than `near` (m) over the ground are
+  /// left out.
+  TreadBody(const TreadSurface& tread,
+            const TreadLines& lines,
+            const PosedGround& ground,
+            double penalty,
+            const GroundMotion& motion,
+            const Eigen::Matrix3Xd& u,
+            double near);
+
+  /// Rows of the nodes' unknowns (3 a node of the tread) on which the listed points depend,
+  /// ascending.
+  const std::vector<int>& rows() const { return rows_; }
+  /// Points of the tread in the order of the lines.
+  const std::vector<int>& points() const { return points_; }
+  const RollingLines& lines() const { return lines_; }
+  /// Sets T and r on rows().
+  void set(Eigen::MatrixXd T, Eigen::VectorXd r);
+
+  RollingInput input(const Eigen::VectorXd& q) const override;
+  Eigen::VectorXd residual(const Eigen::VectorXd& q,
+                           const RollingInput& input,
+                           const GripTractions& tractions) const override;
+  bool solve(const Eigen::VectorXd& q,
+             const RollingInput& input,
+             const GripTractions& tractions,
+             const Eigen::VectorXd& R,
+             Eigen::VectorXd& dq) override;
+  double force_scale() const override { return scale_; }
+  void set_force_scale(double scale) { scale_ = scale; }
+
+  /// Returns the ground's forces at rows(), N.
+  Eigen::VectorXd forces(const RollingInput& input, const GripTractions& tractions) const;
+  /// Returns the positions of the listed points, m, ground's axes [3 x points].
+  Eigen::Matrix3Xd positions(const Eigen::VectorXd& q) const;
+  double area(int k) const { return areas_[k]; }
+  /// Time between successive planes' points, s, at point k.
+  double time(int k) const { return lines_.time[k]; }
+
+ private:
+  /// Points of a line and the columns of q on which they depend.
+  struct Section {
+    std::vector<int> columns;
+    Eigen::MatrixXd P, P_T;  // [3 points x columns], and transposed
+  };
+  void add_line(const TreadSurface& tread,
+                const TreadLines& lines,
+                const std::vector<int>& of,
+                const Eigen::VectorXd& height,
+                double near);
+  Eigen::MatrixXd derivatives(const Section& section,
+                              const RollingLines::Line& line,
+                              const RollingInput& input,
+                              const GripTractions& tractions,
+                              const Eigen::Matrix3Xd& x) const;
+
+  GroundMotion motion_;
+  double penalty_, scale_ = 1.0;
+  Eigen::Vector3d hub_;
+  Eigen::Matrix3d R_;  // turns a vector from the wheel frame to the ground's axes
+  RollingLines lines_;
+  std::vector<int> points_, rows_;
+  std::vector<double> areas_, times_, sags_;
+  std::vector<Eigen::Vector3d> x_0_;  // positions, without the offset of (T.1) along the ground
+  std::vector<Section> sections_;
+  Eigen::MatrixXd T_;
+  Eigen::VectorXd r_;
+};
+
+}  // namespace latsch::fe_tire
