@@ -105,25 +105,12 @@ class SlipSweepTest : public Test, public TellsLimits {
     };
     auto notes = Test::run_in_blocks(specimen, see);
     if (!notes) return notes;
-<<<<<<< HEAD
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
     const auto tire = specimen.find<Rolls>()->tire(sweep_.pressure);
     const auto lag = relaxation(*tire, sweep_);
     if (!lag) return notes;  // the sweep itself has succeeded
     if (std::string text = lag_in_words(*lag, sweep_, most); !text.empty())
       notes->push_back(std::move(text));
-=======
-    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
-    constexpr double kRadii = 10.0;  // a relaxation length is about a radius
-    const double rolled = sweep_.speed * sweep_.duration;
-    const double radius = specimen.find<Rolls>()->tire(sweep_.pressure)->free_radius();
-    if (rolled < kRadii * radius)
-      notes->push_back(fmt::format(
-          "the sweep moves the tire {:.3g} m on, less than {:g} of its radii: its slips "
-          "lag behind by about a radius, so the forces belong to earlier slips; a "
-          "longer duration helps",
-          rolled,
-          kRadii));
->>>>>>> house
     return notes;
   }
 

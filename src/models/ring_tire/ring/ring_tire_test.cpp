@@ -261,16 +261,10 @@ std::vector<Vector3d> rolling_and_heaving(int parts) {
   return forces;
 }
 
-<<<<<<< HEAD
 // While the tire rolls, blocks come and go within a step: two halvings reduce the change of Fz
 // about sixteenfold at order 2 and fourfold at order 1. The rest of the error of Fx, from tips that
 // slide and leave, is of an order between 1 and 2. Tips that were put down with the velocity at the
 // end of the step had changed Fx by 6.4 N at the first halving.
-=======
-// While the tire rolls, blocks come into contact and leave it within a step. If the step is halved
-// twice, the change of Fx and Fz decreases by about a factor of sixteen at order 2, and of four at
-// order 1.
->>>>>>> house
 TEST(RingTire, IsOfOrderTwoInRolling) {
   std::vector<std::vector<Vector3d>> runs;
   for (const int parts : {2, 4, 8, 16}) runs.push_back(rolling_and_heaving(parts));
