@@ -23,6 +23,7 @@
 #include "correlation/search/own_stages.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/study/study_stages.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/executors/inline_executor.h"
 #include "table.h"

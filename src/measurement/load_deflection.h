@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "measurement/measurement_fault.h"
@@ -29,5 +30,9 @@ struct LoadDeflectionCurve {
 /// positions or forces that are not positive (errors are relative to the force), a negative spread,
 /// or positions that neither all rise nor all fall.
 std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve);
+
+/// Returns the statement of a study that leaves the faulty rows out, to follow the fault: a window
+/// above 0 for a first row without deflection, one direction for a loop; empty for other faults.
+std::string way_out_of(const LoadDeflectionCurve& curve, const MeasurementFault& fault);
 
 }  // namespace latsch

@@ -305,7 +305,7 @@ int write_page(const correlation::Study& study,
   say("\nReport: {}\nJournal: {}, {}\n",
       file.string(),
       journal.file().string(),
-      correlation::in_words(counts));
+      correlation::in_words_below_result(counts));
   print_failures(correlation::failed_trials(weighted, journal));
   return kDone;
 }

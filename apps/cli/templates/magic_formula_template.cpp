@@ -204,13 +204,41 @@ std::string measurement_keys(const TireTestFiles& test,
   return text;
 }
 
+constexpr const char* kNoFile = "recordings";  // of the keys that are made from the options
+
+/// Returns a message about a key of the measurement as one about the option that stated it:
+/// "--column alpha is ..." for "measurement.all.columns.alpha is ...".
+std::string of_option(std::string message, const std::vector<fs::path>& files) {
+  constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
+      {"columns.", "--column "},
+      {"columns", "--column"},
+      {"axes", "--axes"},
+      {"select.", "--hold-out "},
+      {"files", "--magic-formula"},
+      {"file", ""}};
+  const std::size_t at = message.find("measurement.all.");
+  if (at == message.npos) return message;
+  message.erase(0, at + std::string_view("measurement.all.").size());
+  for (const auto& [key, option] : kOptions) {
+    if (!message.starts_with(key)) continue;
+    message.replace(0, key.size(), option.empty() ? files.front().string() : option);
+    break;
+  }
+  return message;
+}
+
 Measurement read_some(const TireTestFiles& test,
                       const std::vector<fs::path>& files,
                       const Select& select) {
-  const Document document = Document::parse(
-      "measurement.all = {" + measurement_keys(test, files, 1) + select_text(select) + "}\n",
-      "recordings");
-  return correlation::read_measurement(document.root().table("measurement").table("all"), "");
+  try {
+    const Document document = Document::parse(
+        "measurement.all = {" + measurement_keys(test, files, 1) + select_text(select) + "}\n",
+        kNoFile);
+    return correlation::read_measurement(document.root().table("measurement").table("all"), "");
+  } catch (const InputError& error) {
+    if (error.place().file != kNoFile) throw;
+    throw InputError(of_option(error.what(), files));
+  }
 }
 
 /// Samples that a study fits or predicts: the recordings, and the ranges of values that select

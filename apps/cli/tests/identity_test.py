@@ -386,6 +386,8 @@ class OtherData(MeasuredSpring):
                 self.assertEqual((counts["trials"], counts["foreign"]), (trials, trials))
                 said = self.run_it("run", self.study)
                 self.assertIn(f"{trials} finished trials are reused", said)
+                self.assertIn("simulated earlier, for other measurements", said)
+                self.assertNotIn("of them were run for the study as it stands", said)
                 # Three values on a line fit exactly; the other values are held out.
                 self.assert_open(without=("identify",) if what == "held out" else ())
                 self.assertNotIn(FOREIGN, self.run_it("check", self.study))

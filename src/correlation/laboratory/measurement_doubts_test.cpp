@@ -165,7 +165,8 @@ TEST_F(MeasurementDoubts, StepsAreUsersOfTheChannelsThatTheyRead) {
   const auto users = [&](const std::string& names, const std::string& lines) {
     const Measurement run = read(sweep(names, 1.0), lines);
     std::string all;
-    for (const LedgerRow& row : run.ledgers().front().rows)
+    const std::vector<Ledger> ledgers = run.ledgers();
+    for (const LedgerRow& row : ledgers.front().rows)
       for (const std::string& user : row.used_by) all += row.written + " by " + user + ";";
     return all;
   };

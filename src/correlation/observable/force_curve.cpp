@@ -154,7 +154,8 @@ LoadDeflectionCurve force_curve_of(const Measurement& measurement) {
   if (!fault) return curve;
   throw InputError(
       fault->point < 0 ? measurement.place() : measurement.place(static_cast<size_t>(fault->point)),
-      (measurement.is_stated() ? "measurement." + measurement.name() + ": " : "") + fault->message);
+      (measurement.is_stated() ? "measurement." + measurement.name() + ": " : "") + fault->message +
+          way_out_of(curve, *fault));
 }
 
 }  // namespace latsch::correlation

@@ -79,6 +79,13 @@ class ProgramSpecimens : public Specimens {
         "Simulator: {}{}",
         fmt::join(simulator_.arguments, " "),
         simulator_.timeout > 0.0 ? fmt::format(", {:g} s at most", simulator_.timeout) : "");
+    std::vector<std::string> watched;
+    for (const auto& file : watched_files(simulator_)) watched.push_back(file.filename().string());
+    text += fmt::format(
+        "\n  trials depend on the files of the command, inputs, files{}{}; state others that the "
+        "program reads in files",
+        watched.empty() ? "" : ", and, because a script names them, ",
+        fmt::join(watched, ", "));
     for (const OutputReader& output : simulator_.outputs) {
       text += fmt::format("\n  {:<16} from {}:", output.name, output.file.string());
       for (const auto& quantity : output.quantities)

@@ -84,12 +84,33 @@ void mark_design(const Study& study, const std::vector<DesignPoint>& points, Jou
   journal.mark(kDesign, text);
 }
 
+namespace {
+
+std::string succeeded_in_words(const TrialCounts& counts) {
+  return fmt::format("{} trial{}, {} succeeded and {} failed",
+                     counts.trials,
+                     counts.trials == 1 ? "" : "s",
+                     counts.succeeded(),
+                     counts.failed);
+}
+
+}  // namespace
+
+std::string in_words_below_result(const TrialCounts& counts) {
+  std::string text = succeeded_in_words(counts);
+  if (counts.foreign > 0)
+    text += fmt::format(
+        "; {} of them {} simulated earlier, for other measurements, weights or bounds, on which no "
+        "simulation depends: the search took {} in place of new ones",
+        counts.foreign == counts.trials && counts.trials > 1 ? "all"
+                                                             : std::to_string(counts.foreign),
+        counts.foreign == 1 ? "was" : "were",
+        counts.foreign == 1 ? "it" : "them");
+  return text;
+}
+
 std::string in_words(const TrialCounts& counts) {
-  const auto trials = [](long count) {
-    return fmt::format("{} trial{}", count, count == 1 ? "" : "s");
-  };
-  std::string text = fmt::format(
-      "{}, {} succeeded and {} failed", trials(counts.trials), counts.succeeded(), counts.failed);
+  std::string text = succeeded_in_words(counts);
   if (counts.foreign > 0)
     text += fmt::format(
         "; {} of them {} run for the study as it stands, {} for other measurements, weights or "

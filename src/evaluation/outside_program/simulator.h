@@ -46,8 +46,12 @@ std::vector<std::string> command(const Simulator& simulator);
 /// copied.
 Evaluator evaluator(const Simulator& simulator, const DesignSpace& space);
 
-/// Returns what the channels depend on: arguments, the content of the program and of every file
-/// named by an argument, inputs, copied files, readers, units.
+/// Returns the files of the study's folder, apart from arguments, on which the channels depend
+/// because a script among the arguments names them (named_files.h).
+std::vector<std::filesystem::path> watched_files(const Simulator& simulator);
+
+/// Returns what the channels depend on: arguments, the content of the program, of every file named
+/// by an argument and of watched_files(), inputs, copied files, readers, units.
 StudyIdentity identity(const Simulator& simulator, const DesignSpace& space);
 
 }  // namespace latsch

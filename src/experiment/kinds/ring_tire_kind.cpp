@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The flexible ring as a kind of specimen.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "experiment/kinds/pictures/rolling_scene.h"
 #include "experiment/kinds/rolling_specimen.h"
@@ -27,16 +31,19 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
     ring_tire::RingTire tire(parameters_at(test.pressure));
     return experiment::run(tire, test);
   }
-  /// Returns the limit that a rigid cross section rests on the highest point below it
-  /// (docs/ring_tire.md).
+  /// Returns the limits of a rigid cross section: it rests on the highest point below it, and a cell
+  /// of the tread that lies across an edge touches only one plane (docs/ring_tire.md).
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
-    if (std::abs(cleat.angle) < kStraightCleat || parameters_.belt.bending_across > 0.0) return {};
-    return {
-        "the sections of this flexible ring stay straight across (belt.bending_across is 0), so an "
-        "oblique cleat lifts it over its whole width: the more oblique the cleat, the larger is "
-        "Fz, "
-        "while that of a finite-element tire falls (docs/ring_tire.md); belt.bending_across lets "
-        "the sections bend"};
+    std::vector<std::string> all;
+    if (std::abs(cleat.angle) >= kStraightCleat && parameters_.belt.bending_across == 0.0)
+      all.push_back(
+          "the sections of this flexible ring stay straight across (belt.bending_across is 0), so "
+          "an oblique cleat lifts it over its whole width: the more oblique the cleat, the larger "
+          "is Fz, while that of a finite-element tire falls (docs/ring_tire.md); "
+          "belt.bending_across lets the sections bend");
+    if (std::string unresolved = unresolved_by_tread(cleat); !unresolved.empty())
+      all.push_back(std::move(unresolved));
+    return all;
   }
   /// A flat tread leans on the edge that camber presses; a real one leans on its crown.
   std::vector<std::string> limits_at_camber(bool rolls) const override {
@@ -57,6 +64,36 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
   }
 
  private:
+  /// Says if a bar is so narrow that blocks or lines of the tread do not resolve it; empty if they
+  /// do.
+  std::string unresolved_by_tread(const Cleat& cleat) const {
+    constexpr double kCells = 4.0;  // blocks that a bar needs: the force has an error of some
+                                    // percent, with fewer blocks of 10 % and more
+    const ring_tire::Tread& tread = parameters_.tread;
+    const double around = 2.0 * std::numbers::pi * parameters_.belt.radius / parameters_.nodes;
+    const double cell = around / tread.blocks, spacing = tread.width / tread.lines;
+    const double along = cleat.length / std::max(std::abs(std::cos(cleat.angle)), 1e-9),
+                 across = cleat.length / std::max(std::abs(std::sin(cleat.angle)), 1e-9);
+    if (along < kCells * cell)
+      return fmt::format(
+          "the cleat is {:.3g} mm long and the blocks of this flexible ring are {:.3g} mm apart: a "
+          "block across an edge carries nearly nothing, so the ring feels the cleat shorter than "
+          "it "
+          "is by about a block, and hardly at all below two; tread.blocks = {:.0f} resolves it",
+          1e3 * along,
+          1e3 * cell,
+          8.0 * std::ceil(kCells * around / along / 8.0));
+    if (std::abs(cleat.angle) > 0.25 * std::numbers::pi && across < spacing)
+      return fmt::format(
+          "the cleat is {:.3g} mm wide across the tread, whose lines of blocks are {:.3g} mm "
+          "apart: "
+          "it may lie between two lines, and the ring does not feel it there; tread.lines = {:.0f} "
+          "resolves it",
+          1e3 * across,
+          1e3 * spacing,
+          std::ceil(2.0 * tread.width / across));
+    return "";
+  }
   /// Returns the parameters of a file with that pressure.
   ring_tire::RingParameters parameters_at(const Inflation& pressure) const {
     if (!pressure) return parameters_;

@@ -276,7 +276,9 @@ TEST_F(LabTables, OfMatHaveVectorsOfOneLength) {
   const LabTable table = read_lab_table(folder_ / "run.mat");
   EXPECT_EQ(table.channels.all().size(), 2u);
   EXPECT_EQ(table.left_out.at("speeds"), "has 5 values, but the recording 60 samples");
-  EXPECT_EQ(table.left_out.at("P"), "is a single number, 82.7, and no channel");
+  EXPECT_EQ(
+      table.left_out.at("P"),
+      "is a single number, 82.7, without a unit: columns = {p = \"P [kPa]\"} makes it a channel");
 }
 
 // A column with a unit must hold numbers: other cells are an error of the column, even if all of

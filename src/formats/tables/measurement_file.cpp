@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "base/document.h"
 #include "base/file.h"
@@ -24,8 +25,11 @@ template <class Measurement>
 void check(const Measurement& measurement, const CsvTable& table) {
   const auto fault = find_fault(measurement);
   if (!fault) return;
+  std::string way_out;
+  if constexpr (std::is_same_v<Measurement, LoadDeflectionCurve>)
+    way_out = way_out_of(measurement, *fault);
   throw InputError(fault->point < 0 ? Place{table.file(), 0} : table.place(fault->point),
-                   fault->message);
+                   fault->message + way_out);
 }
 
 /// Names that the columns of a table of modes have in the file; empty for a column that is absent.
