@@ -204,7 +204,8 @@ std::string measurement_keys(const TireTestFiles& test,
   return text;
 }
 
-constexpr const char* kNoFile = "recordings";  // of the keys that are made from the options
+/// file name in messages about keys that are made from command line options
+constexpr const char* kNoFile = "recordings";
 
 /// Returns a message about a key of the measurement as one about the option that stated it:
 /// "--column alpha is ..." for "measurement.all.columns.alpha is ...".

@@ -31,8 +31,9 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
     ring_tire::RingTire tire(parameters_at(test.pressure));
     return experiment::run(tire, test);
   }
-  /// Returns the limits of a rigid cross section: it rests on the highest point below it, and a cell
-  /// of the tread that lies across an edge touches only one plane (docs/ring_tire.md).
+  /// Returns the limits of this tire model on a cleat: a rigid cross section rests on the highest
+  /// point below it, and a cell of the tread that lies across an edge touches only one plane
+  /// (docs/ring_tire.md).
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     std::vector<std::string> all;
     if (std::abs(cleat.angle) >= kStraightCleat && parameters_.belt.bending_across == 0.0)
@@ -45,7 +46,8 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
       all.push_back(std::move(unresolved));
     return all;
   }
-  /// A flat tread leans on the edge that camber presses; a real one leans on its crown.
+  /// Returns the limit of a flat tread: if the wheel is cambered, the load acts at the edge of the
+  /// tread, whereas on a real tire it acts on the curved crown of the tread.
   std::vector<std::string> limits_at_camber(bool rolls) const override {
     if (!rolls || parameters_.tread.crown_radius > 0.0) return {};
     return {
