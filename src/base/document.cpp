@@ -12,7 +12,7 @@
 namespace latsch {
 namespace {
 
-/// Index of the value at `path`. Throws InputError if that value is no number.
+/// Returns the index of the value at `path`. Throws InputError if that value is no number.
 int number_at(const DocumentTree& tree, std::string_view path, const Document& document) {
   const int index = tree.find(path);
   if (index >= 0 && tree.value(index).number) return index;
@@ -56,7 +56,8 @@ void Document::set(std::string_view path, double value) {
   if (!std::isfinite(value))
     throw InputError(tree_->place(index),
                      std::string(path) + " cannot become " + format_number(value));
-  // Other copies of this document and nodes read from it keep the earlier numbers.
+  // Copies the changed numbers first if another document or Node shares them, so that those keep
+  // the earlier numbers.
   if (changes_.use_count() > 1) changes_ = std::make_shared<DocumentChanges>(*changes_);
   (*changes_)[index] = value;
 }

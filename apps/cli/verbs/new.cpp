@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch new: writes a study to start from. Its measurements are an example, computed from the tire
-// itself with moduli different from the study's start, rounded and with the scatter of a rig, so
-// that the first run ends well.
+// Implements `latsch new`: writes a study to start from. Its measurements are an example: they are
+// computed from the tire itself with other moduli than the study's start, with the scatter and the
+// resolution of a rig, so that the first run ends well.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -39,9 +39,11 @@ namespace fs = std::filesystem;
 struct NewOptions {
   std::string folder, tire = "passenger_205_55R16", size;
   bool coarse = false;
-  std::vector<std::string> recordings, columns, held_out;  // files of a tire test
+  // files of a tire test, names of their columns, and held-out parts
+  std::vector<std::string> recordings, columns, held_out;
   std::string axes, radius;
-  std::string ring_data, known;  // a model, or kExample; a flexible ring
+  // the model that is measured, or kExample; and the known flexible ring
+  std::string ring_data, known;
   bool suspension = false, car = false;
   std::vector<std::string> drum;  // recordings of a drum with a cleat
   std::string cleat, diameter;
@@ -53,7 +55,8 @@ std::string_view text_of(const std::string& name) {
   for (const TireTemplate& tire : tire_templates()) {
     if (tire.name == name) return tire.text;
   }
-  throw InputError("no tire " + name);  // cannot happen: the command line has checked the name
+  // not reached, because the command line has checked the name
+  throw InputError("no tire " + name);
 }
 
 std::string tire_of(const NewOptions& options) {
@@ -63,7 +66,7 @@ std::string tire_of(const NewOptions& options) {
   return options.size.empty() ? tire : stretched_tire(tire, options.size);
 }
 
-/// Returns the tire with the mesh for its size.
+/// Returns the tire's text, with the mesh that its size needs if the user gave a size.
 std::string meshed(const std::string& tire, const NewOptions& options) {
   if (options.size.empty()) return tire;
   RunningNote note;
@@ -77,8 +80,8 @@ void write(const fs::path& file, std::string_view text) {
   say_written(file.string());
 }
 
-/// Returns "sidewall 6.25 N/mm^2, carcass 4.5 GPa": the values with which the example's
-/// measurements are computed.
+/// Returns the values with which the example's measurements are computed: "sidewall 6.25 N/mm^2,
+/// carcass 4.5 GPa".
 std::string truth_in_words(const correlation::Study& study, const DesignPoint& truth) {
   std::string text;
   for (int i = 0; i < study.space.size(); ++i) {
@@ -91,9 +94,9 @@ std::string truth_in_words(const correlation::Study& study, const DesignPoint& t
   return text;
 }
 
-/// Gives values the scatter and the resolution of a rig.
+/// Adds the scatter and the resolution of a rig to the measurements of the study.
 void make_measured(const correlation::Study& study, const std::string& comment) {
-  constexpr double kScatter = 0.003;  // share of a value
+  constexpr double kScatter = 0.003;  // standard deviation as a share of a value
   RandomStream chance(1, 0);
   const auto measured = [&](double value, double parts) {
     return std::round(value * (1.0 + kScatter * chance.normal()) * parts) / parts;
@@ -125,7 +128,7 @@ void write_example(const fs::path& file, const experiment::Language& language) {
   for (const fs::path& table : written->written) say_written(table.string());
 }
 
-/// Returns the study's file in a folder that contains none yet.
+/// Returns the path of the study's file. Throws InputError if the folder already contains one.
 fs::path new_study(const fs::path& folder) {
   const fs::path study = folder / "study.toml";
   if (fs::exists(study))
@@ -330,7 +333,7 @@ void say_inflated_size(const Document& tire,
 void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = new_study(folder);
   const std::string shape = tire_of(options);
-  fs::create_directories(folder);  // fails before the mesh is computed, which takes seconds
+  fs::create_directories(folder);  // throws before the mesh is computed, which takes seconds
   const Document tire = Document::parse(meshed(shape, options), (folder / "tire.toml").string());
   const std::string text = study_template(tire);
   write(folder / "tire.toml", tire.text());
@@ -425,7 +428,7 @@ void add_ring_options(Verb& verb, NewOptions* options) {
       .between(1, 100000);
 }
 
-/// Writes the study that the options ask for.
+/// Writes the kind of study that the options choose.
 void write_new(const NewOptions& options, Program& program) {
   if (!options.drum.empty()) {
     start_drum(options, program.language);

@@ -13,8 +13,8 @@
 namespace latsch::experiment {
 namespace {
 
-/// A tire of a study with other numbers: lines "KEY = value" replace those of its file or are added
-/// to [MODEL].
+/// Returns a tire of a study with changed numbers: lines "KEY = value" replace those of its file or
+/// are added to [MODEL].
 Document tir_with(const SpecimenKind& kind, const std::vector<std::string>& lines) {
   std::string text =
       read_text_file(LATSCH_SOURCE_DIR "/studies/tire_model_comparison/rigid_ring.tir");
@@ -89,7 +89,7 @@ TEST(KnownLimits, EveryRollingTestTellsTheRangesThatTheTireLeaves) {
       told_by("magic_formula", kSweep + ", camber = \"5 deg\"", {"CAMMAX = 0.05"}).says("CAMMAX"));
 }
 
-/// The belt of a light tire jumps from a high bar.
+/// On this high bar the belt of a light tire loses contact.
 TEST(KnownLimits, ATireThatLeavesTheRoadSaysFromWhenToWhen) {
   const std::string jump =
       "kind = \"drum_cleat\", speed = \"100 km/h\", load = \"150 N\", drum_diameter = \"2.5 m\", "
@@ -187,7 +187,8 @@ TEST(KnownLimits, AStiffnessThatTheFileDoesNotDetermineIsRefused) {
                   .says("assumed, because there is no YAW_STIFFNESS"));
 }
 
-/// Steady states or a history of slips from a file with these rows.
+/// Runs steady states or a history of slips from a file with these rows; returns the reported
+/// limits.
 Told told_of_states(const std::string& test,
                     const std::string& header,
                     const std::string& rows,
@@ -235,11 +236,13 @@ TEST(KnownLimits, TurnSlipWithoutItsCoefficientsIsToldBeforeTheTestRuns) {
 }
 
 TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {
-  for (const std::string& keys : {kRolling, kSweep, kDrum})
+  const std::string slow = kSweep + ", duration = \"20 s\", step = \"1 ms\"";  // without a lag
+  for (const std::string& keys : {kRolling, slow, kDrum})
     for (const char* kind : {"magic_formula", "rigid_ring"})
       for (const std::string& note : told_by(kind, keys, {"FZMIN = 100", "FZMAX = 12000"}).notes)
         expect_part(note,
-                    "a Magic Formula touches the road at one point");  // the word about the cleat
+                    // the sentence about the cleat
+                    "a Magic Formula touches the road at one point");
 }
 
 /// Notes of a test on a shipped flexible ring.
@@ -420,6 +423,42 @@ TEST(KnownLimits, ATirDoesNotTellConicityFromPlySteer) {
         told_by(kind, test, {"PHY1 = 0", "PHY2 = 0", "PVY1 = 0", "PVY2 = 0"}).says("ply_steer"))
         << kind;
   }
+}
+
+/// Returns the limits of the shipped flexible ring in a test; `latsch check` says them.
+std::string ring_limits(const std::string& keys) {
+  const SpecimenKind& kind = *language().find_kind("ring_tire");
+  const auto specimen = kind.build(
+      kind.read(LATSCH_SOURCE_DIR "/studies/ring_tires/passenger_205_55R16.toml"), nullptr);
+  const auto test = language().read_test(
+      Document::parse("test = {" + keys + "}", "t.toml").root().table("test"), {});
+  std::string all;
+  for (const std::string& one : dynamic_cast<const TellsLimits&>(*test).limits(*specimen))
+    all += one + "\n";
+  return all;
+}
+
+// Blocks of the ring are 2.4 mm apart. The force on a bar of 4 mm is 1537 N, that of a ring with
+// blocks of 0.4 mm 1763 N; the flat ground beside it carries 1533 N.
+TEST(KnownLimits, AFlexibleRingSaysThatItsBlocksDoNotResolveAShortBar) {
+  const std::string standing = "kind = \"static_stiffness\", deflections = [\"20 mm\"], ";
+  expect_part(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"4 mm\"}"),
+              "tread.blocks = 24 resolves it");
+  EXPECT_EQ(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"10 mm\"}"), "");
+  expect_part(ring_limits("kind = \"drum_cleat\", speed = \"30 km/h\", load = \"4 kN\", "
+                          "cleat = {height = \"5 mm\", length = \"2 mm\"}"),
+              "hardly at all below two");
+}
+
+TEST(KnownLimits, AFlexibleRingSaysThatABarAlongTheRoadMayLieBetweenItsLines) {
+  const std::string standing = "kind = \"static_stiffness\", deflections = [\"20 mm\"], ";
+  expect_part(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"20 mm\", angle = "
+                                     "\"90 deg\"}"),
+              "tread.lines = 16 resolves it");
+  EXPECT_EQ(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"30 mm\", angle = "
+                                   "\"90 deg\"}")
+                .find("between two lines"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class TaredTire final : public Tire {
                             double step) override {
     return without_weight(tire_->advance(motion, road, time, step), motion);
   }
-  /// A free axle feels the tared force, too.
+  /// The tared force also acts on an axle that is free to move vertically.
   Result<HubForces> advance_free(WheelMotion& motion,
                                  FreeWheel& wheel,
                                  const road::Road& road,
@@ -65,8 +65,8 @@ class TaredTire final : public Tire {
 }  // namespace
 
 double weight_in_air(const Tire& tire) {
-  constexpr double kClearance = 1.0;  // m, from the tread to the ground
-  constexpr double kLeast = 1e-3;     // N; less is rounding of a belt without weight
+  constexpr double kClearance = 1.0;  // m, distance from the tread to the ground
+  constexpr double kLeast = 1e-3;     // N; a smaller weight is rounding of a belt without weight
   WheelMotion hung;
   hung.center.z() = tire.free_radius() + kClearance;
   const auto hub = tire.clone()->settle(hung, road::PlaneRoad(), 0.0);

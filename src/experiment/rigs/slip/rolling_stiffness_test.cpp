@@ -139,7 +139,7 @@ double camber_force(const road::Road& road, double step) {
 
 TEST(RollingStiffness, CamberForceOnADrumAndOnASlopeDoesNotDependOnTheStep) {
   const road::DrumRoad drum({.diameter = 2.0, .surface = 10.0});
-  const road::PlaneRoad slope({.belt = 10.0, .grade = 0.01});
+  const road::PlaneRoad slope({.grade = 0.01, .belt = 10.0});
   for (const road::Road* road :
        {static_cast<const road::Road*>(&drum), static_cast<const road::Road*>(&slope)}) {
     const double fine = camber_force(*road, 2.5e-4), coarse = camber_force(*road, 1e-3);
