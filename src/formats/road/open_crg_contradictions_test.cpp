@@ -119,6 +119,19 @@ TEST(OpenCrgContradictions, HeightsAndBankingAreComparedWithTheirChannels) {
       "reference_line_start_b is -0.05, but it is 0.05 by channel banking");
 }
 
+TEST(OpenCrgContradictions, DegreesAndPerCentAreDoubted) {
+  expect_one(crg(kRows + "reference_line_start_phi = 90\n"),
+             "reference_line_start_phi is 90 rad, 14.3 turns: is it in degrees?");
+  expect_one(crg(kRows + "reference_line_start_s = 5\n"),
+             "reference_line_start_s is 5 m/m, steeper than 45 deg");
+  expect_one(crg(kRows + "reference_line_start_b = 3\n"), "reference_line_start_b is 3 m/m");
+  expect_one(crg(kRows + "reference_line_start_lat = 148\n"), "which no place on the globe has");
+  const std::vector<std::string> slope(5, "2.5000000");
+  expect_one(crg(kRows, "D:reference line slope,m/m\n", slope), "channel slope goes up to 2.5 m/m");
+  EXPECT_TRUE(said(crg(kRows + "reference_line_start_phi = 1.5708\nreference_line_start_s = 0.1\n"))
+                  .empty());
+}
+
 TEST(OpenCrgContradictions, ModifiersAreNoContradictions) {
   const std::string wide = crg(kRows + "long_section_v_right = -1\nlong_section_v_left = 1\n");
   const std::string scaled = wide.substr(0, wide.find("$KD_")) +
