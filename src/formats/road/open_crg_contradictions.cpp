@@ -22,7 +22,7 @@ constexpr double kOfPoints = 5e-2;   // likewise, if points state it: OpenCRG al
 constexpr double kOfLength = 1e-2;   // share of the length of the reference line
 constexpr double kAngle = 1e-2;      // rad, and of slopes
 constexpr double kHeight = 1e-3;     // m
-constexpr double kMostTurns = 1.0;   // of a heading
+constexpr double kMostTurns = 1.0;   // largest heading in turns
 constexpr double kSteepest = 1.0;    // m/m
 
 class Contradictions {
