@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A measured load-deflection curve: vertical force over the lowering of the wheel center, or over
-// its height above the ground. The pressure and the ground belong to the load case, not to the
-// curve.
+// A measured load-deflection curve: vertical force over the displacement of the wheel center toward
+// the ground, or over its height above the ground. The pressure and the ground belong to the load
+// case, not to the curve.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 namespace latsch {
 
 enum class Abscissa {
-  deflection,     // 0 at first touch
+  deflection,     // 0 at first contact
   loaded_radius,  // wheel center to ground
 };
 

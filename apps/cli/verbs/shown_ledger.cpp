@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows the ledger of a file: how each column was interpreted.
+// Implements the view of a ledger in `latsch show`: how each column of a file was interpreted.
 #include <fmt/format.h>
 
 #include "base/error.h"

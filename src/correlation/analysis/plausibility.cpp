@@ -47,7 +47,7 @@ void append(std::vector<Finding> more, std::vector<Finding>& found) {
   found.insert(found.end(), more.begin(), more.end());
 }
 
-/// A variable's bounds are values of its numbers, so the same ranges hold, as warnings.
+/// Checks a variable's bounds by the same ranges as the numbers that it sets, but only warns.
 void examine_variables(const Study& study, const Document& file, std::vector<Finding>& found) {
   std::map<std::string, std::string> owners;
   for (const DesignVariable& variable : study.space.variables()) {
@@ -70,7 +70,8 @@ void examine_variables(const Study& study, const Document& file, std::vector<Fin
       const std::string path = at + key;
       auto one = unusual(*range, written_at(file, path), path, file.get(path));
       if (!one) continue;
-      // A bound may lie far out on purpose.
+      // A bound far outside of the usual range may be intended, so only an impossible one is
+      // reported.
       const bool is_bound = std::string_view(key) != "initial";
       if (is_bound && !one->impossible) continue;
       one->impossible = false;
@@ -86,8 +87,8 @@ void examine_deflection(const TireSize& size,
                         const std::string& name,
                         double deflection,
                         std::vector<Finding>& found) {
-  constexpr double kDeep = 0.6;  // share of the section's height: deeper deflections come close to
-                                 // the rim
+  // Share of the section's height: larger deflections come close to the rim.
+  constexpr double kDeep = 0.6;
   const bool impossible = deflection > size.section_height;
   if (deflection <= kDeep * size.section_height) return;
   found.push_back({place,
@@ -101,7 +102,7 @@ void examine_deflection(const TireSize& size,
                    impossible});
 }
 
-/// Checks deflections that the study itself states: of tests and of standing tires.
+/// Checks the deflections that the study itself states, for its tests and for modes on the ground.
 void examine_deflections(const Document& file, const TireSize& size, std::vector<Finding>& found) {
   for (const std::string& path : file.paths()) {
     const std::string key = key_of(path);
@@ -141,9 +142,11 @@ void examine_load_deflection(const StudyExperiment& experiment,
                              const LoadDeflectionCurve& measured,
                              const TireSize& size,
                              std::vector<Finding>& found) {
-  constexpr double kGrowth = 1.1;  // allows for inflation, and for a tire softer than described
-  constexpr double kFirst = 0.03;  // share of the section's height: below, the first touch decides
-                                   // the force
+  // allows for growth by inflation and for a tire that is softer than described
+  constexpr double kGrowth = 1.1;
+  // Share of the section's height: at smaller deflections the moment of first contact decides the
+  // force.
+  constexpr double kFirst = 0.03;
   if (measured.force.empty()) return;
   std::optional<formats::CsvTable> table;
   if (!experiment.read_from) table = formats::CsvTable::read(experiment.measurement_file);
@@ -214,7 +217,7 @@ void examine_modes(const StudyExperiment& experiment,
   }
 }
 
-/// True if the tire of these modes is off the ground.
+/// True if the tire does not touch the ground in the test of these modes.
 bool hangs_free(const Study& study, const ModeSet& modes) {
   const std::string name = test_of(modes.asks().front());
   for (const StudyTest& test : study.tests) {
@@ -224,7 +227,8 @@ bool hangs_free(const Study& study, const ModeSet& modes) {
   return false;
 }
 
-/// Finds a table that is fitted twice. It counts twice, which a weight expresses better.
+/// Reports a table of measurements that is fitted twice. It then counts twice, which a weight would
+/// express better.
 void examine_repetitions(const Study& study, const Document& file, std::vector<Finding>& found) {
   for (std::size_t i = 0; i < study.experiments.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -249,8 +253,8 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
   }
 }
 
-/// Compares the side of the wheel on a K&C rig, which the signs of toe and camber tell, with the
-/// side that the model states.
+/// Compares the side of the car to which a K&C table belongs, as the signs of toe and camber show
+/// it, with the side that the model states.
 void examine_sides(const Study& study, const Document& file, std::vector<Finding>& found) {
   const Node root = study.model.root();
   const std::string side = root.has("side") ? root.text("side") : "";

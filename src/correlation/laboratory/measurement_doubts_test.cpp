@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Doubts about a record that would otherwise become a wrong number: keys of `columns` that are no
-// channels, a minus before a name, fillers, contradicting signs and encodings.
+// Tests doubts about a record that would otherwise give a wrong number: keys of `columns` that are
+// no channels, a minus before a name, filler numbers, contradicting signs and encodings.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST_F(MeasurementDoubts, AMinusBeforeANameIsApplied) {
     EXPECT_NE(said(turned, "begins with a minus, which is applied: alpha is minus"), "") << title;
     EXPECT_EQ(said(turned, "same sign"), "") << title;
   }
-  // Somebody who takes the minus for a dash says so.
+  // A user for whom the minus is only a dash states the column in `columns`.
   const Measurement dash =
       read(sweep("time [s],FZ [N],-SA [deg],FY [N]", 1.0), "columns = {alpha = \"-SA\"}");
   EXPECT_EQ(dash.values("alpha", "rad"), plain.values("alpha", "rad"));
@@ -92,7 +92,8 @@ TEST_F(MeasurementDoubts, AFillerIsAnErrorOnceSomethingUsesItsChannel) {
   const Measurement rest = read(sweep(kNames, 1.0, 20), "[measurement.run.select]\n" + window);
   EXPECT_EQ(rest.samples(), 57u);
   EXPECT_EQ(said(rest, "-9999"), "");
-  // A low pass spreads the filler, so that no selection removes it.
+  // A low-pass filter spreads the filler number over its neighbors, so no selection of samples
+  // removes it.
   const Measurement filtered = read(sweep(kNames, 1.0, 20), "low_pass = \"2 Hz\"");
   EXPECT_NE(said(filtered, "low_pass has spread it"), "");
 }
@@ -111,7 +112,7 @@ TEST_F(MeasurementDoubts, AFillerInAnotherUnitOrFileIsFound) {
   const std::string second = said(*both, "-9999 N");
   EXPECT_NE(second.find("second.csv:5"), second.npos) << second;
   EXPECT_NE(second.find("lines 5 to 7"), second.npos) << second;
-  EXPECT_EQ(said(*both, "goes back"), "");  // each file has a time of its own
+  EXPECT_EQ(said(*both, "goes back"), "");  // each file has its own time
 }
 
 TEST_F(MeasurementDoubts, AMissingStateNamesTheColumnsThatMayBeIt) {

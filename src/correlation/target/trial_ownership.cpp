@@ -16,15 +16,15 @@ constexpr const char* kEnded = "ended";
 constexpr const char* kDesign = "design";
 constexpr const char* kTakenOver = "taken over";
 
-/// Text of the mark that a search leaves at its end. The result of a study is that of its last
-/// stage.
+/// Returns the text of the mark that a search leaves at its end. It names the last stage, whose
+/// result is that of the study.
 std::string ending_of(const Study& study) {
   const std::string& stage =
       study.stage.empty() && !study.stages.empty() ? study.stages.back().name : study.stage;
   return stage.empty() ? study.target_key : study.target_key + "/" + stage;
 }
 
-/// Writes a mark unless the last one of its kind says the same.
+/// Writes a mark unless the last mark of its kind has the same text.
 void mark_once(Journal& journal, const char* kind, const std::string& text) {
   const auto& marks = journal.marks();
   const auto last = std::find_if(

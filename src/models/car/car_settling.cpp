@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the rest of a car on its tires, standing or rolling, before time begins.
+// Finds the static equilibrium of a car on its tires, standing or rolling at constant speed, from
+// which a simulation starts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,7 +44,8 @@ Result<Rest> Car::stand(const LineTires& tires,
       force.z() += tire.force + tire.stiffness * (tire.height - z);
       BodyForce wrench{.body = parts.upright};
       wrench.value << force, arm.cross(force) + tire.beside.tail<3>();
-      Vector6d by_z;  // derivative of z by the upright's motion
+      // Derivative of the height z with respect to the upright's displacement and rotation.
+      Vector6d by_z;
       by_z << Vector3d::UnitZ(), arm.cross(Vector3d::UnitZ());
       wrench.slopes = -tire.stiffness * by_z * by_z.transpose();
       wrench.slopes.bottomRightCorner<3, 3>() += multibody::cross(force) * multibody::cross(arm);
@@ -58,7 +60,8 @@ Result<Rest> Car::stand(const LineTires& tires,
   const multibody::RestSettings standing{
       .loads = inputs.loads, .drivers = drivers, .outside = &outside};
   auto found = statics_->solve(standing, from);
-  // If this start fails, the load is applied from the drawn position in shares of the whole.
+  // If the solver finds no equilibrium from this start, it begins at the drawn position and applies
+  // the load in shares.
   if (!found) found = statics_->solve(standing, statics_->unloaded());
   if (!found)
     return Failure{found.failure().reason + "; " +
@@ -138,7 +141,8 @@ std::string Car::sunk(const Rest& rest, const LineTires& tires, double speed) co
 
 namespace {
 
-/// Linearizes the force of a tire in its state over the height of its wheel.
+/// Linearizes the vertical force of a tire about its current state, as a function of the height of
+/// its wheel.
 template <class Line>
 void take(Line& line, const WheelState& wheel) {
   const Vector3d force = wheel.motion.carrier * wheel.hub.force;
@@ -154,23 +158,26 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
   return rates;
 }
 
-/// Lets the tires roll to the car's starting position, in rounds; after each round the car's
-/// equilibrium is solved again.
+/// Settings for letting the tires roll to the car's starting position. They roll in rounds; after
+/// each round the car's equilibrium is computed again.
 struct RollIn {
   static constexpr int kRounds = 12;
   static constexpr int kMostRounds = 32 * kRounds;  // 115 m of path, or 11 s below 10 m/s
-  static constexpr int kHeld = 3;  // rounds without motion of the car, until belts have grown
-  double duration;                 // s, of a round: at least 0.3 m of path, which a tire of short
-                                   // relaxation length needs to forget
-  int steps;                       // steps of a round, each 12 mm long
+  // Rounds in which the car's body is held until the belts have grown.
+  static constexpr int kHeld = 3;
+  // Duration of a round, s. It covers at least 0.3 m of path, after which a tire of short
+  // relaxation length has lost its initial transient.
+  double duration;
+  int steps;  // number of steps of a round, each 12 mm long
 
   explicit RollIn(double speed)
       : duration(std::max(0.03, 0.3 / speed)),
         steps(static_cast<int>(std::ceil(duration * speed / 0.012))) {}
 };
 
-/// Ranges (greatest less least) of a tire's forces over the second halves of the rounds. While slip
-/// relaxes, the range falls from round to round; if forces vary with each turn, it stays.
+/// Ranges (maximum minus minimum) of a tire's forces over the second halves of the rounds. While
+/// the slip relaxes, the range decreases from round to round. If forces vary periodically with the
+/// rotation of the wheel, the range remains.
 class FallingRanges {
  public:
   void add(const Vector3d& force) {
@@ -182,9 +189,10 @@ class FallingRanges {
     low_.setConstant(std::numeric_limits<double>::infinity());
     high_ = -low_;
   }
-  /// Returns the last range, N, if it has fallen within three rounds and is above `least`; else 0.
+  /// Returns the last range, N, if it has decreased within three rounds and is above `least`;
+  /// otherwise 0.
   double still_falling(double least) const {
-    constexpr double kFalls = 0.9;  // share of the range that is left, relaxation length 8.5 m
+    constexpr double kFalls = 0.9;  // remaining share of the range; relaxation length of 8.5 m
     const double last = ranges_.back();
     return last > least && last < kFalls * ranges_[ranges_.size() - 4] ? last : 0.0;
   }
@@ -204,8 +212,8 @@ Failure no_stand(int corner, const std::string& why) {
   return {fmt::format("the tire {} does not stand on the road: {}", kCornerNames[at(corner)], why)};
 }
 
-/// Returns the stiffness between two positions of a tire that went down by `travel`, m, if the
-/// stiffness is plausible beside the one so far, N/m; otherwise the one so far.
+/// Returns the secant stiffness of a tire, N/m, from the change of its force while it was lowered
+/// by `travel` (m). Returns the previous `stiffness` if the secant differs from it implausibly.
 double secant_of(double more_force, double travel, double stiffness) {
   if (std::abs(travel) <= 1e-9) return stiffness;
   const double secant = more_force / travel;
@@ -219,7 +227,8 @@ Result<Rest> Car::settle_on_tires(CarState& state,
                                   const road::Road& road,
                                   const CarInputs& inputs) {
   constexpr int kMost = 40;
-  constexpr double kEnough = 1e-8, kUsual = 1e-5;  // relative to the car's weight, at each tire
+  // Convergence tolerances: change of a tire load relative to the car's weight.
+  constexpr double kEnough = 1e-8, kUsual = 1e-5;
   const double weight = mechanism_->mass() * parameters_.gravity;
   const Eigen::VectorXd rates = straight_on(mechanism_->bodies().size(), state.speed);
   Rest rest = statics_->unloaded();
@@ -231,7 +240,8 @@ Result<Rest> Car::settle_on_tires(CarState& state,
     state.trim.arm[at(corner)] = tires_[at(corner)]->free_radius();
   }
   double worst = 0.0, before = 0.0;
-  std::array<double, kCorners> touching;  // N/m, of each tire when it last touched the road
+  // N/m, stiffness of each tire when it last touched the road
+  std::array<double, kCorners> touching;
   touching.fill(lines[kFL].stiffness);
   int touched = 0;  // number of touching tires in the last round
   for (int i = 0; i < kMost; ++i) {
@@ -247,7 +257,7 @@ Result<Rest> Car::settle_on_tires(CarState& state,
       WheelState& wheel = state.wheels[at(corner)];
       wheel.motion = motion_of_wheel(corner, rest.poses, &rates);
       const double z = wheel.motion.center.z(), radius = tires_[at(corner)]->free_radius();
-      // A tire rolls on a radius that is shorter by a third of its deflection.
+      // The effective rolling radius of a tire is its free radius minus a third of its deflection.
       wheel.motion.spin_rate = state.speed / (radius - std::max(0.0, radius - z) / 3.0);
       wheel.tire = tires_[at(corner)]->clone();
       const auto hub = wheel.tire->settle(wheel.motion, road, 0.0);
@@ -265,16 +275,17 @@ Result<Rest> Car::settle_on_tires(CarState& state,
           line.stiffness = secant_of(force - line.force, line.height - z, line.stiffness);
         touching[at(corner)] = line.stiffness;
       } else if (stood_on > 2) {
-        line.stiffness = 0.0;  // in the air while three others stand
+        line.stiffness = 0.0;  // this tire is off the road while the other three carry the car
       }
       take(line, wheel);
-      // A changed arm changes the effect of the pull.
+      // If the arm of the longitudinal pull changes, its moment on the chassis changes.
       constexpr double kArm = 1.0;  // m, arm that converts a moment to tire loads
       double& arm = state.trim.arm[at(corner)];
       const double was = std::exchange(arm, arm_over(road, wheel));
       worst = std::max(worst, std::abs(state.trim.along * (arm - was)) / kArm);
     }
-    // The rounds end at the accuracy of the tires, or when a round brings no improvement.
+    // The rounds end when the error is below the accuracy of the tires, or when a round no longer
+    // halves it.
     if (i > 0 && worst < kEnough * weight) break;
     if (i > 0 && worst < kUsual * weight && worst > 0.5 * before) break;
   }
@@ -345,8 +356,10 @@ Result<Rest> Car::roll_rounds(int rounds,
       const WheelMotion end = motion_of_wheel(corner, rest.poses, &rates);
       const road::PlaneRoad level{{.height = road.height(end.center.x(), end.center.y(), 0.0)}};
       const Vector3d from = wheel.motion.center;
-      HubForces mean;       // over the second half, which contains no transient
-      double height = 0.0;  // m, wheel center, likewise: height at which the line has that force
+      HubForces mean;  // mean forces over the second half of the round, which contains no transient
+      // Mean height of the wheel center over the same time, at which the linearized tire has these
+      // forces, m.
+      double height = 0.0;
       for (int i = 1; i <= way.steps; ++i) {
         const double left = way.duration * (rounds - 1 - round) + h * (way.steps - i);
         WheelMotion there = end;
@@ -396,7 +409,8 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
     if (!rest) return rest.failure();
   }
   const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, speed, 0.0});
-  // The guide starts with the forces that it held at rest, minus those of its springs.
+  // The guide's constant forces are those that it bore in equilibrium, minus the forces of its
+  // springs.
   const Vector3d off = off_guide(rest->poses[at(parts_.chassis)], {0.0, 0.0, start.y});
   state.trim.along += guide.along * off.x();
   state.trim.lateral = (1.0 - kStill) * guide.lateral * off.y();

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Recordings that `latsch new` cannot use are refused with what is missing and the columns that may be it; those that it
-can use are doubted as by `latsch check`, and no half-written study is left.
+"""Tests recordings given to `latsch new`. One that it cannot use is refused, and the message names the missing channel and
+the columns that may contain it. One that it can use causes the same warnings as in `latsch check`. No incomplete study
+is left behind.
 
-    new_recordings_test.py PATH/TO/latsch
-"""
+   new_recordings_test.py PATH/TO/latsch"""
 import math
 import pathlib
 import sys

@@ -96,7 +96,7 @@ class LineContact : public RollingBody {
              const Eigen::VectorXd& R,
              Eigen::VectorXd& dq) override {
     Eigen::MatrixXd J = S_, right = R;
-    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(2, S_.cols());  // of the traction of place k
+    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(2, S_.cols());  // derivative of place k's traction
     for (int k = 1; k <= count_; ++k) {
       const GripLink& link = tractions.links[k];
       by = (link.by_before * by).eval();

@@ -3,8 +3,8 @@
 // Newton's method on (R.1) of rolling_tire.h solves.
 //
 //   g - K d = c(u - d)                                                                       (R.2)
-// K is eliminated down to the nodes of the tread, and these down to the nodes below which the ground
-// is (condensed_tire.h). There the contact with friction is solved by the active set of
+// K is eliminated down to the nodes of the tread, and these down to the nodes below which the
+// ground is (condensed_tire.h). There the contact with friction is solved by the active set of
 // rolling_contact.h. A height that follows from a load and a spin that follows from a drive are
 // found around it, by Newton's method with Broyden's updates.
 #pragma once

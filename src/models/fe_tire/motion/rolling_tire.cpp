@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -114,7 +115,8 @@ Result<double> RollingTire::Impl::advance(Iterate& now,
   }
 }
 
-/// Solves the linear tire on its ground. If it has no solution with an old tangent, that is renewed.
+/// Solves the linear tire on its ground. If it has no solution with an old tangent, that is
+/// renewed.
 Result<LinearRoller::Found> RollingTire::Impl::step(
     Iterate& now, const RollingCase& of, double load, double enough, RollingState& state) {
   const bool is_old = linear.has_factor();
@@ -216,20 +218,17 @@ RollingTire::~RollingTire() = default;
 
 void RollingTire::forget() { impl_->linear.forget(); }
 
-Result<RollingState> RollingTire::press(const Inflated& inflated, double deflection) {
-  FeTire& tire = impl_->tire;
-  const auto states = tire.advance(tire.over(inflated, {}, FeTire::Poses::any),
-                                   {FeTire::below(inflated, deflection)});
-  if (!states) return states.failure();
-  const TireState& pressed = states->back();
+RollingState RollingTire::start(const TireState& pressed) {
+  assert(!pressed.is_halved);
   RollingState state;
   state.of.height = pressed.pose.height;
+  state.of.camber = pressed.pose.camber;
   state.of.friction.at_rest = 0.0;
-  state.pressure = inflated.pressure;
+  state.pressure = pressed.inflated->pressure;
   state.u = pressed.u;
   state.alpha = pressed.alpha;
   state.grip = GripState(static_cast<int>(std::ssize(impl_->tread.points())));
-  state.forces.force = tire.stand(pressed).force;
+  state.forces.force = impl_->tire.stand(pressed).force;
   return state;
 }
 

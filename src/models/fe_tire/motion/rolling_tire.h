@@ -2,8 +2,8 @@
 // Steady rolling of the finite-element tire on flat ground, with inertia and friction.
 //
 //   RollingTire rolling(tire);
-//   auto start = rolling.press(*inflated, load);            // no friction, at rest
-//   auto free  = rolling.roll(*start, {.speed = 20.0, .load = load, .drive = 0.0,
+//   auto start = rolling.start(pressed);                    // at rest, without friction
+//   auto free  = rolling.roll(start, {.speed = 20.0, .load = load, .drive = 0.0,
 //                                      .friction = {.at_rest = 1.0}});
 //   auto next  = rolling.roll(*free, with_slip);            // from neighbor to neighbor
 //
@@ -39,9 +39,9 @@ class RollingTire {
   explicit RollingTire(FeTire& tire);
   ~RollingTire();
 
-  /// Returns a start for the first case: the tire pressed to a deflection (m, from first touch of
-  /// `inflated`) without friction, at rest. `inflated`: at rest.
-  Result<RollingState> press(const Inflated& inflated, double deflection);
+  /// Returns a start for the first case: a tire at rest, pressed on flat ground without friction.
+  /// The state has to be one of the whole ring (FeTire::Poses::any).
+  RollingState start(const TireState& pressed);
   /// Finds the steady state of a case, starting from a neighboring state. A Failure says what did
   /// not converge and how far the path was followed, or which number of the case is out of range.
   Result<RollingState> roll(const RollingState& from, const RollingCase& of);

@@ -5,8 +5,8 @@
 //   R(q) = T q + r - A^T(p n + t)(x_0 + A q) dA,     q: displacements of the nodes' unknowns
 //
 // T and r come from CondensedTire; the points' positions are linear in q. The pressure is the
-// penalty (C.1). A point at the leading edge has the share of its step behind the height 0, with its
-// derivative.
+// penalty (C.1). A point at the leading edge has the share of its step behind the height 0, with
+// its derivative.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/rigs/fe_tire/rolling_rig.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "experiment/rigs/fe_tire/deflection_for_load.h"
+#include "models/fe_tire/motion/rolling_tire.h"
+#include "models/fe_tire/motion/spinning_tire.h"
+
+namespace latsch::experiment {
+namespace {
+
+using fe_tire::RollingCase;
+using fe_tire::RollingState;
+
+/// First guess of the deflection, relative to the radius.
+constexpr double kFirstGuess = 0.05;
+/// Effective radius of a tire without friction: its share of the deflection below the inflated
+/// radius. Tires with a stiff belt have about a third.
+constexpr double kEffective = 1.0 / 3.0;
+
+/// Distances between states that are a similar effort: of slip and slip angle, camber, and load,
+/// speed, relative.
+constexpr double kSlipScale = 0.03, kCamberScale = 0.1, kRelative = 0.3, kTurnScale = 0.05;
+
+double distance(const RollingCase& a, const RollingCase& b) {
+  const auto slip = [](const RollingCase& c) {
+    return c.spin / (c.speed * std::cos(c.slip_angle)) * c.height;
+  };
+  return std::abs(std::tan(a.slip_angle) - std::tan(b.slip_angle)) / kSlipScale +
+         std::abs(slip(a) - slip(b)) / kSlipScale + std::abs(a.camber - b.camber) / kCamberScale +
+         std::abs(a.turn_slip - b.turn_slip) / kTurnScale +
+         std::abs(a.speed / b.speed - 1.0) / kRelative +
+         std::abs(*a.load / *b.load - 1.0) / kRelative;
+}
+
+std::string in_words(const RollingRow& row, std::size_t number, std::size_t of) {
+  return fmt::format(
+      "state {} of {} ({:.5g} N, {:.4g} km/h, alpha {:.4g} deg, kappa {}, camber "
+      "{:.4g} deg)",
+      number + 1,
+      of,
+      row.load,
+      3.6 * row.speed,
+      row.alpha * 180.0 / M_PI,
+      row.kappa ? fmt::format("{:g}", *row.kappa) : std::string("free"),
+      row.camber * 180.0 / M_PI);
+}
+
+/// The states found at one pressure, from which others start.
+class FlatTrack {
+ public:
+  FlatTrack(TireRig& rig, double pressure, double friction)
+      : rig_(rig), pressure_(pressure), friction_(friction), rolling_(rig.tire()) {}
+
+  /// Finds the state of a row. `slip` receives kappa against the free wheel.
+  Result<RollingState> find(const RollingRow& row, double& slip) {
+    RollingCase of = case_of(row);
+    if (friction_ == 0.0) {
+      slip = 0.0;
+      of.drive.reset();
+      return from_nearest(of);
+    }
+    const auto free = free_wheel(row);
+    if (!free) return free.failure();
+    const double V_x = row.speed, R_e = V_x / free->of.spin;
+    of.height = free->of.height;
+    of.spin = free->of.spin;
+    if (row.kappa) {
+      of.spin = (1.0 + *row.kappa) * V_x / R_e;
+      of.drive.reset();
+    } else if (is_straight(row)) {
+      slip = 0.0;
+      return free;
+    }
+    const auto found = from_nearest(of);
+    if (found) slip = found->of.spin * R_e / V_x - 1.0;
+    return found;
+  }
+
+  /// Distance of a row's state from the nearest one that is known.
+  double distance_to(const RollingRow& row) const {
+    RollingCase of = case_of(row);
+    double least = std::numeric_limits<double>::infinity();
+    for (const RollingState& state : found_) {
+      of.height = state.of.height;
+      of.spin = (1.0 + row.kappa.value_or(0.0)) * row.speed / of.height;
+      RollingCase there = state.of;
+      there.load = state.forces.force.z();
+      least = std::min(least, distance(of, there));
+    }
+    return found_.empty() ? 0.0 : least;
+  }
+
+ private:
+  static bool is_straight(const RollingRow& row) {
+    return row.alpha == 0.0 && row.turn_slip == 0.0;
+  }
+
+  RollingCase case_of(const RollingRow& row) const {
+    RollingCase of;
+    of.speed = row.speed / std::cos(row.alpha);
+    of.slip_angle = row.alpha;
+    of.camber = row.camber;
+    of.turn_slip = row.turn_slip;
+    of.load = row.load;
+    of.drive = 0.0;
+    of.friction.at_rest = friction_;
+    return of;
+  }
+
+  /// Returns the free wheel, straight ahead, at the row's load, speed and camber.
+  Result<RollingState> free_wheel(const RollingRow& row) {
+    RollingRow straight = row;
+    straight.kappa.reset();
+    straight.alpha = straight.turn_slip = 0.0;
+    for (const auto& [known, at] : free_)
+      if (known.load == row.load && known.speed == row.speed && known.camber == row.camber)
+        return found_[at];
+    auto found = from_nearest(case_of(straight));
+    if (found) free_.emplace_back(straight, found_.size() - 1);
+    return found;
+  }
+
+  Result<RollingState> from_nearest(RollingCase of) {
+    if (!start_) {
+      const auto pressed = press(*of.load, of.camber);
+      if (!pressed) return pressed.failure();
+      start_ = rolling_.start(*pressed);
+      radius_ = pressed->inflated->radius;
+    }
+    const RollingState* from = &*start_;
+    double least = std::numeric_limits<double>::infinity();
+    for (const RollingState& state : found_) {
+      RollingCase there = state.of, here = of;
+      there.load = state.forces.force.z();
+      if (!(here.height > 0.0)) here.height = there.height;
+      if (!(here.spin > 0.0)) here.spin = there.spin * here.speed / there.speed;
+      const double d = distance(here, there);
+      if (d < least) {
+        least = d;
+        from = &state;
+      }
+    }
+    if (!(of.height > 0.0)) of.height = from->of.height;
+    const double V_x = of.speed * std::cos(of.slip_angle);
+    if (of.spin == 0.0 && of.drive) of.spin = V_x / effective(of.height);
+    if (!of.drive && friction_ == 0.0) of.spin = V_x / effective(of.height);
+    auto found = rolling_.roll(*from, of);
+    if (found) found_.push_back(*found);
+    return found;
+  }
+
+  double effective(double height) const { return radius_ - kEffective * (radius_ - height); }
+
+  Result<fe_tire::TireState> press(double load, double camber) {
+    const auto& inflated = rig_.inflated(pressure_);
+    if (!inflated) return inflated.failure();
+    return load_to_force(rig_.tire(),
+                         *inflated,
+                         load,
+                         kFirstGuess * inflated->radius,
+                         {},
+                         {camber, fe_tire::FeTire::Poses::any});
+  }
+
+  TireRig& rig_;
+  double pressure_, friction_, radius_ = 0.0;
+  fe_tire::RollingTire rolling_;
+  std::optional<RollingState> start_;
+  std::vector<RollingState> found_;
+  std::vector<std::pair<RollingRow, std::size_t>> free_;  // row, index in found_
+};
+
+/// Returns why no tire rolls so fast; nothing if it does.
+Status check_speed(TireRig& rig, double pressure, double speed) {
+  const auto spinning = rig.spinning(pressure, {speed, true});
+  return spinning ? Status{} : Status{spinning.failure()};
+}
+
+/// Finds all states at one pressure, always going on to the row nearest to a state that is known.
+Status roll_at(TireRig& rig,
+               const RollingTest& test,
+               double pressure,
+               std::vector<std::size_t> open,
+               std::vector<RollingState>& states,
+               std::vector<double>& slips) {
+  double fastest = 0.0;
+  for (const std::size_t k : open) fastest = std::max(fastest, test.rows[k].speed);
+  if (const Status done = check_speed(rig, pressure, fastest); !done) return done;
+  FlatTrack track(rig, pressure, test.friction);
+  while (!open.empty()) {
+    const auto next = std::ranges::min_element(
+        open, {}, [&](std::size_t k) { return track.distance_to(test.rows[k]); });
+    const std::size_t k = *next;
+    open.erase(next);
+    auto found = track.find(test.rows[k], slips[k]);
+    if (!found)
+      return Failure{in_words(test.rows[k], k, test.rows.size()) + ": " + found.failure().reason};
+    states[k] = *std::move(found);
+  }
+  return {};
+}
+
+struct Patch {
+  double length = 0.0, width = 0.0, sticking = 0.0;
+};
+
+Patch patch_of(const RollingState& state) {
+  Eigen::Vector2d least = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d most = -least;
+  double load = 0.0, sticking = 0.0;
+  for (const fe_tire::RollingPatchPoint& point : state.patch) {
+    least = least.cwiseMin(Eigen::Vector2d(point.x, point.y));
+    most = most.cwiseMax(Eigen::Vector2d(point.x, point.y));
+    load += point.pressure * point.area;
+    if (point.sticks) sticking += point.pressure * point.area;
+  }
+  if (!(load > 0.0)) return {};
+  return {most.x() - least.x(), most.y() - least.y(), sticking / load};
+}
+
+/// Returns the power of drive and hub less that of friction, W.
+double balance_of(const RollingState& state) {
+  const RollingCase& of = state.of;
+  const Eigen::Vector3d& F = state.forces.force;
+  const double V_x = of.speed * std::cos(of.slip_angle), V_y = of.speed * std::sin(of.slip_angle);
+  // The turning wheel carries the contact center around the point below the wheel center.
+  const double offset = of.height * std::tan(of.camber);  // to the left, as the top is to the right
+  const double turning = -of.turn_slip * of.speed;
+  const double about_hub = state.forces.moment.z() - offset * F.x();
+  return state.forces.drive * of.spin - F.x() * V_x - F.y() * V_y - about_hub * turning -
+         state.forces.friction_power;
+}
+
+}  // namespace
+
+Channels channels_of(const std::vector<RollingState>& states, const std::vector<double>& kappa) {
+  Channels channels;
+  const auto add = [&](const char* name, const char* unit, const auto& value) {
+    std::vector<double> values;
+    for (const RollingState& state : states) values.push_back(value(state));
+    channels.add({name, unit, std::move(values)});
+  };
+  using State = const RollingState&;
+  add("alpha", "rad", [](State s) { return s.of.slip_angle; });
+  channels.add({"kappa", "1", kappa});
+  add("gamma", "rad", [](State s) { return s.of.camber; });
+  add("phit", "1/m", [](State s) { return s.of.turn_slip; });
+  add("Vx", "m/s", [](State s) { return s.of.speed * std::cos(s.of.slip_angle); });
+  add("Fx", "N", [](State s) { return s.forces.force.x(); });
+  add("Fy", "N", [](State s) { return s.forces.force.y(); });
+  add("Fz", "N", [](State s) { return s.forces.force.z(); });
+  add("Mx", "N m", [](State s) { return s.forces.moment.x(); });
+  add("My", "N m", [](State s) { return s.forces.moment.y(); });
+  add("Mz", "N m", [](State s) { return s.forces.moment.z(); });
+  add("omega", "rad/s", [](State s) { return s.of.spin; });
+  add("R_e", "m", [](State s) { return s.of.speed * std::cos(s.of.slip_angle) / s.of.spin; });
+  add("R_l", "m", [](State s) { return s.loaded_radius(); });
+  add("drive", "N m", [](State s) { return s.forces.drive; });
+  add("friction_power", "W", [](State s) { return s.forces.friction_power; });
+  add("sticking", "1", [](State s) { return patch_of(s).sticking; });
+  add("length", "m", [](State s) { return patch_of(s).length; });
+  add("width", "m", [](State s) { return patch_of(s).width; });
+  add("balance", "W", balance_of);
+  return channels;
+}
+
+Result<Channels> roll(TireRig& rig, const RollingTest& test) {
+  std::vector<RollingState> states(test.rows.size());
+  std::vector<double> slips(test.rows.size(), 0.0);
+  std::vector<std::pair<double, std::vector<std::size_t>>> groups;  // rows of each pressure
+  const double own = test.pressure.value_or(rig.own_pressure());
+  for (std::size_t k = 0; k < test.rows.size(); ++k) {
+    const double pressure = test.rows[k].pressure.value_or(own);
+    const auto group = std::ranges::find(groups, pressure, [](const auto& g) { return g.first; });
+    if (group == groups.end())
+      groups.push_back({pressure, {k}});
+    else
+      group->second.push_back(k);
+  }
+  for (const auto& [pressure, rows] : groups) {
+    const Status done = roll_at(rig, test, pressure, rows, states, slips);
+    if (!done) return done.failure();
+  }
+  return channels_of(states, slips);
+}
+
+}  // namespace latsch::experiment

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Virtual flat track for the finite-element tire: steady states of rolling (motion/rolling_tire.h).
+//
+// Every state has its load, speed, slip angle, camber and turn slip. Without a slip kappa the wheel
+// rolls freely: no moment about its spin axis. A slip kappa is that against the free wheel at the
+// same load, speed, camber and pressure, upright in heading: kappa = Omega R_e/V_x - 1, where R_e =
+// V_x/Omega of that free wheel. On ground without friction a wheel spins with V_x over its loaded
+// radius plus two thirds of its deflection.
+//
+// A steady state does not depend on the path to it. The rig begins with free rolling and goes on to
+// the state nearest to one that is known, so that no step is longer than the table demands.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "experiment/rigs/fe_tire/tire_rig.h"
+#include "experiment/rigs/inflation.h"
+#include "models/fe_tire/motion/rolling_case.h"
+
+namespace latsch::experiment {
+
+/// A state of the wheel, in W (ISO).
+struct RollingRow {
+  double load = 0.0;                    // N
+  double speed = 0.0;                   // m/s along the heading, V_x
+  std::optional<double> kappa = {};     // none: free rolling
+  double alpha = 0.0, camber = 0.0;     // rad
+  double turn_slip = 0.0;               // 1/m
+  std::optional<double> pressure = {};  // Pa; none: that of the test
+};
+
+struct RollingTest {
+  Inflation pressure = {};
+  double friction = 1.0;
+  std::vector<RollingRow> rows;
+};
+
+/// Channels of the test, one value for each state: the states "alpha" (rad), "kappa" (against the
+/// free wheel), "gamma" (rad), "phit" (1/m), "Vx" (m/s), then forces and moments in W, "omega"
+/// (rad/s), "R_e" (V_x/omega, m), "R_l" (m), "drive" (N m, moment of the drive about the spin
+/// axis), "friction_power" (W), "sticking" (share of the load on points that stick), "length" and
+/// "width" (m) of the patch, and "balance" (W, power of drive and hub minus that of friction, an
+/// error of the discretization).
+Channels channels_of(const std::vector<fe_tire::RollingState>& states,
+                     const std::vector<double>& kappa);
+
+/// Rolls the tire through the states. A Failure names the state that was not found.
+Result<Channels> roll(TireRig& rig, const RollingTest& test);
+
+}  // namespace latsch::experiment

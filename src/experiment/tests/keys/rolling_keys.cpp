@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/language/key_section.h"
+
+namespace latsch::experiment {
+
+const KeySection& pressure_keys();
+
+const KeySection& rolling_keys() {
+  static const KeySection section = {
+      .heading = "Test \"rolling\": steady states of a finite-element tire",
+      .about = R"md(
+A finite-element tire that rolls steadily on flat ground with Coulomb friction
+([equations](fe_tire_motion.md)). States are stated by lists, one value for all or one for each
+state, or by a table. Each takes seconds.
+
+Channels, one value for each state, axes W (ISO): "alpha", "gamma" (rad), "kappa" (1), "phit"
+(1/m), "Vx" (m/s); "Fx", "Fy", "Fz" (N), "Mx", "My", "Mz" (N m); "omega" (rad/s), "R_e" (Vx over
+omega), "R_l" (loaded radius), "length", "width" of the patch (m); "drive" (N m, moment of the
+drive about the spin axis), "friction_power" (W), "sticking" (share of the load on points that do
+not slide) and "balance" (W, what the discretization leaves between the power of drive and hub and
+that of friction). The rubber is elastic: rolling resistance is that of friction alone.
+)md",
+      .sentences =
+          {
+              {"load", "Loads of the wheel, Fz."},
+              {"speed",
+               "Speeds of the wheel center along the wheel's heading; centrifugal forces act. For "
+               "`states`, only if the table has no Vx."},
+              {"friction",
+               "Coefficient of friction with the ground. With 0 no state may have a slip; the "
+               "wheel then spins with its speed over the inflated radius less a third of the "
+               "deflection."},
+              {"kappa",
+               "Slips against the free wheel at the same load, speed and camber; -1 is a locked "
+               "wheel.",
+               "none: the wheel rolls freely"},
+              {"alpha", "Slip angles; a positive one gives a negative Fy.", "0"},
+              {"camber", "Inclinations about x, top to the right.", "0"},
+              {"turn_slip", "Turn slips, minus the turning rate over the speed.", "0"},
+              {"states",
+               "Table of states in place of these lists: columns Fz, kappa, alpha, gamma, phit, "
+               "Vx, p as for the test steady_states; `{from = \"measurement.run\"}` takes those "
+               "of a measurement. Without a column kappa the wheel rolls freely."},
+          },
+      .samples =
+          {
+              R"toml(kind = "rolling"
+load = "4 kN"
+speed = "60 km/h"
+friction = 1.0
+pressure = "2.6 bar"
+alpha = ["0 deg", "1 deg", "2 deg"]
+camber = "1 deg"
+turn_slip = "0 1/m"
+)toml",
+              R"toml(kind = "rolling"
+load = ["2 kN", "4 kN"]
+speed = "60 km/h"
+friction = 0.9
+kappa = [-0.01, -0.05]
+)toml",
+              R"toml(kind = "rolling"
+states = "states.csv"
+friction = 1.0
+)toml",
+          },
+      .shared = {{"", pressure_keys}},
+  };
+  return section;
+}
+
+}  // namespace latsch::experiment
