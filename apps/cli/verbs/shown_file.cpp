@@ -48,7 +48,8 @@ bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownF
     if (channels.empty() || !is_whole) return false;
     show_channels(channels, false, shown);
     return true;
-  } catch (const InputError&) {  // the ledger says why
+  } catch (const InputError&) {
+    // `latsch show` prints the reason in the ledger of the file.
     return false;
   }
 }
