@@ -49,7 +49,7 @@ bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownF
     show_channels(channels, false, shown);
     return true;
   } catch (const InputError&) {
-    // `latsch show` prints the reason in the ledger of the file.
+    // `latsch show` adds the reason when it reads the ledger (show_ledger_of).
     return false;
   }
 }
