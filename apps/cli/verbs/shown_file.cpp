@@ -54,7 +54,8 @@ bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownF
     if (channels.empty() || !is_whole || has_texts) return false;
     show_channels(channels, false, shown);
     return true;
-  } catch (const InputError&) {  // the ledger says why
+  } catch (const InputError&) {
+    // `latsch show` adds the reason when it reads the ledger (show_ledger_of).
     return false;
   }
 }
