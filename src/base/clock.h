@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time is an argument: code that measures time or waits takes a Clock, so that a test can supply
-// its own.
+// Time as an argument: code that measures time or waits takes a Clock, so that a test can supply a
+// clock that it controls.
 #pragma once
 
 #include <chrono>

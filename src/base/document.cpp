@@ -7,11 +7,12 @@
 #include "base/document_tree.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "base/utf8.h"
 
 namespace latsch {
 namespace {
 
-/// Index of the value at `path`. Throws InputError if that value is no number.
+/// Returns the index of the value at `path`. Throws InputError if that value is no number.
 int number_at(const DocumentTree& tree, std::string_view path, const Document& document) {
   const int index = tree.find(path);
   if (index >= 0 && tree.value(index).number) return index;
@@ -30,6 +31,7 @@ Document Document::read(const std::filesystem::path& file) {
 }
 
 Document Document::parse(std::string_view text, std::string file_name) {
+  refuse_utf16(text, file_name);
   Document document;
   document.tree_ = std::make_shared<DocumentTree>(text, std::move(file_name));
   document.changes_ = std::make_shared<DocumentChanges>();
@@ -54,7 +56,8 @@ void Document::set(std::string_view path, double value) {
   if (!std::isfinite(value))
     throw InputError(tree_->place(index),
                      std::string(path) + " cannot become " + format_number(value));
-  // Other copies of this document and nodes read from it keep the earlier numbers.
+  // Copies the changed numbers first if another document or Node shares them, so that those keep
+  // the earlier numbers.
   if (changes_.use_count() > 1) changes_ = std::make_shared<DocumentChanges>(*changes_);
   (*changes_)[index] = value;
 }

@@ -20,8 +20,8 @@
 
 namespace latsch {
 
-/// Interval of allowed values, SI. The upper end is included, the lower end unless
-/// `lower_excluded`.
+/// Interval of allowed values, SI. The upper end is included, and so is the lower end unless
+/// `lower_excluded` is true.
 struct Range {
   double lower = -std::numeric_limits<double>::infinity();  // SI
   double upper = std::numeric_limits<double>::infinity();   // SI
@@ -35,7 +35,7 @@ struct Range {
   static Range between(double lower, double upper) { return {lower, upper, false}; }
 };
 
-class DocumentTree;  // parsed file, see document_tree.h
+class DocumentTree;  // the parsed file; see document_tree.h
 
 /// One table of a Document. Every getter remembers its key; close() then rejects keys that no
 /// getter has read.
@@ -115,7 +115,7 @@ class Node {
 
  private:
   friend class Document;
-  struct Impl;  // see document_node.h
+  struct Impl;  // defined in document_node.h
   explicit Node(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
   std::shared_ptr<const Impl> impl_;
 };
@@ -153,8 +153,8 @@ class Document {
 
  private:
   std::shared_ptr<const DocumentTree> tree_;
-  std::shared_ptr<std::map<int, double>> changes_;  // changed only while this document is the only
-                                                    // owner
+  /// Changed only while this document is the only owner.
+  std::shared_ptr<std::map<int, double>> changes_;
 };
 
 }  // namespace latsch

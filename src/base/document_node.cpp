@@ -52,7 +52,9 @@ std::string fault_of(const DocumentValue& value, const Unit& expected) {
 /// bar".
 std::string describe(const Range& range, const Unit& unit) {
   const auto bound = [&](double si) {
-    constexpr int kDigits = 5;  // a bound may be 90 deg and a rounding error
+    // Significant digits of a bound in a message. More digits would show the rounding error of a
+    // bound such as 90 deg, which is stored in radians.
+    constexpr int kDigits = 5;
     const std::string number = format_number(unit.from_si(si), kDigits);
     return unit.text() == "1" ? number : number + " " + unit.text();
   };
@@ -83,7 +85,8 @@ double read_number(const DocumentTree& tree,
   Unit unit = number->unit;
   double si = tree.si(index, changes);
   if (!unit.same_dimension(expected)) {
-    // A word such as "lb" has the meaning that fits the expected dimension.
+    // A word with several meanings, such as "lb", is read with the meaning that fits the expected
+    // dimension.
     const auto meant = find_unit(unit.text(), expected);
     const auto digits = split_number(tree.value_now(index, changes).text);
     if (!meant || !meant->same_dimension(expected) || !digits)

@@ -35,8 +35,8 @@ struct Node::Impl {
   int index;
   std::shared_ptr<RecordedKeys> record = nullptr;  // nullptr: nothing is recorded
 
-  // These functions are the only access from outside: a nested class may open its Node, and names
-  // its friends.
+  // Only these two functions give code outside of Node access to its position: Impl is nested in
+  // Node and names them as friends.
   friend DocumentPlace place_in_document(const Node& node) {
     const Impl& impl = of(node);
     return {impl.tree, impl.changes, impl.index, impl.record};
@@ -59,7 +59,8 @@ struct Node::Impl {
   /// completes or replaces an earlier one; a bare `has` replaces none.
   template <class MakeDeclaredKey>
   void declare(std::string_view key, const MakeDeclaredKey& make) const {
-    if (record) record->declare(value().path, key, make());  // only made if it is recorded
+    // The declaration is made only if it is recorded.
+    if (record) record->declare(value().path, key, make());
   }
   DocumentValue::Kind kind(int i) const { return tree->value(i).kind; }
   DocumentValue now(int i) const { return tree->value_now(i, *changes); }

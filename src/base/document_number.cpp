@@ -7,7 +7,7 @@
 namespace latsch {
 namespace {
 
-/// Returns the unit that applies to a number written without a unit of its own.
+/// Returns the unit that applies to a number written without a unit.
 std::optional<Unit> unit_beside(const DocumentValue& value) {
   return Unit::find(value.unit.empty() ? "1" : value.unit);
 }

@@ -11,7 +11,7 @@
 namespace latsch {
 namespace {
 
-/// Returns the value as it would be written behind "key =".
+/// Returns the value as TOML text that may follow "key =".
 std::string inline_text(const DocumentTree& tree, int index, bool inside_unit = false) {
   const DocumentValue& value = tree.value(index);
   switch (value.kind) {
@@ -42,7 +42,7 @@ std::string inline_text(const DocumentTree& tree, int index, bool inside_unit = 
   return text + "}";
 }
 
-/// Writes every value below a table on a line of its own, under dotted keys.
+/// Writes every value below a table on a separate line, under dotted keys.
 void append_lines(const DocumentTree& tree,
                   int table,
                   const std::string& before,
@@ -71,7 +71,8 @@ Document with_part(const Document& whole, std::string_view key, const Document& 
   if (index < 0 || tree.value(index).kind != DocumentValue::Kind::text)
     throw InputError({whole.file(), 0},
                      std::string(key) + " is missing, expected the name of a file");
-  // The line that names the part becomes empty, so that all other lines keep their numbers.
+  // In the combined text, the line that names the part becomes empty, so that all other lines keep
+  // their numbers.
   std::string text = whole.text();
   const std::size_t line = text.rfind('\n', tree.value(index).begin) + 1;
   std::size_t end = text.find('\n', tree.value(index).end);
@@ -93,7 +94,8 @@ Document with_lines(const Document& whole,
   const std::size_t line = text.rfind('\n', value.begin) + 1;
   std::size_t end = text.find('\n', value.end);
   if (end == text.npos) end = text.size();
-  // Text before the key is the dotted part of the table's name, as in "ubj.file = ".
+  // The text before "=" is the key, preceded by the dotted names of tables inside the current one,
+  // such as "ubj." in "ubj.file = ".
   const std::string_view before =
       trimmed(std::string_view(text).substr(line, text.find('=', line) - line));
   const std::string_view behind =

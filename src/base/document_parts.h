@@ -17,16 +17,18 @@ namespace latsch {
 Document with_part(const Document& whole, std::string_view key, const Document& part);
 
 /// Returns `whole` with the line that holds the text at this path alone ("bushing.ubj.file")
-/// replaced by lines of other keys for the same table. The line numbers behind it grow by the added
-/// lines.
+/// replaced by lines of other keys for the same table. The numbers of all later lines grow by the
+/// number of added lines.
 Document with_lines(const Document& whole,
                     std::string_view path,
                     const std::vector<std::string>& lines);
 
-/// True if the part of the given key is read already, so that a table is there.
+/// True if the part at the given key was read already, so that the key holds a table instead of a
+/// file name.
 bool has_part(const Document& whole, std::string_view key);
 
-/// Returns the table at a top-level key as a document of its own, under the file name of the whole.
+/// Returns the table at a top-level key as a separate document, under the file name of the whole
+/// document.
 Document part_of(const Document& whole, std::string_view key);
 
 }  // namespace latsch

@@ -76,8 +76,8 @@ bool is_below(const std::string& path, const std::string& table) {
   return path.size() > table.size() && path.starts_with(table) && path[table.size()] == '.';
 }
 
-/// Returns the contents of the files, preceded by the extension of the first one, which decides
-/// which reader reads it.
+/// Returns the contents of the files, preceded by the extension of the first file, because the
+/// extension decides in which format the files are read.
 std::string contents_of(const std::vector<std::filesystem::path>& files) {
   std::vector<std::string> told;
   for (const std::filesystem::path& file : files)
@@ -130,11 +130,12 @@ std::string fingerprint(std::string_view text) {
 }
 
 std::string fingerprint_of_file(const std::filesystem::path& file) {
-  constexpr std::size_t kLargest = std::size_t{4} << 30;  // bytes; more than any reader accepts
+  // Bytes; more than any reader of files accepts.
+  constexpr std::size_t kLargest = std::size_t{4} << 30;
   if (file.extension() == ".toml") {
     try {
       return fingerprint(canonical_text(Document::read(file)));
-    } catch (const InputError&) {  // named like a document, but cannot be read as one
+    } catch (const InputError&) {  // the file is named like a document, but is none
     }
   }
   return fingerprint(MappedFile(file, kLargest).text());
@@ -156,7 +157,8 @@ void RecordedKeys::declare(std::string_view table, std::string_view key, Declare
   if (outer) outer->declare(table, key, what);
   DeclaredKey& known = keys[path_of(table, key)];
   const bool is_value = what.kind > DeclaredKey::Kind::table;
-  // A value that is also read as a text, for example to learn its unit, stays what it is.
+  // A key that was read as a quantity, a choice or another special kind keeps this kind if it is
+  // also read as a text, for example to find its unit.
   const bool stays = what.kind == DeclaredKey::Kind::text && is_special(known.kind);
   if (what.kind == DeclaredKey::Kind::presence) known.may_be_missing = true;
   if (!stays && (is_value || known.kind < what.kind)) known.kind = what.kind;
@@ -203,7 +205,7 @@ std::string DocumentRecord::text() const {
     } else if (!key.is_there) {
       value = key.fallback.value_or("");
     } else if (value.empty() && key.kind != DeclaredKey::Kind::table) {
-      value = written(path);  // a key that was tested for, but whose value no getter read
+      value = written(path);  // the key was tested for, but no getter read its value
     }
     if (!value.empty()) values[path] = std::move(value);
   }

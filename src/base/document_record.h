@@ -38,18 +38,18 @@ struct DeclaredKey {
     texts
   };
   Kind kind = Kind::presence;
-  std::vector<std::string> units = {};            // SI; a single unit, or that of every column
-  Range range = {};                               // for numbers
-  std::vector<std::string> choices = {};          // for a choice
-  std::vector<std::string> expected = {};         // for a text that its reader analyzes: what it
-                                                  // has to be, in words: "a share such as 3 %"
-  std::optional<std::string> fallback = {};       // value that applies if the key is not written
-  std::string value = {};                         // resolved value; "" if it was not read
-  bool is_there = false;                          // true if the file has the key
-  bool may_be_missing = false;                    // the reader tests whether the key is present
-  bool is_measurable = false;                     // {from = "measurement.NAME"} is allowed
-  std::vector<std::filesystem::path> files = {};  // files that the key names, then those they refer
-                                                  // to
+  std::vector<std::string> units = {};    // units in SI: a single one, or one for each column
+  Range range = {};                       // for numbers
+  std::vector<std::string> choices = {};  // for a choice
+  /// Requirement in words, "a share such as 3 %", for a text that its reader analyzes.
+  std::vector<std::string> expected = {};
+  std::optional<std::string> fallback = {};  // value that applies if the key is not written
+  std::string value = {};                    // resolved value; "" if it was not read
+  bool is_there = false;                     // true if the file has the key
+  bool may_be_missing = false;               // the reader tests whether the key is present
+  bool is_measurable = false;                // {from = "measurement.NAME"} is allowed
+  /// Files that the key names, followed by the files that those refer to.
+  std::vector<std::filesystem::path> files = {};
 };
 
 /// The keys of one reading by their paths below the table at which the reading begins:
@@ -57,9 +57,9 @@ struct DeclaredKey {
 struct RecordedKeys {
   std::string base;  // path of the table
   std::map<std::string, DeclaredKey> keys;
-  std::map<std::string, std::string> in_place;  // value that replaces a whole table, by the table's
-                                                // path
-  std::shared_ptr<RecordedKeys> outer;          // record of an enclosing reading; nullptr: none
+  /// Values that replace whole tables, by the path of the table.
+  std::map<std::string, std::string> in_place;
+  std::shared_ptr<RecordedKeys> outer;  // record of an enclosing reading; nullptr: none
 
   std::string path_of(std::string_view table, std::string_view key) const;
   void ask(std::string_view table, std::string_view key, bool is_there);
@@ -75,7 +75,7 @@ class DocumentRecord {
   /// Returns every key that was read or tested for, by its path, including keys that the file
   /// lacks.
   const std::map<std::string, DeclaredKey>& keys() const { return recorded_->keys; }
-  /// Adds a value from elsewhere, in canonical form.
+  /// Adds a value that was not read from this table, in canonical form, under a path.
   void put(const std::string& path, std::string value);
 
   /// Returns the identity of what was read: a line `path = value` for every key that is written or
@@ -86,16 +86,17 @@ class DocumentRecord {
   /// Returns every file that was named, and the files that those refer to.
   std::vector<std::filesystem::path> files() const;
 
-  // The following functions are for readers. Each does nothing without a record.
+  // The following functions are called by readers of tables. They do nothing if nothing is
+  // recorded.
 
-  /// Records what a whole table, such as {from = "measurement.rig"}, has been resolved into.
+  /// Records the value into which a whole table, such as {from = "measurement.rig"}, was resolved.
   static void stands_for(const Node& table, std::string value);
-  /// Records the files a key names: its own, then those that this file refers to.
+  /// Records the files that a key names: the file itself, then the files that it refers to.
   static void names_files(const Node& table,
                           std::string_view key,
                           std::vector<std::filesystem::path> files);
-  /// Records in words what the text under the key has to be, beyond the type of the getter that
-  /// reads it. Each kind of text is a call of its own.
+  /// Records in words the form that the text under the key must have, beyond the type of the getter
+  /// that reads it. May be called several times for a key, once for each allowed form.
   static void expects(const Node& table, std::string_view key, std::string words);
   /// Records that {from = "measurement.NAME"} is allowed under the key.
   static void may_be_measured(const Node& table, std::string_view key);
@@ -112,17 +113,17 @@ class DocumentRecord {
 /// same text.
 std::string canonical_text(const Document& document);
 
-/// Returns a content in a few characters, "17 bytes, 9f86d081884c7d65": its length and the 64-bit
-/// FNV-1a hash [Fowler, Noll, Vo, draft-eastlake-fnv]. Contents that differ by accident or by an
-/// edit get different fingerprints; there is no protection against intent.
+/// Returns a short text that identifies a content, "17 bytes, 9f86d081884c7d65": its length and its
+/// 64-bit FNV-1a hash [Fowler, Noll, Vo, draft-eastlake-fnv]. Contents that differ by accident or
+/// by an edit get different fingerprints; there is no protection against intent.
 std::string fingerprint(std::string_view text);
 
-/// Returns the fingerprint of a file's meaning: of a .toml its canonical text, so that notes and
-/// formatting do not matter, of any other file its bytes. Throws InputError if the file cannot be
-/// read.
+/// Returns the fingerprint of the meaning of a file. For a .toml file this is the fingerprint of
+/// its canonical text, so that comments and formatting do not matter; for any other file it is that
+/// of its bytes. Throws InputError if the file cannot be read.
 std::string fingerprint_of_file(const std::filesystem::path& file);
 
-// Returns values as records write them: exact, as TOML.
+// These functions return values as TOML text with all digits, as records write them.
 
 std::string canonical(double value, std::string_view unit);
 std::string canonical(const std::vector<double>& values, std::string_view unit);

@@ -16,10 +16,10 @@ namespace {
 constexpr int kDeepest = 16;
 constexpr int kMostValues = 50000;
 
-/// Rejects deep nesting and too many values before the parser sees them: the parser's own limit of
-/// depth is generous, dotted keys have none, and a value needs a hundred times the memory of its
-/// text. Counts brackets, dots and separators outside of texts and comments; the exact depth is
-/// checked later.
+/// Rejects deep nesting and too many values in a TOML text before the parser reads it: the parser
+/// allows very deep nesting, does not limit dotted keys, and needs a hundred times the memory of
+/// the text for a value. Counts brackets, dots and separators outside of texts and comments; the
+/// exact depth is checked later.
 void check_size_of_source(std::string_view source, const std::string& file) {
   int line = 1, brackets = 0, dots = 0, values = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -30,7 +30,8 @@ void check_size_of_source(std::string_view source, const std::string& file) {
       for (i += closing.size(); i < source.size() && source.substr(i, closing.size()) != closing;
            ++i) {
         if (source[i] == '\n') ++line;
-        if (source[i] == '\n' && !multiline) break;  // an unclosed text; the parser will report it
+        // A text without end, which the parser will report.
+        if (source[i] == '\n' && !multiline) break;
         if (source[i] == '\\' && c == '"') ++i;
       }
       if (multiline) i += 2;
@@ -85,7 +86,7 @@ class SourceMap {
  private:
   std::string_view source_;
   std::vector<std::size_t> starts_;
-  std::size_t line_ = 0, column_ = 1, at_ = 0;  // end of the last search
+  std::size_t line_ = 0, column_ = 1, at_ = 0;  // position at which the last search ended
 };
 
 }  // namespace
@@ -181,7 +182,8 @@ class DocumentBuilder {
     } else if (const auto* integer = node.as_integer()) {
       value.kind = Kind::number;
       value.integer = true;
-      value.text = std::to_string(**integer);  // decimal, even if the file has it in hexadecimal
+      // Written in decimal, even if the file has it in hexadecimal.
+      value.text = std::to_string(**integer);
     } else if (node.is_floating_point()) {
       value.kind = Kind::number;
       std::erase(value.text, '_');
@@ -201,7 +203,8 @@ DocumentTree::DocumentTree(std::string_view source, std::string file) : file_(st
   if (source.size() > kLargestFile)
     throw InputError({file_, 0},
                      fmt::format("is {} bytes, expected at most {}", source.size(), kLargestFile));
-  if (source.starts_with("\xef\xbb\xbf")) source.remove_prefix(3);  // byte order mark
+  // Removes the byte order mark of UTF-8.
+  if (source.starts_with("\xef\xbb\xbf")) source.remove_prefix(3);
   source_ = source;
   check_size_of_source(source_, file_);
   try {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parsed file behind a Document: every value with its path, its file and line, the characters
-// it was written with and the number it stands for. The tree never changes: numbers set later are
-// kept beside it and replace only their own characters when a text is written, so that comments
-// stay, copies share the file and its text is parsed only once.
+// The parsed file behind a Document: every value with its path, its file and line, its characters
+// in the file and the number it stands for. The tree never changes. Numbers set later are stored
+// beside it and replace only their own characters when a text is written. So comments stay, copies
+// of a document share the file, and its text is parsed only once.
 #pragma once
 
 #include <map>
@@ -30,14 +30,14 @@ struct DocumentValue {
   std::string key;        // the last part of the path
   std::string path;       // "section.contour.3.1"
   int line = 0;           // counted from 1
-  std::size_t begin = 0;  // bytes of a text, number or flag in the source
+  std::size_t begin = 0;  // offset in the source of a text, number or flag, bytes
   std::size_t end = 0;
-  std::string text;      // content of a text; for other scalars the characters in the source
+  std::string text;      // the content of a text; of other scalars, the characters in the source
   bool integer = false;  // a number without decimal point
   bool flag = false;
   std::string unit;           // unit named by {unit, values}; "" if every number has its own
   std::vector<int> children;  // elements of a table or list, in the order of the file
-  std::optional<DocumentNumber> number;  // none if the value stands for no finite number
+  std::optional<DocumentNumber> number;  // nullopt if the value is not a finite number
 };
 
 /// Numbers (SI) that replace those of the file, by the index of their value.
@@ -52,7 +52,7 @@ class DocumentTree {
   const DocumentValue& value(int i) const { return values_[i]; }
   static constexpr int kRoot = 0;
   static constexpr std::size_t kLargestFile = 4u << 20;  // bytes
-  /// Returns -1 if the table has no such key.
+  /// Returns the index of a value in a table by its key; -1 if the table has no such key.
   int child(int table, std::string_view key) const;
   /// Returns -1 if the path leads nowhere.
   int find(std::string_view path) const;
@@ -61,7 +61,7 @@ class DocumentTree {
 
   /// Returns the current number, in SI, of a value that has a number.
   double si(int i, const DocumentChanges& changes) const;
-  /// Returns a value as it would be written now.
+  /// Returns a value with its present number, as the file would contain it.
   DocumentValue value_now(int i, const DocumentChanges& changes) const;
   /// Returns the source text with the changed numbers.
   std::string text(const DocumentChanges& changes) const;

@@ -11,7 +11,7 @@ namespace latsch {
 /// A line of a user's file. Line 0 is the file as a whole; an empty file name means that no file is
 /// concerned.
 struct Place {
-  std::string file;  // name in messages
+  std::string file;  // name of the file in messages
   int line = 0;      // counted from 1; 0: the file as a whole
 
   /// Returns file and line, such as "tire_b.toml:41".
@@ -22,7 +22,7 @@ struct Place {
 /// such as "22 deg"`.
 class InputError : public std::runtime_error {
  public:
-  /// The message is preceded by the place.
+  /// The text of the error is the place followed by the message.
   InputError(const Place& place, const std::string& message);
   /// An error that concerns no file.
   explicit InputError(const std::string& message);

@@ -84,7 +84,7 @@ ReadFiles& read_files() {
   throw InputError({file.string(), 0}, fmt::format("{}: {}", what, std::strerror(error)));
 }
 
-/// While an object of this class lives, a pipe whose reader has gone makes write(2) return an error
+/// While an object of this class lives, a write(2) into a pipe without a reader returns an error
 /// instead of ending the program.
 class NoPipeSignal {
  public:
@@ -118,7 +118,8 @@ int write_all(int descriptor, std::string_view text) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
     if (written >= 0) {
       text.remove_prefix(written);
-    } else if (errno == EAGAIN) {  // another program may have made our output a non-blocking pipe
+      // Another program may have made this process's output non-blocking.
+    } else if (errno == EAGAIN) {
       pollfd room{descriptor, POLLOUT, 0};
       ::poll(&room, 1, -1);
     } else if (errno != EINTR) {
@@ -181,10 +182,11 @@ void flush_folder(const std::filesystem::path& folder) {
 }
 
 constexpr const char* kNotWritten = "cannot be written";
-constexpr int kMostLinks = 40;  // links followed; the system's own limit
+constexpr int kMostLinks = 40;  // largest number of links followed; that of the system
 
-/// Returns the file at the end of a chain of links, which need not exist; nullopt if the chain
-/// leads through /proc to an open file, whose name identifies nothing.
+/// Follows a chain of symbolic links and returns the file at its end, which need not exist. Returns
+/// nullopt if the chain leads through /proc to an open file, because the name of such a link
+/// identifies no file.
 std::optional<std::filesystem::path> followed(std::filesystem::path file) {
   const std::filesystem::path asked = file;
   for (int links = 0; links <= kMostLinks; ++links) {
@@ -256,7 +258,8 @@ void replace(const std::filesystem::path& file,
     throw;
   }
   if (before) {
-    // Only root can give a file away; for other users the new file is their own.
+    // Only root can set another owner of a file; for other users the new file belongs to
+    // themselves.
     if (::fchown(open.number(), before->st_uid, before->st_gid) != 0) errno = 0;
     if (::fchmod(open.number(), before->st_mode & 07777) != 0) give_up(errno);
   }
@@ -289,7 +292,7 @@ void write_to_path(const std::filesystem::path& file, const Write& write) {
     throw InputError({file.string(), 0},
                      "is read by this command, which would replace it by its output: expected "
                      "another name for the output");
-  std::fflush(stdout);  // earlier output precedes the file's text
+  std::fflush(stdout);  // earlier output must precede the text of the file
   for (const int printed : {STDOUT_FILENO, STDERR_FILENO}) {
     if (is_open_as(printed, there)) return write_through(file, Descriptor(::dup(printed)), write);
   }

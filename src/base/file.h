@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads whole files up to a size limit and writes them according to what exists at their path.
-// Everything the program writes for its user goes through write_file(), so that all output behaves
-// alike.
+// Reads whole files up to a size limit and writes them according to what exists at their path. All
+// output for the user is written by write_file(), so that it behaves alike.
 //
-//   nothing, a regular file   a temporary file beside it, flushed to the disk and renamed: a crash
-//                             or a full disk leaves either the old file or the new one, never
-//                             half of it. Owner and permissions stay.
+//   nothing, a regular file   a temporary file beside the path is written, flushed to the disk and
+//                             renamed: a crash or a full disk leaves either the old file or the new
+//                             one, never half of it. Owner and permissions stay.
 //   links                     stay; the file they lead to is written
 //   a device, a pipe          stays and is written to
-//   our standard output       (/dev/stdout, or -o FILE > FILE) is written to, after the earlier
+//   standard output           (/dev/stdout, or -o FILE > FILE) is written to, after the earlier
 //                             output
 //   a folder, a disk          is refused
 //   a file that was read      is refused, once protect_read_files() is called
@@ -31,8 +30,8 @@ namespace latsch {
 /// would never end. Every function that reads a file of the user calls this.
 void expect_no_pipe(const std::filesystem::path& file);
 
-/// Throws InputError naming the path and the reason: missing, a folder, a pipe, no permission,
-/// above the limit.
+/// Throws InputError naming the path and the reason: the file is missing, is a folder or a pipe,
+/// may not be read, or is larger than the limit.
 std::string read_text_file(const std::filesystem::path& file, std::size_t limit = 64u << 20);
 
 /// Writes what `write` puts into the stream. Throws InputError naming the path and the reason, such

@@ -85,8 +85,8 @@ TEST_F(File, AWriteThatEndsEarlyLeavesTheOldFile) {
   EXPECT_EQ(entries(), 1);
 }
 
-/// Makes a device in the test's own folder. Only root can make a device, and some systems forbid
-/// its use there.
+/// Makes a device file in the folder of the test. Only root can do this, and some systems forbid
+/// the use of such a device.
 bool make_device(const std::filesystem::path& file, mode_t kind, unsigned major, unsigned minor) {
   return ::mknod(file.c_str(), kind | 0666, makedev(major, minor)) == 0 &&
          (kind == S_IFBLK || std::ifstream(file).good());
@@ -98,7 +98,7 @@ struct stat status_of(const std::filesystem::path& file) {
   return status;
 }
 
-/// Runs `action` in a process of its own; true if it returned true there.
+/// Runs `action` in a child process. Returns true if `action` returned true there.
 bool elsewhere(const std::function<bool()>& action) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -130,8 +130,8 @@ TEST_F(File, ADeviceIsWrittenToAndStays) {
 }
 
 TEST_F(File, ADiskIsRefused) {
-  const auto disk = folder_ / "disk";  // major number 42 is reserved for demonstration: no driver
-                                       // has it
+  // The major number 42 is reserved for demonstration, so no driver has it.
+  const auto disk = folder_ / "disk";
   if (!make_device(disk, S_IFBLK, 42, 0)) GTEST_SKIP() << "devices cannot be made here";
   EXPECT_NE(complaint_of_writing(disk, "x").find("is a disk"), std::string::npos);
   EXPECT_TRUE(S_ISBLK(status_of(disk).st_mode));
@@ -141,7 +141,7 @@ TEST_F(File, ADiskIsRefused) {
 TEST_F(File, APipeIsWrittenToAndStays) {
   const auto pipe = folder_ / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  const std::string text(300000, 'x');  // more than a pipe holds
+  const std::string text(300000, 'x');  // more bytes than a pipe holds
   std::string read;
   std::thread reader([&] {
     std::ifstream written(pipe);
@@ -153,7 +153,7 @@ TEST_F(File, APipeIsWrittenToAndStays) {
   EXPECT_TRUE(S_ISFIFO(status_of(pipe).st_mode));
 }
 
-// Nobody writes into these pipes: a reader that opened one would wait for ever.
+// No process writes into these pipes, so a reader that opened one would wait forever.
 TEST_F(File, APipeIsRefusedAsAFileToRead) {
   const auto pipe = folder_ / "pipe", link = folder_ / "link";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -215,7 +215,7 @@ TEST_F(File, LinksInACircleAreNamed) {
   EXPECT_EQ(entries(), 2);
 }
 
-// The names that a temporary file may use are links to somebody else's file here.
+// The names that a temporary file may use are taken here by symbolic links to another user's file.
 TEST_F(File, NoTemporaryFileFollowsALink) {
   write_text_file(folder_ / "theirs", "theirs");
   const auto file = folder_ / "a";
@@ -232,7 +232,7 @@ TEST_F(File, NoTemporaryFileFollowsALink) {
 TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
   if (::geteuid() != 0) GTEST_SKIP() << "needs root to become somebody else";
   constexpr uid_t kNobody = 65534;
-  const auto guarded = folder_ / "guarded";  // its folder is writable
+  const auto guarded = folder_ / "guarded";  // a write-protected file in a folder that is not
   write_text_file(guarded, "old");
   ASSERT_EQ(::chmod(guarded.c_str(), 0444), 0);
   ASSERT_EQ(::chmod(folder_.c_str(), 0777), 0);
@@ -241,7 +241,7 @@ TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
   }));
   EXPECT_EQ(read_text_file(guarded), "old");
 
-  const auto given = folder_ / "given";  // its folder is not writable
+  const auto given = folder_ / "given";  // a file in a write-protected folder
   write_text_file(given, "old and longer");
   ASSERT_EQ(::chmod(given.c_str(), 0666), 0);
   ASSERT_EQ(::chmod(folder_.c_str(), 0755), 0);
@@ -255,7 +255,8 @@ TEST_F(File, PermissionsHoldForWhoeverIsNotRoot) {
 }
 
 TEST_F(File, WhatIsPrintedToIsWrittenToInItsTurn) {
-  const auto file = folder_ / "printed", ours = folder_ / "stdout";  // the case of /dev/stdout
+  // `ours` is a link to the standard output of this process, as /dev/stdout is.
+  const auto file = folder_ / "printed", ours = folder_ / "stdout";
   std::filesystem::create_symlink("/proc/self/fd/1", ours);
   for (const auto& name : {ours, file}) {
     EXPECT_TRUE(elsewhere([&] {
@@ -295,7 +296,7 @@ TEST(MappedFile, HoldsTheTextOfSmallAndLargeFiles) {
   EXPECT_THROW(MappedFile(folder / "file", 2), InputError);
 }
 
-// The file grows while it is read, as that of a rig that still records.
+// The file grows while it is read, as a file does while a rig records into it.
 TEST(MappedFile, AFileThatChangesWhileItIsReadIsRefused) {
   const ScratchFolder folder;
   write_text_file(folder / "file", std::string(32u << 20, 'x'));
@@ -319,7 +320,7 @@ TEST(MappedFile, AFileThatChangesWhileItIsReadIsRefused) {
   EXPECT_NE(found.find("file: changed while it was read"), std::string::npos) << found;
 }
 
-// The system ends a program that reads a mapped page behind the end of its file.
+// The system kills a program that reads a mapped page beyond the end of its file.
 TEST(MappedFile, AFileThatIsCutAfterItWasOpenedKeepsItsText) {
   const ScratchFolder folder;
   const std::string text(65u << 20, 'x');

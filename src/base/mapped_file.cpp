@@ -19,7 +19,7 @@ namespace latsch {
 namespace {
 
 constexpr std::size_t kInMemory = 64u << 20;  // bytes
-constexpr std::size_t kBlock = 1u << 20;      // bytes copied at once
+constexpr std::size_t kBlock = 1u << 20;      // number of bytes copied at once
 
 bool is_same(const struct stat& a, const struct stat& b) {
   return a.st_ino == b.st_ino && a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec &&
@@ -39,7 +39,8 @@ struct Closing {
                    "writing");
 }
 
-/// A file without a name in the temporary folder; it vanishes when it is closed. -1: none.
+/// Opens a file without a name in the temporary folder; it vanishes when it is closed. Returns its
+/// descriptor, or -1 if no such file can be made.
 int nameless_file() {
   std::error_code none;
   const auto folder = std::filesystem::temp_directory_path(none);
@@ -77,7 +78,8 @@ off_t copy_all(int from, int to) {
   }
 }
 
-/// The mapping of a copy; nullptr if there is no room for one. Throws if the file changes.
+/// Copies the file to the temporary folder and maps the copy into memory. Returns nullptr if there
+/// is no room for the copy. Throws if the file changes meanwhile.
 void* map_copy(const std::filesystem::path& file, int descriptor, const struct stat& before) {
   const int copy = nameless_file();
   if (copy < 0) return nullptr;
@@ -102,7 +104,7 @@ std::string read_settled_file(const std::filesystem::path& file, std::size_t lim
   std::string text = read_text_file(file, limit);
   if (!is_regular) return text;
   const bool is_there = ::stat(file.c_str(), &after) == 0;
-  // Files of the system (/proc) report size 0.
+  // Files of the system, such as those in /proc, report size 0 although they have contents.
   const bool is_whole = before.st_size == 0 || static_cast<off_t>(text.size()) == before.st_size;
   if (!is_there || !is_same(before, after) || !is_whole) fail_changed(file);
   return text;
@@ -127,7 +129,7 @@ MappedFile::MappedFile(const std::filesystem::path& file, std::size_t limit) {
     ::madvise(mapping_, size, MADV_SEQUENTIAL);
     return;
   }
-  text_ = read_settled_file(file, limit);  // throws if the file cannot be read
+  text_ = read_settled_file(file, limit);  // throws an InputError if the file cannot be read
   view_ = text_;
 }
 

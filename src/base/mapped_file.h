@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text file of any size as one text. A file of up to 64 MB is read into memory. A larger one is
-// copied into a nameless file of the temporary folder, which is mapped: its pages come from there
-// when they are read and can be let go afterwards. Nobody can cut that copy, so that a reader never
-// meets the end of a file that somebody else shortened (SIGBUS). A file that changes before it is
-// copied is refused. Anything that is not a regular file, or does not fit there, is read into
-// memory.
+// Holds a text file of any size as one text. A file of up to 64 MB is read into memory. A larger
+// one is copied into a nameless file of the temporary folder, and the copy is mapped into memory:
+// the system loads its pages on access and can release them afterwards. Nobody else can shorten the
+// copy, so a reader never gets SIGBUS from a file that ends earlier than expected. A file that
+// changes while it is copied is refused. If the file is not a regular one, or the copy does not fit
+// into the temporary folder, the text is read into memory.
 //
 #pragma once
 
@@ -21,8 +21,8 @@ std::string read_settled_file(const std::filesystem::path& file, std::size_t lim
 
 class MappedFile {
  public:
-  /// Throws InputError naming the path and the reason: missing, a folder, a pipe, no permission,
-  /// above the limit, changed while it was read.
+  /// Throws InputError naming the path and the reason: the file is missing, is a folder or a pipe,
+  /// may not be read, is larger than the limit, or changed while it was read.
   MappedFile(const std::filesystem::path& file, std::size_t limit);
   /// Holds a text that is in memory already.
   explicit MappedFile(std::string text);

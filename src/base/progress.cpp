@@ -12,11 +12,12 @@
 namespace latsch {
 namespace {
 
-constexpr double kRedraw = 0.1;      // s between two redraws of the bar
-constexpr double kLineInterval = 5;  // s between two lines in a pipe
+constexpr double kRedraw = 0.1;      // time between two redraws of the bar, s
+constexpr double kLineInterval = 5;  // time between two lines if the output is a pipe, s
 constexpr int kBarWidth = 30;        // characters
-constexpr double kRemembered = 1;    // s; results within this time came from a journal and do not
-                                     // count for the speed
+// Time after the start, s, within which results are taken to come from a journal and do not count
+// for the speed.
+constexpr double kRemembered = 1;
 
 }  // namespace
 

@@ -28,9 +28,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` of `total` are finished; total 0: the total is unknown. `note` is one short text, such
-  /// as the best value so far. Prints the first and the last call, and the calls between them that
-  /// are due.
+  /// `done` of `total` evaluations are finished; if `total` is 0, it is unknown. `note` is one
+  /// short text, such as the best value so far. Prints the first and the last state, and the states
+  /// between them at intervals.
   void update(long done, long total, const std::string& note = "");
 
  private:
@@ -43,10 +43,10 @@ class Progress {
   std::size_t columns_;
   double start_;
   double counted_from_;    // s; start of the time over which the speed is measured
-  long counted_done_ = 0;  // finished at counted_from_
+  long counted_done_ = 0;  // number of evaluations finished at counted_from_
   double printed_ = 0.0;   // s; time of the last output
-  std::size_t width_ = 0;  // characters of the bar on the screen
-  std::string state_;      // text of the last call
+  std::size_t width_ = 0;  // number of characters of the bar on the screen
+  std::string state_;      // text for the state of the last call
   std::string shown_;      // text of the last output; empty: none yet
 };
 

@@ -35,7 +35,7 @@ TEST(Random, AStreamIsAFunctionOfSeedAndTrial) {
         all.insert(u);
       }
     }
-  EXPECT_EQ(all.size(), 500u);  // no two streams share a number
+  EXPECT_EQ(all.size(), 500u);  // no two streams have a number in common
 }
 
 // Mean and variance of n uniform numbers are within 5 standard errors of 1/2 and 1/12: the standard

@@ -14,12 +14,14 @@ namespace latsch {
 
 /// Origin of a failure. It decides whether the same point is tried again.
 enum class Cause : std::uint8_t {
-  point,       // the simulation fails, crashes or throws: it would do so again
+  /// The simulation failed, crashed or threw an exception: it would do so again.
+  point,
   timeout,     // the simulation exceeded its time limit
   bad_output,  // the result is missing, cannot be read or holds numbers that are not finite
-  transient,   // its worker was killed from outside or cannot be reached: the point may be
-               // good
-  not_begun,   // its worker was lost before the start: nothing was tried; never recorded
+  /// The worker was killed from outside or cannot be reached: the point may be good.
+  transient,
+  /// The worker was lost before it began: nothing was tried. This cause is never recorded.
+  not_begun,
 };
 
 /// Says why a simulation gave no result: one sentence naming the step, the residual, the position

@@ -10,8 +10,8 @@
 
 namespace latsch {
 
-/// Makes one to four changes: a byte replaced, a bit flipped, a stretch deleted or doubled, the end
-/// cut off, one of the `pieces` inserted.
+/// Returns the text with one to four random changes: a byte is replaced, a bit is flipped, a
+/// passage is deleted or doubled, the end is cut off, or one of the `pieces` is inserted.
 inline std::string spoiled(std::string text,
                            const std::vector<std::string>& pieces,
                            RandomStream& random) {

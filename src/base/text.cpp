@@ -10,7 +10,8 @@
 namespace latsch {
 namespace {
 
-constexpr std::size_t kLongestName = 64;  // longer words are data, not misspelled names
+// Longer words are taken for data, not for misspelled names.
+constexpr std::size_t kLongestName = 64;
 constexpr std::size_t kLongestQuotation = 80;
 
 std::string lower_case(std::string_view text) {

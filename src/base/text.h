@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words for messages: the nearest name, numbers, and the user's own text made printable.
+// Texts for messages: the nearest name to a misspelled one, numbers, and text of the user made
+// printable.
 #pragma once
 
 #include <optional>

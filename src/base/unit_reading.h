@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads a unit as a person, a laboratory or a program writes it. All readers of files use these
-// functions; unit_words.h says which spellings are known.
+// functions; unit_words.h lists the spellings.
 //
-// A word may have several meanings: "lb" is a force where a force is expected, a mass where a mass
-// is, and a force where the dimension is not known. "g", alone and without a dimension, is refused:
-// a gram and the acceleration of gravity are equally likely.
+// A word may have several meanings: "lb" is a force if a force is expected, a mass if a mass is
+// expected, and a force if the expected dimension is not known. "g", alone and without an expected
+// dimension, is refused: a gram and the acceleration of gravity are equally likely.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ namespace latsch {
 
 struct UnitReading {
   std::optional<Unit> unit;
-  std::string fault;    // if there is no unit: `unknown unit "mmm", did you mean "mm"?`, to follow
-                        // "has "
+  /// Message if there is no unit: `unknown unit "mmm", did you mean "mm"?`, to follow "has ".
+  std::string fault;
   std::string assumed;  // for a unit with several meanings: the meaning chosen, in words
 };
 

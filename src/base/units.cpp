@@ -22,7 +22,7 @@ namespace latsch {
 namespace {
 
 constexpr std::size_t kLongestUnit = 64;
-constexpr int kLargestPower = 9;  // power of a base unit; units typed by a person have one digit
+constexpr int kLargestPower = 9;  // largest exponent of a base unit; exponents of one digit suffice
 constexpr const char* kBase[] = {"m", "kg", "s", "A", "K", "mol", "cd", "rad"};
 
 /// Units that people often type but the database lacks.
@@ -32,7 +32,8 @@ constexpr struct {
 } kAdditions[] = {
     {"deg", "arc_degree"}, {"rev", "6.283185307179586 rad"}, {"Nm", "N m"}, {"kph", "km/h"}};
 
-/// Name and example of values of a dimension; the first row of a dimension has its SI unit.
+/// Noun and example for the quantities of a dimension. The first row of each dimension has its SI
+/// unit.
 struct KnownDimension {
   const char *unit, *noun, *example;
 };
@@ -94,7 +95,8 @@ class Database {
     return database;
   }
 
-  /// `text` is trimmed. If it has several meanings, the usual one is returned.
+  /// Finds the unit that the trimmed `text` names. If the text has several meanings, the usual one
+  /// is returned.
   std::optional<Entry> find(std::string_view text) {
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(text); known != known_.end()) return known->second;
@@ -121,7 +123,7 @@ class Database {
   using UnitPointer = std::unique_ptr<ut_unit, FreeUnit>;
 
   Database() {
-    ut_set_error_message_handler(ut_ignore);  // the default handler would write to stderr
+    ut_set_error_message_handler(ut_ignore);  // the default handler would write to standard error
     system_ = ut_read_xml(nullptr);
     if (!system_)
       throw InputError(
@@ -136,7 +138,8 @@ class Database {
   UnitMeanings meanings_of(std::string_view text) const {
     if (!may_be_unit(text)) return {};
     return unit_meanings(text, [this](std::string_view word, const std::string& meaning) {
-      constexpr long double kSame = 1e-5L;  // relative; UDUNITS rounds some factors to six digits
+      // Relative tolerance; UDUNITS rounds some factors to six digits.
+      constexpr long double kSame = 1e-5L;
       const auto by_letter = parse(std::string(word)), meant = parse(meaning);
       if (!by_letter || !meant) return false;
       return by_letter->dimension != meant->dimension || by_letter->offset != meant->offset ||
@@ -164,7 +167,7 @@ class Database {
     return entry;
   }
 
-  /// Fails for logarithmic units (decibel) and for times since a date.
+  /// Returns false for logarithmic units (decibel) and for times since a date.
   bool find_dimension(const ut_unit* unit, Unit::Dimension& dimension) const {
     struct Visit {
       const Database* database;
@@ -210,7 +213,7 @@ class Database {
   }
 
   std::mutex mutex_;
-  ut_system* system_ = nullptr;  // lives as long as the program
+  ut_system* system_ = nullptr;  // never freed; it lives as long as the program
   std::array<UnitPointer, 8> base_;
   std::map<std::string, Entry, std::less<>> known_;
 };
@@ -238,7 +241,8 @@ Unit Unit::of(std::string_view text) {
 
 double Unit::to_si(long double number) const {
   const long double si = number * factor_;
-  return static_cast<double>(offset_ == 0.0L ? si : si + offset_);  // -0 + 0 would lose the sign
+  // Adding 0 to -0 would lose the sign.
+  return static_cast<double>(offset_ == 0.0L ? si : si + offset_);
 }
 
 double Unit::from_si(double value) const {
@@ -255,8 +259,8 @@ std::string Unit::exact_number(double value) const {
     std::from_chars(digits.data(), digits.data() + digits.size(), read);
     return to_si(read) == value;
   };
-  // A number that was computed, not typed, needs all digits of a double or more: fewer are not
-  // tried.
+  // A value that a person typed is reproduced by few digits. Any other value needs all digits of a
+  // double or more, so intermediate numbers of digits are not tried.
   int precision = gives_back(kUsual) ? kFewest : kUsual + 1;
   while (!gives_back(precision) && precision < kMost) ++precision;
   return digits;
@@ -280,9 +284,10 @@ void Unit::append_exact_number(double value, std::string& text) const {
 
 namespace {
 
-/// Reads a number that consists only of digits and a point, as most numbers of a file are, faster
-/// than strtold: up to 19 digits and 10^19 are exact in 64 bits of mantissa, so that their quotient
-/// is the number rounded once, as from_chars gives it. Returns nothing for any other text.
+/// Reads a number that consists only of digits and a point, as most numbers of a file do, faster
+/// than strtold. Up to 19 digits and powers of ten up to 10^19 are exact in a mantissa of 64 bits,
+/// so that their quotient is the number rounded once, as from_chars rounds it. Returns nothing for
+/// any other text.
 std::optional<long double> plain_number(std::string_view text) {
   static_assert(std::numeric_limits<long double>::digits >= 64);
   constexpr std::size_t kMostDigits = 19;

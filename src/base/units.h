@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts quantities with units, "2.6 bar", "22.3 N/mm^2", "22 deg", "1e-3 in", into SI and back.
-//   SI value = number * factor + offset        (offset: "degC" and its like)
+//   SI value = number * factor + offset        (the offset is not 0 for "degC" and "degF")
 // The units and their spelling are those of the UDUNITS-2 database of the system, with "deg",
-// "rev", "Nm" and "kph" added. Unlike in UDUNITS an angle is a dimension of its own: "22 deg" is no
-// plain number and "rpm" no frequency. Numbers are converted with 64 bits of mantissa and rounded
-// once: "310 mm" gives the bits of 0.31, and every SI value has a text that gives its bits back.
+// "rev", "Nm" and "kph" added. Unlike in UDUNITS, an angle has a dimension: "22 deg" is no plain
+// number and "rpm" no frequency. Numbers are converted with 64 bits of mantissa and rounded once:
+// "310 mm" gives the bits of 0.31, and every SI value has a text that reproduces its bits.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class Unit {
 
   /// Returns nothing if the text is no unit. Safe to call from any thread.
   static std::optional<Unit> find(std::string_view text);
-  /// Returns a unit that our own code names, so that it must exist.
+  /// Returns a unit that the program's code names, so that it must exist.
   static Unit of(std::string_view text);
 
   /// The unit as it was written.
@@ -56,7 +56,7 @@ class Unit {
 /// A number and its unit as a person writes them.
 struct Quantity {
   std::string number;  // unchanged text
-  Unit unit;           // the written unit
+  Unit unit;           // the unit as it was written
   double si = 0.0;     // the value in SI
 };
 
@@ -65,19 +65,19 @@ std::optional<Quantity> parse_quantity(std::string_view text);
 
 /// The number at the beginning of a text and what follows it, both trimmed.
 struct NumberAndRest {
-  long double number = 0.0L;      // in the unit that follows
-  std::string_view digits, rest;  // parts of the text: the number, and all behind it
+  long double number = 0.0L;      // in the unit that follows the number
+  std::string_view digits, rest;  // parts of the text: the number, and everything after it
 };
 /// Returns nullopt if the text does not begin with a number.
 std::optional<NumberAndRest> split_number(std::string_view text);
 
-/// Returns an SI value for a person to read, such as "2.6 bar".
+/// Returns an SI value as a text in the given unit, such as "2.6 bar".
 std::string format_quantity(double si, std::string_view unit, int digits = 6);
 
 /// Returns the SI unit of a dimension: "Pa", "N/m", "kg/m^3".
 std::string si_unit(const Unit::Dimension& dimension);
 
-/// Name and example of a quantity of that dimension: `an angle such as "22 deg"`.
+/// Noun and example of a quantity with a certain dimension: `an angle such as "22 deg"`.
 struct DimensionWords {
   std::string noun;     // "an angle"
   std::string example;  // "22 deg"

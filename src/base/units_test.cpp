@@ -86,7 +86,7 @@ TEST(Units, DimensionsHaveTheirSiUnitAndWords) {
   EXPECT_EQ(unknown_unit("kpa"), "unknown unit \"kpa\", did you mean \"kPa\"?");
 }
 
-// Regression: si_unit wrote powers of two digits, which find did not read.
+// Regression test: si_unit() wrote exponents of two digits, which find() did not read.
 TEST(Units, TheSiUnitOfEveryUnitIsAUnitOfItsDimension) {
   for (const char* text :
        {"mm^9", "1/m^9", "N^4", "m^9 kg^-9 s^9 A^-9 K^9 mol^-9 cd^9 rad^-9", "kWh"}) {

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "base/error.h"
+
 namespace latsch {
 namespace {
 
@@ -18,16 +20,17 @@ Utf8Form utf8_form(unsigned char first) {
   if (first < 0x80) return {1};
   if (first < 0xc2) return {};
   if (first < 0xe0) return {2};
-  if (first == 0xe0) return {3, 0xa0};        // lower bytes would be longer than needed
-  if (first == 0xed) return {3, 0x80, 0x9f};  // higher bytes are surrogates
+  // A smaller second byte would encode a character with more bytes than necessary.
+  if (first == 0xe0) return {3, 0xa0};
+  if (first == 0xed) return {3, 0x80, 0x9f};  // higher second bytes would be surrogates
   if (first < 0xf0) return {3};
   if (first == 0xf0) return {4, 0x90};
   if (first < 0xf4) return {4};
-  if (first == 0xf4) return {4, 0x80, 0x8f};  // higher bytes are beyond U+10FFFF
+  if (first == 0xf4) return {4, 0x80, 0x8f};  // higher second bytes would be beyond U+10FFFF
   return {};
 }
 
-/// Number of bytes of the character at the beginning; 0 if there is none.
+/// Returns the number of bytes of the character at the beginning; 0 if there is none.
 std::size_t utf8_character(std::string_view bytes) {
   const auto code = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   const Utf8Form form = utf8_form(code(0));
@@ -39,6 +42,14 @@ std::size_t utf8_character(std::string_view bytes) {
 }
 
 }  // namespace
+
+void refuse_utf16(std::string_view bytes, const std::string& file) {
+  const auto zero = bytes.find('\0');
+  const bool alternates =
+      zero <= 1 && bytes.size() > 3 && bytes[zero + 1] != '\0' && bytes[zero + 2] == '\0';
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff") || alternates)
+    throw InputError({file, 0}, "is UTF-16 text, expected UTF-8: save it as UTF-8");
+}
 
 bool is_utf8(std::string_view bytes) {
   while (!bytes.empty()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks whether bytes are UTF-8 [RFC 3629]: shortest forms only, no surrogates, nothing above
-// U+10FFFF.
+// U+10FFFF. Recognizes UTF-16, which no reader takes.
 #pragma once
 
 #include <string>
@@ -9,6 +9,10 @@
 namespace latsch {
 
 bool is_utf8(std::string_view bytes);
+
+/// Throws InputError if the bytes of this file are UTF-16: if they begin with its byte order mark,
+/// or if every other one of the first four bytes is zero, as in its ASCII letters.
+void refuse_utf16(std::string_view bytes, const std::string& file);
 
 /// Returns the text with every byte that belongs to no character replaced by U+FFFD.
 std::string replaced_where_no_utf8(std::string_view bytes);

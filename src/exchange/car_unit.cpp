@@ -17,9 +17,10 @@ using car::kCorners;
 using Eigen::Vector3d;
 
 constexpr double kFastest = 150.0;                           // m/s
-constexpr double kShortestStep = 1e-6, kLongestStep = 2e-3;  // s, of the car
+constexpr double kShortestStep = 1e-6, kLongestStep = 2e-3;  // s, limits of the car's time step
 
-// Indices in the table, for vectors the first index.
+// Indices of parameters and inputs in the table of variables; for vectors the index of the first
+// component.
 enum Given : std::size_t {
   speed,
   longest,
@@ -223,8 +224,8 @@ Status CarUnit::start(double /*time*/) {
   }
   const std::lock_guard lock(shared_->turn);
   car::Car& car = *shared_->car;
-  // The equilibrium needs a guide that holds the car; its line and axle are those of the car's
-  // file.
+  // The equilibrium needs the guide, which holds the car on its line, even if the guide has no
+  // stiffness later. The line and the guided axle are those of the car's file.
   const car::Guide holds;
   car.guide.along = holds.along;
   car.guide.lateral = holds.lateral;
@@ -241,8 +242,8 @@ Status CarUnit::start(double /*time*/) {
 Status CarUnit::step(double /*time*/, double step) {
   assert(state_ && step > 0.0);
   const double exact = step / given_[longest];
-  const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));  // 1 ms is five steps of 0.2
-                                                                        // ms despite rounding
+  // 1 ms has five steps of 0.2 ms despite rounding.
+  const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));
   const double h = step / steps;
   const std::lock_guard lock(shared_->turn);
   car::Car& car = *shared_->car;
@@ -261,7 +262,8 @@ Status CarUnit::step(double /*time*/, double step) {
 }
 
 std::vector<std::string> CarUnit::limits_met() const {
-  std::optional<car::CarState>(state_).reset();  // tires pass their inputs on at their end
+  // tires pass their inputs on when they are destroyed
+  std::optional<car::CarState>(state_).reset();
   return experiment::limits_met(*specimen_);
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measurement/load_deflection.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
@@ -44,6 +47,27 @@ std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve) {
                                   " m, expected values that all rise or all fall"};
   }
   return std::nullopt;
+}
+
+std::string way_out_of(const LoadDeflectionCurve& curve, const MeasurementFault& fault) {
+  const auto point = static_cast<std::size_t>(std::max(fault.point, 0));
+  if (fault.point < 0 || point >= curve.position.size() || point >= curve.force.size()) return "";
+  const auto keep = [&](const char* key, const std::string& statement) {
+    return fmt::format(
+        "; {} = {{{} = \"{}\"}} in a [measurement.NAME] of the file keeps the others",
+        key,
+        name(curve.abscissa),
+        statement);
+  };
+  constexpr double kPerMm = 1e-3;
+  double least = 0.0;
+  for (const double position : curve.position)
+    if (position > 0.0 && (least == 0.0 || position < least)) least = position;
+  if (curve.position[point] <= 0.0)
+    return least == 0.0 ? "" : keep("select", format_number(0.5 * least / kPerMm, 3) + " mm ..");
+  const bool is_point = std::isfinite(curve.position[point]) && curve.force[point] > 0.0;
+  const bool has_spread = point < curve.spread.size() && !(curve.spread[point] >= 0.0);
+  return is_point && !has_spread ? keep("sweep", "rising") : "";
 }
 
 }  // namespace latsch

@@ -13,13 +13,13 @@ std::vector<int> assign_all_rows(const Eigen::MatrixXd& cost) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(rows + 1),
                   v = Eigen::VectorXd::Zero(columns + 1);  // dual prices
   std::vector<int> row_of(columns + 1, 0),
-      previous(columns + 1, 0);  // one-based; column 0 is the root of a path
+      previous(columns + 1, 0);  // columns are counted from 1; column 0 is the root of a path
   for (int i = 1; i <= rows; ++i) {
     std::vector<double> distance(columns + 1, std::numeric_limits<double>::infinity());
     std::vector<char> reached(columns + 1, false);
     row_of[0] = i;
     int j = 0;
-    do {  // Dijkstra from row i to the nearest free column
+    do {  // Dijkstra's shortest path from row i to a free column
       reached[j] = true;
       int next = 0;
       double step = std::numeric_limits<double>::infinity();
@@ -63,8 +63,8 @@ std::vector<int> assign(const Eigen::MatrixXd& cost) {
   for (double c : cost.reshaped()) {
     if (c < kForbidden) largest = std::max(largest, std::abs(c));
   }
-  // A forbidden pair costs more than any set of allowed ones, so as few as possible are chosen, and
-  // these are dropped.
+  // A forbidden pair costs more than any set of allowed pairs, so the assignment contains as few of
+  // them as possible. They are removed from the result.
   const double forbidden = (2.0 * largest + 1.0) * static_cast<double>(std::min(rows, columns) + 1);
   Eigen::MatrixXd finite = cost.unaryExpr([&](double c) { return c < kForbidden ? c : forbidden; });
   std::vector<int> partner(rows, -1);

@@ -11,8 +11,9 @@ namespace latsch::numerics {
 /// Cost of a pair that is not allowed.
 inline constexpr double kForbidden = 1e300;
 
-/// Returns partner[row] = column, or -1 if the row has no partner: the largest number of allowed
-/// pairs, at least total cost. `cost` may have any shape; entries are finite or kForbidden.
+/// Returns partner[row] = column, or -1 if the row has no partner. The pairs are as many allowed
+/// ones as possible, with the least total cost of these. `cost` may have any shape; its entries are
+/// finite or kForbidden.
 std::vector<int> assign(const Eigen::MatrixXd& cost);
 
 }  // namespace latsch::numerics

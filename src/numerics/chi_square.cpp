@@ -8,9 +8,11 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr double kMany = 1000.0;  // degrees of freedom above which the cubic root is used
+// Degrees of freedom above which the cube-root approximation is used.
+constexpr double kMany = 1000.0;
 
-/// Returns sum_k z^k / ((a + 1) ... (a + k)), the series of 8.7.1 over its first term.
+/// Returns sum_k z^k / ((a + 1) ... (a + k)), the series of equation 8.7.1 divided by its first
+/// term.
 double series(double a, double z) {
   double sum = 1.0, term = 1.0;
   for (double k = a + 1.0; term > 1e-17 * sum; k += 1.0) {
@@ -20,7 +22,7 @@ double series(double a, double z) {
   return sum;
 }
 
-/// Evaluates the continued fraction of 8.9.2 from its end inward.
+/// Evaluates the continued fraction of equation 8.9.2 from its last term backward.
 double continued_fraction(double a, double z) {
   constexpr int kTerms = 500;
   double tail = z;
@@ -50,10 +52,12 @@ double chi_square_probability(double x, double nu) {
   return z < a + 1.0 ? front / a * series(a, z) : 1.0 - front * continued_fraction(a, z);
 }
 
-/// Uses Newton's method inside a bracket.
+/// Solves F(x; nu) = p by Newton's method; a step that leaves the bracket of the solution is
+/// replaced by bisection.
 double chi_square_quantile(double p, double nu) {
   assert(0.0 < p && p < 1.0);
-  constexpr int kMost = 200;  // bisection alone reaches the last digit of a double by then
+  // Number of steps in which bisection alone reaches the last digit of a double.
+  constexpr int kMost = 200;
   double low = 0.0, high = nu + 1.0;
   while (chi_square_probability(high, nu) < p) high *= 2.0;
   double x = 0.5 * (low + high);

@@ -13,14 +13,14 @@ namespace latsch::numerics {
 /// Returns the probability that the sum of nu > 0 squares is below x >= 0.
 double chi_square_probability(double x, double nu);
 
-/// Returns the x that is exceeded with probability 1 - p; 0 < p < 1, nu > 0.
+/// Returns the x that the sum of nu > 0 squares exceeds with probability 1 - p; 0 < p < 1.
 double chi_square_quantile(double p, double nu);
 
-/// Returns the quantile for the probability that a normal number is below z standard deviations.
-/// Above a thousand degrees of freedom the cubic root of Wilson and Hilferty is used [Proc. Nat.
-/// Acad. Sci. 17 (1931) 684], with an error of a thousandth of the distribution's deviation there.
-/// At two degrees of freedom, the fewest that a line of a spectrum has, its error would be one
-/// percent of the 95 % quantile.
+/// Returns the quantile of the chi-square distribution for the probability with which a standard
+/// normal number is below z. Above a thousand degrees of freedom the cube-root approximation of
+/// Wilson and Hilferty is used [Proc. Nat. Acad. Sci. 17 (1931) 684]; its error there is a
+/// thousandth of the standard deviation. At two degrees of freedom, the fewest that a line of a
+/// spectrum has, its error would be one percent of the 95 % quantile.
 double chi_square_at(double z, double nu);
 
 }  // namespace latsch::numerics

@@ -36,8 +36,8 @@ TEST(ChiSquare, AgreesWithThePrintedTable) {
   }
 }
 
-// Series and continued fraction meet at x = nu + 2. The difference of the probabilities at two
-// values close to it must be their distance times the density.
+// The formulas by series and by continued fraction meet at x = nu + 2. The difference of the
+// probabilities at two values of x close to it must be their distance times the density.
 TEST(ChiSquare, IsOneCurveWhereItsFormulasMeet) {
   for (const double nu : {0.7, 2.0, 7.3, 60.0, 999.0}) {
     const double x = nu + 2.0, h = 1e-4;
@@ -50,8 +50,9 @@ TEST(ChiSquare, IsOneCurveWhereItsFormulasMeet) {
   }
 }
 
-// The cubic root is used above a thousand degrees of freedom. The step there must be less than a
-// thousandth of the deviation, which is sqrt(2/nu) of the mean.
+// Above a thousand degrees of freedom the cube-root approximation replaces the exact quantile. The
+// step at this limit must be less than a thousandth of the standard deviation, which is sqrt(2/nu)
+// of the mean.
 TEST(ChiSquare, PassesToTheCubicRootWithoutAStep) {
   for (const double z : {-3.0, -1.645, 0.0, 1.645, 3.0})
     EXPECT_NEAR(

@@ -6,7 +6,8 @@
 namespace latsch::numerics {
 namespace {
 
-/// Returns (v0 - v1) / (v1 - v2) for an order p, which grows with p.
+/// Returns the ratio (v(h0) - v(h1)) / (v(h1) - v(h2)) that values with an error C h^p have. The
+/// ratio grows with p.
 double ratio_of(const std::array<double, 3>& h, double p) {
   return (std::pow(h[0], p) - std::pow(h[1], p)) / (std::pow(h[1], p) - std::pow(h[2], p));
 }

@@ -11,7 +11,7 @@ namespace latsch::numerics {
 
 struct Extrapolation {
   double value = 0.0;  // v0
-  double order = 0.0;  // p; the assumed one if the three values do not show an order
+  double order = 0.0;  // order p; the assumed one if the three values do not determine it
   bool observed = false;
 };
 

@@ -81,7 +81,7 @@ TEST_F(SciPy, AgreesInSolutionsAndEigenvaluesOfARing) {
   const Lattice lattice({20, 6, 2}, 3, /*ring=*/true, /*held_ends=*/true);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix K(pattern), M(pattern);
-  lattice.assemble_equal(K, 5);  // equal elements everywhere: double eigenvalues
+  lattice.assemble_equal(K, 5);  // equal elements give double eigenvalues
   lattice.assemble_equal(M, 6);
   write(K, folder_ / "K");
   write(M, folder_ / "M");

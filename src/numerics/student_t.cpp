@@ -8,8 +8,8 @@
 namespace latsch::numerics {
 namespace {
 
-/// Evaluates the continued fraction of 26.5.8, 1 / (1 + d_1 / (1 + d_2 / ...)), from its end
-/// inward. It converges fast for x < (a + 1) / (a + b + 2).
+/// Evaluates the continued fraction of equation 26.5.8, 1 / (1 + d_1 / (1 + d_2 / ...)), from its
+/// last term backward. It converges fast for x < (a + 1) / (a + b + 2).
 double continued_fraction(double x, double a, double b) {
   constexpr int kTerms = 400;
   double tail = 1.0;
@@ -22,7 +22,7 @@ double continued_fraction(double x, double a, double b) {
   return 1.0 / tail;
 }
 
-/// Returns I_x(a, b).
+/// Returns the incomplete beta function I_x(a, b).
 double incomplete_beta(double x, double a, double b) {
   if (x <= 0.0) return 0.0;
   if (x >= 1.0) return 1.0;
@@ -49,7 +49,7 @@ double student_t_quantile(double p, double nu) {
   if (p < 0.5) return -student_t_quantile(1.0 - p, nu);
   double low = 0.0, high = 1.0;
   while (student_t_probability(high, nu) < p) high *= 2.0;
-  for (int i = 0; i < 100 && low < high; ++i) {  // bisection to the last digit of a double
+  for (int i = 0; i < 100 && low < high; ++i) {  // bisects to the last digit of a double
     const double middle = 0.5 * (low + high);
     (student_t_probability(middle, nu) < p ? low : high) = middle;
   }

@@ -13,7 +13,8 @@ namespace latsch::numerics {
 /// Returns the probability that a t-distributed number with nu > 0 degrees of freedom is below t.
 double student_t_probability(double t, double nu);
 
-/// Returns the t that is exceeded with probability 1 - p; 0 < p < 1, nu > 0.
+/// Returns the t that a t-distributed number with nu > 0 degrees of freedom exceeds with
+/// probability 1 - p; 0 < p < 1.
 double student_t_quantile(double p, double nu);
 
 }  // namespace latsch::numerics

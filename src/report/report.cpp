@@ -37,6 +37,15 @@ double mean_error(const std::vector<double>& measured, const std::vector<double>
   return sum / static_cast<double>(std::max<size_t>(1, count));
 }
 
+/// Returns the error of an experiment in its own measure, as its row states it: "RMS error 3 %";
+/// empty if there is no row.
+std::string error_of(const StudyReport& report, const std::string& name, const char* between) {
+  for (const ExperimentRow& row : report.experiments)
+    if (row.name == name)
+      return (row.measure == "mean" ? "Mean" : row.measure) + between + small_percent(row.error);
+  return "";
+}
+
 std::string band_in_words(std::string_view how, const Band& band) {
   if (band.lower.empty()) return "";
   return fmt::format(" {}: 95 % band, as uncertain as the variables are{}.",
@@ -47,10 +56,13 @@ std::string band_in_words(std::string_view how, const Band& band) {
 std::string forces(const StudyReport& report) {
   std::string html = "<div class=\"figures\">";
   for (const ComparedForces& curve : report.forces) {
+    const std::string of_row = error_of(report, curve.experiment, " |ΔF| = ");
     html += figure(curve.experiment,
                    with_kind(curve.conditions, curve.fitted),
                    force_plot(curve),
-                   "Mean |ΔF| = " + small_percent(mean_error(curve.measured, curve.simulated)) +
+                   (of_row.empty() ? "Mean |ΔF| = " +
+                                         small_percent(mean_error(curve.measured, curve.simulated))
+                                   : of_row) +
                        "; below, ΔF = (measured − simulated) / measured at every point." +
                        band_in_words("Shaded", curve.band));
   }
@@ -62,14 +74,14 @@ std::string curves(const StudyReport& report) {
   for (const MeasuredCurve& curve : report.curves) {
     double sum = 0.0;
     for (const double error : curve.errors) sum += std::abs(error);
-    html += figure(
-        curve.experiment,
-        with_kind(curve.conditions, curve.fitted),
-        curve_plot(curve),
-        "Mean error " +
-            small_percent(sum / static_cast<double>(std::max<size_t>(1, curve.errors.size()))) +
-            "; below, (measured − simulated) / scale at every measured value." +
-            band_in_words("Shaded", curve.band));
+    const std::string of_row = error_of(report, curve.experiment, " error ");
+    const double mean = sum / static_cast<double>(std::max<size_t>(1, curve.errors.size()));
+    html += figure(curve.experiment,
+                   with_kind(curve.conditions, curve.fitted),
+                   curve_plot(curve),
+                   (of_row.empty() ? "Mean error " + small_percent(mean) : of_row) +
+                       "; below, (measured − simulated) / scale at every measured value." +
+                       band_in_words("Shaded", curve.band));
   }
   return html + "</div>";
 }
@@ -91,9 +103,11 @@ std::string frequencies(const StudyReport& report) {
       measured.push_back(pair.measured);
       simulated.push_back(pair.simulated);
     }
-    std::string caption = fmt::format("{} modes paired, mean |Δf| = {}.",
-                                      comparison.pairs.size(),
-                                      small_percent(mean_error(measured, simulated)));
+    const std::string of_row = error_of(report, comparison.experiment, " |Δf| = ");
+    std::string caption = fmt::format(
+        "{} modes paired. {}.",
+        comparison.pairs.size(),
+        of_row.empty() ? "Mean |Δf| = " + small_percent(mean_error(measured, simulated)) : of_row);
     const bool initial = std::any_of(
         comparison.pairs.begin(), comparison.pairs.end(), [](const ComparedModes& pair) {
           return pair.initial.has_value();
@@ -110,8 +124,8 @@ std::string frequencies(const StudyReport& report) {
   return html;
 }
 
-/// The page also knows trials outside the search, so its best trial may be better than that of the
-/// search.
+/// The report also knows trials outside the search, so its best trial may be better than that of
+/// the search; a sentence then says so.
 std::string better_beside(const StudyReport& report) {
   double best = std::numeric_limits<double>::infinity();
   for (const double target : report.convergence->target) {
@@ -210,7 +224,7 @@ std::string patch_figure(const fe_tire::Standing& standing) {
                   fixed(1e4 * standing.patch.area, 1)));
 }
 
-/// Returns a table of the modes that the page shows in motion.
+/// Returns a table of the modes that the page shows as animations.
 std::string mode_table(const TirePictures& pictures) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t k = 0; k < pictures.modes.size(); ++k)

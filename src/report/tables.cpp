@@ -11,8 +11,8 @@
 namespace latsch::report {
 namespace {
 
-constexpr double kBoundShare = 0.005;  // share of the range: a nearer value counts as "at the
-                                       // bound"
+// Share of the range: a value nearer to a bound than this counts as at the bound.
+constexpr double kBoundShare = 0.005;
 
 double share_of_range(const Variable& v, double value) {
   if (v.logarithmic && v.lower > 0.0)
@@ -33,21 +33,30 @@ bool is_force(const ExperimentRow& row) { return row.kind == "load_deflection"; 
 bool is_frequency(const ExperimentRow& row) { return row.kind == "modes"; }
 bool is_curve(const ExperimentRow& row) { return row.kind == "curve"; }
 
-/// Returns the mean over the fitted experiments of one kind.
-std::optional<double> mean_error(const StudyReport& report, bool (*of_kind)(const ExperimentRow&)) {
+std::string heading_of(const std::string& measure) { return measure == "mean" ? "Mean" : measure; }
+
+/// Returns the mean or RMS error of the fitted experiments for which `of_kind` is true; nothing if
+/// their measures differ. `measure` becomes the name of the measure.
+std::optional<double> error_of_kind(const StudyReport& report,
+                                    bool (*of_kind)(const ExperimentRow&),
+                                    std::string& measure) {
   double sum = 0.0;
   int count = 0;
+  measure = "";
   for (const ExperimentRow& row : report.experiments) {
     if (!row.fitted || !of_kind(row)) continue;
-    sum += row.mean_error * row.values;
+    if (!measure.empty() && row.measure != measure) return std::nullopt;
+    measure = row.measure;
+    sum += (measure == "RMS" ? row.error * row.error : row.error) * row.values;
     count += row.values;
   }
-  if (count == 0) return std::nullopt;
-  return sum / count;
+  if (measure == "RMS") return std::sqrt(sum / count);
+  if (measure == "mean") return sum / count;
+  return std::nullopt;
 }
 
-/// Draws the lower and upper bound as the ends of a line, the initial value as a ring, the found
-/// one as a dot.
+/// Draws the range of a variable: its bounds as the ends of a line, the initial value as a ring,
+/// the fitted value as a dot.
 std::string track(const Variable& v) {
   const auto left = [&](double value) {
     const double share = share_of_range(v, value);
@@ -100,12 +109,14 @@ std::string key_numbers(const StudyReport& report) {
   if (report.initial_target)
     about += (about.empty() ? "" : "; ") + small_percent(*report.initial_target) + " at the start";
   html += key(small_percent(report.target), "Target", about);
-  if (const auto dF = mean_error(report, is_force))
-    html += key(small_percent(*dF), "Mean |ΔF|", kind + "forces");
-  if (const auto df = mean_error(report, is_frequency))
-    html += key(small_percent(*df), "Mean |Δf|", kind + "frequencies");
-  if (const auto dy = mean_error(report, is_curve))
-    html += key(small_percent(*dy), "Mean error", kind + "curves, of their scale");
+  std::string measure;
+  if (const auto dF = error_of_kind(report, is_force, measure))
+    html += key(small_percent(*dF), heading_of(measure) + " |ΔF|", kind + "forces");
+  if (const auto df = error_of_kind(report, is_frequency, measure))
+    html += key(small_percent(*df), heading_of(measure) + " |Δf|", kind + "frequencies");
+  if (const auto dy = error_of_kind(report, is_curve, measure))
+    html +=
+        key(small_percent(*dy), heading_of(measure) + " error", kind + "curves, of their scale");
   if (report.run) {
     const RunFacts& run = *report.run;
     html += key(std::to_string(run.trials),
@@ -156,7 +167,7 @@ std::string variable_table(const StudyReport& report) {
 std::string experiment_table(const StudyReport& report) {
   const bool initial = std::any_of(
       report.experiments.begin(), report.experiments.end(), [](const ExperimentRow& row) {
-        return row.initial_mean_error.has_value();
+        return row.initial_error.has_value();
       });
   const bool staged = std::any_of(report.experiments.begin(),
                                   report.experiments.end(),
@@ -165,15 +176,15 @@ std::string experiment_table(const StudyReport& report) {
       "<div "
       "class=\"scroll\"><table><thead><tr><th>Experiment</th><th>Conditions</th><th>Compared</"
       "th><th>Use</th>"
-      "<th class=\"n\">Weight</th><th class=\"n\">Values</th>{}<th class=\"n\">Mean error</th>"
-      "<th class=\"n\">Largest</th><th class=\"n\">Own measure</th>{}<th class=\"n\">Own "
+      "<th class=\"n\">Weight</th><th class=\"n\">Values</th>{}<th class=\"n\">Error</th>"
+      "<th class=\"n\">Largest</th>{}<th class=\"n\">Own "
       "target</th></tr></thead><tbody>\n",
-      initial ? "<th class=\"n\">Mean, initial</th>" : "",
+      initial ? "<th class=\"n\">Initial error</th>" : "",
       staged ? "<th class=\"n\">Best earlier stage</th>" : "");
   for (const ExperimentRow& row : report.experiments) {
     html += fmt::format(
         "<tr><td>{}<br><span "
-        "class=\"quiet\">{}</span></td><td>{}</td><td>{}</td><td>{}</td>{}{}{}{}{}{}{}{}</tr>\n",
+        "class=\"quiet\">{}</span></td><td>{}</td><td>{}</td><td>{}</td>{}{}{}{}{}{}{}</tr>\n",
         escape(row.name),
         escape(row.kind),
         escape(row.conditions),
@@ -183,13 +194,11 @@ std::string experiment_table(const StudyReport& report) {
                               : "fitted",
         number_cell(row.fitted ? significant(row.weight, 3) : ""),
         number_cell(std::to_string(row.values)),
-        initial ? number_cell(row.initial_mean_error ? small_percent(*row.initial_mean_error) : "")
-                : "",
-        number_cell(small_percent(row.mean_error), true),
-        number_cell(small_percent(row.largest_error)),
+        initial ? number_cell(row.initial_error ? small_percent(*row.initial_error) : "") : "",
         number_cell(escape(row.measure) + " " + small_percent(row.error) +
                         (row.is_spoiled ? " (worse than before)" : ""),
-                    row.is_spoiled),
+                    true),
+        number_cell(small_percent(row.largest_error)),
         staged ? number_cell(row.own_stage.empty() ? ""
                                                    : small_percent(row.own_stage_error) + ", " +
                                                          escape(row.own_stage))

@@ -6,6 +6,7 @@
 
 #include "base/file.h"
 #include "base/units.h"
+#include "correlation/target/compared_trial.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::cli {
@@ -161,6 +162,8 @@ Json answer_of(const StudyExperiment& experiment, const Channels& trial) {
   Json all = {{"name", experiment.name},
               {"kind", experiment.observable->kind()},
               {"fitted", experiment.fitted},
+              {"measure", measure_in_words(experiment)},
+              {"error", json_of(own_measure(experiment, found))},
               {"mean_error", json_of(found.mean_error)},
               {"largest_error", json_of(found.largest_error)}};
   auto [key, compared] = experiment.observable->answer(trial, found);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/console/implausible.h"
 
+#include <algorithm>
+
 #include "cli/console/console.h"
 #include "cli/console/tire_faults.h"
 #include "correlation/analysis/plausibility.h"
+#include "correlation/analysis/test_limits.h"
 
 namespace latsch::cli {
 
@@ -27,6 +30,12 @@ void reject_implausible(const correlation::Study& study) {
 void warn_of_implausible(const correlation::Study& study) {
   for (const experiment::Finding& finding : correlation::implausible(study))
     warn((finding.is_note ? "" : "warning: ") + experiment::in_words(finding), finding.place);
+}
+
+void warn_of_limits_met(const correlation::Study& study, const std::vector<std::string>& limits) {
+  const std::vector<std::string> told = correlation::limits_of_tests(study);
+  for (const std::string& limit : limits)
+    if (std::find(told.begin(), told.end(), limit) == told.end()) warn(limit);
 }
 
 void examine_model(const experiment::SpecimenKind& kind,

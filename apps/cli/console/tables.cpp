@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "cli/console/console.h"
 #include "correlation/study/linear_constraints.h"
+#include "correlation/target/compared_trial.h"
 #include "experiment/rigs/mode_record.h"
 
 namespace latsch::cli {
@@ -56,12 +57,13 @@ void print_comparison(const StudyExperiment& experiment, const Channels& trial) 
   const correlation::Observable& observable = *experiment.observable;
   const Comparison comparison = compare(experiment, trial);
   const std::string whole = observable.whole();
-  say("\n{}{}\n{}  mean |{}| {:.3f} %, largest {:.3f} %{}\n",
+  say("\n{}{}\n{}  {} |{}| {:.3f} %, largest {:.3f} %{}\n",
       experiment.name,
       experiment.fitted ? "" : " (predicted)",
       observable.table(trial, comparison),
+      measure_in_words(experiment),
       observable.error_name(),
-      comparison.mean_error * 100.0,
+      own_measure(experiment, comparison) * 100.0,
       comparison.largest_error * 100.0,
       whole.empty() ? "" : " of " + whole);
 }

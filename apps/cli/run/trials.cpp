@@ -23,6 +23,7 @@
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_change.h"
 #include "correlation/study_report/study_report.h"
+#include "correlation/target/failed_trials.h"
 #include "correlation/target/trial_ownership.h"
 #include "evaluation/journal/local_file_system.h"
 #include "evaluation/journal/readable_journal.h"
@@ -88,7 +89,8 @@ void say_kind_of_journal(const correlation::Study& study) {
 
 namespace {
 
-/// Returns unexpected events: ", 2 failed, 1 repeated; 1 slow, the longest for 12 s".
+/// Returns the count of unexpected events as text: ", 2 failed, 1 repeated; 1 slow, the longest for
+/// 12 s".
 std::string troubles(const RunProgress& progress) {
   std::string text = fmt::format("{} failed", progress.failed);
   const auto add = [&](long number, const char* what) {
@@ -163,14 +165,15 @@ bool take_refined(const correlation::Study& study, correlation::Identifiability&
   ProcessOptions options = worker_processes(study);
   options.arguments.emplace_back("--refined");
   options.workers = 1;
-  options.timeout = std::numeric_limits<double>::infinity();  // the limit of trials is meant for
-                                                              // the coarse model
+  // The study's limit of the time of a trial is meant for the coarse model, not for the refined
+  // one.
+  options.timeout = std::numeric_limits<double>::infinity();
   try {
     ProcessExecutor executor(options);
     if (!correlation::evaluate_refined(
             study, result.point, executor, counting_options(study, "the refined model")))
       return false;
-  } catch (const InputError& error) {  // the study's files have changed meanwhile
+  } catch (const InputError& error) {  // a file of the study has changed since it was read
     warn("the refined model is not evaluated: " + std::string(error.what()));
     return true;
   }
@@ -180,7 +183,8 @@ bool take_refined(const correlation::Study& study, correlation::Identifiability&
 
 namespace {
 
-/// Prints the mesh error, which a fit hides in its values.
+/// Prints the error of the mesh, because a fit shifts the values of the variables to compensate for
+/// it.
 void print_mesh_error(const report::StudyReport& page) {
   const report::DiscretizationError* worst = nullptr;
   double sum = 0.0;
@@ -195,7 +199,8 @@ void print_mesh_error(const report::StudyReport& page) {
       worst->quantity);
 }
 
-/// Prints every experiment's error in its own measure, beside the least error of an earlier stage.
+/// Prints every experiment's error in its own measure, and beside it the least error of an earlier
+/// stage.
 void print_errors(const report::StudyReport& page) {
   if (page.experiments.empty()) return;
   say("\nErrors by experiment\n");
@@ -248,7 +253,8 @@ void print_errors(const report::StudyReport& page) {
 
 namespace {
 
-/// Returns the report, with the views of the studio if the program contains its page.
+/// Returns the page of the report. It includes the views of the studio if the program contains the
+/// studio's page.
 std::string report_page(const correlation::Study& study,
                         const report::StudyReport& page,
                         const experiment::Language& language) {
@@ -263,7 +269,19 @@ std::string report_page(const correlation::Study& study,
 
 namespace {
 
-/// `change` says how the study's files have changed since they were read; empty: not at all.
+/// Prints why trials failed; as a warning if the failures decide the result.
+void print_failures(const correlation::FailedTrials& failures) {
+  for (const auto& [reason, trials] : failures.reasons)
+    answer()["failures"].push_back({{"reason", reason}, {"trials", trials}});
+  const std::string words = correlation::in_words(failures);
+  if (failures.is_doubtful())
+    warn(words);
+  else if (!words.empty())
+    say("{}\n", words);
+}
+
+/// Writes the report. `change` says how the study's files have changed since they were read; empty:
+/// not at all.
 int write_page(const correlation::Study& study,
                const Journal& journal,
                const experiment::Language& language,
@@ -287,7 +305,8 @@ int write_page(const correlation::Study& study,
   say("\nReport: {}\nJournal: {}, {}\n",
       file.string(),
       journal.file().string(),
-      correlation::in_words(counts));
+      correlation::in_words_below_result(counts));
+  print_failures(correlation::failed_trials(weighted, journal));
   return kDone;
 }
 

@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
-"""`latsch new` for every shipped tire and for random sizes: the written files pass the check and
-can be fitted.
+"""Tests `latsch new` for every shipped tire and for random sizes: the written files pass the check and can be fitted.
 
-    new_test.py PATH/TO/latsch
-"""
+   new_test.py PATH/TO/latsch"""
 import json
 import pathlib
 import random
@@ -19,7 +17,7 @@ TIRES = sorted(p.stem for p in (pathlib.Path(__file__).resolve().parents[3] / "s
 SHIPPED = [name for name in TIRES if not name.startswith("comparison_")]
 
 WIDTHS, ASPECTS, RIMS = range(145, 326, 10), range(30, 81, 5), range(13, 22)  # mm, %, inches
-HEIGHTS = (62, 150)  # mm: sizes 325/30 and 185/80 exist, a 325/80 does not
+HEIGHTS = (62, 150)  # mm, section height: sizes 325/30 and 185/80 exist, a 325/80 does not
 
 
 def drawn_sizes(count, seed=2024):
@@ -74,7 +72,7 @@ class New(unittest.TestCase):
                 bounds = {v["name"]: v for v in json.loads(subprocess.run(
                     [LATSCH, "check", study, "--json"], capture_output=True, text=True).stdout)["result"]["variables"]}
                 self.assertLess(found["target"], 0.01)
-                self.assertLessEqual(found["trials"], 10)  # slopes come with every trial
+                self.assertLessEqual(found["trials"], 10)  # derivatives come with every trial
                 for variable in found["variables"]:
                     limits = bounds[variable["name"]]
                     self.assertEqual(variable["unit"], limits["unit"])
@@ -132,8 +130,8 @@ class New(unittest.TestCase):
         self.latsch("test", study.parent / "corner.toml", '{kind = "kinematics", from = "-30 mm", to = "30 mm", points = 5}')
         self.assertIn("exists already", self.latsch("new", self.folder / "corner", "--suspension", code=WRONG_INPUT))
 
-    # Values are in N/mm and kN s/m. A scatter of 3 N is small beside the forces of a sweep: the values of the recording
-    # are identified.
+    # The units are N/mm and kN s/m. A noise of 3 N is small compared with the forces of a sweep, so the fit finds the
+    # values of the recording.
     def test_a_car_is_found_at_once_and_drives(self):
         self.latsch("new", self.folder / "car", "--car")
         study = self.folder / "car" / "study.toml"
@@ -144,6 +142,18 @@ class New(unittest.TestCase):
         self.latsch("test", study.parent / "car.toml", study.parent / "kerb.toml", "--html", self.folder / "kerb.html", "-o",
                     self.folder / "kerb.csv")
         self.latsch("new", self.folder / "both", "--car", "--suspension", code=WRONG_INPUT)
+
+    def test_the_size_of_the_inflated_tire_is_said(self):
+        """A passenger tire hardly grows, the soft race tire by three per cent; both are those of the test of inflation."""
+        for size, grows in (("20.5x7.0-13", (2.0, 5.0)), ("205/55R16", (-1.0, 1.0))):
+            folder = self.folder / re.sub(r"\W", "_", size)
+            said = self.latsch("new", folder, "--size", size)
+            found = re.search(r"the tire is ([\d.]+) mm high .* and ([\d.]+) mm wide, ([+-][\d.]+) % of the diameter of its size", said)
+            self.assertTrue(found, said)
+            measured = json.loads(self.latsch("test", folder / "tire.toml", '{kind = "inflation"}', "--json"))["result"]["channels"]
+            radius = next(one["values"][0] for one in measured if one["name"] == "outer_radius")
+            self.assertAlmostEqual(float(found[1]), 2e3 * radius, delta=0.06)
+            self.assertTrue(grows[0] < float(found[3]) < grows[1], said)
 
     def test_sizes_that_make_no_tire(self):
         for size, said in (("275", "expected a size such as"), ("325/80R13", "there is no template near it"),

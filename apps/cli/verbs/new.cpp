@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch new: writes a study to start from. Its measurements are an example, computed from the tire
-// itself with moduli different from the study's start, rounded and with the scatter of a rig, so
-// that the first run ends well.
+// Implements `latsch new`: writes a study to start from. Its measurements are an example: they are
+// computed from the tire itself with other moduli than the study's start, with the scatter and the
+// resolution of a rig, so that the first run ends well.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/random.h"
 #include "base/units.h"
+#include "cli/console/answers.h"
 #include "cli/console/console.h"
+#include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
 #include "cli/templates/car_template.h"
 #include "cli/templates/drum_template.h"
@@ -20,10 +23,13 @@
 #include "cli/templates/sized_tire.h"
 #include "cli/templates/study_template.h"
 #include "cli/verbs/verbs.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/twin.h"
+#include "experiment/language.h"
 #include "formats/tables/measurement_file.h"
+#include "models/fe_tire/description/size_designation.h"
 
 namespace latsch::cli {
 namespace {
@@ -33,9 +39,11 @@ namespace fs = std::filesystem;
 struct NewOptions {
   std::string folder, tire = "passenger_205_55R16", size;
   bool coarse = false;
-  std::vector<std::string> recordings, columns, held_out;  // files of a tire test
+  // files of a tire test, names of their columns, and held-out parts
+  std::vector<std::string> recordings, columns, held_out;
   std::string axes, radius;
-  std::string ring_data, known;  // a model, or kExample; a flexible ring
+  // the model that is measured, or kExample; and the known flexible ring
+  std::string ring_data, known;
   bool suspension = false, car = false;
   std::vector<std::string> drum;  // recordings of a drum with a cleat
   std::string cleat, diameter;
@@ -47,7 +55,8 @@ std::string_view text_of(const std::string& name) {
   for (const TireTemplate& tire : tire_templates()) {
     if (tire.name == name) return tire.text;
   }
-  throw InputError("no tire " + name);  // cannot happen: the command line has checked the name
+  // not reached, because the command line has checked the name
+  throw InputError("no tire " + name);
 }
 
 std::string tire_of(const NewOptions& options) {
@@ -57,7 +66,7 @@ std::string tire_of(const NewOptions& options) {
   return options.size.empty() ? tire : stretched_tire(tire, options.size);
 }
 
-/// Returns the tire with the mesh for its size.
+/// Returns the tire's text, with the mesh that its size needs if the user gave a size.
 std::string meshed(const std::string& tire, const NewOptions& options) {
   if (options.size.empty()) return tire;
   RunningNote note;
@@ -71,8 +80,8 @@ void write(const fs::path& file, std::string_view text) {
   say_written(file.string());
 }
 
-/// Returns "sidewall 6.25 N/mm^2, carcass 4.5 GPa": the values with which the example's
-/// measurements are computed.
+/// Returns the values with which the example's measurements are computed: "sidewall 6.25 N/mm^2,
+/// carcass 4.5 GPa".
 std::string truth_in_words(const correlation::Study& study, const DesignPoint& truth) {
   std::string text;
   for (int i = 0; i < study.space.size(); ++i) {
@@ -85,9 +94,9 @@ std::string truth_in_words(const correlation::Study& study, const DesignPoint& t
   return text;
 }
 
-/// Gives values the scatter and the resolution of a rig.
+/// Adds the scatter and the resolution of a rig to the measurements of the study.
 void make_measured(const correlation::Study& study, const std::string& comment) {
-  constexpr double kScatter = 0.003;  // share of a value
+  constexpr double kScatter = 0.003;  // standard deviation as a share of a value
   RandomStream chance(1, 0);
   const auto measured = [&](double value, double parts) {
     return std::round(value * (1.0 + kScatter * chance.normal()) * parts) / parts;
@@ -119,13 +128,48 @@ void write_example(const fs::path& file, const experiment::Language& language) {
   for (const fs::path& table : written->written) say_written(table.string());
 }
 
-/// Returns the study's file in a folder that contains none yet.
+/// Returns the path of the study's file. Throws InputError if the folder already contains one.
 fs::path new_study(const fs::path& folder) {
   const fs::path study = folder / "study.toml";
   if (fs::exists(study))
     throw InputError(Place{study.string(), 0}, "exists already; expected a new folder");
   return study;
 }
+
+/// Files that are being written for a study. Unless the study turns out to be good, those that did
+/// not exist before are removed: `latsch new` leaves a study that can be read, or nothing.
+class Unfinished {
+ public:
+  Unfinished(const fs::path& folder, const std::vector<std::string>& names) : folder_(folder) {
+    for (const std::string& name : names) {
+      files_.push_back(folder / name);
+      if (!fs::exists(files_.back())) new_files_.push_back(files_.back());
+    }
+    was_there_ = fs::exists(folder);
+  }
+  ~Unfinished() {
+    if (is_good_) return;
+    std::error_code ignored;
+    for (const fs::path& file : new_files_) fs::remove_all(file, ignored);
+    if (!was_there_) fs::remove(folder_, ignored);  // only if it is empty
+  }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+
+  /// Reads the study and reports the files. Throws InputError for what `latsch check` refuses.
+  correlation::Study finish(const fs::path& study, const experiment::Language& language) {
+    correlation::Study read = correlation::read_study(study, language);
+    correlation::refuse_doubtful(correlation::all_ledgers_of(read));
+    is_good_ = true;
+    for (const fs::path& file : files_) say_written(file.string());
+    return read;
+  }
+
+ private:
+  fs::path folder_;
+  std::vector<fs::path> files_, new_files_;
+  bool was_there_ = false, is_good_ = false;
+};
 
 double length_of(const std::string& text) {
   const auto quantity = parse_quantity(text);
@@ -141,11 +185,13 @@ void start_magic_formula(const NewOptions& options, const experiment::Language& 
   test.held_out = held_out_of(options.held_out);
   if (!options.radius.empty()) test.unloaded_radius = length_of(options.radius);
   const MagicFormulaStudy written = magic_formula_study(test, folder);
+  Unfinished files(folder, {"tire.tir", "study.toml"});
   fs::create_directories(folder);
-  write(folder / "tire.tir", written.tire);
-  write(study, written.study);
+  write_text_file(folder / "tire.tir", written.tire);
+  write_text_file(study, written.study);
+  const auto read = files.finish(study, language);
   for (const std::string& word : written.words) say("  {}\n", word);
-  correlation::read_study(study, language);
+  say_ledgers(correlation::ledgers_of(read), LinesTo::output, "Files");
   say("\nNext\n"
       "  latsch show {0}                         what is used of the recordings\n"
       "  latsch run {0}                          fits, stage by stage\n"
@@ -172,10 +218,11 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
         "to "
         "MODEL begins at the values of the known ring");
   }
+  Unfinished files(folder, {"ring.toml", "study.toml"});
   fs::create_directories(folder);
-  write(folder / "ring.toml", written.ring);
-  write(study, written.study);
-  correlation::read_study(study, language);
+  write_text_file(folder / "ring.toml", written.ring);
+  write_text_file(study, written.study);
+  files.finish(study, language);
   say("\n{1}\n"
       "  latsch run {0}                          finds the numbers\n"
       "  latsch identify {0}                     what the data do not determine, what would "
@@ -228,6 +275,7 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
     throw InputError(
         "--drum: no recording contains the cleat's size; expected --cleat \"10 mm x 20 mm\" "
         "beside it, its height and its length along the road");
+  Unfinished files(folder, {"rig.toml", "rig_processed", "ring.toml", "study.toml"});
   fs::create_directories(folder);
   const DrumStudy written = drum_study({{options.drum.begin(), options.drum.end()},
                                         options.cleat,
@@ -237,14 +285,13 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
                                        known,
                                        folder,
                                        language);
-  say_written((folder / "rig.toml").string());
-  say_written((folder / "rig_processed").string());
-  write(folder / "ring.toml", written.ring);
-  write(study, written.study);
+  write_text_file(folder / "ring.toml", written.ring);
+  write_text_file(study, written.study);
+  const auto read = files.finish(study, language);
   for (const std::string& word : written.words) say("  {}\n", word);
   if (options.known.empty())
     say("  ring.toml is the published ring of a 205/55 R16 tire; give your own by --known RING\n");
-  correlation::read_study(study, language);
+  say_ledgers(correlation::ledgers_of(read), LinesTo::output, "Files");
   say("\nNext\n"
       "  latsch process {1}                      the rig's page: averages, spectra\n"
       "  latsch show {0}                         what is used of the averages\n"
@@ -253,15 +300,46 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
       (folder / "rig.toml").string());
 }
 
+/// Says how large the tire is under its pressure: the size of a designation is that of an inflated
+/// tire, but the contour is drawn to it without pressure.
+void say_inflated_size(const Document& tire,
+                       const std::string& size,
+                       const experiment::Language& language) {
+  const auto designation = fe_tire::parse_size(size);
+  const experiment::SpecimenKind& kind = *language.find_kind("fe_tire");
+  const auto test = language.read_test(
+      Document::parse("test = {kind = \"inflation\"}", "inflation").root().table("test"), {});
+  const auto inflated = test->run(*kind.build(tire));
+  if (!designation || !inflated) return;  // check says why a tire does not inflate
+  const double radius = (*inflated)["outer_radius"].front(),
+               pressure = (*inflated)["pressure"].front(), growth = (*inflated)["growth"].front(),
+               wanted = designation->outer_diameter;
+  const std::string words = fmt::format(
+      "inflated to {} the tire is {:.1f} mm high (outer diameter) and {:.1f} mm wide, {:+.1f} % of "
+      "the diameter of its size, {:.1f} mm: its contour is drawn to the size without pressure, and "
+      "the crown grows by {:.1f} mm",
+      format_quantity(pressure, "kPa", 4),
+      2e3 * radius,
+      1e3 * (*inflated)["section_width"].front(),
+      100.0 * (2.0 * radius / wanted - 1.0),
+      1e3 * wanted,
+      1e3 * growth);
+  answer()["inflated"] = Json{{"outer_diameter_m", 2.0 * radius}, {"size_diameter_m", wanted}};
+  say("\nAssumed: {}. If the size is that of the inflated tire, subtract the growth from the radii "
+      "of its contour\n",
+      words);
+}
+
 void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = new_study(folder);
   const std::string shape = tire_of(options);
-  fs::create_directories(folder);  // fails before the mesh is computed, which takes seconds
+  fs::create_directories(folder);  // throws before the mesh is computed, which takes seconds
   const Document tire = Document::parse(meshed(shape, options), (folder / "tire.toml").string());
   const std::string text = study_template(tire);
   write(folder / "tire.toml", tire.text());
   write(study, text);
   write_example(study, language);
+  if (!options.size.empty()) say_inflated_size(tire, options.size, language);
   say("\nReplace the example values of the .csv files by your measurements, then\n"
       "  latsch check {0}\n  latsch run {0}\n",
       study.string());
@@ -350,7 +428,7 @@ void add_ring_options(Verb& verb, NewOptions* options) {
       .between(1, 100000);
 }
 
-/// Writes the study that the options ask for.
+/// Writes the kind of study that the options choose.
 void write_new(const NewOptions& options, Program& program) {
   if (!options.drum.empty()) {
     start_drum(options, program.language);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch simulate: runs one trial and prints every experiment beside its measurement.
+// Implements `latsch simulate`: runs one trial and prints the results of every experiment beside
+// its measurement.
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -60,7 +61,7 @@ int simulate(const std::string& file,
       target * 100.0,
       correlation::target_in_words(correlation::fitted_exponents(study.experiments), target));
   const auto limits = correlation::limits_met_at(study, point);
-  for (const std::string& limit : limits) warn(limit);
+  warn_of_limits_met(study, limits);
   answer()["limits"] = limits;
   return kDone;
 }

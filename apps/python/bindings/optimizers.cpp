@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ask and tell. Only one thread at a time calls an optimizer, and others run meanwhile: the
-// optimizer has a lock of its own besides the interpreter's.
+// Optimizers with ask and tell for Python. Only one thread at a time may call an optimizer, which
+// has its own lock besides the interpreter's; other Python threads run meanwhile.
 #include <cmath>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "base/document.h"
+#include "base/text.h"
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
 #include "bindings/failures.h"
@@ -33,6 +35,7 @@ class AskTell {
   void observe(const DesignPoint& point, const Result<Score>& outcome) {
     const py::gil_scoped_release others;
     const std::lock_guard lock(mutex_);
+    if (outcome) expect_same_counts(*outcome);
     optimizer_->observe(point, outcome);
   }
   bool converged() {
@@ -50,13 +53,51 @@ class AskTell {
   const MethodChoice& choice() const { return choice_; }
 
  private:
+  struct Counts {
+    std::size_t residuals, constraints, equations;
+  };
+
+  /// A method compares the outcomes of points entry by entry.
+  void expect_same_counts(const Score& score) {
+    const Counts now{score.residuals.size(), score.constraints.size(), score.equations.size()};
+    if (!first_) first_ = now;
+    const auto expect = [](const char* what, std::size_t found, std::size_t expected) {
+      if (found != expected)
+        throw InputError("outcome with " + std::to_string(found) + " " + what + ", but that of " +
+                         "the first point has " + std::to_string(expected) +
+                         ": expected equally many at every point, or a Failure");
+    };
+    expect("residuals", now.residuals, first_->residuals);
+    expect("constraints", now.constraints, first_->constraints);
+    expect("equations", now.equations, first_->equations);
+  }
+
   DesignSpace space_;
   std::unique_ptr<Optimizer> optimizer_;
   MethodChoice choice_;
   std::mutex mutex_;
+  std::optional<Counts> first_;  // counts at the first point that did not fail
 };
 
-/// The choice of a method as in a study: the same keys, the same error messages.
+/// Reads a point of the design space at which a search may evaluate the objective: it is finite
+/// and, up to rounding, inside the bounds.
+DesignPoint point_of_search(const Array& at, const DesignSpace& space) {
+  constexpr double kRounding = 1e-9;  // share of the range
+  const DesignPoint read = point(at, space.size());
+  for (int i = 0; i < space.size(); ++i) {
+    const DesignVariable& v = space[i];
+    const double x = read.values[static_cast<std::size_t>(i)];
+    const double slack = kRounding * (v.upper - v.lower);
+    if (!(x >= v.lower - slack && x <= v.upper + slack))
+      throw InputError(v.name + " is " + format_number(x) +
+                       ", expected a value within its bounds " + format_number(v.lower) + " to " +
+                       format_number(v.upper));
+  }
+  return read;
+}
+
+/// An optimization method with its options, chosen as in a study: with the same keys and the same
+/// error messages.
 struct Chosen {
   Method method;
   OptimizerSettings settings;
@@ -147,7 +188,8 @@ bool is_finite(const Score& score) {
          all(score.equations);
 }
 
-/// Reads a number, a Score or a Failure. A value that is not finite is a failure, as in a study.
+/// Converts the outcome that Python tells an optimizer: a number, a Score or a Failure. A number
+/// that is not finite becomes a failure, as in a study.
 Result<Score> outcome_of(const py::handle& told, int variables) {
   const auto checked = [](Score score) -> Result<Score> {
     if (is_finite(score)) return score;
@@ -206,7 +248,7 @@ void bind_score(py::module_& module) {
           "is_better_than",
           [](const Score& a, const Score& b) { return is_better(a, b); },
           py::arg("other"))
-      .def(py::pickle(  // for processes that evaluate
+      .def(py::pickle(  // so that a Score can be passed between processes
           [](const Score& s) {
             return py::make_tuple(
                 s.value, s.residuals, s.jacobian, s.stand_ins, s.constraints, s.equations);
@@ -287,12 +329,13 @@ void bind_optimizers(py::module_& module) {
           "observe",
           [](AskTell& of, const Array& at, const py::object& outcome) {
             const int n = of.space().size();
-            of.observe(point(at, n), outcome_of(outcome, n));
+            of.observe(point_of_search(at, of.space()), outcome_of(outcome, n));
           },
           py::arg("point"),
           py::arg("outcome"),
           "Records the outcome of a point (n,): the target, a Score or a Failure. The point need "
-          "not have been\nproposed.")
+          "not have been\nproposed, but it lies within the bounds. Raises InputError if the number "
+          "of residuals or constraints\ndiffers from that of the first point.")
       .def_property_readonly("converged", &AskTell::converged)
       .def_property_readonly("ending",
                              &AskTell::ending,

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies: their variables and comparisons, the target at channels, trials of a journal as arrays.
-// Runs are those of the program (apps/python/latsch/_study.py).
+// Studies for Python: their variables and experiments, the objective for given channels, and the
+// trials of a journal as arrays. The program runs the studies (apps/python/latsch/_study.py).
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/text.h"
+#include "base/units.h"
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
 #include "bindings/failures.h"
@@ -38,14 +41,14 @@ using correlation::StudyExperiment;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A study and its journal, which need not exist yet.
+/// A study with its journal. The journal's file need not exist yet.
 using SharedStudy = std::shared_ptr<const Study>;
 
-// A run that has just begun holds an incomplete journal for some milliseconds.
+// When a run begins, its journal is incomplete for some milliseconds, so reading is tried again.
 constexpr int kMostReads = 10;
 constexpr std::chrono::milliseconds kBetweenReads{50};
 
-/// Returns nullopt before the first run.
+/// Returns the study's journal; nullopt before the first run.
 std::optional<Journal> journal_of(const Study& study) {
   const std::filesystem::path& file = study.run.journal;
   for (int read = 1;; ++read) {
@@ -59,13 +62,13 @@ std::optional<Journal> journal_of(const Study& study) {
   }
 }
 
-/// The columns of a journal, one row for each trial.
+/// The trials of a journal by columns, with one entry for each trial.
 struct Trials {
   std::vector<DesignPoint> points;
   std::vector<double> targets, violations, seconds;
   std::vector<bool> asked, own;
   std::vector<Status> failures;
-  std::vector<std::string> channels;                             // in order of appearance
+  std::vector<std::string> channels;  // names in the order of their first appearance
   std::map<std::string, std::vector<std::vector<double>>> rows;  // empty: failed
   std::map<std::string, std::string> units;
 
@@ -111,7 +114,8 @@ Trials trials_of(const Study& as_written, const std::vector<std::string>& names,
   return trials;
 }
 
-/// Returns (N, samples), NaN for failed trials; a list if trials differ in their number of samples.
+/// Returns an array of shape (trials, samples) with NaN for failed trials, or a list of arrays if
+/// the numbers of samples differ.
 py::object column(const std::vector<std::vector<double>>& rows) {
   std::size_t samples = 0;
   for (const auto& row : rows) samples = std::max(samples, row.size());
@@ -162,7 +166,7 @@ Channels channels_of(const py::dict& values) {
   Channels channels;
   for (const auto& [name, samples] : values)
     channels.add({.name = name.cast<std::string>(),
-                  .unit = "1",  // a target compares numbers in SI
+                  .unit = "1",  // an objective compares values in SI
                   .values = vector(samples.cast<Array>())});
   return channels;
 }
@@ -173,7 +177,8 @@ Score target_of(const Study& study, const DesignPoint& at, const Channels& chann
   return *score;
 }
 
-/// Returns the result of a trial for a search, with slopes if the model knows them.
+/// Runs a trial and returns its score for a search, with derivatives if `slopes` and if the model
+/// knows them.
 Result<Score> score_at(const Study& study, const DesignPoint& at, bool slopes) {
   Study asking = study;
   asking.asks_slopes = slopes;
@@ -199,15 +204,34 @@ Score scored(const SharedStudy& study, const DesignPoint& at, const py::object& 
   return *found;
 }
 
+/// Reads a point of a study. A value that is not finite is an InputError, one outside of its bounds
+/// a Python warning: the model may be asked there, but no search would.
+DesignPoint point_of(const Study& study, const Array& at) {
+  const DesignPoint read = point(at, study.space.size());
+  for (int i = 0; i < study.space.size(); ++i) {
+    const DesignVariable& v = study.space[i];
+    const double x = read.values[static_cast<std::size_t>(i)];
+    if (!std::isfinite(x))
+      throw InputError("variable " + v.name + " is " + format_number(x) +
+                       ", expected a finite number");
+    if (x >= v.lower && x <= v.upper) continue;
+    const std::string words = "variable " + v.name + " is " + format_quantity(x, v.unit) +
+                              ", outside of its bounds " + format_quantity(v.lower, v.unit) +
+                              " to " + format_quantity(v.upper, v.unit);
+    if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) < 0) throw py::error_already_set();
+  }
+  return read;
+}
+
 Model model_at(const Study& study, const py::object& at) {
   const auto* kind = study.specimens->kind();
   if (!kind) throw InputError({study.file.string(), 0}, "has a [simulator] instead of a model");
   if (at.is_none()) return {*kind, study.model};
-  const DesignPoint p = point(at.cast<Array>(), study.space.size());
+  const DesignPoint p = point_of(study, at.cast<Array>());
   return {*kind, correlation::at(study.model, study.space, p)};
 }
 
-/// Returns (point, target, violation) or None.
+/// Returns (point, objective, constraint violation) of the best trial, or None.
 py::object best_of(const Study& as_written) {
   std::optional<correlation::RatedTrial> best;
   {
@@ -281,22 +305,21 @@ void bind_studies(py::module_& module) {
       .def(
           "target",
           [](const Read& s, const Array& at, const py::dict& channels) {
-            return target_of(*s.study, point(at, s.study->space.size()), channels_of(channels));
+            return target_of(*s.study, point_of(*s.study, at), channels_of(channels));
           },
           py::arg("point"),
           py::arg("channels"))
       .def(
           "score",
           [](const Read& s, const Array& at, const py::object& slopes) {
-            return scored(s.study, point(at, s.study->space.size()), slopes);
+            return scored(s.study, point_of(*s.study, at), slopes);
           },
           py::arg("point"),
           py::kw_only(),
           py::arg("slopes") = py::none())
-      .def("_simulate",
-           [](const Read& s, const Array& at) {
-             return simulated(s.study, point(at, s.study->space.size()));
-           })
+      .def(
+          "_simulate",
+          [](const Read& s, const Array& at) { return simulated(s.study, point_of(*s.study, at)); })
       .def("_limits",
            [](const Read& s, const Array& at) {
              const DesignPoint p = point(at, s.study->space.size());

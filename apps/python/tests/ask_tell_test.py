@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Optimizers from Python: minima that SciPy also finds, options and error messages of the library,
-failures, threads."""
+"""Tests optimizers from Python: minima that SciPy also finds, options and error messages of the library, failures,
+threads."""
 import pickle
 import unittest
 
@@ -29,7 +29,7 @@ def space(**changed):
 
 
 def search(optimizer, evaluate, look_ahead=1, most=5000):
-    """Returns the points in the order in which they were observed, and the best of them."""
+    """Runs the optimizer; returns the observed points in their order, and the best of them."""
     path = []
     while not optimizer.converged and len(path) < most:
         point = optimizer.propose(look_ahead)[0]
@@ -42,7 +42,8 @@ def search(optimizer, evaluate, look_ahead=1, most=5000):
 class AskTell(unittest.TestCase):
     def test_least_squares_end_where_scipys_do(self):
         found = scipy.optimize.least_squares(residuals, [1, 2, 0], jac=jacobian, xtol=1e-15, ftol=1e-15, gtol=1e-15).x
-        for with_jacobian, tolerance in ((True, 1e-5), (False, 2e-3)):  # tolerances of both step lengths, 1e-6 and 1e-3
+        # tolerances for a step length of 1e-6 and of 1e-3
+        for with_jacobian, tolerance in ((True, 1e-5), (False, 2e-3)):
             optimizer = latsch.optimizer(space(), residuals=True, jacobian=with_jacobian)
             self.assertEqual(optimizer.method, "levenberg_marquardt" if with_jacobian else "residual_trust_region")
             _, best = search(optimizer, lambda x: latsch.Score(
@@ -75,7 +76,8 @@ class AskTell(unittest.TestCase):
         box = latsch.DesignSpace([latsch.Variable("a"), latsch.Variable("b", initial=0.2)], [sum_at_most])
         path, best = search(latsch.optimizer(box, "gss"), lambda x: (x[0] - 1) ** 2 + (x[1] - 1) ** 2)
         self.assertTrue(np.all(path @ [1, 2] <= 1.2 + 1e-12))
-        np.testing.assert_allclose(best, [0.64, 0.28], atol=0.01)  # nearest point of the line to (1, 1)
+        # the point of the constraint's line nearest to (1, 1)
+        np.testing.assert_allclose(best, [0.64, 0.28], atol=0.01)
 
         circle = latsch.DesignSpace([latsch.Variable("a", initial=0.3), latsch.Variable("b", initial=0.3)])
         optimizer = latsch.optimizer(circle, residuals=True, constraints=True)
@@ -135,10 +137,25 @@ class AskTell(unittest.TestCase):
         says("(3,)", lambda: latsch.optimizer(space()).observe([1, 2], 0.0))
         says("columns", lambda: latsch.optimizer(space()).observe(
             [1, 1, 0], latsch.Score(residuals=[1.0], jacobian=[[1.0, 2.0]])))
+        says("within its bounds", lambda: latsch.optimizer(space()).observe([1, 1, 1e9], 0.0))
+        says("nan", lambda: latsch.optimizer(space()).observe([1, 1, float("nan")], 0.0))
         says("at least one", lambda: latsch.optimizer(space()).propose(0))
         says("lower", lambda: latsch.DesignSpace([latsch.Variable("a", lower=2, upper=1)]))
         says("outcome", lambda: latsch.optimizer(space()).observe([1, 1, 0], "bad"))
         says("levenberg_marquardt", lambda: latsch.optimizer(space(), "levenberg_marquardt", constraints=True))
+
+    def test_outcomes_of_another_number_are_complained_of(self):
+        def told_twice(first, second):
+            optimizer = latsch.optimizer(space(), residuals=True)
+            points = [optimizer.propose()[0]]
+            optimizer.observe(points[0], first)
+            optimizer.observe(points[0], latsch.Failure("no equilibrium"))  # a failure has no number
+            with self.assertRaisesRegex(latsch.InputError, "but that of the first point has .* equally many"):
+                optimizer.observe(optimizer.propose()[0], second)
+        told_twice(latsch.Score(residuals=[1.0, 2.0, 3.0]), latsch.Score(residuals=[1.0, 2.0]))
+        told_twice(latsch.Score(residuals=[1.0, 2.0, 3.0]), 4.0)
+        told_twice(latsch.Score(residuals=[1.0], constraints=[0.1]), latsch.Score(residuals=[1.0]))
+        told_twice(latsch.Score(residuals=[1.0], equations=[]), latsch.Score(residuals=[1.0], equations=[0.0]))
 
     def test_the_space_leads_to_the_unit_cube_and_back(self):
         points = latsch.latin_hypercube(space(), 12)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Studies from Python: their contents, runs by the program, journals as arrays, and an interrupted
-run that continues."""
+"""Tests studies from Python: their contents, runs by the program, journals as arrays, and an interrupted run that
+continues."""
 import contextlib
 import os
 import pathlib
@@ -14,6 +14,7 @@ import tempfile
 import textwrap
 import time
 import unittest
+import warnings
 
 os.environ.setdefault("LATSCH_PROGRAM", sys.argv[1] if len(sys.argv) > 1 else "latsch")
 
@@ -24,7 +25,7 @@ from python_testing import LATSCH, ROOT  # noqa: E402
 LONG = '[optimizer]\nmethod = "genetic"\npopulation = 40\ngenerations = 15\nstep_tolerance = 1e-9\n[run]\nintervals = false\n'
 
 
-# An outside program that fails above a = 0.6.
+# An outside program that fails for a > 0.6.
 PROGRAM = """
 import sys
 a = float(open("a.txt").read().split("=")[1])
@@ -103,7 +104,8 @@ class Studies(unittest.TestCase):
         self.assertFalse(edited.trials().own.all())
 
     def test_every_door_refuses_the_journal_of_another_study(self):
-        """An edited program, another path, another test: of the studies in Python as of the program's verbs."""
+        """Checks that studies in Python notice an edited program, another path and another test, as the verbs of the
+        program do."""
         study = self.compliance()
         study.run(workers=1, progress=False)
         file = pathlib.Path(study.file)
@@ -132,6 +134,20 @@ class Studies(unittest.TestCase):
         np.testing.assert_allclose(first.measured, [0.24329e-6], rtol=1e-12)  # m/N
         self.assertEqual(study.model(study.space.initial)["bushing.uca_front.x"], study.space.initial[0])
 
+    def test_a_point_outside_of_the_bounds_is_told(self):
+        study = self.compliance()
+        point = study.space.initial.copy()
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            study.model(point)
+        point[0] = 2 * study.space.upper[0]
+        for door in (study.score, study.simulate, study.model, lambda at: study.target(at, study.simulate(study.space.initial))):
+            with self.subTest(door), self.assertWarnsRegex(UserWarning, "variable uca_front is .* outside of its bounds"):
+                door(point)
+        point[0] = float("nan")
+        with self.assertRaisesRegex(latsch.InputError, "uca_front is nan, expected a finite number"):
+            study.score(point)
+
     def test_a_run_its_journal_and_its_target(self):
         study = self.compliance()
         lines = []
@@ -146,7 +162,7 @@ class Studies(unittest.TestCase):
         np.testing.assert_array_equal(trials.points[row], best.point)
         self.assertEqual(trials.failures, [None] * len(trials))
         self.assertTrue(trials.asked.all())
-        # A trial here has the same bits, and the same target of its channels.
+        # A trial in this process has the same bits as in the journal, and its channels have the same objective.
         recording = study.simulate(best.point)
         channels = {name: column[row] for name, column in trials.channels.items()}
         for name, values in channels.items():

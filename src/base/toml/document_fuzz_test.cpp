@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spoiled files: whatever a person, an editor or a network did to a study file, reading it ends in
-// a document or in an InputError, and a document that was read keeps its promises.
+// Tests spoiled files: whatever a person, an editor or a network did to a study file, reading it
+// ends in a document or in an InputError, and all functions of a document that was read work as
+// documented.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +72,7 @@ const std::vector<std::string>& pieces() {
   return kPieces;
 }
 
-/// Does everything a study may do with a file.
+/// Calls every function that a study may call on a document.
 void use(const std::string& text, RandomStream& random) {
   Document document = Document::parse(text, "spoiled.toml");
   const Node root = document.root();
@@ -91,7 +92,7 @@ void use(const std::string& text, RandomStream& random) {
     }
   }
   if (!paths.empty()) {
-    EXPECT_THROW(root.close(), InputError);  // most keys were never read
+    EXPECT_THROW(root.close(), InputError);  // no getter has read most of the keys
   }
 }
 
@@ -110,7 +111,7 @@ TEST(DocumentFuzz, TwentyThousandSpoiledTireFilesEndInADocumentOrAnInputError) {
       ASSERT_NE(std::string(error.what()).find(".toml"), std::string::npos) << error.what();
     }
   }
-  // Both outcomes are frequent.
+  // Checks that both outcomes, a document and an InputError, are frequent.
   EXPECT_GT(rejected, kMutations / 4);
   EXPECT_LT(rejected, 9 * kMutations / 10);
 }

@@ -17,7 +17,7 @@ struct UnitRow {
 };
 
 // clang-format off
-/// Known also in other cases: "KPA", "Newton".
+// These words are recognized in other letter cases, too: "KPA", "Newton".
 inline constexpr UnitRow kWords[] = {
     // Length.
     {"m", "m"}, {"meter", "m"}, {"meters", "m"}, {"metre", "m"}, {"metres", "m"}, {"mm", "mm"},
@@ -75,7 +75,7 @@ inline constexpr UnitRow kWords[] = {
     {"fps", "ft/s"}, {"ips", "in/s"}, {"knot", "knot"}, {"knots", "knot"}, {"kts", "knot"},
     {"gn", "9.80665 m/s^2"}, {"gee", "9.80665 m/s^2"}, {"milli_gn", "9.80665e-3 m/s^2"},
     {"standard_gravity", "9.80665 m/s^2"},
-    // Pressure relative to that of the air: "psig" is "psi".
+    // Pressure relative to that of the atmosphere: "psig" is read as "psi".
     {"Pa", "Pa"}, {"pascal", "Pa"}, {"hPa", "hPa"}, {"kPa", "kPa"}, {"kilopascal", "kPa"},
     {"kpascal", "kPa"}, {"megapascal", "MPa"}, {"mpascal", "MPa"}, {"GPa", "GPa"},
     {"gigapascal", "GPa"}, {"bar", "bar"}, {"bars", "bar"}, {"mbar", "mbar"},
@@ -131,13 +131,14 @@ inline constexpr UnitRow kWhole[] = {
 /// Whole texts, compared after every word has been replaced by its meaning.
 inline constexpr UnitRow kTogether[] = {{"rev/min", "rpm"}, {"rev min^-1", "rpm"}};
 
-/// Texts with more than one meaning, in words of the lists above, the usual one first.
-/// `only_by_dimension`: no meaning is usual enough to be assumed if the dimension is not known.
+/// A text with more than one meaning. The meanings are words of the lists above, the usual one
+/// first. `only_by_dimension` is true if no meaning is usual enough to be assumed when the expected
+/// dimension is not known.
 struct Ambiguous {
   std::string_view written;
   std::string_view meanings[2];
   bool any_case, only_by_dimension;
-  std::string_view way_out;  // advice that follows the text in a message
+  std::string_view way_out;  // advice that ends the message
 };
 inline constexpr Ambiguous kAmbiguousWords[] = {
     {"lb", {"lbf", "lbm"}, true, false, "which may be a force or a mass: write \"lbf\" or \"lbm\""},
@@ -187,9 +188,9 @@ inline constexpr Ambiguous kAmbiguousWords[] = {
      true,
      "which may be a kilonewton or a knot: write \"kN\" or \"knot\""},
     {"KN", {"kN", "knot"}, false, false, ""},
-    {"\"", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\""},
-    {"''", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\""},
-    {"'", {"ft", "arcmin"}, false, true, "which may be a foot or an arc minute: write \"ft\""},
+    {"\"", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\" or \"arcsec\""},
+    {"''", {"in", "arcsec"}, false, true, "which may be an inch or an arc second: write \"in\" or \"arcsec\""},
+    {"'", {"ft", "arcmin"}, false, true, "which may be a foot or an arc minute: write \"ft\" or \"arcmin\""},
 };
 /// Ambiguous whole texts, compared after every word has been replaced by its meaning.
 inline constexpr Ambiguous kAmbiguousTexts[] = {

@@ -13,10 +13,11 @@
 namespace latsch {
 namespace {
 
-constexpr double kRounding = 1e-12;  // relative; UDUNITS computes units with an offset by
-                                     // differences
+// Relative tolerance. UDUNITS converts units with an offset by differences, which adds rounding.
+constexpr double kRounding = 1e-12;
 
-// Every spelling of the table has the factor that the table gives, written by hand, or is refused.
+// Every spelling in the table of the tests is read with the factor that the table states, or is
+// refused if the table says so.
 TEST(UnitReading, EverySpellingOfTheTableIsReadAsByHand) {
   EXPECT_GE(std::size(unit_spellings::kAll), 220u);
   for (const UnitSpelling& spelling : unit_spellings::kAll) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Units as files of tires, vehicles and rigs write them, in German, English, American and Japanese
-// custom, each with factor and offset by hand: SI value = number * factor + offset. The tests of
-// all readers use this table. Each family names the source of its factors.
+// Spellings of units in files of tires, vehicles and rigs, in German, English, American and
+// Japanese custom, with factor and offset entered from the cited sources: SI value = number *
+// factor + offset. The tests of all readers use this table.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@ namespace latsch {
 struct UnitSpelling {
   const char* written;
   const char* si;  // unit of the measured quantity
-  double factor;   // kRefused: a reader must refuse the text
+  double factor;   // factor to SI; kRefused: a reader must refuse the text
   double offset = 0.0;
 };
 

@@ -16,7 +16,8 @@ namespace {
 using unit_list::Ambiguous;
 using IsForeign = std::function<bool(std::string_view, const std::string&)>;
 
-constexpr std::size_t kMostAmbiguous = 4;  // words in one text; limits the number of combinations
+// Largest number of ambiguous words in one text, which limits the combinations.
+constexpr std::size_t kMostAmbiguous = 4;
 
 std::string_view without_outer_blanks(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -90,7 +91,7 @@ struct WordMeaning {
   const Ambiguous* ambiguous = nullptr;
 };
 
-/// Returns the meaning of a word as the lists give it; nothing if they lack the word.
+/// Returns the meaning of a word from the lists; nothing if they do not contain the word.
 std::optional<std::string> listed_meaning(std::string_view word) {
   for (const auto& row : unit_list::kWords)
     if (row.written == word) return std::string(row.meaning);
@@ -171,7 +172,7 @@ class Reading {
 
  private:
   struct Piece {
-    std::string before;     // operator, bracket, exponent before the word
+    std::string before;     // operators, brackets and exponents before the word
     std::string word = {};  // the word in the file
     std::string text = {};  // meaning
     const Ambiguous* ambiguous = nullptr;
@@ -248,7 +249,8 @@ class Reading {
       return "";
     }
     const char digit = text_[at++];
-    // "C1" and "N0" are names of channels.
+    // The exponents 0 and 1 are refused unless they are marked as powers: "C1" and "N0" are names
+    // of channels.
     if (digit == '0' || (digit == '1' && sign.empty() && !power)) is_wrong_ = true;
     const std::string exponent = "^" + sign + digit;
     if (bracket && (at >= text_.size() || text_[at++] != ')')) is_wrong_ = true;
@@ -296,7 +298,7 @@ class Reading {
   std::vector<Piece> pieces_;
 };
 
-/// Some texts mean something else than the product of their words.
+/// Looks up texts whose meaning is not the product of the meanings of their words.
 void read_together(UnitMeanings& result) {
   for (const auto& row : unit_list::kTogether)
     for (std::string& text : result.texts)

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The spellings of units in files of tires, vehicles and rigs, and their meanings.
 //
-// UDUNITS-2 knows 1,300 words and makes more by prefixes: it reads "Grad" as a giga-radian, "PS" as
+// UDUNITS-2 knows 1,300 words and forms more by prefixes: it reads "Grad" as a giga-radian, "PS" as
 // a picosiemens, "H" as a henry, "Ms" as a megasecond. So every word of a unit has to be in the
 // list of unit_list.h, which gives its meaning in the language of UDUNITS; UDUNITS does the
-// arithmetic. A word in another case counts unless UDUNITS knows it as something else.
+// arithmetic. A word of the list is also accepted in another letter case, unless UDUNITS reads that
+// spelling as another unit.
 //
 // Words are separated by blanks, `*`, `.`, `·`, `-` (products), `/` or `per`; exponents are `^2`,
-// `**2`, `2`, `²`, `-1`. Full-width letters, the squared units of Japanese (㎜) and both code points
-// of µ are read as the letters they stand for.
+// `**2`, `2`, `²`, `-1`. Full-width letters, the Japanese characters for squared units (㎜) and both
+// code points of µ are read as the letters they stand for.
 //
 // Some spellings have several meanings ("lb" is a force and a mass). All are returned, the usual
 // one first.
@@ -33,7 +34,8 @@ struct UnitMeanings {
   std::string refusal;
 };
 
-/// `is_foreign(word, meaning)` says whether UDUNITS knows `word` as something else than `meaning`.
+/// Returns the meanings of the unit `written`. `is_foreign(word, meaning)` returns true if UDUNITS
+/// reads `word` as a unit other than `meaning`.
 UnitMeanings unit_meanings(
     std::string_view written,
     const std::function<bool(std::string_view word, const std::string& meaning)>& is_foreign);

@@ -2,19 +2,26 @@
 #include "correlation/analysis/plausibility.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/observable/curve.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
 #include "experiment/language/usual_numbers.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
+#include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/natural_unit.h"
+#include "measurement/meaning/rest_offset.h"
 #include "measurement/meaning/suspension_checks.h"
 
 namespace latsch::correlation {
@@ -40,7 +47,7 @@ void append(std::vector<Finding> more, std::vector<Finding>& found) {
   found.insert(found.end(), more.begin(), more.end());
 }
 
-/// A variable's bounds are values of its numbers, so the same ranges hold, as warnings.
+/// Checks a variable's bounds by the same ranges as the numbers that it sets, but only warns.
 void examine_variables(const Study& study, const Document& file, std::vector<Finding>& found) {
   std::map<std::string, std::string> owners;
   for (const DesignVariable& variable : study.space.variables()) {
@@ -63,7 +70,8 @@ void examine_variables(const Study& study, const Document& file, std::vector<Fin
       const std::string path = at + key;
       auto one = unusual(*range, written_at(file, path), path, file.get(path));
       if (!one) continue;
-      // A bound may lie far out on purpose.
+      // A bound far outside of the usual range may be intended, so only an impossible one is
+      // reported.
       const bool is_bound = std::string_view(key) != "initial";
       if (is_bound && !one->impossible) continue;
       one->impossible = false;
@@ -79,8 +87,8 @@ void examine_deflection(const TireSize& size,
                         const std::string& name,
                         double deflection,
                         std::vector<Finding>& found) {
-  constexpr double kDeep = 0.6;  // share of the section's height: deeper deflections come close to
-                                 // the rim
+  // Share of the section's height: larger deflections come close to the rim.
+  constexpr double kDeep = 0.6;
   const bool impossible = deflection > size.section_height;
   if (deflection <= kDeep * size.section_height) return;
   found.push_back({place,
@@ -94,7 +102,7 @@ void examine_deflection(const TireSize& size,
                    impossible});
 }
 
-/// Checks deflections that the study itself states: of tests and of standing tires.
+/// Checks the deflections that the study itself states, for its tests and for modes on the ground.
 void examine_deflections(const Document& file, const TireSize& size, std::vector<Finding>& found) {
   for (const std::string& path : file.paths()) {
     const std::string key = key_of(path);
@@ -134,18 +142,19 @@ void examine_load_deflection(const StudyExperiment& experiment,
                              const LoadDeflectionCurve& measured,
                              const TireSize& size,
                              std::vector<Finding>& found) {
-  constexpr double kGrowth = 1.1;  // allows for inflation, and for a tire softer than described
-  constexpr double kFirst = 0.03;  // share of the section's height: below, the first touch decides
-                                   // the force
+  // allows for growth by inflation and for a tire that is softer than described
+  constexpr double kGrowth = 1.1;
+  // Share of the section's height: at smaller deflections the moment of first contact decides the
+  // force.
+  constexpr double kFirst = 0.03;
   if (measured.force.empty()) return;
   std::optional<formats::CsvTable> table;
-  if (!experiment.measurement) table = formats::CsvTable::read(experiment.measurement_file);
+  if (!experiment.read_from) table = formats::CsvTable::read(experiment.measurement_file);
   const bool radii = measured.abscissa == Abscissa::loaded_radius;
   const auto& positions = measured.position;
   std::vector<Finding> worst;
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Place place =
-        table ? table->place(static_cast<int>(i)) : experiment.measurement->place(i);
+    const Place place = table ? table->place(static_cast<int>(i)) : experiment.read_from->place(i);
     std::vector<Finding> of_row;
     if (radii && positions[i] > kGrowth * size.outer_radius) {
       of_row.push_back(
@@ -208,7 +217,7 @@ void examine_modes(const StudyExperiment& experiment,
   }
 }
 
-/// True if the tire of these modes is off the ground.
+/// True if the tire does not touch the ground in the test of these modes.
 bool hangs_free(const Study& study, const ModeSet& modes) {
   const std::string name = test_of(modes.asks().front());
   for (const StudyTest& test : study.tests) {
@@ -218,7 +227,8 @@ bool hangs_free(const Study& study, const ModeSet& modes) {
   return false;
 }
 
-/// Finds a table that is fitted twice. It counts twice, which a weight expresses better.
+/// Reports a table of measurements that is fitted twice. It then counts twice, which a weight would
+/// express better.
 void examine_repetitions(const Study& study, const Document& file, std::vector<Finding>& found) {
   for (std::size_t i = 0; i < study.experiments.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -243,8 +253,8 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
   }
 }
 
-/// Compares the side of the wheel on a K&C rig, which the signs of toe and camber tell, with the
-/// side that the model states.
+/// Compares the side of the car to which a K&C table belongs, as the signs of toe and camber show
+/// it, with the side that the model states.
 void examine_sides(const Study& study, const Document& file, std::vector<Finding>& found) {
   const Node root = study.model.root();
   const std::string side = root.has("side") ? root.text("side") : "";
@@ -266,6 +276,123 @@ void examine_sides(const Study& study, const Document& file, std::vector<Finding
   }
 }
 
+/// Finds statements that leave a variable or a number without effect, or the values without weight.
+void examine_statements(const Study& study, const Document& file, std::vector<Finding>& found) {
+  const auto add = [&](const Place& place, std::string text) {
+    found.push_back({place, std::move(text), false});
+  };
+  std::size_t values = 0;
+  bool has_prior = false;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (experiment.fitted) values += experiment.values();
+    const auto deviations = stated_deviations(experiment);
+    const auto& scales = experiment.observable->scales();
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    for (std::size_t i = 0; i < deviations.size() && i < scales.size(); ++i)
+      least = std::min(least, deviations[i] * std::abs(scales[i]));
+    for (const double value : experiment.observable->measured_values())
+      most = std::max(most, std::abs(value));
+    if (!experiment.fitted || deviations.empty() || !(least > most)) continue;
+    const std::string& unit = experiment.observable->shown_unit();
+    add(written_at(file, "experiment." + experiment.name + ".noise").place,
+        fmt::format(
+            "experiment.{}: the noise is at least {}, more than the largest measured value, "
+            "{}: the experiment hardly counts; is its unit right?",
+            experiment.name,
+            format_quantity(least, unit, 3),
+            format_quantity(most, unit, 3)));
+  }
+  for (const DesignVariable& variable : study.space.variables()) {
+    has_prior = has_prior || variable.prior.has_value();
+    if (variable.prior &&
+        (variable.prior->value < variable.lower || variable.prior->value > variable.upper))
+      add(variable.place,
+          fmt::format(
+              "variable.{}.prior is {}, outside of its bounds, {} .. {}: it pulls the value "
+              "to a bound",
+              variable.name,
+              format_quantity(variable.prior->value, variable.unit, 4),
+              format_quantity(variable.lower, variable.unit, 4),
+              format_quantity(variable.upper, variable.unit, 4)));
+    for (const Follower& follower : variable.followers)
+      if (follower.factor == 0.0)
+        add(variable.place,
+            fmt::format("{} follows variable {} with factor 0: it stays constant, whatever the "
+                        "variable is",
+                        in_quotes(follower.paths.front()),
+                        variable.name));
+  }
+  if (values > 0 && !has_prior && values < static_cast<std::size_t>(study.space.size()))
+    add({study.file.string(), 0},
+        fmt::format("{} fitted for {} variables: the values cannot determine all of them; measure "
+                    "more, hold variables, or state priors",
+                    values == 1 ? "1 value is" : fmt::format("{} values are", values),
+                    study.space.size()));
+}
+
+/// True for a test of a K&C rig, which prescribes loads and records changes from rest.
+bool records_changes(const experiment::Test& test) {
+  bool has_load = false, has_motion = false;
+  for (const experiment::ChannelInfo& channel : test.channels()) {
+    const auto known = recognized(channel.name);
+    const std::string_view name = known ? known->meaning->name : std::string_view();
+    has_load = has_load || name == "Fx" || name == "Fy" || name == "Fz" || name == "Mz";
+    has_motion = has_motion || name == "dx" || name == "dy" || name == "toe";
+  }
+  return has_load && has_motion;
+}
+
+/// Finds angles and displacements of a K&C table that are not 0 without load, while those of the
+/// test are.
+void examine_rest(const Study& study, const Document& file, std::vector<Finding>& found) {
+  std::map<std::string, std::pair<std::shared_ptr<const Measurement>, std::vector<std::string>>> of;
+  for (const StudyExperiment& experiment : study.experiments) {
+    const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
+    if (!curve || !experiment.read_from ||
+        curve->measured().comparison.what != ComparedCurve::values)
+      continue;
+    const std::string& y = curve->measured().y;
+    const auto test = std::find_if(study.tests.begin(), study.tests.end(), [&](const auto& one) {
+      return y.starts_with(one.name + "/");
+    });
+    const std::string moved = y.substr(y.find('/') + 1);
+    if (test == study.tests.end() || !records_changes(*test->test) ||
+        !experiment.read_from->has(moved))
+      continue;
+    auto& [measurement, names] = of[experiment.read_from->name()];
+    measurement = experiment.read_from;
+    names.push_back(measurement->name_of(moved));
+  }
+  for (const auto& [name, channels] : of) {
+    const Channels& table = channels.first->channels();
+    const auto offsets = offsets_at_rest(table, channels.second);
+    if (offsets.empty()) continue;
+    std::vector<std::string> values, names;
+    for (const RestOffset& one : offsets) {
+      const std::string& unit = table.find(one.channel)->unit;
+      values.push_back(one.channel + " is " +
+                       format_quantity(Unit::of(natural_unit(unit)).from_si(one.offset), "1", 3) +
+                       " " + natural_unit(unit));
+      names.push_back(in_quotes(one.channel));
+    }
+    const std::string windows = rest_windows(table);
+    found.push_back(
+        {written_at(file, "measurement." + name + ".file").place,
+         fmt::format(
+             "measurement.{}: without load {}, but the test records changes from the "
+             "unloaded wheel. {}compare = \"about_mean\" in the experiments compares without "
+             "constant offsets",
+             name,
+             fmt::join(values, ", "),
+             windows.empty() ? ""
+                             : fmt::format("zero = {{channels = [{}], at = {}}} takes these "
+                                           "values off; ",
+                                           fmt::join(names, ", "),
+                                           windows)),
+         false});
+  }
+}
+
 }  // namespace
 
 std::vector<Finding> implausible(const Study& study) {
@@ -273,10 +400,19 @@ std::vector<Finding> implausible(const Study& study) {
   const Document file = Document::read(study.file);
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (kind) append(experiment::findings_of_model(*kind, study.model, study.model_file), found);
-  if (kind) append(experiment::unusual_numbers(file), found);
+  // Only a model of our own says which quantity a number is; settings of a run are known.
+  append(experiment::unusual_numbers(file,
+                                     "",
+                                     [&](const std::string& path) {
+                                       return !kind && !path.starts_with("run.") &&
+                                              !path.starts_with("simulator.timeout");
+                                     }),
+         found);
   examine_variables(study, file, found);
   examine_repetitions(study, file, found);
   examine_sides(study, file, found);
+  examine_rest(study, file, found);
+  examine_statements(study, file, found);
   const auto size = kind ? kind->size(study.model) : std::nullopt;
   if (size) examine_deflections(file, *size, found);
   for (const StudyExperiment& experiment : study.experiments) {

@@ -13,7 +13,8 @@ namespace latsch::correlation {
 
 namespace {
 
-/// Limits at a point, which terminal, page and report ask for one after the other.
+/// The limits of a study or at one of its points, kept because terminal, page and report request
+/// them one after the other.
 struct KnownLimits {
   std::string of;  // identity of the study and the point
   std::vector<std::string> sentences;
@@ -26,25 +27,44 @@ std::string identity_text(const Study& study, const DesignPoint& point) {
   return text + point.bits();
 }
 
-}  // namespace
+/// Returns the sentences known for `of`, or finds and keeps them. The last few are kept.
+template <class Find>
+std::vector<std::string> known_or(const std::string& of, const Find& find) {
+  constexpr std::size_t kKept = 8;
+  static std::mutex mutex;
+  static std::vector<KnownLimits> kept;
+  {
+    const std::lock_guard lock(mutex);
+    const auto known = std::ranges::find(kept, of, &KnownLimits::of);
+    if (known != kept.end()) return known->sentences;
+  }
+  std::vector<std::string> sentences = find();
+  const std::lock_guard lock(mutex);
+  if (kept.size() == kKept) kept.erase(kept.begin());
+  kept.push_back({of, sentences});
+  return sentences;
+}
 
-std::vector<std::string> limits_of_tests(const Study& study) {
+/// Adds the limits that a test tells without a run.
+void add_told(const StudyTest& test, experiment::Specimen& specimen, LimitsByName& limits) {
+  if (const auto* tells = dynamic_cast<const experiment::TellsLimits*>(test.test.get()))
+    for (const std::string& limit : tells->limits(specimen)) limits.add(limit, test.in_words());
+}
+
+std::vector<std::string> told_limits(const Study& study) {
   LimitsByName limits;
   std::unique_ptr<experiment::Specimen> specimen;
   for (const StudyTest& test : study.tests) {
-    const auto* tells = dynamic_cast<const experiment::TellsLimits*>(test.test.get());
-    if (!tells) continue;
+    if (!dynamic_cast<const experiment::TellsLimits*>(test.test.get())) continue;
     try {
       if (!specimen) specimen = study.specimens->at(study, study.space.initial(), nullptr);
-      for (const std::string& limit : tells->limits(*specimen)) limits.add(limit, test.in_words());
+      add_told(test, *specimen, limits);
     } catch (const InputError&) {
       return {};
     }
   }
   return limits.after_names();
 }
-
-namespace {
 
 std::vector<std::string> found_limits(const Study& whole, const DesignPoint& point) {
   LimitsByName limits;
@@ -53,8 +73,8 @@ std::vector<std::string> found_limits(const Study& whole, const DesignPoint& poi
     if (std::find(asked.begin(), asked.end(), test.name) == asked.end()) continue;
     try {
       const auto specimen = whole.specimens->at(whole, point, nullptr);
-      if (!specimen->find<experiment::KnowsLimits>()) return {};
-      if (!test.test->run(*specimen)) continue;
+      add_told(test, *specimen, limits);
+      if (!specimen->find<experiment::KnowsLimits>() || !test.test->run(*specimen)) continue;
       for (const std::string& limit : experiment::limits_met(*specimen))
         limits.add(limit, test.in_words());
     } catch (const InputError&) {
@@ -66,23 +86,15 @@ std::vector<std::string> found_limits(const Study& whole, const DesignPoint& poi
 
 }  // namespace
 
+std::vector<std::string> limits_of_tests(const Study& study) {
+  return known_or("tests of\n" + identity_text(study, study.space.initial()),
+                  [&] { return told_limits(study); });
+}
+
 std::vector<std::string> limits_met_at(const Study& study, const DesignPoint& point) {
   if (!study.specimens->may_repeat()) return {};
-  constexpr std::size_t kKept = 8;
-  static std::mutex mutex;
-  static std::vector<KnownLimits> kept;
   const Study whole = with_predictions(study);
-  const std::string of = identity_text(whole, point);
-  {
-    const std::lock_guard lock(mutex);
-    const auto known = std::ranges::find(kept, of, &KnownLimits::of);
-    if (known != kept.end()) return known->sentences;
-  }
-  std::vector<std::string> sentences = found_limits(whole, point);
-  const std::lock_guard lock(mutex);
-  if (kept.size() == kKept) kept.erase(kept.begin());
-  kept.push_back({of, sentences});
-  return sentences;
+  return known_or(identity_text(whole, point), [&] { return found_limits(whole, point); });
 }
 
 }  // namespace latsch::correlation

@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "correlation/laboratory/channel_names.h"
+#include "correlation/laboratory/record_ledger.h"
 
 namespace latsch::correlation {
 namespace {
@@ -30,7 +31,8 @@ Matrix6 matrix_of(AxisFrame from, AxisFrame to, double gamma, double R_l) {
   return T;
 }
 
-/// Returns the other channels that a component's row needs, found for an inclined wheel.
+/// Returns the other channels that are needed to convert a component between the frames, determined
+/// for an inclined wheel.
 std::vector<std::string> what_takes(int row, AxisFrame from, AxisFrame to) {
   constexpr double gamma = 0.4, R_l = 0.3;
   const Matrix6 T = matrix_of(from, to, gamma, R_l);
@@ -54,7 +56,9 @@ const char* formulas(AxisFrame from, AxisFrame to) {
 std::string what_letters_mean(AxisFrame from, AxisFrame to) {
   const bool turns = from == AxisFrame::C || to == AxisFrame::C;
   const bool moves = from == AxisFrame::W || to == AxisFrame::W;
-  return std::string(moves ? ", r = R_l (0, sin gamma, -cos gamma), R_l the loaded_radius" : "") +
+  return std::string(moves ? ", r = R_l (0, sin gamma, -cos gamma), R_l the loaded_radius along "
+                             "the wheel plane"
+                           : "") +
          (turns ? ", A the turn about x by gamma" : "");
 }
 
@@ -72,8 +76,8 @@ std::array<const Channel*, 6> forces_in(const LabRecord& record,
   return found;
 }
 
-/// Turns the forces of one frame. Adds what it has turned to `done`, and what it cannot turn to the
-/// record's left_out.
+/// Converts the forces of one frame. Adds the converted ones to `done`, and those that it cannot
+/// convert to the record's left_out.
 void turn(LabRecord& record,
           const std::string& stated,
           AxisFrame from,
@@ -89,7 +93,8 @@ void turn(LabRecord& record,
     if (!source) continue;
     gone.push_back(source->name);
     if (there[row]) continue;  // recorded in both frames
-    std::vector<std::string> lacks = what_takes(row, from, to);
+    const std::vector<std::string> taken = what_takes(row, from, to);
+    std::vector<std::string> lacks = taken;
     std::erase_if(lacks, [&](const std::string& name) {
       const auto force = std::find(kForces.begin(), kForces.end(), name);
       return force != kForces.end() ? sources[force - kForces.begin()] != nullptr
@@ -103,6 +108,12 @@ void turn(LabRecord& record,
                       fmt::join(lacks, " and "));
       continue;
     }
+    for (const std::string& name : taken)
+      if (const auto force = std::find(kForces.begin(), kForces.end(), name);
+          force == kForces.end() || sources[force - kForces.begin()] != source)
+        note_use(record,
+                 force == kForces.end() ? name : sources[force - kForces.begin()]->name,
+                 "in_frame");
     const bool is_plain = source->name == kForces[row];
     Channel result{is_plain ? kForces[row] : kForces[row] + name_of(to), source->unit, {}};
     for (std::size_t i = 0; i < record.samples(); ++i) {

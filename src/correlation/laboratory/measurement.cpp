@@ -12,6 +12,7 @@
 #include "correlation/laboratory/columns_hint.h"
 #include "correlation/laboratory/frame_conversion.h"
 #include "correlation/laboratory/lab_record.h"
+#include "correlation/laboratory/measurement_zero.h"
 #include "correlation/laboratory/record_ledger.h"
 #include "correlation/laboratory/sign_advice.h"
 #include "measurement/meaning/channel_checks.h"
@@ -102,18 +103,7 @@ std::map<std::string, StatedColumn> read_columns(const Node& table) {
   return columns;
 }
 
-/// Returns the channel that a key of the table names.
-Channel& channel_of(const Node& table, const std::string& key, LabRecord& record) {
-  if (Channel* channel = record.find(key)) return *channel;
-  const auto reason = record.left_out.find(key);
-  table.reject(key,
-               reason != record.left_out.end()
-                   ? "is no channel: it " + reason->second
-                   : "is no channel" + did_you_mean(key, record.names()) +
-                         " (channels: " + list_of(record.names()) + ")");
-}
-
-/// Returns the advice for a record of stated axes whose loads alone have the other sign.
+/// Returns advice for a record whose axes are stated but whose loads alone have the opposite sign.
 std::string loads_of_other_sign(const LabRecord& record, const std::string& axes) {
   LabRecord turned_loads = record;
   Channel* Fz = turned_loads.find("Fz");
@@ -147,70 +137,6 @@ void check_signs(const Node& table, const LabRecord& record, const std::string& 
                   loads_of_other_sign(record, axes)));
 }
 
-double largest_magnitude(const std::vector<double>& values) {
-  double largest = 0.0;
-  for (const double value : values)
-    if (std::abs(value) > largest) largest = std::abs(value);
-  return largest;
-}
-
-/// Doubts a zero that is no offset of a sensor: a large part of the measured values, or the mean of
-/// a few samples.
-void doubt_zero(const TakenZero& taken,
-                const Channel& channel,
-                double largest,
-                const Place& place,
-                LabRecord& record) {
-  constexpr double kMostOffset = 0.2;  // share of the largest value
-  constexpr std::size_t kFewestSamples = 5;
-  std::string why;
-  if (std::abs(taken.mean) > kMostOffset * largest)
-    why = fmt::format("{:.0f} % of its largest value, {}: a load is taken off, not an offset",
-                      100.0 * std::abs(taken.mean) / largest,
-                      format_quantity(largest, channel.unit, 4));
-  else if (taken.samples < kFewestSamples)
-    why = fmt::format("the mean of {} sample{}, whose noise moves all others",
-                      taken.samples,
-                      taken.samples == 1 ? "" : "s");
-  if (why.empty()) return;
-  record.ledgers.front().doubts.push_back(
-      {record.written.at(channel.name).column,
-       fmt::format("zero takes {} off {}, {}; expected a time at which {} is 0",
-                   format_quantity(taken.mean, channel.unit, 4),
-                   channel.name,
-                   why,
-                   channel.name),
-       place});
-}
-
-void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& words) {
-  const auto zero = table.find_table("zero");
-  if (!zero) return;
-  DocumentRecord::expects(*zero, "time", R"(a window such as "0 s .. 2 s")");
-  const auto [window, fault] = parse_window(zero->text("time"), "s");
-  if (!window) zero->reject("time", "is " + in_quotes(zero->text("time")) + ", " + fault);
-  if (record.time().empty()) zero->reject("time", "needs a channel time, and there is none");
-  for (const std::string& name : zero->texts("channels")) {
-    Channel* channel = record.find(name);
-    if (!channel)
-      zero->reject(
-          "channels",
-          "has " + in_quotes(name) + ", which is no channel" + did_you_mean(name, record.names()));
-    note_use(record, name, "zero");
-    const double largest = largest_magnitude(channel->values);
-    const auto taken = take_zero(record, *channel, *window);
-    if (!taken)
-      zero->reject("time",
-                   "is " + in_quotes(zero->text("time")) + ", which holds no sample; time goes " +
-                       range_in_words(*record.find("time")));
-    words.push_back(fmt::format("{} less {}, the mean of {} samples",
-                                channel->name,
-                                format_quantity(taken->mean, channel->unit, 4),
-                                taken->samples));
-    doubt_zero(*taken, *channel, largest, zero->place("time"), record);
-  }
-}
-
 /// Turns the record into the axes that the table states.
 void turn_frames(const Node& table, LabRecord& record, Measurement::Told& told) {
   const std::string to = table.choice("in_frame", {"W", "H", "C"});
@@ -229,7 +155,7 @@ void read_shift(const Node& table, LabRecord& record, std::vector<std::string>& 
   words.push_back("time shifted by " + format_quantity(shift, "s"));
 }
 
-/// Keeps the samples of a mask and reports their number; rejects `key` if none is left.
+/// Keeps the samples of a mask and reports their number; throws at `key` if none is left.
 void narrow(const Node& table,
             const std::string& key,
             const std::string& what,
@@ -257,6 +183,34 @@ void narrow(const Node& table,
   words.push_back(fmt::format("{} {}: {} of {} samples", key, what, count(kept), count(before)));
 }
 
+/// Doubts a sweep whose direction changes every few samples: the channel is constant but for noise.
+void doubt_sweep(const std::vector<int>& directions,
+                 const Channel& channel,
+                 const Place& place,
+                 LabRecord& record) {
+  constexpr double kFewest = 4.0;  // samples between turning points; larger: coarse sweeps are
+                                   // doubted
+  double changes = 0.0, samples = 0.0;
+  int last = 0;
+  for (const int direction : directions) {
+    if (direction == 0) continue;
+    ++samples;
+    changes += last != 0 && direction != last;
+    last = direction;
+  }
+  if (changes < 2.0 || samples >= kFewest * (changes + 1.0)) return;
+  record.ledgers.front().doubts.push_back(
+      {record.written.at(channel.name).column,
+       fmt::format(
+           "sweep keeps samples by the direction of {}, which changes every {} samples: the "
+           "channel goes {} and may be constant but for noise; expected a channel that is "
+           "swept",
+           channel.name,
+           format_number(samples / (changes + 1.0), 2),
+           range_in_words(channel)),
+       place});
+}
+
 void read_sweeps(const Node& table,
                  LabRecord& record,
                  std::vector<bool>& kept,
@@ -264,11 +218,13 @@ void read_sweeps(const Node& table,
   const auto sweep = table.find_table("sweep");
   if (!sweep) return;
   const auto stretches = stretches_of(record.time(), record.samples());
+  note_use(record, "time", "sweep");
   for (const std::string& key : sweep->keys()) {
     const Channel& channel = channel_of(*sweep, key, record);
     const std::string way = sweep->choice(key, {"rising", "falling"});
     note_use(record, key, "sweep");
     const auto directions = directions_of(channel.values, stretches);
+    doubt_sweep(directions, channel, sweep->place(key), record);
     std::vector<bool> mask;
     for (const int one : directions) mask.push_back(one == (way == "rising" ? 1 : -1));
     narrow(*sweep, key, way, mask, record, kept, words);
@@ -341,7 +297,7 @@ std::string columns_in_words(const Measurement::Told& told) {
   return count > kMost ? text + fmt::format(" and {} more", count - kMost) : text;
 }
 
-/// Says what a channel of another dimension most likely is where an angle is expected.
+/// Returns what a channel of another dimension most likely is if an angle is expected.
 std::string about_angle(const std::string& channel,
                         const std::string& written,
                         const std::string& si_unit_read,
@@ -361,6 +317,7 @@ void take(LabRecord record, Measurement::Told& told) {
   for (const auto& [channel, others] : record.ambiguous)
     told.ambiguous[channel] = ambiguity(record, channel);
   told.ledgers = std::make_shared<std::vector<Ledger>>(std::move(record.ledgers));
+  told.structs = std::move(record.structs);
   told.written = std::move(record.written);
   told.stated = std::move(record.stated);
   told.sources = std::move(record.sources);
@@ -377,7 +334,8 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   told.place = table.place();
   told.files = read_files(table, folder);
   if (table.has("frame")) told.frame = table.choice("frame", {"W", "H", "C"});
-  LabRecord record = join_files(told.files, read_columns(table), told.words);
+  const std::string part = table.has("struct") ? table.text("struct") : "";
+  LabRecord record = join_files(told.files, read_columns(table), part, told.words);
   if (record.samples() == 0) table.reject("file", "holds no sample");
   if (table.has("axes")) {
     const std::string axes = table.choice("axes", axis_convention_names());
@@ -390,6 +348,7 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   told.recorded = record.table();
   read_zero(table, record, told.words);
   if (table.has("in_frame")) turn_frames(table, record, told);
+  if (table.has("low_pass")) note_use(record, "time", "low_pass");
   if (table.has("low_pass"))
     told.words.push_back(low_pass(
         record, table.quantity("low_pass", "Hz", Range::positive()), table.place("low_pass")));
@@ -416,7 +375,7 @@ Measurement read_measurement(const fs::path& file, std::optional<AxisConvention>
   told.name = file.filename().string();
   told.is_stated = false;
   told.files = {file};
-  LabRecord record = join_files(told.files, {}, told.words);
+  LabRecord record = join_files(told.files, {}, "", told.words);
   told.place = record.header;
   told.axes = axes.value_or(AxisConvention::iso);
   turn_axes(record, told.axes);
@@ -495,7 +454,7 @@ std::string Measurement::other_dimension(const std::string& found,
                 : "",
         hint);
   }
-  std::vector<std::string> others;  // a column that is known as another channel is none of them
+  std::vector<std::string> others;  // columns that are not recognized as another channel
   for (const Channel& other : told_.channels.all()) {
     const StatedColumn& theirs = told_.written.at(other.name);
     const bool is_other = recognized(theirs.column) && !same_channel(theirs.column, found);
@@ -534,7 +493,7 @@ const std::vector<double>& Measurement::values(const std::string& channel,
     throw InputError(told_.place,
                      of + "column " + in_quotes(channel) + " is missing" +
                          did_you_mean(channel, names) + " (columns: " + columns_in_words(told_) +
-                         ")");
+                         ")" + way_out_of_missing(channel, unit));
   }
   if (const auto both = told_.ambiguous.find(found.name); both != told_.ambiguous.end())
     throw InputError(told_.place, of + both->second);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Doubts about a record that would otherwise become a wrong number: keys of `columns` that are no
-// channels, a minus before a name, fillers, contradicting signs and encodings.
+// Tests doubts about a record that would otherwise give a wrong number: keys of `columns` that are
+// no channels, a minus before a name, filler numbers, contradicting signs and encodings.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST_F(MeasurementDoubts, AMinusBeforeANameIsApplied) {
     EXPECT_NE(said(turned, "begins with a minus, which is applied: alpha is minus"), "") << title;
     EXPECT_EQ(said(turned, "same sign"), "") << title;
   }
-  // Somebody who takes the minus for a dash says so.
+  // A user for whom the minus is only a dash states the column in `columns`.
   const Measurement dash =
       read(sweep("time [s],FZ [N],-SA [deg],FY [N]", 1.0), "columns = {alpha = \"-SA\"}");
   EXPECT_EQ(dash.values("alpha", "rad"), plain.values("alpha", "rad"));
@@ -92,7 +92,8 @@ TEST_F(MeasurementDoubts, AFillerIsAnErrorOnceSomethingUsesItsChannel) {
   const Measurement rest = read(sweep(kNames, 1.0, 20), "[measurement.run.select]\n" + window);
   EXPECT_EQ(rest.samples(), 57u);
   EXPECT_EQ(said(rest, "-9999"), "");
-  // A low pass spreads the filler, so that no selection removes it.
+  // A low-pass filter spreads the filler number over its neighbors, so no selection of samples
+  // removes it.
   const Measurement filtered = read(sweep(kNames, 1.0, 20), "low_pass = \"2 Hz\"");
   EXPECT_NE(said(filtered, "low_pass has spread it"), "");
 }
@@ -111,7 +112,7 @@ TEST_F(MeasurementDoubts, AFillerInAnotherUnitOrFileIsFound) {
   const std::string second = said(*both, "-9999 N");
   EXPECT_NE(second.find("second.csv:5"), second.npos) << second;
   EXPECT_NE(second.find("lines 5 to 7"), second.npos) << second;
-  EXPECT_EQ(said(*both, "goes back"), "");  // each file has a time of its own
+  EXPECT_EQ(said(*both, "goes back"), "");  // each file has its own time
 }
 
 TEST_F(MeasurementDoubts, AMissingStateNamesTheColumnsThatMayBeIt) {
@@ -158,6 +159,34 @@ TEST_F(MeasurementDoubts, AnAssumedEncodingIsARowOfTheLedger) {
   EXPECT_EQ(said(read(western, ""), "Shift-JIS"), "");
   const std::string japanese = sweep("time [s],FZ [N],\x89\xb7\x93x [deg],FY [N]", 1.0);
   EXPECT_NE(said(read(japanese, ""), "they look like Shift-JIS"), "");
+}
+
+TEST_F(MeasurementDoubts, StepsAreUsersOfTheChannelsThatTheyRead) {
+  const auto users = [&](const std::string& names, const std::string& lines) {
+    const Measurement run = read(sweep(names, 1.0), lines);
+    std::string all;
+    const std::vector<Ledger> ledgers = run.ledgers();
+    for (const LedgerRow& row : ledgers.front().rows)
+      for (const std::string& user : row.used_by) all += row.written + " by " + user + ";";
+    return all;
+  };
+  EXPECT_NE(users(kNames, "low_pass = \"2 Hz\"").find("time by low_pass;"), std::string::npos);
+  EXPECT_NE(users(kNames, "sweep = {SA = \"rising\"}").find("time by sweep;"), std::string::npos);
+  const std::string zero = "zero = {channels = [\"FY\"], at = {SA = \"0 deg +- 1 deg\"}}";
+  EXPECT_NE(users(kNames, zero).find("SA by zero;"), std::string::npos);
+  const std::string turned =
+      users("gamma [deg],loaded_radius [mm],FyH [N],MxH [N m]", "in_frame = \"W\"");
+  EXPECT_NE(turned.find("gamma by in_frame;"), std::string::npos) << turned;
+  EXPECT_NE(turned.find("loaded_radius by in_frame;"), std::string::npos) << turned;
+}
+
+// 1.99 .. 2.01 deg: the direction changes with every sample.
+TEST_F(MeasurementDoubts, ASweepOfAConstantChannelIsDoubted) {
+  std::string table = "time [s],IA [deg],FY [N]\n";
+  for (int i = 0; i < 60; ++i)
+    table += fmt::format("{},{:.4f},{}\n", 0.1 * i, 2.0 + 0.01 * std::sin(7.0 * i * i), 100 + i);
+  EXPECT_NE(said(read(table, "sweep = {gamma = \"rising\"}"), "constant but for noise"), "");
+  EXPECT_EQ(said(read(sweep(kNames, 1.0), "sweep = {SA = \"rising\"}"), "but for noise"), "");
 }
 
 }  // namespace

@@ -25,15 +25,24 @@ in channels that something needs.
               {"file", "File of the recording: .csv .txt .dat .mat .tdx .tda .tdb."},
               {"files",
                "Several files, one after the other, instead of `file`: `[\"a.dat\", ...]`."},
+              {"struct",
+               "Struct of a .mat that has the channels, \"run1\" of run1.Fz; or what stands before "
+               "the dot in the columns of a .csv.",
+               "the only struct with known channels"},
               {"axes", "Signs of the file.", "\"iso\""},
               {"frame", "Frame of forces and moments whose names omit it."},
               {"columns", "Table of our names and the file's columns."},
               {"columns.*",
                "Name of the column in the file, `Fz = \"LOAD\"`, with a unit where the file states "
                "none, `p = \"P_kPa [kPa]\"`; \"-LOAD\" changes the sign."},
-              {"zero", "Table of channels that lose their means of a time."},
+              {"zero", "Table of channels that lose their means of a time or of a state."},
               {"zero.channels", "Channels from which the mean is subtracted."},
               {"zero.time", "Time of the mean: \"0 s .. 2 s\"."},
+              {"zero.at",
+               "Table of windows of channels that the samples of the mean meet: `{Fy = \"0 N +- 50 "
+               "N\"}` for toe and camber of a K&C rig that records them as they are.",
+               "all samples of the time"},
+              {"zero.at.*", "Window of the channel, as in `select`."},
               {"in_frame",
                "Axes into which forces and moments are turned from those of `frame` or of the "
                "names, by the record's gamma and loaded_radius.",
@@ -86,6 +95,11 @@ Fz = "2 %"
 )toml",
               R"toml([measurement.pressed]
 files = ["force.csv"]
+)toml",
+              R"toml([measurement.second]
+file = "two_runs.csv"
+struct = "run2"
+zero = {channels = ["Fz"], at = {Fz = "4 kN .. 4.1 kN"}}
 )toml",
           },
   };

@@ -62,6 +62,14 @@ std::vector<std::string> Measurement::columns_like(const std::string& channel,
 
 namespace {
 
+constexpr std::size_t kMostNamed = 12;  // columns that may be a missing channel, in one message
+
+/// Returns the name in the vocabulary, without frame and wheel.
+std::string meaning_of(const std::string& channel) {
+  const auto known = recognized(channel);
+  return known && !known->keeps_name ? std::string(known->meaning->name) : channel;
+}
+
 /// Returns the ledger of a file; the first one if none is of that file.
 Ledger& ledger_of_file(std::vector<Ledger>& ledgers, const std::string& file) {
   for (Ledger& ledger : ledgers)
@@ -69,12 +77,30 @@ Ledger& ledger_of_file(std::vector<Ledger>& ledgers, const std::string& file) {
   return ledgers.front();
 }
 
-std::vector<OtherColumn> columns_in(const Ledger& ledger) {
+/// True for numbers of both signs that are all below 1.5, as the slip of a tire is.
+bool is_slip_like(const std::vector<double>& values) {
+  constexpr double kMostSlip = 1.5;
+  double low = 0.0, high = 0.0;
+  for (const double value : values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return low < 0.0 && high > 0.0 && low > -kMostSlip && high < kMostSlip;
+}
+
+std::vector<OtherColumn> columns_in(const Ledger& ledger, const Measurement::Told& told) {
+  std::map<std::string, const Channel*> read;
+  for (const Channel& channel : told.channels.all())
+    read[told.written.at(channel.name).column] = &channel;
   std::vector<OtherColumn> columns;
-  for (const LedgerRow& row : ledger.rows)
-    if (!row.written.empty() && !row.unit.empty())  // the unit of a column left out is empty
-      columns.push_back(
-          {row.written, row.unit, !row.unit_written.empty(), row.taken_as, !row.used_by.empty()});
+  for (const LedgerRow& row : ledger.rows) {
+    if (row.written.empty() || row.unit.empty())
+      continue;  // the unit of a column left out is empty
+    columns.push_back(
+        {row.written, row.unit, !row.unit_written.empty(), row.taken_as, !row.used_by.empty()});
+    const auto values = read.find(row.written);
+    columns.back().is_slip_like = values != read.end() && is_slip_like(values->second->values);
+  }
   return columns;
 }
 
@@ -114,8 +140,35 @@ std::string Measurement::hint_for(const std::string& channel,
   return columns_hint(told_.stated, key_for(channel, channel), theirs);
 }
 
+std::string Measurement::way_out_of_missing(const std::string& channel,
+                                            const std::string& unit) const {
+  if (!told_.structs.empty())
+    return fmt::format(
+        "; the channels are in structs: say struct = {} in {} ({})",
+        in_quotes(told_.structs.front()),
+        told_.is_stated ? "[measurement." + told_.name + "]" : "a [measurement.NAME] of the file",
+        list_of(told_.structs));
+  const auto may_be =
+      told_.ledgers->empty()
+          ? std::vector<MayBe>()
+          : columns_that_may_be(
+                meaning_of(channel), unit, columns_in(told_.ledgers->front(), told_));
+  if (may_be.empty()) return "";
+  return fmt::format("; columns that may be it: {}. Did you mean {}? Then {}",
+                     list_in_words(may_be, kMostNamed),
+                     may_be.size() == 1 ? "it" : "one of them",
+                     advice_for(channel, unit, may_be.front()));
+}
+
+std::string Measurement::advice_for(const std::string& channel,
+                                    const std::string& unit,
+                                    const MayBe& column) const {
+  if (!column.is_as_it_stands) return "add a column " + channel + " to the file";
+  return "say " + hint_for(channel, column.column, unit) +
+         (told_.is_stated ? "" : " in a [measurement.NAME] of the file");
+}
+
 std::vector<Ledger> Measurement::ledgers() const {
-  constexpr std::size_t kMostNamed = 12;
   std::vector<Ledger> ledgers = *told_.ledgers;
   if (ledgers.empty()) return ledgers;
   for (const Absent& absent : *absent_) {
@@ -128,10 +181,9 @@ std::vector<Ledger> Measurement::ledgers() const {
     row.remark = "is " + instead + " by " + absent.by;
     ledgers.front().rows.push_back(std::move(row));
     const auto may_be =
-        columns_that_may_be(absent.channel, absent.unit, columns_in(ledgers.front()));
+        columns_that_may_be(absent.channel, absent.unit, columns_in(ledgers.front(), told_));
     if (may_be.empty()) continue;
     const std::string& first = may_be.front().column;
-    const std::string where = told_.is_stated ? "" : " in a [measurement.NAME] of the file";
     ledgers.front().doubts.push_back(
         {first,
          fmt::format("{}: {} is {}: no column is called {}; columns that may be it: {}. Did you "
@@ -143,9 +195,7 @@ std::vector<Ledger> Measurement::ledgers() const {
                      spellings_of(absent.channel),
                      list_in_words(may_be, kMostNamed),
                      may_be.size() == 1 ? "it" : "one of them",
-                     may_be.front().is_as_it_stands
-                         ? "say " + hint_for(absent.channel, first, absent.unit) + where
-                         : "add a column " + absent.channel + " to the file",
+                     advice_for(absent.channel, absent.unit, may_be.front()),
                      instead,
                      absent.channel),
          told_.place});

@@ -19,17 +19,19 @@ namespace latsch::correlation {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kVaries = 0.05;        // share of the usual range: smaller variation is the rig's
-                                        // scatter
-constexpr double kApart = 0.15;         // share of a condition's range: a gap of this size
-                                        // separates two levels
-constexpr double kNear = 0.05;          // a gap of this size does, too, between distinct levels:
-constexpr double kDistinct = 3.0;       // the gaps between them are so many times those inside,
-constexpr std::size_t kFilled = 4;      // and each has so many samples on average
-constexpr std::size_t kSparse = 2;      // with fewer samples a level no values form levels: a load
-                                        // that rises with the travel of a rig is a result
-constexpr std::size_t kMostLevels = 8;  // a condition with more levels is a sweep and forms no
-                                        // groups
+// Share of the usual range: smaller variation is scatter of the rig.
+constexpr double kVaries = 0.05;
+// Share of a condition's range: a gap of this size separates two levels.
+constexpr double kApart = 0.15;
+// share of the range: a gap of this size also separates two levels if
+constexpr double kNear = 0.05;
+constexpr double kDistinct = 3.0;   // it is so many times as large as the gaps within the levels,
+constexpr std::size_t kFilled = 4;  // and if each level has so many samples on average
+// Samples per level below which values form no levels: for example a load that rises with the
+// travel of a rig is a result, not a condition.
+constexpr std::size_t kSparse = 2;
+// Largest number of levels: a condition with more is a sweep and forms no groups.
+constexpr std::size_t kMostLevels = 8;
 
 struct Usual {
   const char* name;
@@ -65,29 +67,12 @@ std::optional<std::vector<double>> values_of(const Measurement& measurement, con
   return found->values;
 }
 
-/// Returns the candidate that covers the most of its usual range; nullptr if none varies.
-template <std::size_t N>
-const Usual* widest(const std::array<Usual, N>& candidates,
-                    const Measurement& measurement,
-                    const std::string& y) {
-  const Usual* found = nullptr;
-  double most = kVaries;
-  for (const Usual& one : candidates) {
-    if (y == one.name || force_without_frame(y) == one.name) continue;
-    const auto values = values_of(measurement, one.name);
-    const double share = values ? range_of(*values) / one.range : 0.0;
-    if (share <= most) continue;
-    most = share;
-    found = &one;
-  }
-  return found;
-}
-
 /// Returns the first value of every level but the lowest. `sorted` rises.
 std::vector<double> level_starts(const std::vector<double>& sorted) {
   const double range = sorted.back() - sorted.front();
   std::vector<double> wide, near;
-  double inside = 0.0, between = range;  // the widest gap of a level, the narrowest between levels
+  // the widest gap within a level, the narrowest between levels
+  double inside = 0.0, between = range;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const double gap = sorted[i] - sorted[i - 1];
     if (gap > kApart * range) wide.push_back(sorted[i]);
@@ -120,6 +105,41 @@ std::vector<int> levels_of(const std::vector<double>& values, double usual_range
   return levels;
 }
 
+/// Returns the candidate that was swept; nullptr if none varies. It covers the most of its usual
+/// range; among candidates that cover a similar share it has the most levels, because a channel
+/// with few levels is a condition, as camber of 0, 2, 4 and 6 deg is beside a sweep of slip.
+template <std::size_t N>
+const Usual* swept(const std::array<Usual, N>& candidates,
+                   const Measurement& measurement,
+                   const std::string& y) {
+  constexpr double kSimilar = 1.0 / 3.0;  // share of the largest share
+  struct Candidate {
+    const Usual* channel;
+    double share;  // range, relative to the usual range
+    int levels;    // more than a condition has if it has no levels
+  };
+  std::vector<Candidate> all;
+  double most = kVaries;
+  for (const Usual& one : candidates) {
+    if (y == one.name || force_without_frame(y) == one.name) continue;
+    const auto values = values_of(measurement, one.name);
+    const double share = values ? range_of(*values) / one.range : 0.0;
+    if (share <= kVaries) continue;
+    most = std::max(most, share);
+    const std::vector<int> levels = levels_of(*values, one.range);
+    const int highest = *std::max_element(levels.begin(), levels.end());
+    all.push_back({&one, share, highest == 0 ? static_cast<int>(kMostLevels) : highest});
+  }
+  const Candidate* found = nullptr;
+  for (const Candidate& one : all) {
+    if (one.share < kSimilar * most) continue;
+    if (!found || one.levels > found->levels ||
+        (one.levels == found->levels && one.share > found->share))
+      found = &one;
+  }
+  return found ? found->channel : nullptr;
+}
+
 struct Condition {
   std::string name, shown;
   std::vector<double> values;
@@ -143,8 +163,8 @@ std::vector<Condition> conditions_of(const Measurement& measurement, const std::
   return all;
 }
 
-/// Returns the mean of the samples of a level, "Fz 1050 N", with the digits in which levels differ;
-/// the rest is the rig's scatter.
+/// Returns the name of a level, such as "Fz 1050 N": the mean of its samples, rounded to the digits
+/// in which levels differ.
 std::string name_of(const Condition& one, int level) {
   const Unit unit = Unit::of(one.shown);
   double sum = 0.0, count = 0.0;
@@ -197,8 +217,8 @@ std::string unit_of_file(const Measurement& measurement,
 std::optional<NaturalAbscissa> natural_abscissa(const Measurement& measurement,
                                                 const std::string& y) {
   if (measurement.samples() == 0) return std::nullopt;
-  const Usual* found = widest(kSlips, measurement, y);
-  if (!found) found = widest(kMoved, measurement, y);
+  const Usual* found = swept(kSlips, measurement, y);
+  if (!found) found = swept(kMoved, measurement, y);
   if (!found) return std::nullopt;
   NaturalAbscissa abscissa;
   abscissa.channel = found->name;

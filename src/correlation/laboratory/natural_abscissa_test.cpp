@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves over a slip angle are told apart by their loads, as a person sees them in a record.
+// Curves over a slip angle are grouped by their loads.
 #include "correlation/laboratory/natural_abscissa.h"
 
 #include <fmt/format.h>
@@ -67,6 +67,21 @@ TEST_F(Abscissas, AGroupIsNamedByItsLevelAndNotByItsOwnScatter) {
   std::set<std::string> levels;
   for (const auto& group : of(table, "Fy").groups) levels.insert(group.level);
   EXPECT_EQ(levels, (std::set<std::string>{"Fz 1020 N", "Fz 3020 N"}));
+}
+
+// The camber covers a larger share of its usual range than the slip, but has four levels.
+TEST_F(Abscissas, AChannelOfFewLevelsIsNoSweep) {
+  std::string table = "Fz [N],alpha [deg],kappa,gamma [deg],Fy [N],Fx [N]\n", braked = table;
+  for (const double gamma : {0.0, 2.0, 4.0, 6.0})
+    for (const double load : {2000.0, 4000.0})
+      for (int k = -10; k <= 10; ++k) {
+        table += fmt::format("{},{},0,{},{},0\n", load, 0.5 * k, gamma, -100 * k);
+        braked += fmt::format("{},{},{},0,0,{}\n", load, 2.0 * gamma, 0.01 * k, 100 * k);
+      }
+  const NaturalAbscissa over = of(table, "Fy");
+  EXPECT_EQ(over.channel, "alpha");
+  EXPECT_EQ(over.groups.size(), 8u);
+  EXPECT_EQ(of(braked, "Fx").channel, "kappa");
 }
 
 TEST_F(Abscissas, ALoadThatRisesWithTheTravelFormsNoGroups) {

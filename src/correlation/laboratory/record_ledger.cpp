@@ -51,7 +51,8 @@ void name_meaning(LedgerRow& row) {
   if (known) row.meaning = known->meaning->words;
 }
 
-/// Marks a known name whose values have no unit or one of another dimension.
+/// Marks the row of a known name as doubtful if its values have no unit or one of another
+/// dimension.
 void note_dimension(LedgerRow& row) {
   constexpr std::array<std::string_view, 4> kLetters = {"P", "p", "V", "v"};
   std::string expected = dimension_of_name(row.written);
@@ -70,7 +71,7 @@ void note_dimension(LedgerRow& row) {
                                  words_for(Unit::of(expected)).noun);
 }
 
-/// Says that the minus before a name was applied, and how to undo it.
+/// Adds a doubt that the minus before a name was applied, and how to undo it.
 void note_minus(const formats::TableColumn& column,
                 const LabRecord& record,
                 LedgerRow& row,
@@ -118,6 +119,10 @@ LedgerRow row_of_channel(const formats::LabTable& table,
   row.unit_written = table.units[k];
   row.unit = channel.unit;
   take_unit(row);
+  if (k < table.columns.size()) {
+    row.offset += row.factor * table.columns[k].offset;
+    row.factor *= table.columns[k].factor;
+  }
   if (ours) {
     const double sign = record.written.at(*ours).sign;
     row.taken_as = *ours;
@@ -166,6 +171,26 @@ void note_encoding(const formats::LabTable& table, Ledger& ledger) {
         {"", "the text is taken as " + table.assumed_encoding, {ledger.file, 0}});
 }
 
+/// Adds the struct that was taken because it is the only one with known channels, or says that
+/// several have them.
+void note_structs(const formats::LabTable& table, Ledger& ledger) {
+  if (!table.assumed_struct.empty()) {
+    LedgerRow row;
+    row.taken_as = "struct";
+    row.state = LedgerState::assumed;
+    row.remark = table.assumed_struct + ", because all known channels are in it";
+    ledger.rows.push_back(std::move(row));
+  }
+  if (table.structs.empty()) return;
+  ledger.doubts.push_back(
+      {"",
+       fmt::format("known channels are in several structs: {}; a study chooses one by struct = {} "
+                   "in its [measurement.NAME]",
+                   list_of(table.structs),
+                   in_quotes(table.structs.front())),
+       {ledger.file, 0}});
+}
+
 }  // namespace
 
 Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
@@ -183,6 +208,7 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
   for (const auto& [name, why] : table.left_out)
     ledger.rows.push_back(row_left_out(table, name, why));
   note_encoding(table, ledger);
+  note_structs(table, ledger);
   for (const LedgerRow& row : ledger.rows)
     if (row.state == LedgerState::doubtful)
       ledger.doubts.push_back({row.written,
@@ -197,7 +223,8 @@ void note_use(LabRecord& record, const std::string& channel, const std::string& 
 
 namespace {
 
-/// Angles of a suspension whose signs no axes define, and the positive direction assumed here.
+/// Angles of a suspension whose signs no convention of axes defines, and the positive direction
+/// that is assumed.
 struct SuspensionSign {
   const char *channel, *positive;
 };
@@ -223,7 +250,7 @@ bool is_of_suspension(const Ledger& ledger) {
   });
 }
 
-/// Says which signs are assumed for the angles of a suspension, because no file states them.
+/// Adds the signs that are assumed for the angles of a suspension, because no file states them.
 void note_suspension_signs(Ledger& ledger) {
   if (!is_of_suspension(ledger)) return;
   std::vector<std::string> assumed;
@@ -285,7 +312,7 @@ std::string ambiguity(const LabRecord& record, const std::string& channel) {
 
 namespace {
 
-/// Returns the samples that are left of a suspect number.
+/// Returns those samples of a suspect number that are still selected.
 std::vector<std::size_t> samples_left(const LabRecord& record, const SuspectSamples& suspect) {
   std::vector<std::size_t> left;
   for (const double number : suspect.samples) {
@@ -304,7 +331,7 @@ std::vector<std::size_t> first_samples(const LabRecord& record) {
   return first;
 }
 
-/// Returns the channels with gaps in place of suspect numbers.
+/// Returns the record with gaps instead of suspect numbers.
 LabRecord without_suspects(const LabRecord& record) {
   LabRecord plain;
   plain.channels = record.channels;
@@ -316,7 +343,8 @@ LabRecord without_suspects(const LabRecord& record) {
   return plain;
 }
 
-/// Returns `lines 12, 40 to 49`, or the numbers of the samples if the file has no lines.
+/// Returns in words the places of samples: `lines 12, 40 to 49`, or the sample numbers if the file
+/// has no lines.
 std::string rows_in_words(const LabRecord& record, const std::vector<std::size_t>& samples) {
   std::vector<long> lines, numbers;
   for (const std::size_t i : samples) {
@@ -328,9 +356,10 @@ std::string rows_in_words(const LabRecord& record, const std::vector<std::size_t
          runs_in_words(have_lines ? lines : numbers);
 }
 
-/// Returns a window for `select` around the other values of a channel: `Fy = "-10 N .. 10 N"`.
+/// Returns a range for `select` that contains all other values of a channel: `Fy = "-10 N .. 10
+/// N"`.
 std::string window_around(const Channel& channel) {
-  constexpr double kMargin = 0.01;  // share of the span, so that no value is at the edge
+  constexpr double kMargin = 0.01;  // share of the span, so that no value lies exactly at an end
   constexpr int kDigits = 6;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double value : channel.values)
@@ -401,7 +430,7 @@ std::vector<LedgerDoubt> suspect_numbers(const LabRecord& record,
 
 namespace {
 
-/// Returns the way out of contradicting signs, to follow their sentence.
+/// Returns advice on how to remove a contradiction of signs, to follow the sentence about it.
 std::string advice_in_words(const std::vector<std::string>& advice,
                             bool axes_are_stated,
                             const std::string& where) {
@@ -413,7 +442,7 @@ std::string advice_in_words(const std::vector<std::string>& advice,
                      where);
 }
 
-/// Returns the channels `plain` with the names and statements of the record that they are of.
+/// Returns the channels `plain` with the names and statements of the record from which they come.
 LabRecord with_names_of(const LabRecord& record, LabRecord plain) {
   plain.written = record.written;
   plain.stated = record.stated;

@@ -9,7 +9,8 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr std::size_t kMostTried = 20'000;  // samples; every further statement costs a pass
+// samples; limits the time of a trial, because every trial statement is a pass over the samples
+constexpr std::size_t kMostTried = 20'000;
 
 /// Returns every n-th sample, so that at most kMostTried are left.
 Channels thinned(const LabRecord& record) {
@@ -50,11 +51,33 @@ bool signs_agree(const Channels& channels) {
       doubts.begin(), doubts.end(), [](const ChannelDoubt& doubt) { return doubt.is_of_sign; });
 }
 
-/// Returns why a column has the other sign than the rest of a record in sae axes; empty for a
-/// column of which that is unusual.
+/// Returns the reason why a single column may have the opposite sign although the record is in sae
+/// axes; empty for a column for which that is unusual.
 std::string words_beside_sae(const std::string& channel) {
   if (channel.starts_with("Fz")) return "its loads are written as positive";
   return channel == "gamma" ? "its inclination has the other sign" : "";
+}
+
+}  // namespace
+
+namespace {
+
+/// Returns the table `columns` that turns the other lateral channels in place of one: the mirror
+/// image of a record whose signs agree agrees as well. Empty if it does not, or if there is no
+/// other lateral channel.
+std::string mirror_of(const LabRecord& record, const Channels& channels, const std::string& name) {
+  Channels mirrored = channels;
+  auto stated = record.stated;
+  std::string last;
+  for (const char* lateral : {"Fy", "alpha", "Mz", "gamma"}) {
+    const Channel* channel = record.find(lateral);
+    if (!channel || channel->name == name) continue;
+    if (!last.empty()) stated[last] = column_turned(record, last);
+    last = channel->name;
+    mirrored = with_other_sign(mirrored, last);
+  }
+  if (last.empty() || !signs_agree(mirrored)) return "";
+  return columns_hint(stated, last, column_turned(record, last));
 }
 
 }  // namespace
@@ -77,6 +100,13 @@ std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are
     if (const Channel* channel = record.find(name)) names.push_back(channel->name);
   for (const std::string& name : names)
     if (signs_agree(with_other_sign(channels, name))) advice.push_back(turned(record, name));
+  for (const char* lateral : {"Fy", "alpha", "Mz"}) {
+    const Channel* channel = record.find(lateral);
+    if (!channel || !signs_agree(with_other_sign(channels, channel->name))) continue;
+    const std::string mirrored = mirror_of(record, channels, channel->name);
+    if (!mirrored.empty() && std::find(advice.begin(), advice.end(), mirrored) == advice.end())
+      advice.push_back(mirrored);
+  }
   if (!axes_are_stated)
     for (const std::string& name : names)
       if (const std::string also = words_beside_sae(name);

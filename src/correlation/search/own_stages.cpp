@@ -7,16 +7,19 @@
 #include <cmath>
 
 #include "correlation/study/study_stages.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/estimated_noise.h"
 
 namespace latsch::correlation {
 namespace {
 
-constexpr double kWorse = 1.05;       // multiple of the error at the end of the own stage
-constexpr double kNegligible = 1e-6;  // share of 100 %; smaller differences are rounding of a
-                                      // finished search
+// multiple of the error at the end of the own stage, above which an error counts as worse
+constexpr double kWorse = 1.05;
+// share of 100 %; smaller differences are rounding of a finished search
+constexpr double kNegligible = 1e-6;
 
-/// Returns the noise that the study states, not that of the fit, in the experiment's own measure.
+/// Returns the noise that the study states, in the experiment's own measure; 0 if it states none or
+/// if the fit estimates it.
 double stated_noise(const StudyExperiment& experiment) {
   if (experiment.estimates_noise || !experiment.noise) return 0.0;
   double squares = 0.0, count = 0.0;
@@ -28,16 +31,6 @@ double stated_noise(const StudyExperiment& experiment) {
 }
 
 }  // namespace
-
-double own_measure(const StudyExperiment& experiment, const Comparison& comparison) {
-  return std::pow(comparison.value, 1.0 / experiment.objective.exponent);
-}
-
-std::string measure_in_words(const StudyExperiment& experiment) {
-  const double k = experiment.objective.exponent;
-  if (k == 1.0) return "mean";
-  return k == 2.0 ? "RMS" : fmt::format("mean to the power {:g}", k);
-}
 
 void add_stage_end(const Study& study,
                    int k,

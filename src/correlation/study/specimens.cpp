@@ -53,7 +53,7 @@ class ModelSpecimens : public Specimens {
       for (const Follower& follower : variable.followers)
         varied += fmt::format("  {} times: {}\n", follower.factor, fmt::join(follower.paths, ", "));
     }
-    if (is_stated_) varied += "kind: " + kind_.name() + "\n";  // the version contains the kind, too
+    if (is_stated_) varied += "kind: " + kind_.name() + "\n";  // the version also contains the kind
     return {{kModelPart, canonical_text(study.model)},
             {"variables", varied},
             {kTestsPart, identity_of_tests(study.tests, tests_asked_for(study))},
@@ -120,7 +120,7 @@ std::optional<std::string> reason_against(const SpecimenKind& kind,
 
 namespace {
 
-/// Returns the conditions that a table excludes by without = ["kappa"].
+/// Returns the conditions that the user excludes from a test by without = ["kappa"].
 std::vector<std::string> left_out_of(const Node& table,
                                      const std::vector<experiment::MeasuredCondition>& conditions) {
   if (!table.has("without")) return {};
@@ -137,7 +137,8 @@ std::vector<std::string> left_out_of(const Node& table,
   return without;
 }
 
-/// Notes a condition that the measurement lacks. Rejects the table if a column looks like it.
+/// Records that the measurement lacks a condition of the test. Throws if a column looks as if it
+/// could be the condition.
 void take_absent(const Node& table,
                  const experiment::MeasuredCondition& condition,
                  const Measurement& measurement,
@@ -156,6 +157,39 @@ void take_absent(const Node& table,
                     table.text("from"),
                     measurement.hint_for(condition.channel, alike.front(), condition.unit)));
   measurement.note_absent({condition.channel, condition.unit, by, condition.otherwise});
+}
+
+/// Throws InputError if a force or moment was measured in another frame than the test takes it in,
+/// or at another point than the test applies it.
+void expect_frame(const Node& table,
+                  const experiment::MeasuredCondition& condition,
+                  const std::string& channel,
+                  const std::string& frame) {
+  if (frame.empty() || condition.frame.empty()) return;
+  const bool is_same = condition.acts_at_origin ? frame == condition.frame
+                                                : is_same_in(channel, frame, condition.frame);
+  if (is_same) return;
+  const auto point = [](const std::string& of) {
+    return of == "W" ? "the contact patch" : "the wheel center";
+  };
+  const std::string from = table.text("from");
+  const bool is_elsewhere = condition.acts_at_origin && (frame == "W") != (condition.frame == "W");
+  table.reject(
+      "from",
+      fmt::format(
+          "is {0}, whose {1} is in axes {2}{5}, but the test takes it in axes {3}{6}; {7}put "
+          "in_frame = \"{3}\" into [{4}]{8}",
+          in_quotes(from),
+          channel,
+          frame,
+          condition.frame,
+          from,
+          is_elsewhere ? fmt::format(", at {}", point(frame)) : "",
+          is_elsewhere ? fmt::format(", at {}", point(condition.frame)) : "",
+          is_elsewhere ? fmt::format("say at = \"{}\" in the test, or ",
+                                     frame == "W" ? "contact_patch" : "wheel_center")
+                       : "",
+          is_elsewhere ? ", which needs its loaded_radius and gamma" : ""));
 }
 
 /// Returns the measured conditions of a test, for {from = "measurement.NAME"}. `by` names the user
@@ -190,15 +224,7 @@ Channels measured_conditions(const Node& table,
       measurement.note_ignored(channel, by, condition.ignored);
     const auto& values = measurement.values(channel, condition.unit);
     const std::string frame = measurement.frame(channel);
-    if (!frame.empty() && !condition.frame.empty() && !is_same_in(channel, frame, condition.frame))
-      table.reject("from",
-                   fmt::format("is {0}, whose {1} is in axes {2}, but the test takes it in axes "
-                               "{3}; put in_frame = \"{3}\" into [{4}]",
-                               in_quotes(from),
-                               channel,
-                               frame,
-                               condition.frame,
-                               from));
+    expect_frame(table, condition, channel, frame);
     channels.add({condition.channel, condition.unit, values});
   }
   return channels;

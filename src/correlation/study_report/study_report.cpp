@@ -18,6 +18,7 @@
 #include "correlation/study/variables.h"
 #include "correlation/study_report/report_identifiability.h"
 #include "correlation/target/best_trial.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/schedule/scheduler.h"
 
@@ -32,7 +33,7 @@ struct Simulated {
   Result<Channels> channels;
 };
 
-/// Returns the recording in the journal: an outside program is not run again for a report.
+/// Returns the recording in the journal, because an outside program is not run again for a report.
 Simulated recorded(const Journal& journal, const DesignPoint& point) {
   Simulated simulated{point, Failure{"it is not in the journal"}};
   journal.for_each([&](const Trial& trial) {
@@ -64,7 +65,7 @@ report::ExperimentRow experiment_row(const StudyExperiment& experiment,
   row.value = found.value;
   row.mean_error = found.mean_error;
   row.largest_error = found.largest_error;
-  if (initial) row.initial_mean_error = initial->mean_error;
+  if (initial) row.initial_error = own_measure(experiment, *initial);
   row.error = own_measure(experiment, found);
   row.measure = measure_in_words(experiment);
   row.whole = experiment.observable->whole();
@@ -76,7 +77,7 @@ report::ExperimentRow experiment_row(const StudyExperiment& experiment,
   return row;
 }
 
-/// Returns the tests of the experiments, fitted ones first.
+/// Returns the tests of the experiments; those of fitted experiments come first.
 std::vector<const experiment::Test*> tests_shown(const Study& study) {
   const auto asked = tests_asked_for(study);
   const auto is_asked = [&](const StudyTest& test) {
@@ -221,7 +222,8 @@ Result<StudyReport> study_report(const Study& study,
     return study.specimens->may_repeat() ? Simulated{point, simulate_all(study, point)}
                                          : recorded(journal, point);
   };
-  // A trial does not depend on others, so the initial and the best point run at the same time.
+  // Trials do not depend on each other, so the initial and the best point are simulated at the same
+  // time.
   const bool beside = study.specimens->may_repeat() && study.run.workers > 1;
   auto start = std::async(beside ? std::launch::async : std::launch::deferred,
                           [&] { return simulated(study.space.initial()); });

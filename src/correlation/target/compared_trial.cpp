@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/target/compared_trial.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 namespace latsch::correlation {
@@ -14,6 +17,16 @@ Result<std::vector<Comparison>> compare_all(const std::vector<StudyExperiment>& 
     comparisons.push_back(std::move(*comparison));
   }
   return comparisons;
+}
+
+double own_measure(const StudyExperiment& experiment, const Comparison& comparison) {
+  return std::pow(comparison.value, 1.0 / experiment.objective.exponent);
+}
+
+std::string measure_in_words(const StudyExperiment& experiment) {
+  const double k = experiment.objective.exponent;
+  if (k == 1.0) return "mean";
+  return k == 2.0 ? "RMS" : fmt::format("mean to the power {:g}", k);
 }
 
 std::vector<PriorResidual> prior_residuals(const DesignSpace& space, const DesignPoint& point) {

@@ -8,9 +8,9 @@
 namespace latsch {
 namespace {
 
-constexpr std::uint32_t kMark = 0x4652414C;                 // "LARF"
-constexpr std::uint64_t kLargest = std::uint64_t{1} << 30;  // limit of a frame, bytes; no trial has
-                                                            // a gigabyte of channels
+constexpr std::uint32_t kMark = 0x4652414C;  // "LARF"
+// Largest size of a frame, bytes. No trial has a gigabyte of channels.
+constexpr std::uint64_t kLargest = std::uint64_t{1} << 30;
 
 struct Header {
   std::uint32_t mark;

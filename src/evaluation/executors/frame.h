@@ -19,17 +19,17 @@ struct Frame {
 
 std::string encode_frame(FrameKind kind, std::string_view bytes);
 
-/// A message about a trial begins with the trial's number, because a program that an evaluator left
-/// behind may answer to a point that is no longer requested.
+/// A message about a trial begins with the trial's number, because a program left behind by an
+/// earlier evaluation may answer for a point that is no longer requested.
 struct Numbered {
   std::uint64_t number;
   std::string_view rest;
 };
 std::string numbered(std::uint64_t number, std::string_view bytes);
-/// Returns nullopt if there is not even a number.
+/// Separates the number from the message. Returns nullopt if the bytes are too few for a number.
 std::optional<Numbered> take_number(std::string_view bytes);
 
-/// Cuts frames from a stream of bytes as they arrive.
+/// Splits a stream of bytes into frames as the bytes arrive.
 class FrameReader {
  public:
   void add(std::string_view bytes) { buffer_ += bytes; }
@@ -37,8 +37,8 @@ class FrameReader {
   /// Returns the next frame; nullopt if it is not complete yet, or if the stream is broken.
   std::optional<Frame> next();
 
-  /// True if the stream does not consist of frames: a wrong mark, an impossible size, or a hash
-  /// that does not agree.
+  /// True if the stream does not consist of frames: a frame has a wrong mark, an impossible size,
+  /// or a hash that does not agree with its content.
   bool broken() const { return broken_; }
 
  private:

@@ -16,8 +16,8 @@ std::vector<Trial> InlineExecutor::wait(double patience) {
   if (!waiting_ || patience == 0.0) return {};
   const DesignPoint point = *std::exchange(waiting_, std::nullopt);
   std::vector<Trial> done;
-  done.push_back({point, evaluate(evaluator_, point)});  // an initializer list of trials would copy
-                                                         // the channels
+  // An initializer list of trials would copy the channels.
+  done.push_back({point, evaluate(evaluator_, point)});
   return done;
 }
 

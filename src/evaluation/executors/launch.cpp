@@ -13,7 +13,7 @@ namespace {
 
 using Value = std::function<const char*(const char*)>;
 
-/// Returns `otherwise` if the value is no number.
+/// Returns an environment variable as an integer, or `otherwise` if it is not set or is no number.
 int number(const Value& value, const char* name, int otherwise) {
   const char* text = value(name);
   int result = otherwise;

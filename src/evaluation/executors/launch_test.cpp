@@ -40,14 +40,16 @@ TEST(Launch, IsReadFromTheEnvironment) {
   EXPECT_TRUE(of(step).is_job);  // --mpi=pmix
 }
 
-// SLURM_NTASKS is the size of the job, not the number of runs of the script.
+// SLURM_NTASKS is the number of tasks of the job. A batch script runs only once, whatever this
+// number.
 TEST(Launch, AScriptOfABatchJobIsOneProcess) {
   const Launch script = of({{"SLURM_NTASKS", "3"}, {"SLURM_NPROCS", "3"}, {"SLURM_PROCID", "0"}});
   EXPECT_EQ(script.tasks, 1);
   EXPECT_FALSE(script.is_job);
 }
 
-// After srun -n 8 --pty bash, latsch run is one process; MPI would wait for seven that never come.
+// If latsch run is started in the shell of srun -n 8 --pty bash, it is a single process. MPI would
+// wait for seven others that never come.
 TEST(Launch, WhoSitsAtATerminalStartsOneProcess) {
   const auto value = [](const char* name) -> const char* {
     return std::string_view(name) == "SLURM_STEP_NUM_TASKS" ? "8" : "0";

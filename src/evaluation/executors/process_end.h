@@ -7,8 +7,8 @@
 
 namespace latsch {
 
-/// `status` is that of waitpid. Returns for example "exited with code 3; it last printed "no
-/// license"", with the last line of `printed` that is not blank.
+/// Describes the `status` returned by waitpid(2), for example "exited with code 3; it last printed
+/// "no license"", with the last line of `printed` that is not blank.
 std::string how_it_ended(int status, std::string_view printed);
 
 }  // namespace latsch

@@ -8,7 +8,7 @@
 namespace latsch {
 namespace {
 
-constexpr int exited(int code) { return code << 8; }  // status as on Linux
+constexpr int exited(int code) { return code << 8; }  // exit status as encoded by Linux
 
 TEST(ProcessEnd, TellsCodeSignalAndTheLastLinePrinted) {
   EXPECT_EQ(how_it_ended(exited(0), ""), "exited with code 0");

@@ -19,30 +19,33 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
-// A program whose processes end this often in a row before they are ready is no worker.
+// Number of processes in a row that end before they are ready, after which the program is taken to
+// be no worker.
 constexpr int kMostFailedStarts = 3;
-// A cause that kills this many processes in a row from outside, such as a lack of memory, counts as
-// permanent.
+// Number of processes in a row that are killed from outside while they start, after which the
+// reason, such as a lack of memory, is taken to be permanent.
 constexpr int kMostKilledStarts = 20;
-// Longest start of a worker that a busy machine delays, as a multiple of ProcessOptions::
-// start_timeout. A larger one lets a run wait longer for a disk that never answers.
+// Longest time that a worker may need to start on a busy machine, as a multiple of
+// ProcessOptions::start_timeout. A larger value lets a run wait longer for a disk that never
+// answers.
 constexpr double kLongestStart = 20.0;
-// Least limit of that kind, s, for short limits.
+// Lower bound of this longest time, s, for short values of start_timeout.
 constexpr double kLeastLongestStart = 90.0;
 
 Steady::duration seconds(double s) {
   return std::chrono::duration_cast<Steady::duration>(std::chrono::duration<double>(s));
 }
 
-/// Slot of a worker process, whose process may be replaced.
+/// The slot of a worker. Its process may be replaced by another one.
 struct Slot {
   std::unique_ptr<WorkerProcess> process;
   bool ready = false;  // true once the process has reported that it listens
   std::optional<DesignPoint> point;
-  std::uint64_t trial = 0;   // number of its trial; messages contain it
+  std::uint64_t trial = 0;   // number of the slot's trial, which messages contain
   Steady::time_point since;  // start of the process until it is ready, then start of the trial
-  Steady::time_point seen;   // when the start of the process was last found to proceed
-  double used = 0.0;         // processor time until then, s
+  Steady::time_point seen;   // time at which the start of the process was last found to proceed
+  // Processor time that the process had used at `seen`, s.
+  double used = 0.0;
 };
 
 }  // namespace
@@ -50,8 +53,8 @@ struct Slot {
 struct ProcessExecutor::Impl {
   ProcessOptions options;
   std::vector<Slot> slots;
-  int failed_starts = 0;     // consecutive, over all workers
-  int killed_starts = 0;     // consecutive kills from outside
+  int failed_starts = 0;     // consecutive processes, over all workers, that failed to start
+  int killed_starts = 0;     // consecutive processes killed from outside while they started
   std::uint64_t trials = 0;  // number of trials started so far
 
   void start_process(Slot& slot) {
@@ -72,7 +75,7 @@ struct ProcessExecutor::Impl {
     return {*std::exchange(slot.point, std::nullopt), std::move(outcome)};
   }
 
-  /// Returns the trial of a lost worker as failed.
+  /// Returns the trial of a lost worker as a failed trial.
   Trial finish_lost(Slot& slot, Failure failure) {
     const double wall_time = std::chrono::duration<double>(Steady::now() - slot.since).count();
     slot.process.reset();
@@ -86,8 +89,8 @@ struct ProcessExecutor::Impl {
 
   /// Returns the ended trial of a worker; nullopt while it continues.
   std::optional<Trial> listen(Slot& slot) {
-    const bool ended = slot.process->ended();  // must come first, so that everything written before
-                                               // the end is received
+    // Must be read first, so that everything written before the end is received.
+    const bool ended = slot.process->ended();
     slot.process->receive();
     while (const auto frame = slot.process->frames().next()) {
       if (frame->kind == FrameKind::ready) {
@@ -128,6 +131,7 @@ struct ProcessExecutor::Impl {
     return finish_lost(slot, {"the worker " + how, cause});
   }
 
+  /// Starts another process in the slot, or throws InputError after too many failed starts.
   /// `killed` is true if the process was killed from outside.
   void restart_or_give_up(Slot& slot, const std::string& how, bool killed) {
     slot.process.reset();
@@ -184,7 +188,8 @@ struct ProcessExecutor::Impl {
     return slot.point ? slot.since + seconds(options.timeout) : Steady::time_point::max();
   }
 
-  /// Sleeps until a worker sends something, a deadline, or `until`. Returns false after a signal.
+  /// Sleeps until a worker sends something, a deadline passes or the time `until` is reached.
+  /// Returns false after a signal.
   bool sleep(Steady::time_point until) const {
     std::vector<pollfd> entries;
     for (const Slot& slot : slots) {
@@ -206,7 +211,7 @@ ProcessExecutor::ProcessExecutor(ProcessOptions options) : impl_(std::make_uniqu
     throw InputError(fmt::format("timeout of a trial is {} s, expected a positive time",
                                  std::min(options.timeout, options.start_timeout)));
   }
-  // The limit is a year, so that adding it to a point in time cannot overflow.
+  // Limit of the timeout: a year, so that adding it to a point in time cannot overflow.
   constexpr double kLongest = 365.0 * 86400.0;
   options.timeout = std::min(options.timeout, kLongest);
   options.start_timeout = std::min(options.start_timeout, kLongest);
@@ -248,7 +253,7 @@ std::vector<Trial> ProcessExecutor::wait(double patience) {
       if (auto trial = impl_->listen(slot)) finished.push_back(std::move(*trial));
     }
     if (!finished.empty() || Steady::now() >= until) return finished;
-    if (!impl_->sleep(until)) return finished;  // after a signal the caller may want to stop
+    if (!impl_->sleep(until)) return finished;  // a signal arrived, and the caller may want to stop
   }
 }
 

@@ -2,8 +2,8 @@
 // Worker processes: a trial that crashes, hangs or prints nonsense loses only that trial.
 //
 // Each worker is a program started from an argument list (never a shell line) by posix_spawn, in
-// its own process group, and calls serve() of worker.h. The worker answers on file descriptors of
-// its own; its printed output is kept for the reason of a failure. A worker that overruns the
+// its own process group, and calls serve() of worker.h. The worker answers on separate file
+// descriptors; its printed output is kept as a reason for failures. A worker that exceeds the
 // timeout is killed with its whole process group and replaced.
 #pragma once
 
@@ -18,18 +18,19 @@ namespace latsch {
 /// The worker processes and the limits of their trials.
 struct ProcessOptions {
   std::vector<std::string> arguments;  // the worker's program and its arguments
-  int workers = 1;                     // number of processes
-  double timeout = 600.0;              // s, wall time of one trial
-  /// Limit for the start of a worker, s: it ends if it has used this much processor time before it
-  /// is ready, or has neither computed nor waited for a processor or a disk for this long. On a
-  /// machine with many other processes a start may take twenty times as long.
+  int workers = 1;                     // number of worker processes
+  double timeout = 600.0;              // limit of the wall time of one trial, s
+  /// Limit for the start of a worker, s. The worker is ended if it has used this much processor
+  /// time before it is ready, or if for this long it has neither computed nor waited for a
+  /// processor or a disk. On a machine with many other processes a start may take up to twenty
+  /// times as long.
   double start_timeout = 60.0;
-  double memory_limit = 0.0;  // bytes of address space of each worker; 0: unlimited
+  double memory_limit = 0.0;  // address space of each worker, bytes; 0: unlimited
 };
 
 class ProcessExecutor : public Executor {
  public:
-  /// Throws InputError if the program cannot be started.
+  /// Starts the workers. Throws InputError if the program cannot be started.
   explicit ProcessExecutor(ProcessOptions options);
   ~ProcessExecutor() override;
 

@@ -31,7 +31,8 @@
 #include "evaluation/schedule/scheduler.h"
 #include "evaluation/trial/encoding.h"
 
-#if defined(__SANITIZE_ADDRESS__)  // otherwise the sanitizer turns a worker's signal into an exit
+// The address sanitizer would otherwise turn a worker's signal into an exit.
+#if defined(__SANITIZE_ADDRESS__)
 extern "C" const char* __asan_default_options() { return "handle_segv=0"; }
 #endif
 
@@ -75,7 +76,7 @@ void fill_the_disk() {
   throw std::runtime_error(std::strerror(errno));
 }
 
-/// The first variable selects the fault; the second is squared.
+/// An evaluator of two variables: the first one selects a fault, the second one is squared.
 Result<Channels> faulty(const DesignPoint& point) {
   const auto fault = static_cast<Fault>(static_cast<int>(point.values[0]));
   switch (fault) {
@@ -119,7 +120,7 @@ Result<Channels> faulty(const DesignPoint& point) {
       std::raise(SIGTERM);
       break;
     case forks:
-      if (::fork() < 0) std::abort();  // both processes continue
+      if (::fork() < 0) std::abort();  // both processes continue from here
       break;
     case answers_twice: {
       const std::string old = encode_frame(
@@ -168,7 +169,7 @@ std::string reason(ProcessExecutor& executor, Fault fault) {
   const Trial trial = run_one(executor, {{static_cast<double>(fault), 3.0}});
   EXPECT_FALSE(trial.outcome.result.ok()) << fault;
   if (trial.outcome.result) return "";
-  // The worker started next works.
+  // The worker that replaces the lost one works.
   const Trial next = run_one(executor, {{0.0, 4.0}});
   EXPECT_TRUE(next.outcome.result.ok()) << next.outcome.result.failure().reason;
   return trial.outcome.result.failure().reason;
@@ -237,7 +238,7 @@ TEST(ProcessExecutor, AnEvaluatorThatForksAnswersOnce) {
   }
 }
 
-// The worker's answer to an earlier trial must not count as an answer to the next.
+// A worker's late answer for an earlier trial must not count as the answer for the next trial.
 TEST(ProcessExecutor, AnAnswerToAnotherTrialIsRefused) {
   ProcessExecutor executor(worker_options(1));
   const Trial trial = run_one(executor, {{static_cast<double>(answers_twice), 3.0}});
@@ -300,7 +301,7 @@ TEST(ProcessExecutor, WorkersWorkAtTheSameTime) {
   EXPECT_TRUE(executor.wait(0.05).empty());
 }
 
-/// Returns options for a worker that is killed before it is ready, the first `times` times.
+/// Returns options for a worker whose first `times` processes are killed before they are ready.
 ProcessOptions killed_while_it_starts(const ScratchFolder& folder, int times) {
   ProcessOptions options = worker_options(1);
   const std::string script =
@@ -312,7 +313,7 @@ ProcessOptions killed_while_it_starts(const ScratchFolder& folder, int times) {
 }
 
 // If a system lacks memory, or an administrator ends processes, workers die while they start,
-// several times in a row. That does not show a fault of the program.
+// several times in a row. This does not prove a fault of the program.
 TEST(ProcessExecutor, AWorkerThatIsKilledWhileItStartsIsStartedAgain) {
   const ScratchFolder folder;
   ProcessExecutor executor(killed_while_it_starts(folder, 6));
@@ -333,8 +334,8 @@ TEST(ProcessExecutor, WorkersThatAreAlwaysKilledWhileTheyStartEndTheRun) {
   }
 }
 
-/// Returns options for a worker that first runs `script`, a line of the shell. `limit` is that of
-/// its start, s.
+/// Returns options for a worker that first executes `script`, a line for the shell. `limit` is the
+/// limit of its start, s.
 ProcessOptions slow_to_start(const std::string& script, double limit) {
   ProcessOptions options = worker_options(1);
   options.arguments.insert(options.arguments.begin(),
@@ -353,8 +354,8 @@ std::string complaint_of_start(const std::string& script) {
   return "";
 }
 
-/// Occupies the processor that this thread may use, which is only one while this exists. Processes
-/// that this thread starts meanwhile have to share that processor.
+/// While this object exists, its thread and all processes that it starts may use only one
+/// processor, which nine other threads keep busy.
 class BusyProcessor {
  public:
   BusyProcessor() {

@@ -19,14 +19,16 @@ namespace fs = std::filesystem;
 
 struct Process {
   pid_t parent = 0;
-  char state = 'Z';             // R: computes or waits for a processor, D: waits for a disk
+  // R: computes or waits for a processor; D: waits for a disk; Z: has ended.
+  char state = 'Z';
   double processor_time = 0.0;  // s
 };
 
-/// Returns every process. [proc(5): /proc/PID/stat is "PID (NAME) STATE PARENT ...", and NAME may
-/// hold anything; fields 14 to 17 are the times of the process and of its ended children]
+/// Returns all processes of the machine. [proc(5): /proc/PID/stat is "PID (NAME) STATE PARENT ...",
+/// and NAME may contain any character; fields 14 to 17 are the times of the process and of its
+/// ended children]
 std::map<pid_t, Process> processes() {
-  constexpr int kBetween = 9;  // fields between the parent and the times
+  constexpr int kBetween = 9;  // number of fields between the parent and the times
   const double tick = 1.0 / static_cast<double>(::sysconf(_SC_CLK_TCK));  // s
   std::map<pid_t, Process> all;
   std::error_code ended;
@@ -52,7 +54,7 @@ std::map<pid_t, Process> processes() {
   return all;
 }
 
-/// Adds the descendants of the members. Returns true if there were any.
+/// Adds the children of all members of `tree` to it. Returns true if there were any.
 bool add_descendants(const std::map<pid_t, Process>& all, std::set<pid_t>& tree) {
   const std::size_t before = tree.size();
   for (std::size_t size = 0; size != tree.size();) {
@@ -68,7 +70,8 @@ bool add_descendants(const std::map<pid_t, Process>& all, std::set<pid_t>& tree)
 
 void kill_descendants(pid_t root) {
   std::set<pid_t> tree{root};
-  // A stopped process starts nothing, so once no further descendant is found, all are known.
+  // A stopped process starts no other process, so all descendants are known once no further one is
+  // found.
   while (add_descendants(processes(), tree)) {
     for (const pid_t pid : tree) {
       if (pid != root) ::kill(pid, SIGSTOP);

@@ -9,19 +9,20 @@
 
 namespace latsch {
 
-/// Kills all descendants of `root`, a child of this process. Unless the root is stopped, it can
-/// start others meanwhile. The root itself is not touched: if it were stopped, and this process
-/// were killed before killing it, the worker could not react to the death of its parent and would
+/// Kills all descendants of `root`, a child of this process. The root must be stopped, or it can
+/// start other processes meanwhile. This function does not stop the root itself: if this process
+/// were killed in between, the stopped worker could not react to the death of its parent and would
 /// stay forever.
 void kill_descendants(pid_t root);
 
 /// The use of the machine by a process and its descendants.
 struct ProcessUse {
-  double processor_time = 0.0;  // s, of user and system, with that of children that have ended
-  bool is_held_up = false;      // true if one of them computes or waits for a processor or a disk
+  /// User and system time, s, including that of children that have ended.
+  double processor_time = 0.0;
+  bool is_held_up = false;  // true if a process computes or waits for a processor or a disk
 };
 
-/// Returns the use of a process with its descendants; nothing is used if it has ended.
+/// Returns the use by a process and its descendants; zero if the process has ended.
 ProcessUse use_of_tree(pid_t root);
 
 }  // namespace latsch

@@ -18,7 +18,7 @@ extern char** environ;
 namespace latsch {
 namespace {
 
-/// A shell with its standard output in a pipe.
+/// A shell whose standard output is a pipe to the test.
 struct Shell {
   explicit Shell(std::string script) {
     std::array<int, 2> ends;
@@ -55,13 +55,15 @@ TEST(ProcessTree, WhatDescendsFromAProcessIsKilledAndTheProcessItselfNotEvenStop
   int status = 0;
   ASSERT_EQ(::waitpid(shell.pid, &status, 0), shell.pid);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 7);
-  // All processes that could write to the pipe have ended, the sleeping one too.
+  // The end of the pipe shows that all processes that could write to it have ended, including the
+  // sleeping one.
   pollfd end{shell.output, POLLIN, 0};
   ASSERT_EQ(::poll(&end, 1, 10'000), 1);
   EXPECT_EQ(end.revents & POLLHUP, POLLHUP);
 }
 
-// Reading /proc of a process that ends meanwhile fails with ESRCH, which stream iterators throw.
+// A process may end while its files in /proc are read. The read then fails with ESRCH, for which
+// stream iterators throw.
 TEST(ProcessTree, ProcessesThatEndWhileItLooksDoNotDisturb) {
   const pid_t churn = ::fork();
   if (churn == 0) {

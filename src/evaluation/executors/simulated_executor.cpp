@@ -35,7 +35,7 @@ std::vector<Trial> SimulatedExecutor::wait(double patience) {
   const Running ended = *first;
   running_.erase(first);
   now_ = ended.end;
-  // A failure belongs to the point, not to the order of events.
+  // The point decides if its trial fails, not the order of events.
   RandomStream lot(options_.seed, hash(ended.point.bits()));
   Outcome outcome = lot.uniform() < options_.failures
                         ? Outcome{.result = Failure{"simulated failure"}}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Workers in a simulated world: trials take seeded random times on a virtual clock and fail by
-// seeded chance, so that asynchrony is tested instantly and repeated exactly.
+// Simulated workers: the duration of each trial is random on a virtual clock, and trials fail at
+// random, both by a seed, so that asynchrony is tested without waiting and repeated exactly.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace latsch {
 struct SimulatedOptions {
   int workers = 1;
   std::uint64_t seed = 0;
-  double shortest = 0.5;  // s, shortest time of a trial
-  double longest = 1.5;   // s, longest time; times are uniform between
+  double shortest = 0.5;  // shortest duration of a trial, s
+  double longest = 1.5;   // longest duration of a trial, s; durations are uniformly distributed
   double failures = 0.0;  // share of the points that fail, independent of the number of workers
 };
 
@@ -30,7 +30,7 @@ class SimulatedExecutor : public Executor {
   void abandon() override { running_.clear(); }
 
   double now() const override { return now_; }     // s on the virtual clock
-  double busy_time() const { return busy_time_; }  // s, sum over the workers
+  double busy_time() const { return busy_time_; }  // busy time of all workers together, s
   long started() const { return started_; }
 
  private:

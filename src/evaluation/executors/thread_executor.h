@@ -27,7 +27,7 @@ class ThreadExecutor : public Executor {
   int idle() const override;
   void start(const DesignPoint& point) override;
   std::vector<Trial> wait(double patience) override;
-  /// The worker stays busy until its trial ends. The outcome is then dropped.
+  /// Drops the outcome of the point. The worker stays busy until the trial ends.
   void withdraw(const DesignPoint& point) override;
   bool can_stop() const override { return false; }
   void abandon() override;

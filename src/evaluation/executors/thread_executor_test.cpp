@@ -24,7 +24,7 @@ Result<Channels> square(const DesignPoint& point) {
 
 TEST(ThreadExecutor, EveryThreadHasAnEvaluatorOfItsOwnAndTheyWorkAtTheSameTime) {
   std::atomic<int> made = 0;
-  std::latch all_here(3);  // opens once three trials run at the same time
+  std::latch all_here(3);  // opens when three trials run at the same time
   const auto make = [&]() -> Evaluator {
     ++made;
     return [&](const DesignPoint& point) {
@@ -69,7 +69,7 @@ TEST(ThreadExecutor, WhatIsWithdrawnIsNeverReported) {
   executor.start({{1.0}});
   begun.wait();
   executor.withdraw({{1.0}});
-  EXPECT_EQ(executor.idle(), 0);  // a thread cannot be stopped
+  EXPECT_EQ(executor.idle(), 0);  // the thread cannot be stopped, so it is not idle
   may_end.count_down();
   while (executor.idle() == 0) executor.wait(0.001);
   executor.start({{2.0}});

@@ -29,7 +29,8 @@ bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
-/// Returns nullopt at the end of the stream, or if it does not consist of frames.
+/// Reads the next frame. Returns nullopt at the end of the stream, or if it does not consist of
+/// frames.
 std::optional<Frame> read_frame(int fd, FrameReader& reader) {
   std::array<char, 65536> chunk;
   while (true) {
@@ -42,15 +43,15 @@ std::optional<Frame> read_frame(int fd, FrameReader& reader) {
   }
 }
 
-/// Ends this process with its group, because the process that started it has ended. Nobody waits
-/// for the trial, nor for the outside program it may have started in the same group.
+/// Ends this process and its process group, because the process that started it has ended: nobody
+/// waits for the trial any more, nor for an outside program that runs in the same group.
 void end_with_group(int) { ::kill(::getpgrp() == ::getpid() ? 0 : ::getpid(), SIGKILL); }
 
 }  // namespace
 
 int serve(const Evaluator& evaluator, int in_fd, int out_fd) {
   std::signal(SIGHUP, end_with_group);
-  ::prctl(PR_SET_PDEATHSIG, SIGHUP);  // a trial nobody waits for must not run for hours
+  ::prctl(PR_SET_PDEATHSIG, SIGHUP);  // nobody waits for the trial if the parent process ends
   ::fcntl(in_fd, F_SETFD, FD_CLOEXEC);
   ::fcntl(out_fd, F_SETFD, FD_CLOEXEC);
   if (!write_all(out_fd, encode_frame(FrameKind::ready, {}))) return 1;
@@ -61,7 +62,8 @@ int serve(const Evaluator& evaluator, int in_fd, int out_fd) {
     const auto point = asked ? decode_point(asked->rest) : std::nullopt;
     if (frame->kind != FrameKind::point || !point) return 2;
     const Outcome outcome = evaluate(evaluator, *point);
-    if (::getpid() != self) ::_exit(0);  // an evaluator that forks returns twice
+    // An evaluator that calls fork(2) returns in two processes; only the worker itself answers.
+    if (::getpid() != self) ::_exit(0);
     std::fflush(nullptr);
     const std::string answer = numbered(asked->number, encode(outcome));
     if (!write_all(out_fd, encode_frame(FrameKind::outcome, answer))) return 1;

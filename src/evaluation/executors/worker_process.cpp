@@ -26,15 +26,15 @@ extern char** environ;
 namespace latsch {
 namespace {
 
-constexpr std::size_t kKeptOutput = 4096;  // bytes stored of the worker's last output
-constexpr int kFreeDescriptors = 10;       // first descriptor numbers, left to the worker
+constexpr std::size_t kKeptOutput = 4096;  // bytes of the worker's printed output that are kept
+constexpr int kFreeDescriptors = 10;       // number of low descriptors that are left to the worker
 
 [[noreturn]] void cannot_start(const std::string& program, int error) {
   throw InputError(
       fmt::format("cannot start the worker program \"{}\": {}", program, std::strerror(error)));
 }
 
-/// Returns the file with a descriptor above the numbers that dup2 will use in the worker.
+/// Duplicates the file to a descriptor above the numbers that dup2(2) uses in the worker.
 Descriptor moved_up(int fd, const std::string& program) {
   const Descriptor low(fd);
   Descriptor high(::fcntl(fd, F_DUPFD_CLOEXEC, kFreeDescriptors));
@@ -79,7 +79,8 @@ pid_t spawn(const std::vector<std::string>& arguments, int socket, int printed) 
   ::sigfillset(&defaults);
   ::posix_spawnattr_setsigmask(&attributes, &none);
   ::posix_spawnattr_setsigdefault(&attributes, &defaults);
-  ::posix_spawnattr_setpgroup(&attributes, 0);  // own process group, to be killed as a whole
+  // Puts the worker into a process group of its own, to be killed as a whole.
+  ::posix_spawnattr_setpgroup(&attributes, 0);
   ::posix_spawnattr_setflags(
       &attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
 

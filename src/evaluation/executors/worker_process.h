@@ -45,15 +45,15 @@ class WorkerProcess {
   void receive();
   FrameReader& frames() { return frames_; }
   bool ended() const;
-  /// Returns what the worker and its descendants have used.
+  /// Returns the use of the machine by the worker and its descendants.
   ProcessUse use() const { return use_of_tree(pid_); }
 
-  /// Kills the rest of the process group and returns how the worker ended: "was killed by signal 11
-  /// (Segmentation fault)", with the last line it printed.
+  /// Kills the rest of the process group. Returns a text that says how the worker ended, such as
+  /// "was killed by signal 11 (Segmentation fault)", with the last line that it printed.
   std::string end();
 
-  /// Valid after end(). True if the signal came from somebody else (a person, the system short of
-  /// memory, a shutdown) and not from a fault of the worker.
+  /// Returns true if the process was killed by somebody else (a person, the system for lack of
+  /// memory, a shutdown), not by a fault of the worker. Valid after end().
   bool was_stopped_from_outside() const;
 
   /// Returns descriptors for poll(2): readable when data has arrived or the worker has ended.
@@ -63,7 +63,7 @@ class WorkerProcess {
   void take_printed();
 
   pid_t pid_ = -1;
-  int status_ = 0;  // status of waitpid(2)
+  int status_ = 0;  // exit status from waitpid(2)
   Descriptor socket_;
   Descriptor printed_;  // the worker's stdout and stderr
   Descriptor process_;  // readable once the worker has ended

@@ -30,8 +30,9 @@ class AskedTrials {
   /// True if the trial in the given row of the journal, the first being 0, counts as requested.
   bool contains(long row, const DesignPoint& point) const;
 
-  /// Returns the text of a mark for these points (DesignPoint::bits) without those already marked;
-  /// nullopt if the mark would say nothing about a journal with this number of trials.
+  /// Returns the text of a mark for those of these points (DesignPoint::bits) that are not marked
+  /// yet. Returns nullopt if all are marked and no mark is needed for a journal with this number of
+  /// trials.
   std::optional<std::string> mark_for(const std::set<std::string>& points, long trials) const;
 
   static constexpr const char* kKind = "asked";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kills a real process with real workers and a real journal (kill -9) at random moments and
-// restarts it until it ends. Nothing acknowledged may be lost or repeated, and the result must have
-// the same bits as without a kill.
+// restarts it until it ends. No acknowledged trial may be lost or repeated, and the result must
+// have the same bits as without a kill.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -54,7 +54,7 @@ std::vector<std::string> this_program(const std::string& test) {
           "--gtest_filter=" + test};
 }
 
-// These are the two programs of the test below.
+// These are the two programs that the test below starts.
 TEST(CrashTest, DISABLED_Worker) {
   std::_Exit(serve([](const DesignPoint& point) {
     std::this_thread::sleep_for(3ms);
@@ -85,11 +85,11 @@ pid_t start_study() {
   return child;
 }
 
-/// Returns the number of trials in the journal, read beside the process that writes it.
+/// Returns the number of trials in the journal, which another process writes meanwhile.
 long trials_in(const std::filesystem::path& file) {
   try {
     return std::filesystem::exists(file) ? Journal::read(file).size() : 0;
-  } catch (const std::exception&) {  // the file is being created
+  } catch (const std::exception&) {  // the file is just being created
     return 0;
   }
 }
@@ -99,8 +99,8 @@ bool has_ended(pid_t child) {
   return ::waitid(P_PID, child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
 
-/// Kills the study a moment after its journal holds this number of trials. Returns true if it ended
-/// by itself.
+/// Runs the study and kills it at the given moment after its journal holds this number of trials.
+/// Returns true if the study ended by itself.
 bool run_until(const std::filesystem::path& file, long trials, std::chrono::microseconds moment) {
   const pid_t child = start_study();
   while (!has_ended(child) && trials_in(file) < trials) std::this_thread::sleep_for(500us);
@@ -126,7 +126,8 @@ TEST(CrashTest, KillAtRandomMomentsLosesAndRepeatsNothing) {
     const long more = static_cast<long>(random.below(12));
     const std::chrono::microseconds moment(random.below(5'000));
     ended = run_until(file, std::ssize(before) + more, moment);
-    if (!std::filesystem::exists(file)) continue;  // killed before its first action
+    // The process was killed before it created the file.
+    if (!std::filesystem::exists(file)) continue;
     const std::vector<Trial> after = Journal::open(file, kCrashStudy).trials();
     ASSERT_GE(after.size(), before.size());
     for (std::size_t i = 0; i < before.size(); ++i) {

@@ -26,19 +26,20 @@ using namespace journal_format;
 
 namespace {
 
-/// Returns the ways out of a damaged journal.
+/// Returns the advice that ends a message about a damaged journal.
 std::string way_out(const std::string& journal) {
   return "save the intact trials by latsch doctor " + journal +
          " --salvage NEW.latsch, go back to a copy, or start a new journal";
 }
 
-constexpr int kBusyTimeout = 2000;       // ms
-constexpr int kReaderPatience = 60'000;  // ms; a commit waits this long for readers of a rollback
-                                         // journal
+constexpr int kBusyTimeout = 2000;  // ms
+// Time that a commit waits for readers of a rollback journal, ms.
+constexpr int kReaderPatience = 60'000;
 
-/// A log of SQLite bears the name by which the journal was opened. Throws InputError if another
-/// hard link in the same folder has one that a killed process has left, because trials would be
-/// missed now and spoiled later.
+/// SQLite names the log of a journal after the name by which the journal was opened. Throws
+/// InputError if another hard link to the journal in the same folder has a log that a killed
+/// process left behind: its trials would be missing now, and applying the log later would damage
+/// the journal.
 void refuse_log_of_other_name(const std::filesystem::path& file) {
   std::error_code none;
   const auto own = std::filesystem::canonical(file, none);
@@ -56,7 +57,7 @@ void refuse_log_of_other_name(const std::filesystem::path& file) {
   }
 }
 
-/// A file by its device and its number there.
+/// Identifies a file by its device and its inode number.
 using FileId = std::pair<dev_t, ino_t>;
 
 std::optional<FileId> id_of(const std::string& file) {
@@ -65,8 +66,8 @@ std::optional<FileId> id_of(const std::string& file) {
   return FileId(about.st_dev, about.st_ino);
 }
 
-/// Keeps the packer's state only if the transaction is committed; otherwise the next row must not
-/// refer to the lost one.
+/// Keeps the changed state of the packer only if the transaction is committed. Otherwise the next
+/// row must not refer to the rows that were not written.
 class PackedForGood {
  public:
   explicit PackedForGood(OutcomePacker& packer) : packer_(packer) {}
@@ -86,18 +87,20 @@ class PackedForGood {
 
 struct Journal::Impl {
   std::filesystem::path file;
-  std::optional<JournalLock> lock;  // held by a writer
+  std::optional<JournalLock> lock;  // set if this process writes the journal
   std::unique_ptr<SQLite::Database> database;
-  std::optional<SQLite::Statement> insert;  // declared after the database, so destroyed before the
-                                            // database
+  // Declared after the database, so that it is destroyed before the database.
+  std::optional<SQLite::Statement> insert;
   int format = kFormat;
   StudyIdentity identity;
   Tally tally;
   std::vector<JournalMark> marks;
   OutcomePacker packer;
-  std::string opened_as = {};            // name of the journal with links followed
-  std::optional<FileId> log_id = {};     // write-ahead log of this writer
-  std::optional<std::string> lost = {};  // message, once the file is no longer in its place
+  // Name by which the journal was opened, with symbolic links resolved.
+  std::string opened_as = {};
+  std::optional<FileId> log_id = {};  // identity of the write-ahead log of this writer
+  // Message for later calls, set once the file is no longer in its place.
+  std::optional<std::string> lost = {};
 
   [[noreturn]] void refuse(const std::string& message) const {
     throw InputError({file.string(), 0}, message);
@@ -165,7 +168,9 @@ struct Journal::Impl {
     }
   }
 
-  /// A rollback log cannot be begun once the file has another name; a write-ahead log can.
+  /// Executes `action`, which writes. If the file was renamed, a write with a rollback log fails
+  /// and a write with a write-ahead log succeeds, so the place of the file is checked in both
+  /// cases.
   template <class Action>
   void write(Action&& action) {
     try {
@@ -177,7 +182,7 @@ struct Journal::Impl {
     keep_trials_if_lost();
   }
 
-  /// Returns a name beside the journal that no file has.
+  /// Returns a name beside the journal that no file has yet.
   std::filesystem::path free_name() const {
     for (int number = 1;; ++number) {
       auto name = file;
@@ -187,7 +192,8 @@ struct Journal::Impl {
     }
   }
 
-  /// Copies the open journal, whose file may have no name any more, to a free name; returns it.
+  /// Copies the open journal, whose file may have no name any more, to a file beside it with a free
+  /// name. Returns this name.
   std::filesystem::path save_copy() {
     const std::filesystem::path copy = free_name();
     guarded([&] {
@@ -207,7 +213,8 @@ struct Journal::Impl {
     for (const char* part : {"-wal", "-shm"}) std::filesystem::remove(opened_as + part);
   }
 
-  /// Gives the copy the journal's name if that is free. Returns the name that the copy has now.
+  /// Renames the copy to the journal's own name if no file has this name. Returns the name that the
+  /// copy has now.
   std::filesystem::path take_its_place(const std::filesystem::path& copy) {
     for (const char* part : {"", "-wal", "-journal"})
       if (std::filesystem::exists(file.string() + part)) return copy;
@@ -215,8 +222,8 @@ struct Journal::Impl {
     return file;
   }
 
-  /// Throws JournalError if the file of this writer was deleted, moved or replaced, once its trials
-  /// are safe under a name that the message contains. The journal cannot be used afterwards.
+  /// If the file of this writer was deleted, moved or replaced, saves its trials under another name
+  /// and throws a JournalError that contains this name. The journal cannot be used afterwards.
   void keep_trials_if_lost() {
     if (!lock || lost || lock->is_in_place()) return;
     insert.reset();
@@ -260,8 +267,10 @@ struct Journal::Impl {
       return;
     }
     database->exec("PRAGMA journal_mode = DELETE; PRAGMA locking_mode = NORMAL");
-    database->execAndGet("SELECT count(*) FROM sqlite_master");  // only a read releases the lock
-    // With EXTRA, a commit counts only once the removal of its log is on the disk, too.
+    database->execAndGet(
+        "SELECT count(*) FROM sqlite_master");  // the lock is released only by a read
+    // With synchronous = EXTRA, a commit counts only once the removal of the rollback log has also
+    // reached the disk.
     database->exec("PRAGMA synchronous = EXTRA");
     database->setBusyTimeout(kReaderPatience);
   }
@@ -338,8 +347,8 @@ struct Journal::Impl {
   }
 
   void for_each_row(const std::function<void(const Row&)>& visit) const {
-    SQLite::Transaction snapshot(*database);  // rows and tally of one moment, while another process
-                                              // writes
+    // Reads the rows and their number as they were at one moment, while another process may write.
+    SQLite::Transaction snapshot(*database);
     std::uint64_t state = hash_of(identity);
     std::int64_t number = 0;
     SQLite::Statement select(*database,
@@ -431,8 +440,8 @@ Journal Journal::open(const std::filesystem::path& file, const StudyIdentity& id
   impl->guarded([&] {
     impl->database = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout);
-    // The whole file is locked until the log is chosen: a write-ahead log from elsewhere then needs
-    // no shared memory.
+    // The whole file is locked until the type of its log is decided. SQLite then reads a
+    // write-ahead log that another machine left without needing shared memory.
     if (log == Log::rollback) impl->database->exec("PRAGMA locking_mode = EXCLUSIVE");
     const bool is_new = impl->is_new();
     if (!is_new) impl->check_format();

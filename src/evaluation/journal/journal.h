@@ -3,13 +3,14 @@
 // its channels or its failure, and a hash on every row. A trial is acknowledged once it is on the
 // disk. A restart reads the file again.
 //
-// One process writes (a lock file beside the journal names it); any number may read meanwhile. If
-// somebody deletes, moves or replaces the file while it is written, the writer notices when it
-// next writes or reads: it saves all trials and throws JournalError naming where they are.
+// One process writes (a lock file beside the journal names it); any number of processes may read
+// meanwhile. If somebody deletes, moves or replaces the file while it is written, the writer
+// notices this at its next read or write: it saves all trials under another name and throws a
+// JournalError that contains this name.
 //
 // SQLite's write-ahead log needs memory that reader and writer share, which network file systems do
 // not offer. On these the journal uses a rollback log. A commit then waits for the disk several
-// times instead of once, and for readers.
+// times instead of once, and waits until readers have finished.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +28,8 @@ namespace latsch {
 
 class Journal : public TrialStore {
  public:
-  /// SQLite's write-ahead log, which readers need not wait for, or its rollback journal, which also
-  /// works on file systems of several machines.
+  /// The log by which SQLite makes a commit complete or void. Readers need not wait for the
+  /// write-ahead log. The rollback journal also works on file systems that several machines share.
   enum class Log { write_ahead, rollback };
 
   /// Opens the journal for writing, or creates it. Throws InputError if it belongs to another study
@@ -36,7 +37,7 @@ class Journal : public TrialStore {
   /// if it is in use (naming the process). A journal of an older format is converted to the present
   /// one; a copy of the original stays beside it.
   static Journal open(const std::filesystem::path& file, const StudyIdentity& identity);
-  /// Opens the journal with the given log, wherever it lies.
+  /// Opens the journal with the given type of log, whatever its file system.
   static Journal open(const std::filesystem::path& file, const StudyIdentity& identity, Log log);
 
   /// Assigns the trials of a journal to this study although the version of the model or of an
@@ -46,8 +47,8 @@ class Journal : public TrialStore {
 
   /// Opens for reading, also while another process writes. append() is not allowed.
   static Journal read(const std::filesystem::path& file);
-  /// Throws InputError if it belongs to another study, as open() does, but ignores the files of an
-  /// outside program.
+  /// Opens the journal for reading. Throws InputError if it belongs to another study, as open()
+  /// does, but ignores differences in the files of an outside program.
   static Journal read(const std::filesystem::path& file, const StudyIdentity& identity);
 
   /// A journal can be moved, not copied. The journal that was moved from must not be used.
@@ -68,7 +69,8 @@ class Journal : public TrialStore {
   /// Visits only the requested trials (asked_trials.h), from which results are taken.
   void for_each_asked(const std::function<void(const Trial&)>& visit) const;
 
-  /// Stores the requested points as marks, if these add information.
+  /// Begins to record which points the search requests; marks are written for them if these add
+  /// information.
   void begin_asking() override;
   /// Stores these points as requested by the search.
   void keep_asked(const std::set<std::string>& points) override;

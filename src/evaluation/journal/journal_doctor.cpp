@@ -21,8 +21,8 @@ using namespace journal_format;
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestFile = std::size_t{16} << 30;
-constexpr int kShownDamages = 5;   // shown lines of SQLite's list of damages
-constexpr long kShownTrials = 12;  // trial numbers listed in one sentence
+constexpr int kShownDamages = 5;   // lines shown of SQLite's list of damages
+constexpr long kShownTrials = 12;  // numbers of trials listed in one sentence
 
 std::string read_if_there(const fs::path& file) {
   return fs::exists(file) ? read_text_file(file, kLargestFile) : std::string();
@@ -149,7 +149,7 @@ class Examination {
         report_.expected, database_->execAndGet("SELECT max(number) FROM trials").getInt64());
   }
 
-  /// Reads row by row, so that a damaged page costs only its own rows.
+  /// Reads each row by a query of its own, so that a damaged page costs only the rows on it.
   void read_row_number(std::int64_t number) {
     try {
       SQLite::Statement select(
@@ -194,9 +194,8 @@ class Examination {
     std::vector<std::int64_t> useless;
     for (const auto& [number, row] : rows_) {
       auto trial = decoder.decode(row);
-      if (!trial && report_.format == 0)
-        trial = row.decode();  // the journal may have an older
-                               // format
+      // If the format is not known, the row may be in an older format.
+      if (!trial && report_.format == 0) trial = row.decode();
       if (trial) {
         report_.rows.push_back(unpacked(row, *trial));
       } else {
@@ -208,7 +207,8 @@ class Examination {
                      ranges(useless)));
   }
 
-  /// Checks for missing numbers and checks the chain from row to row.
+  /// Checks that no row number is missing, and that each row's hash continues that of the row
+  /// before.
   void check_rows() {
     std::vector<std::int64_t> lost, untied;
     std::int64_t number = 0;
@@ -241,7 +241,8 @@ class Examination {
     unpack_rows();
   }
 
-  /// In format 1 a row has no hash of its own, so the chain alone proves it.
+  /// In format 1 a row has no hash of its own, so only the chain of hashes from row to row proves
+  /// it.
   void drop_unproven(const std::vector<std::int64_t>& untied) {
     if (report_.format != 1) return;
     for (const std::int64_t number : untied) rows_.erase(number);
@@ -279,7 +280,7 @@ bool has_unfinished_commit(const fs::path& file) {
   return false;
 }
 
-/// A copy with its rollback log, in which SQLite may undo the commit.
+/// A copy of a journal and its rollback log, on which SQLite may undo the unfinished commit.
 class Copy {
  public:
   explicit Copy(const fs::path& file)
@@ -330,7 +331,7 @@ void salvage_journal(const JournalReport& report,
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     SQLite::Transaction transaction(database);
     create_tables(database);
-    // Marks count trials, so no trial before a mark may be missing.
+    // A mark states the number of trials before it, so marks are kept only if no trial is missing.
     const bool all = std::ssize(report.rows) == report.expected;
     write_journal_rows(
         database, *study, report.rows, all ? report.marks : std::vector<JournalMark>{});

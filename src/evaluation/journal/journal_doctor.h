@@ -15,13 +15,15 @@
 namespace latsch {
 
 struct JournalReport {
-  int format = 0;                          // 0: not known, or no journal at all
-  long expected = -1;                      // number of trials in its own tally; -1: not readable
+  /// Format of the journal; 0: not known, or no journal at all.
+  int format = 0;
+  /// Number of trials that the file states; -1: not readable.
+  long expected = -1;
   std::optional<StudyIdentity> identity;   // set if the identity is intact
   std::vector<journal_format::Row> rows;   // intact rows, unpacked, in the order of their numbers
-  std::vector<JournalMark> marks = {};     // set if all of them are intact
-  std::vector<std::string> findings = {};  // one sentence each; empty: everything is as written
-  std::vector<std::string> notes = {};     // information that is no damage
+  std::vector<JournalMark> marks = {};     // set if all marks are intact
+  std::vector<std::string> findings = {};  // damages, one sentence each; empty if there are none
+  std::vector<std::string> notes = {};     // information that is not about damages
 
   bool healthy() const { return findings.empty(); }
 };

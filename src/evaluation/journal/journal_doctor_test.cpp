@@ -21,8 +21,8 @@ namespace {
 
 const StudyIdentity kPatient{{"model", "a = 1\nb = 2\n"}, {"variables", "E: layer.E\n"}};
 
-/// Every second trial has long channels of unpredictable numbers, so that rows also lie on overflow
-/// pages and none refers to another.
+/// Returns a trial. Every second one has long channels of random numbers, so that its row extends
+/// to overflow pages and no row is packed by reference to another.
 Trial patient_trial(int number) {
   RandomStream random(static_cast<std::uint64_t>(number), 0);
   std::vector<double> values(number % 2 ? 20 : 1200);
@@ -41,7 +41,8 @@ void put_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// Expects that rows, found by their points, are as written. Returns true if all are there.
+/// Expects that every row of the report, looked up by its point, is as written. Returns true if no
+/// row is missing.
 bool all_authentic(const JournalReport& report, int trials, const std::string& what) {
   for (const auto& row : report.rows) {
     const auto read = row.decode();
@@ -101,7 +102,7 @@ TEST(JournalDoctor, AHealthyJournalIsCalledHealthyAndSalvagedToTheSameTrials) {
   EXPECT_THROW(salvage_journal(report, std::nullopt, folder / "b"), InputError);
 }
 
-// Every change of the written bytes is detected, and loses only the trials in the changed bytes.
+// Every change of a written byte is detected, and costs only the trials whose bytes were changed.
 TEST(JournalDoctor, NoDamageIsTakenForDataAndIntactTrialsAreSaved) {
   const ScratchFolder folder;
   constexpr int kTrials = 30;

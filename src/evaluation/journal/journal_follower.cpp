@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kPatience = 2000;  // ms
 
-/// The file that a path leads to now.
+/// Identity, size and time of last change of the file at a path.
 struct FileThere {
   dev_t device;
   ino_t number;
@@ -53,8 +53,8 @@ struct JournalFollower::Impl {
   std::vector<JournalMark> marks;
   std::optional<RowDecoder> decoder;
   std::int64_t number = 0;  // number of the last row visited
-  std::uint64_t state = 0;  // hash of the chain at this row
-  std::int64_t total = 0;   // number of rows at the last read
+  std::uint64_t state = 0;  // hash of the chain at the last row visited
+  std::int64_t total = 0;   // number of rows at the time of the last read
   std::int64_t marks_seen = -1;
 
   void close() {
@@ -68,17 +68,17 @@ struct JournalFollower::Impl {
 
   void open() {
     opened = file_at(file);
-    identity = Journal::read(file).identity();  // throws an InputError that describes any fault of
-                                                // the file
+    // Throws an InputError that describes any fault of the file.
+    identity = Journal::read(file).identity();
     database = open_for_reading(file, kPatience);
     format = database->execAndGet("PRAGMA user_version").getInt();
     decoder.emplace(format);
     state = hash_of(identity);
   }
 
-  /// True if the last visited row is still in the file and belongs to the same study; checked if
-  /// the file was written. Another journal can be copied over this one, which leaves the file
-  /// number unchanged and SQLite with pages of the old journal.
+  /// True if the row visited last is still in the file and belongs to the same study. This is
+  /// checked whenever the file was written, because another journal can be copied over this one:
+  /// the inode stays the same then, and SQLite keeps pages of the old journal.
   bool has_what_was_handed_on() {
     const auto there = file_at(file);
     if (!there || !opened->is_same_file(*there)) return false;
@@ -93,7 +93,7 @@ struct JournalFollower::Impl {
       SQLite::Statement select(*database, "SELECT hash FROM trials WHERE number = ?");
       select.bind(1, number);
       return select.executeStep() && select.getColumn(0).getInt64() == stored(state);
-    } catch (const std::runtime_error&) {  // half written; the next read reports the fault
+    } catch (const std::runtime_error&) {  // a half-written file; the next read reports the error
       return false;
     }
   }
@@ -129,7 +129,8 @@ struct JournalFollower::Impl {
       if (!file_at(file)) return news;
       open();
     }
-    SQLite::Transaction snapshot(*database);  // tally, marks and rows of one moment
+    // Reads number of trials, marks and rows as they were at one moment.
+    SQLite::Transaction snapshot(*database);
     const auto tally = read_tally(*database, format);
     if (!tally) damaged(number + 1, "or the tally of the trials is missing");
     if (tally->trials < number) damaged(number, "is gone");

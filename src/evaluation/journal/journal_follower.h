@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a journal while another process writes it. Each call visits the trials that came since the
-// call before, so that a viewer of fifty thousand trials reads each of them once.
+// Reads a journal while another process writes it. Each call visits the trials that were added
+// since the previous call, so that a viewer of fifty thousand trials reads each of them once.
 //
-// Every row is checked against its hash and the chain of the rows before it, as in Journal::read. A
-// journal that was replaced (latsch run --anew), or copied over, is noticed and read from its
-// beginning.
+// Every row is checked against its hash and the chain of hashes, as in Journal::read. If the
+// journal was replaced (latsch run --anew) or overwritten by a copy of another one, the follower
+// notices this and reads the new journal from its beginning.
 #pragma once
 
 #include <filesystem>
@@ -27,16 +27,17 @@ class JournalFollower {
   JournalFollower& operator=(JournalFollower&&) noexcept;
 
   struct News {
-    bool begins_anew = false;  // true if earlier trials belong to a journal that is gone; the next
-                               // call starts at the beginning of the present one
-    long trials = 0;           // number of trials visited by this call
-    bool has_more = false;     // true if `most` was reached
-    bool has_marks = false;    // true if marks() changed
+    /// True if the trials visited earlier belong to a journal that does not exist any more; the
+    /// next call starts at the beginning of the present one.
+    bool begins_anew = false;
+    long trials = 0;         // number of trials visited by this call
+    bool has_more = false;   // true if the limit `most` was reached
+    bool has_marks = false;  // true if marks() has changed
   };
 
   /// Visits at most `most` trials, in the order of the journal. Throws InputError if the file is no
-  /// journal, JournalError if a row is damaged; trials visited before stay valid. A file that does
-  /// not exist has no trials.
+  /// journal, and JournalError if a row is damaged; the trials visited before the damaged one
+  /// remain valid. A file that does not exist counts as a journal without trials.
   News read(long most, const std::function<void(const Trial&)>& visit);
 
   /// Returns the number of rows in the journal at the last read().

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A follower visits exactly the trials that a complete read returns, each once.
+// Tests that a follower visits exactly the trials that a complete read returns, each once.
 #include "evaluation/journal/journal_follower.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -53,8 +53,8 @@ TEST_F(Followed, EveryTrialIsHandedOnOnceWhileAnotherWrites) {
   std::vector<double> seen;
   for (int i = 0; i < 40; ++i) {
     journal.append(trial_with(i));
-    for (const double one : news(i % 3))
-      seen.push_back(one);  // may also be none, or fewer than there are
+    // A read may visit no trial at all, or fewer than there are.
+    for (const double one : news(i % 3)) seen.push_back(one);
   }
   while (true) {
     const auto more = news(7);
@@ -95,7 +95,7 @@ TEST_F(Followed, AJournalInTheOthersPlaceIsReadFromItsBeginning) {
   EXPECT_FALSE(last_.begins_anew);
 }
 
-// After cp other.latsch study.latsch the file has the same inode.
+// After the command cp other.latsch study.latsch, study.latsch still has the same inode.
 TEST_F(Followed, AJournalCopiedOverTheOtherIsReadFromItsBeginning) {
   const auto other = folder_ / "other.latsch";
   const auto write = [](const std::filesystem::path& path, int first, int count) {
@@ -113,7 +113,7 @@ TEST_F(Followed, AJournalCopiedOverTheOtherIsReadFromItsBeginning) {
   EXPECT_FALSE(last_.begins_anew);
   EXPECT_TRUE(news().empty());
   EXPECT_EQ(follower_.total(), 5);
-  // A journal that continues is the same journal.
+  // A journal to which trials were only added counts as the same journal.
   write(file(), 15, 1);
   EXPECT_EQ(news(), std::vector{15.0});
   EXPECT_FALSE(last_.begins_anew);

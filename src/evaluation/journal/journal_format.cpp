@@ -11,7 +11,8 @@
 namespace latsch::journal_format {
 namespace {
 
-// Rows are only ever added; only `tally` is rewritten, in the transaction that adds trials.
+// Rows are only added, never changed. The one exception is `tally`, which is rewritten in the
+// transaction that adds trials.
 constexpr const char* kTables = R"(
   CREATE TABLE identity (position INTEGER PRIMARY KEY, name TEXT NOT NULL, text TEXT NOT NULL,
                          hash INTEGER NOT NULL);

@@ -7,15 +7,15 @@
 // that a missing or exchanged row is detected. The chain starts at the hash of the study's
 // identity.
 //
-//   format 1   no `content`; `hash` is over the columns and the hash before
-//   format 2   as above; failures say their cause
-//   format 3   outcomes say the CPU time of outside programs
+//   format 1   no `content`; `hash` is over the columns and the `hash` of the row before
+//   format 2   hashes as above; failures state their cause
+//   format 3   outcomes state the CPU time of outside programs
 //   format 4   outcomes are packed (outcome_packing.h); there are marks
 //   format 5   channels have slopes
 //
-// A mark records an event between two trials: a search began that knew all earlier trials, failed
-// trials are to be repeated, or new limits hold. A resumed run therefore starts with the knowledge
-// it had at first.
+// A mark records an event between two trials: a search that knew all earlier trials began, failed
+// trials are to be repeated, or new limits hold. A resumed run therefore starts with the same
+// knowledge as the interrupted one.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -33,8 +33,8 @@
 
 namespace latsch::journal_format {
 
-inline constexpr int kApplicationId = 0x4C747368;  // "Ltsh", identifies the file type for file(1)
-                                                   // and Latsch
+/// Identifies the file type for file(1) and for Latsch; the bytes spell "Ltsh".
+inline constexpr int kApplicationId = 0x4C747368;
 inline constexpr int kFormat = 5;
 
 /// Creates the tables and marks the file as a journal of kFormat.
@@ -55,9 +55,9 @@ struct Row {
   std::int64_t content = 0;
   std::int64_t hash = 0;
 
-  /// Returns the correct value of `content`.
+  /// Returns the value that the column `content` must have.
   std::uint64_t own_hash() const;
-  /// Returns the correct value of `hash` after a row with hash `before`.
+  /// Returns the value that the column `hash` must have if the previous row's is `before`.
   std::uint64_t chained(int format, std::uint64_t before) const;
   /// Decodes the trial of a row whose outcome is not packed.
   std::optional<Trial> decode() const;
@@ -70,7 +70,7 @@ Row make_row(std::int64_t number, const Trial& trial, std::uint64_t before, Outc
 class RowDecoder {
  public:
   explicit RowDecoder(int format) : format_(format) {}
-  /// Also returns nullopt if the row refers to a missing row.
+  /// Returns nullopt if the row is damaged or refers to a missing row.
   std::optional<Trial> decode(const Row& row);
 
  private:
@@ -89,7 +89,7 @@ inline constexpr const char* kInsert = "INSERT INTO trials VALUES (?, ?, ?, ?, ?
 
 /// Writes the identity and an empty tally.
 void write_identity(SQLite::Database& database, const StudyIdentity& identity);
-/// Number of rows and hash of the last one, by which a lost last row is detected.
+/// Number of trials and hash of the last row, by which the loss of the last rows is detected.
 struct Tally {
   std::int64_t trials = 0;
   std::uint64_t hash = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: one history of a journal that is written until the power fails, and the conditions
-// it has to fulfill when the power returns.
+// Test support: a journal that is written until the power fails, and the conditions that it has to
+// fulfill when the power returns.
 #pragma once
 
 #include <string>
@@ -20,11 +20,12 @@ struct PowerHistory {
   long kept = 0;
   long sectors_lost = 0;
   bool while_open = false;  // true if the power failed before the journal was closed
-  std::string wrong;        // empty if nothing acknowledged was lost or changed
+  /// The broken condition; empty if nothing acknowledged was lost or changed.
+  std::string wrong;
 };
 
-/// The trial depends on its number only. Every fifth trial is large, so some histories reach a
-/// checkpoint.
+/// Returns a trial that depends only on its number. Every fifth trial is large, so that some test
+/// runs reach a checkpoint of SQLite's log.
 inline Trial trial_of_history(long number) {
   Channels channels;
   channels.add(

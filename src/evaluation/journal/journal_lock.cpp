@@ -49,7 +49,8 @@ std::string holder_text() {
                      fmt::gmtime(std::time(nullptr)));
 }
 
-/// True if `fd` is still the file at the given path. A holder removes its lock file when it ends.
+/// True if the path still leads to the file that is open as `fd`: the process that holds a lock
+/// removes its lock file when it ends.
 bool is_current(int fd, const std::filesystem::path& file) {
   struct stat opened {};
   struct stat present {};
@@ -61,7 +62,8 @@ bool is_current(int fd, const std::filesystem::path& file) {
   throw InputError({journal.string(), 0}, what);
 }
 
-/// `error` is that of flock(2); only EWOULDBLOCK means that somebody holds the lock.
+/// Returns the message for an `error` of flock(2). Only EWOULDBLOCK means that another process, the
+/// `holder`, has the lock.
 std::string complaint(int error, const std::string& holder) {
   if (error == EWOULDBLOCK) {
     return fmt::format(
@@ -75,7 +77,7 @@ std::string complaint(int error, const std::string& holder) {
       std::strerror(error));
 }
 
-/// Process named in a lock file.
+/// The process named in a lock file.
 struct Named {
   int process = 0;
   std::string host;
@@ -85,21 +87,22 @@ std::optional<Named> named_in(const std::string& holder) {
   Named named;
   std::array<char, 256> host{};
   if (std::sscanf(holder.c_str(), "process %d on %255s", &named.process, host.data()) != 2)
-    return std::nullopt;  // the lock was just taken, or its holder's disk is full
+    return std::nullopt;  // the lock was just taken, or the disk of its holder is full
   named.host = host.data();
   return named;
 }
 
 bool is_gone(int process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
 
-/// True if the process that took the lock is gone: a child holds the lock until it executes another
-/// program.
+/// True if the process that took the lock has ended, and the lock is held by a child that has not
+/// executed another program yet.
 bool is_inherited(const std::string& holder) {
   const auto named = named_in(holder);
   return named && named->host == host_name() && is_gone(named->process);
 }
 
-/// Returns the lock beside the file itself, so that all links to a journal have one lock.
+/// Returns the path of the lock file. It lies beside the journal itself, not beside a symbolic link
+/// to it, so that all symbolic links to a journal share one lock.
 std::filesystem::path lock_of(const std::filesystem::path& journal) {
   std::error_code none;
   std::filesystem::path file = std::filesystem::weakly_canonical(journal, none);
@@ -119,9 +122,9 @@ int lock(int fd) {
   return 0;
 }
 
-/// Returns the processes of this machine that hold an flock(2) on a file of that number. The device
-/// is not compared, because overlays and file systems of several volumes show another one there.
-/// [proc(5), /proc/locks]
+/// Returns the processes of this machine that hold an flock(2) on a file with this inode number.
+/// The device is not compared, because file systems with overlays or several volumes report another
+/// device in /proc/locks. [proc(5), /proc/locks]
 std::vector<int> flock_holders(ino_t inode) {
   std::vector<int> holders;
   std::ifstream locks("/proc/locks");
@@ -136,10 +139,10 @@ std::vector<int> flock_holders(ino_t inode) {
   return holders;
 }
 
-/// Waits for short locks on a busy machine.
+/// Limits the time for which a process waits for a lock that another one holds only briefly.
 class Patience {
  public:
-  /// Returns false once the patience has ended.
+  /// Waits a moment. Returns false once the total time is used up.
   bool wait() const {
     using namespace std::chrono_literals;
     if (std::chrono::steady_clock::now() >= until_) return false;
@@ -159,7 +162,14 @@ JournalLock::JournalLock(const std::filesystem::path& journal)
   const Patience patience;
   while (true) {
     fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (fd_ < 0) refuse(journal, fmt::format("cannot write beside it: {}", std::strerror(errno)));
+    if (fd_ < 0)
+      refuse(journal,
+             fmt::format("cannot write beside it: {}{}",
+                         std::strerror(errno),
+                         errno == EACCES || errno == EROFS
+                             ? "; in a copy of the study, [run] journal = \"FILE\" can name a "
+                               "journal in a folder that can be written"
+                             : ""));
     if (const int error = lock(fd_)) {
       const std::string holder = read_all(fd_);
       ::close(fd_);
@@ -175,8 +185,9 @@ JournalLock::JournalLock(const std::filesystem::path& journal)
   if (::ftruncate(fd_, 0) == 0 && ::pwrite(fd_, holder.data(), holder.size(), 0) < 0) errno = 0;
 }
 
-/// A lock on the journal itself finds a process that opened it by another hard link. A network file
-/// system may make a lock of SQLite's kind of it, which SQLite would then wait for.
+/// Locks the journal itself, which finds a process that opened it by another hard link. A network
+/// file system may turn this lock into one of the kind that SQLite uses, for which SQLite would
+/// then wait.
 void JournalLock::lock_itself() {
   const auto give_up = [this](const std::string& what) {
     ::unlink(file_.c_str());
@@ -190,7 +201,8 @@ void JournalLock::lock_itself() {
   if (itself_ < 0 || !is_local_ || ::fstat(itself_, &about) != 0) return;
   const Patience patience;
   while (const int error = lock(itself_)) {
-    if (error != EWOULDBLOCK) return;  // the lock beside it holds
+    // The file system does not support this lock; the lock file beside the journal suffices.
+    if (error != EWOULDBLOCK) return;
     const std::vector<int> holders = flock_holders(about.st_ino);
     const bool are_gone = !holders.empty() && std::all_of(holders.begin(), holders.end(), is_gone);
     if (are_gone && patience.wait()) continue;
@@ -237,8 +249,9 @@ std::optional<JournalHolder> journal_holder(const std::filesystem::path& journal
   if (!named) return std::nullopt;
   if (named->host != host_name()) return JournalHolder{words, std::nullopt};
   const std::vector<int> holders = flock_holders(file.st_ino);
+  // If no process holds the lock, the lock file was left behind by a killed process.
   if (std::find(holders.begin(), holders.end(), named->process) == holders.end())
-    return std::nullopt;  // the name was left behind by a killed process
+    return std::nullopt;
   return JournalHolder{words, named->process};
 }
 

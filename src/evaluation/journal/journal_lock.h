@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Admits one writer for each journal, by an advisory lock on a file beside it that names the
-// process holding it, and by a second lock on the journal itself, which a hard link in any folder
-// shares. The system releases both locks when that process ends, however it ends.
+// Admits one writer at a time for each journal, by two advisory locks. The first is on a file
+// beside the journal that names the process holding it. The second is on the journal itself, so
+// that hard links in other folders share it. The system releases both locks when that process ends,
+// however it ends.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +14,7 @@ namespace latsch {
 /// The process that writes a journal.
 struct JournalHolder {
   std::string words;           // "process 4711 on lab7 since 2026-03-01 10:12:44 UTC"
-  std::optional<int> process;  // process on this machine; nullopt: on another one, or not known
+  std::optional<int> process;  // number of the process; nullopt: on another machine, or not known
 };
 
 class JournalLock {
@@ -27,9 +28,9 @@ class JournalLock {
   JournalLock(const JournalLock&) = delete;
   JournalLock& operator=(const JournalLock&) = delete;
 
-  /// Returns true if the name still leads to the journal that was locked: nobody has deleted, moved
-  /// or replaced it. On file systems that are not local only a missing file counts, because they
-  /// may number a file anew.
+  /// Returns true if the path still leads to the journal that was locked: nobody has deleted, moved
+  /// or replaced it. On file systems that are not local, only a missing file is noticed, because
+  /// such systems may change the inode number of a file.
   bool is_in_place() const;
   /// Returns the present name of a journal that was moved; nullopt if it was deleted.
   std::optional<std::filesystem::path> moved_to() const;
@@ -39,9 +40,9 @@ class JournalLock {
 
   std::filesystem::path journal_;
   std::filesystem::path file_;
-  int fd_ = -1;      // file beside the journal
-  int itself_ = -1;  // the journal; closed after its database, because close(2) releases the
-                     // locks of SQLite
+  int fd_ = -1;  // descriptor of the lock file beside the journal
+  /// The journal. It is closed after its database, because close(2) releases the locks of SQLite.
+  int itself_ = -1;
   bool is_local_ = true;
 };
 

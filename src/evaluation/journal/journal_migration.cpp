@@ -18,7 +18,7 @@ void rewrite_journal(SQLite::Database& database,
                      std::vector<Row> rows,
                      const std::vector<JournalMark>& marks) {
   // VACUUM INTO also copies the content of the write-ahead log.
-  std::filesystem::remove(backup);  // left by an attempt that was interrupted
+  std::filesystem::remove(backup);  // an interrupted attempt may have left it
   SQLite::Statement copy(database, "VACUUM INTO ?");
   copy.bind(1, backup.string());
   copy.exec();

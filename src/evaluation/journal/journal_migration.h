@@ -14,8 +14,8 @@ namespace latsch {
 /// Returns the file that keeps the original journal: "study.latsch.format1".
 std::filesystem::path migration_backup(const std::filesystem::path& journal, int format);
 
-/// Copies the journal to that backup, then rewrites it in one transaction. `rows` are those of the
-/// journal, checked and unpacked.
+/// Copies the journal to `backup`, then rewrites it in the present format in one transaction.
+/// `rows` are the rows of the journal, checked and unpacked.
 void rewrite_journal(SQLite::Database& database,
                      const std::filesystem::path& backup,
                      const StudyIdentity& identity,

@@ -120,7 +120,8 @@ TEST(JournalMigration, OfAnotherVersionOfTheModelItIsRefusedAndMayBeAdopted) {
     return study;
   };
   {
-    Journal journal = Journal::open(file, kStudy);  // written by a program that stored no versions
+    // The journal of a program that stored no versions.
+    Journal journal = Journal::open(file, kStudy);
     journal.append(trial(1));
     journal.mark("start", "x");
     journal.append(failed_trial(2));

@@ -37,7 +37,7 @@ std::size_t page_size_of(const std::string& database) {
   return is_page_size(size) ? size : kUsualPage;
 }
 
-/// Pages keyed by their number; the first page is 1.
+/// Pages of the file by their number, counted from 1.
 using Pages = std::map<std::uint32_t, std::string_view>;
 
 Pages pages_of(const std::string& database, std::size_t page_size) {
@@ -49,7 +49,8 @@ Pages pages_of(const std::string& database, std::size_t page_size) {
   return pages;
 }
 
-/// Reads numbers of seven bits a byte, high bits first; the ninth byte counts whole.
+/// Reads SQLite's integers of variable length: seven bits per byte, high bits first; a ninth byte
+/// contributes all of its eight bits.
 struct Cursor {
   std::string_view bytes;
   std::size_t at;
@@ -69,7 +70,8 @@ struct Cursor {
   }
 };
 
-/// Lengths of the columns of a row of `trials`. The row number is stored before the record.
+/// Lengths of the columns of a row of the table `trials`. The row number is stored before the
+/// record.
 struct Shape {
   std::size_t header, point, outcome, finished, content, hash;
 };
@@ -171,7 +173,8 @@ void find_rows(const Pages& pages, std::map<std::int64_t, Row>& rows) {
   }
 }
 
-/// Visits the frames that belong to the log's present header; older ones may follow them.
+/// Visits the pages of the write-ahead log that were written since its present header. Pages of an
+/// older header may follow them.
 template <class Visit>
 void for_each_frame(const std::string& log, const Visit& visit) {
   if (log.size() < kLogHeader) return;
@@ -187,7 +190,7 @@ void for_each_frame(const std::string& log, const Visit& visit) {
 
 struct Checksum {
   std::uint32_t s0 = 0, s1 = 0;
-  bool big = false;  // byte order of the checksums, from the magic number
+  bool big = false;  // true if checksums are big-endian, which the magic number states
 
   void add(std::string_view bytes) {
     for (std::size_t at = 0; at + 8 <= bytes.size(); at += 8) {
@@ -207,7 +210,8 @@ std::vector<Row> rows_on_pages(const std::string& database, const std::string& l
   std::map<std::int64_t, Row> rows;
   Pages pages = pages_of(database, page_size_of(database));
   find_rows(pages, rows);
-  // Rows are then searched with all pages of the log in place of those of the file, damaged or not.
+  // Rows are then searched on all pages of the log as well, whether damaged or not, in place of
+  // those of the file.
   Pages with_log = pages;
   for_each_frame(log, [&](std::string_view frame) {
     with_log[big_endian(frame, 0)] = frame.substr(kFrameHeader);

@@ -2,10 +2,11 @@
 // Reads a journal file without SQLite, for damaged files that SQLite cannot read: finds rows of
 // trials on its pages and checks its write-ahead log.
 //
-// A row lies in one piece on a page, with its long tail on a chain of overflow pages. Every offset
-// of every page is tried as the beginning of a row of the right shape; the hash of its content
-// decides. So neither a broken tree nor a broken page hides intact rows.
-// [https://www.sqlite.org/fileformat2.html, sections 1.5, 1.6, 2.1, 4]
+// The beginning of a row lies on one page, and the rest of a long row on a chain of overflow pages.
+// Every offset of every page is tried as the beginning of a row; a row is accepted if its columns
+// have plausible lengths and its content agrees with its hash. So neither a broken tree nor a
+// broken page hides intact rows. [https://www.sqlite.org/fileformat2.html, sections 1.5, 1.6, 2.1,
+// 4]
 #pragma once
 
 #include <string>
@@ -21,8 +22,8 @@ namespace latsch {
 std::vector<journal_format::Row> rows_on_pages(const std::string& database, const std::string& log);
 
 struct LogState {
-  long frames = 0;  // pages written to the present log
-  long intact = 0;  // pages before the first with a wrong checksum
+  long frames = 0;  // number of pages before the first one with a wrong checksum
+  long intact = 0;  // pages before the first one with a wrong checksum
 };
 LogState check_log(const std::string& log);
 

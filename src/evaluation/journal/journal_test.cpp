@@ -28,7 +28,7 @@ namespace {
 int error_of_locks = 0;  // 0: locks work
 }
 
-/// Replaces the system's flock(2) in this program.
+/// Replaces the system's flock(2) in this program, so that tests can make it fail.
 extern "C" int flock(int file, int operation) {
   if (error_of_locks == 0) return static_cast<int>(::syscall(SYS_flock, file, operation));
   errno = error_of_locks;
@@ -117,7 +117,7 @@ TEST(Journal, RefusesForeignFilesAndOtherVersions) {
 
 TEST(Journal, PackedTrialsAreTheSameAfterAnyNumberOfOpenings) {
   const ScratchFolder folder;
-  constexpr int kTrials = 150;  // more than a block
+  constexpr int kTrials = 150;  // more trials than a block of packed rows has
   for (int i = 0; i < kTrials;) {
     Journal journal = Journal::open(folder / "a", kStudy);
     for (int group = 0; group < 40 && i < kTrials; ++group) journal.append(long_trial(i++));
@@ -187,8 +187,8 @@ TEST(Journal, ASecondWriterIsToldWhoHoldsItAndReadersMayComeIn) {
   EXPECT_EQ(reader.trials().size(), 2u);
 }
 
-// If a writer is killed while it starts a worker, the child holds the lock until it executes the
-// worker program.
+// If a writer is killed while it starts a worker, the child process still holds the lock until it
+// executes the worker program.
 TEST(Journal, OfAKilledWriterWhoseChildIsOnItsWayItIsFreeAfterAMoment) {
   const ScratchFolder folder;
   int ready[2];
@@ -232,7 +232,7 @@ TEST(Journal, WhoWritesItIsToldWithoutTakingTheLock) {
   EXPECT_FALSE(far->process);
 }
 
-/// Makes flock(2) fail with this error in this program during its life.
+/// While an object of this class exists, flock(2) fails with the given error in this program.
 class FailingLocks {
  public:
   explicit FailingLocks(int error) { error_of_locks = error; }
@@ -252,7 +252,7 @@ TEST(Journal, AFileSystemWithoutLocksIsNotCalledInUse) {
   expect_contains(complaint([&] { Journal::open(folder / "a", kStudy); }), "in use by another");
 }
 
-// Hard links in two folders have lock files of their own.
+// Hard links in two folders have different lock files.
 TEST(Journal, OneThatIsOpenIsInUseUnderItsHardLinks) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder / "deep");
@@ -280,17 +280,18 @@ TEST(Journal, AHardLinkWithoutTheLogOfAKilledWriterIsRefused) {
   if (writer == 0) {
     Journal journal = Journal::open(folder / "a", kStudy, Journal::Log::write_ahead);
     journal.append(trial(1));
-    std::_Exit(0);  // without closing it
+    std::_Exit(0);  // ends without closing the journal
   }
   ::waitpid(writer, nullptr, 0);
   ASSERT_TRUE(std::filesystem::exists(folder / "a-wal"));
   std::filesystem::create_hard_link(folder / "a", folder / "b");
   expect_contains(complaint([&] { Journal::open(folder / "b", kStudy); }), "open it by that name");
   EXPECT_EQ(Journal::open(folder / "a", kStudy).size(), 1);
-  EXPECT_EQ(Journal::open(folder / "b", kStudy).size(), 1);  // the log is merged by now
+  // The log was merged when the journal was opened.
+  EXPECT_EQ(Journal::open(folder / "b", kStudy).size(), 1);
 }
 
-/// Returns the message of a JournalError.
+/// Runs `action` and returns the message of the JournalError that it throws.
 template <class Action>
 std::string loss(Action&& action) {
   try {
@@ -342,7 +343,7 @@ TEST(Journal, OneThatIsReplacedWhileItIsWrittenKeepsItsTrialsBesideIt) {
   }
   EXPECT_EQ(Journal::open(folder / "a.saved.journal", kStudy).trials().size(), 2u);
   const std::vector<Trial> others = Journal::open(folder / "a.journal", kStudy).trials();
-  ASSERT_EQ(others.size(), 1u);  // the log of the writer was not applied to it
+  ASSERT_EQ(others.size(), 1u);  // the log of the first journal was not applied to the other one
   expect_same(others[0], trial(7));
 }
 
@@ -416,7 +417,7 @@ void expect_intact_or_detected(const std::filesystem::path& file, int trials, co
   }
 }
 
-// This is the short form of rows of ./bench.sh faults.
+// ./bench.sh faults repeats this test with many more seeds.
 TEST(Journal, APowerLossLosesNothingThatWasAcknowledged) {
   for (const auto log : {Journal::Log::write_ahead, Journal::Log::rollback}) {
     long sectors = 0, while_open = 0;
@@ -426,7 +427,7 @@ TEST(Journal, APowerLossLosesNothingThatWasAcknowledged) {
       sectors += history.sectors_lost;
       while_open += history.while_open;
     }
-    EXPECT_GT(sectors, 100);  // confirms that data was at risk
+    EXPECT_GT(sectors, 100);  // confirms that unsynced data existed
     EXPECT_GT(while_open, 10);
   }
 }
@@ -443,9 +444,10 @@ TEST(Journal, OnlyAFileSystemKnownToBeLocalGetsAWriteAheadLog) {
     EXPECT_EQ(shared_file_system(local), std::nullopt) << std::hex << local;
   }
   EXPECT_EQ(shared_file_system(0x6969), "NFS");
-  EXPECT_EQ(shared_file_system(0xFFFFFFFFFF534D42), "CIFS");  // a 32-bit number with extended sign
-  // The numbers are VirtualBox and VMware folders, Coda, Orange, IBM's and Quantum's, and an
-  // unknown one.
+  // A 32-bit number whose sign was extended.
+  EXPECT_EQ(shared_file_system(0xFFFFFFFFFF534D42), "CIFS");
+  // The numbers belong to file systems of VirtualBox and VMware folders, of Coda, Orange, IBM and
+  // Quantum, and to an unknown one.
   for (const unsigned long shared :
        {0x786F4256ul, 0xBACBACBCul, 0x73757245ul, 0x20030528ul, 0x7ul}) {
     EXPECT_NE(shared_file_system(shared), std::nullopt) << std::hex << shared;
@@ -460,9 +462,9 @@ TEST(Journal, OnlyAFileSystemKnownToBeLocalGetsAWriteAheadLog) {
 TEST(Journal, OnANetworkFileSystemThereIsNoSharedMemory) {
   const ScratchFolder folder;
   const auto file = folder / "j";
-  Journal::open(file, kStudy, Journal::Log::write_ahead).append(trial(1));  // written elsewhere
-                                                                            // before the file moved
-                                                                            // here
+  // The journal is written on a local disk; afterwards it is opened as one on a network file
+  // system.
+  Journal::open(file, kStudy, Journal::Log::write_ahead).append(trial(1));
   Journal journal = Journal::open(file, kStudy, Journal::Log::rollback);
   for (int i = 2; i <= 5; ++i) {
     journal.append(trial(i));
@@ -474,7 +476,8 @@ TEST(Journal, OnANetworkFileSystemThereIsNoSharedMemory) {
                   "is in use by process");
 }
 
-// Without the syncs, equal power losses do cost trials: the disk of this test is no ideal one.
+// Without the syncs, equal power losses do cost trials, which shows that the simulated disk loses
+// data as a real one may.
 TEST(PowerLoss, WhatIsNotSyncedMayBeGone) {
   int lost = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -484,8 +487,8 @@ TEST(PowerLoss, WhatIsNotSyncedMayBeGone) {
       SQLite::Database database((folder / "d").string(),
                                 SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
       database.exec("PRAGMA journal_mode = WAL");
-      database.exec("PRAGMA synchronous = NORMAL; CREATE TABLE t (i INTEGER)");  // no sync at each
-                                                                                 // commit
+      // With synchronous = NORMAL, SQLite does not sync at each commit.
+      database.exec("PRAGMA synchronous = NORMAL; CREATE TABLE t (i INTEGER)");
       database.exec("INSERT INTO t VALUES (1)");
       disk.fail();
     }

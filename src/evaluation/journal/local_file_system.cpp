@@ -15,7 +15,7 @@ struct FileSystem {
   std::string_view name;
 };
 
-constexpr std::array kLocal{FileSystem{0xEF53, "ext4"},  // also ext2, ext3
+constexpr std::array kLocal{FileSystem{0xEF53, "ext4"},  // the number of ext2 and ext3, too
                             FileSystem{0x58465342, "XFS"},
                             FileSystem{0x9123683E, "Btrfs"},
                             FileSystem{0x2FC12FC1, "ZFS"},
@@ -25,13 +25,14 @@ constexpr std::array kLocal{FileSystem{0xEF53, "ext4"},  // also ext2, ext3
                             FileSystem{0x52654973, "ReiserFS"},
                             FileSystem{0x01021994, "tmpfs"},
                             FileSystem{0x858458F6, "ramfs"},
-                            FileSystem{0x794C7630, "overlay"},  // used by containers; its upper
-                                                                // layer is local
+                            // The file system "overlay" is used by containers; its upper layer is
+                            // local.
+                            FileSystem{0x794C7630, "overlay"},
                             FileSystem{0x4D44, "FAT"},
                             FileSystem{0x2011BAB0, "exFAT"},
                             FileSystem{0x7366746E, "NTFS"}};
 
-// Names for messages. A file system in neither list has no name.
+// File systems that several machines may share, with their names for messages.
 constexpr std::array kShared{FileSystem{0x6969, "NFS"},
                              FileSystem{0x517B, "SMB"},
                              FileSystem{0xFF534D42, "CIFS"},
@@ -48,7 +49,8 @@ constexpr std::array kShared{FileSystem{0x6969, "NFS"},
 
 std::optional<std::string_view> name_in(std::span<const FileSystem> list, unsigned long kind) {
   for (const FileSystem& known : list) {
-    if ((kind & 0xFFFFFFFFu) == known.number) return known.name;  // the sign may be extended
+    // Statfs(2) may have extended the sign of a 32-bit number.
+    if ((kind & 0xFFFFFFFFu) == known.number) return known.name;
   }
   return std::nullopt;
 }
@@ -70,9 +72,8 @@ std::optional<std::string> shared_file_system(const std::filesystem::path& file)
   const auto target = std::filesystem::weakly_canonical(file, none);
   const auto folder = (none ? std::filesystem::absolute(file) : target).parent_path();
   struct statfs info {};
-  if (::statfs(folder.c_str(), &info) != 0)
-    return std::nullopt;  // opening the journal reports the
-                          // reason
+  // If the folder cannot be examined, opening the journal will report the reason.
+  if (::statfs(folder.c_str(), &info) != 0) return std::nullopt;
   return shared_file_system(static_cast<unsigned long>(info.f_type));
 }
 

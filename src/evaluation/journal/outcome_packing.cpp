@@ -18,27 +18,31 @@
 namespace latsch {
 namespace {
 
-// A row of kind `single` is packed alone, and no row may refer to it.
+// Ways to pack a row. A row of kind `single` is packed alone, and no other row may refer to it.
 enum class Kind : std::uint8_t { plain, alone, referring, single };
 
-// Coding of a channel: kDifferences + order, or by earlier rows.
+// Coding of a channel: by differences (kDifferences plus the order), or by reference to earlier
+// rows.
 enum Coding : std::uint8_t { kDifferences = 0, kSame = 8, kCombined = 9 };
 
-constexpr std::size_t kLeastValues = 64;     // numbers; a smaller outcome is not packed
-constexpr std::size_t kLeastToRefer = 1000;  // numbers; below, the room saved is not worth the loss
-                                             // by a damaged row
-constexpr std::size_t kMostValues = std::size_t{8} << 20;  // numbers in a block: 64 MB
-constexpr std::size_t kLeastSamples = 32;                  // samples of a channel; fewer are not
-                                                           // coded by combination
+// Smallest number of values that is packed.
+constexpr std::size_t kLeastValues = 64;
+// Smallest number of values of an outcome that may refer to other rows. For fewer, the room saved
+// is not worth the loss if one row is damaged.
+constexpr std::size_t kLeastToRefer = 1000;
+constexpr std::size_t kMostValues = std::size_t{8} << 20;  // values in a block, 64 MB
+// Smallest number of samples of a channel that is coded as a combination of earlier channels.
+constexpr std::size_t kLeastSamples = 32;
 constexpr int kHighestOrder = 2;
-constexpr double kWorthReferring =
-    0.9;                       // ratio to the room of a row that is packed alone; above, the row is
-                               // packed alone
-constexpr int kMostRows = 16;  // rows in a combination
-constexpr Eigen::Index kMostFitted = 128;  // samples used for the fit of the coefficients
-constexpr int kDeflateLevel = 1;  // the remainder is nearly noise, so more effort gains nothing
-constexpr std::uint64_t kMostInflated = 1100;  // multiple of the deflated size; zlib's limit is
-                                               // 1032
+// Largest ratio of the packed size with references to that without them. Above it, the row is
+// packed alone.
+constexpr double kWorthReferring = 0.9;
+constexpr int kMostRows = 16;  // largest number of earlier rows in a combination
+// Number of samples used to fit the coefficients of a combination.
+constexpr Eigen::Index kMostFitted = 128;
+constexpr int kDeflateLevel = 1;  // lowest effort, because the remainder is nearly noise
+// Largest accepted ratio of inflated to deflated size. The limit of zlib's format is 1032.
+constexpr std::uint64_t kMostInflated = 1100;
 
 using Row = OutcomeBlock::Row;
 
@@ -55,7 +59,8 @@ bool take(std::string_view& bytes, T& number) {
   return true;
 }
 
-/// Maps numbers to integers in the same order; neighboring numbers differ by one.
+/// Maps numbers to integers in the same order, so that neighboring floating-point numbers differ by
+/// one.
 std::uint64_t place_of(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   return bits >> 63 ? ~bits : bits | std::uint64_t{1} << 63;
@@ -64,7 +69,8 @@ double at_place(std::uint64_t place) {
   return std::bit_cast<double>(place >> 63 ? place & ~(std::uint64_t{1} << 63) : ~place);
 }
 
-/// Maps 0, -1, 1, -2, ... to 0, 1, 2, 3, ...
+/// Maps the differences 0, -1, 1, -2, ... to 0, 1, 2, 3, ..., so that small differences become
+/// small numbers.
 std::uint64_t folded(std::uint64_t difference) {
   return difference << 1 ^ (0 - (difference >> 63));
 }
@@ -89,7 +95,7 @@ Rest rest_of_differences(Numbers x, int order) {
   return rest;
 }
 
-/// The channel with that index in each earlier row, the last row first.
+/// The values of one channel in earlier rows, the latest row first.
 using Before = std::vector<Numbers>;
 
 std::vector<double> combination(const Before& rows, const std::vector<double>& a) {
@@ -108,7 +114,8 @@ Rest rest_of_combination(Numbers x, const Before& rows, const std::vector<double
   return rest;
 }
 
-/// Returns the coefficients of least relative error, over samples spread evenly.
+/// Returns the coefficients of the combination with the least relative error at samples that are
+/// spread evenly.
 std::vector<double> coefficients(Numbers x, const Before& rows) {
   const auto n = static_cast<Eigen::Index>(x.size());
   const Eigen::Index fitted = std::min(n, kMostFitted);
@@ -130,14 +137,14 @@ std::vector<double> coefficients(Numbers x, const Before& rows) {
   return {a.begin(), a.end()};
 }
 
-/// Returns the approximate number of bits of a remainder.
+/// Returns the approximate number of bits that a remainder needs.
 double cost(const Rest& rest) {
   double bits = 0.0;
   for (const std::uint64_t number : rest) bits += std::bit_width(number);
   return bits;
 }
 
-/// Writes bytes of one significance together, the highest first.
+/// Writes the bytes of all remainders in groups of equal significance, the most significant first.
 void put_planes(std::string& bytes, const Rest& rest) {
   for (int plane = 7; plane >= 0; --plane) {
     for (const std::uint64_t number : rest) {
@@ -158,7 +165,8 @@ std::optional<Rest> take_planes(std::string_view& bytes, std::size_t count) {
   return rest;
 }
 
-/// Numbers coded together: the values of a channel, or its slopes in one variable.
+/// Numbers that are coded together: the values of a channel, or its derivatives with respect to one
+/// variable.
 struct Column {
   std::size_t channel;
   std::optional<std::size_t> variable = {};
@@ -174,8 +182,8 @@ std::optional<Numbers> numbers_of(const Row& row, const Column& column, std::siz
   return Numbers(channel.slopes).subspan(*column.variable * count, count);
 }
 
-/// Returns the column in the rows of the block, the last row first; rows without such a channel are
-/// left out.
+/// Returns the values of the column in the rows of the block, the latest row first; rows without
+/// such a channel are left out.
 Before before(const OutcomeBlock& block, const Column& column, std::size_t count) {
   Before rows;
   for (auto row = block.rows.rbegin(); row != block.rows.rend(); ++row) {
@@ -190,7 +198,7 @@ bool same_bits(Numbers a, Numbers b) {
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
-/// Returns the distance to a row with identical values; 0: there is none.
+/// Returns the distance to an earlier row with identical values; 0 if there is none.
 std::uint8_t places_back(const OutcomeBlock& block,
                          std::int64_t number,
                          const Column& column,
@@ -310,7 +318,7 @@ void put_slopes(std::string& bytes,
   }
 }
 
-/// Returns false if the slopes are missing.
+/// Reads the slopes of a channel from the front of `bytes`. Returns false if they are missing.
 bool take_slopes(std::string_view& bytes,
                  Channel& channel,
                  std::size_t place,

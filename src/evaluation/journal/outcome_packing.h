@@ -6,21 +6,22 @@
 //
 //   x  ~  x_1 + sum_j a_j (x_j - x_1),    x_j the same channel of the row j rows back
 //
-// with a from least squares over some of its samples. If a channel is equal to an earlier one to
-// the bit, only that is stored. If the combination saves less, samples are predicted from the
-// samples before: differences of order 0 to 2. The remainder, counted in units of the last place,
-// is small: its leading bytes are zeros. Bytes of one significance lie together and are deflated
-// (zlib). A part that cannot be predicted, such as the rounding of a simulation, takes its full
-// room.
+// The coefficients a_j minimize the squared error at some of the samples. If a channel equals an
+// earlier one to the bit, only a reference to it is stored. If the combination saves less, samples
+// are predicted from the samples before, by differences of order 0 to 2. The remainder, counted in
+// units of the last place, is small: its leading bytes are zeros. Bytes of equal significance are
+// grouped and deflated (zlib). A part that cannot be predicted, such as the rounding errors of a
+// simulation, is not compressed.
 //
-// Slopes are stored variable by variable, each as a channel of its own.
+// Slopes are stored for each variable, as channels of their own.
 //
 // A row refers to at most kLongestBlock - 1 rows before it, back to the last one that is packed
 // alone; a damaged row can cost this many trials. Outcomes of less than a thousand numbers are
 // packed alone.
 //
-// Predictions are plain sums in a fixed order; this file is compiled without contraction, so every
-// machine computes equal bits. A checksum of the outcome itself is stored as a proof.
+// Predictions are plain sums in a fixed order, and this file is compiled without fused
+// multiply-add, so every machine computes equal bits. A checksum of the outcome is stored to prove
+// this.
 #pragma once
 
 #include <cstdint>
@@ -35,21 +36,23 @@ namespace latsch {
 
 inline constexpr int kLongestBlock = 64;
 
-/// The channels of the rows since the last one that is packed alone.
+/// The channels of the latest row that is packed alone and of all rows after it.
 struct OutcomeBlock {
   struct Row {
     std::int64_t number;
     Channels channels;
   };
   std::deque<Row> rows;
-  std::size_t values = 0;  // number of values in all rows
+  std::size_t values = 0;  // number of values in all rows of the block
 };
 
 class OutcomePacker {
  public:
-  /// Rows must be packed in the order of their numbers, each once.
+  /// Packs the outcome of the row with this number. Rows must be packed in the order of their
+  /// numbers, each once.
   std::string pack(std::int64_t number, const Outcome& outcome);
-  /// Makes the next row be packed alone, because rows before it were not stored or are not known.
+  /// Makes the next row be packed alone, because the rows before it were not stored or are not
+  /// known.
   void begin_anew() { block_ = {}; }
 
  private:
@@ -58,8 +61,8 @@ class OutcomePacker {
 
 class OutcomeUnpacker {
  public:
-  /// Rows must come in the order of their numbers. Returns nullopt if the bytes are no packed
-  /// outcome or refer to a row that was not given.
+  /// Unpacks the row with this number. Rows must come in the order of their numbers. Returns
+  /// nullopt if the bytes are no packed outcome or refer to a row that was not given.
   std::optional<Outcome> unpack(std::int64_t number, std::string_view bytes);
 
  private:

@@ -42,7 +42,8 @@ std::vector<Outcome> search(int trials, double ripple = 0.0) {
   return all;
 }
 
-/// Packs, unpacks and compares bit by bit. Returns the packed size as a share of the plain size.
+/// Packs and unpacks the outcomes and compares them bit by bit. Returns the ratio of the packed to
+/// the plain size.
 double share(const std::vector<Outcome>& outcomes) {
   OutcomePacker packer;
   OutcomeUnpacker unpacker;
@@ -64,8 +65,8 @@ TEST(OutcomePacking, KeepsEveryBitOfSmoothChannelsInAFifthOfTheRoom) {
 
 // Rounding and solver tolerances are noise, which earlier outcomes cannot predict.
 TEST(OutcomePacking, RoughChannelsTakeWhatTheirNoiseTakes) {
-  const double rough = share(search(100, 1e-3));  // forces near 1e3 N: 20 of 53 bits can be
-                                                  // predicted
+  // Forces near 1e3 N with noise of 1e-3 N: 20 of the 53 bits can be predicted.
+  const double rough = share(search(100, 1e-3));
   EXPECT_LE(rough, 0.5);
 }
 
@@ -92,11 +93,12 @@ TEST(OutcomePacking, KeepsAnyBits) {
 TEST(OutcomePacking, SlopesComeBackWhereThereAreSome) {
   std::vector<Outcome> outcomes = search(80);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    if (i % 5 == 0) continue;  // a trial without requested slopes
+    if (i % 5 == 0) continue;  // this trial has no slopes
     Channels with_slopes;
     for (Channel channel : outcomes[i].result->all()) {
       if (channel.name == "Fy") {
-        channel.slopes = channel.values;  // dFy/d ln p[0], then a variable without effect
+        // Slopes of Fy by ln p[0], then by a variable without effect.
+        channel.slopes = channel.values;
         channel.slopes.resize(2 * kStates, 0.0);
       }
       with_slopes.add(std::move(channel));
@@ -114,11 +116,11 @@ TEST(OutcomePacking, ALostRowCostsThoseOfItsBlockAtMost) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const auto number = static_cast<std::int64_t>(i) + 1;
     const std::string bytes = packer.pack(number, outcomes[i]);
-    if (number == kLongestBlock + 1) continue;  // a row that no other row refers to
+    if (number == kLongestBlock + 1) continue;  // no other row refers to this one
     const auto back = unpacker.unpack(number, bytes);
     if (!back) ++lost;
     if (back) {
-      EXPECT_EQ(encode(*back), encode(outcomes[i]));  // never a wrong outcome
+      EXPECT_EQ(encode(*back), encode(outcomes[i]));  // the outcome is never wrong
     }
   }
   EXPECT_GT(lost, 0);

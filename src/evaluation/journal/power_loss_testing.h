@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: a disk under SQLite whose power fails. Data that was written but not synced may be
-// lost, in parts and out of order.
+// Test support: simulates a disk under SQLite whose power fails. Data that was written but not
+// synced may be lost, in parts and out of order.
 //
-// SQLite accesses files through a VFS [sqlite.org/vfs.html]. This VFS passes everything on to the
-// usual one but notes every write since the last sync of its file. At the power loss all calls
-// fail. When the power returns, a file contains the synced data and a random choice of the sectors
+// SQLite accesses files through a VFS [sqlite.org/vfs.html]. This VFS passes all calls on to the
+// usual one but records every write since the last sync of its file. When the power fails, all
+// calls fail. When it returns, a file contains the synced data and a random choice of the sectors
 // (512 bytes) written since, a few of them only up to a byte in the middle. A file whose folder was
-// never synced may not exist; a file that was removed without a sync may be there again. Syncs do
-// not wait for anything.
+// never synced may not exist; a file that was removed without a sync may exist again. Syncs do not
+// wait for anything.
 //
 // A disk that acknowledges a sync falsely, and changes of neighboring sectors, are not simulated.
 #pragma once
@@ -29,9 +29,9 @@ namespace latsch {
 
 class PowerLoss {
  public:
-  /// Acts as the file system of all databases opened during its life. The power fails at the
-  /// operation with number `fails_at`, counted from 1: writes, truncations, syncs and removals
-  /// count.
+  /// While the object exists, it acts as the file system of all databases that are opened. The
+  /// power fails at the operation with number `fails_at`, counted from 1; writes, truncations,
+  /// syncs and removals count as operations.
   PowerLoss(std::uint64_t seed, long fails_at)
       : random_(seed, 7), fails_at_(fails_at), usual_(sqlite3_vfs_find(nullptr)), vfs_(*usual_) {
     vfs_.zName = "power_loss";
@@ -53,14 +53,14 @@ class PowerLoss {
   void fail() { failed_ = true; }
   bool failed() const { return failed_; }
   long operations() const { return operations_; }
-  /// Returns the number of sectors lost at the last loss.
+  /// Returns the number of sectors that were lost when the power failed last.
   long sectors_lost() const { return sectors_lost_; }
 
   /// Reduces the files to the data that the disk has kept. Must be called when no database is open
   /// any more.
   void come_back() {
     for (auto& [path, image] : images_) {
-      std::filesystem::remove(path + "-shm");  // shared memory in the form of a file
+      std::filesystem::remove(path + "-shm");  // file that SQLite uses as shared memory
       const bool exists =
           image.removed ? random_.uniform() < 0.5 : image.entered || random_.uniform() < 0.5;
       if (!exists) {
@@ -84,21 +84,21 @@ class PowerLoss {
   struct Image {
     std::string synced;
     std::vector<Change> since;
-    bool entered = false;  // true if the folder was synced with the new file
+    bool entered = false;  // true if the folder was synced after the file was created
     bool removed = false;
   };
   /// SQLite's handle of an open file. The handle of the usual VFS follows it in memory.
   struct File {
     sqlite3_file base;
     PowerLoss* disk;
-    Image* image;  // nullptr: a temporary file, of no interest
+    Image* image;  // nullptr for a temporary file, which is not simulated
     sqlite3_file* usual() { return reinterpret_cast<sqlite3_file*>(this + 1); }
   };
 
   static File& file_of(sqlite3_file* file) { return *reinterpret_cast<File*>(file); }
   static sqlite3_file* usual(sqlite3_file* file) { return file_of(file).usual(); }
 
-  /// Returns false if the power is off.
+  /// Counts an operation. Returns false if the power has failed.
   bool counted() {
     if (++operations_ >= fails_at_) failed_ = true;
     return !failed_;
@@ -148,7 +148,8 @@ class PowerLoss {
   static int open(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags, int* out) {
     auto& disk = *static_cast<PowerLoss*>(vfs->pAppData);
     File& opened = file_of(file);
-    opened.base.pMethods = nullptr;  // SQLite then does not close it
+    /// SQLite does not close a file without methods.
+    opened.base.pMethods = nullptr;
     if (disk.failed_) return SQLITE_CANTOPEN;
     const bool is_new = !name || !std::filesystem::exists(name);
     opened.disk = &disk;
@@ -190,7 +191,7 @@ class PowerLoss {
     File& f = file_of(file);
     const bool powered = !f.disk->failed_;
     const bool done = f.disk->counted();
-    if (powered && f.image) {  // also the write in progress at the loss
+    if (powered && f.image) {  // includes the write during which the power fails
       f.image->since.push_back(
           {offset, std::string(static_cast<const char*>(from), static_cast<std::size_t>(size))});
     }
@@ -249,11 +250,11 @@ class PowerLoss {
   bool failed_ = false;
   long operations_ = 0;
   long sectors_lost_ = 0;
-  std::map<std::string, Image> images_;  // one for each path
+  std::map<std::string, Image> images_;  // synced data and later writes of each path
 };
 
-inline const sqlite3_io_methods PowerLoss::kMethods{2,  // without mapped files, whose writes are
-                                                        // not seen
+// There are no methods for mapped files, because writes to mapped memory would not be noticed.
+inline const sqlite3_io_methods PowerLoss::kMethods{2,
                                                     close,
                                                     read,
                                                     write,

@@ -40,8 +40,8 @@ bool has_log(const fs::path& file) {
   return false;
 }
 
-/// Opens a copy with its logs, which SQLite may merge there. The folder is removed at once, because
-/// open files stay readable.
+/// Opens a copy of the journal and its log, which SQLite may merge there. The folder of the copy is
+/// removed at once, because open files stay readable.
 std::unique_ptr<SQLite::Database> open_copy(const fs::path& file, int patience) {
   std::string folder = (fs::temp_directory_path() / "latsch_reading_XXXXXX").string();
   if (!::mkdtemp(folder.data())) throw SQLite::Exception("no temporary folder", SQLITE_CANTOPEN);

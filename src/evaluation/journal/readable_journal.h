@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens a journal's file for reading, whichever process writes it.
+// Opens a journal's file for reading, also while another process writes it.
 //
 // SQLite reads a file with a write-ahead log only if it can create the memory that readers and
 // writers share, which is a file beside it. A journal in a read-only folder is therefore opened
@@ -14,7 +14,8 @@
 
 namespace latsch {
 
-/// `patience` is the time to wait for a writer, ms. Throws SQLite::Exception.
+/// Opens the file for reading. `patience` is the time to wait for a writer, ms. Throws
+/// SQLite::Exception.
 std::unique_ptr<SQLite::Database> open_for_reading(const std::filesystem::path& file, int patience);
 
 /// True if this process may write the journal: both the file and its folder, which holds the logs.

@@ -10,7 +10,8 @@
 namespace latsch {
 namespace {
 
-/// Returns "line 12: it has `a`, the study has `b`", for the first line that differs.
+/// Finds the first line that differs and returns a text such as "line 12: it has `a`, the study has
+/// `b`".
 std::string first_difference(const std::string& journal, const std::string& study) {
   std::istringstream theirs(journal);
   std::istringstream ours(study);
@@ -37,7 +38,7 @@ bool is_version(const IdentityPart& part) {
   return part.name == kModelVersionPart || part.name == kProgramFilesPart;
 }
 
-/// True if a journal describes its tests in the form of older programs.
+/// True if a journal describes its tests in the format of older versions of the program.
 bool tells_old_tests(const StudyIdentity& journal) {
   return find(journal, kOldTestsPart) && !find(journal, kTestsPart);
 }
@@ -47,7 +48,8 @@ std::string model_of(const IdentityPart& part) {
   try {
     return canonical_text(Document::parse(part.text, "journal"));
   } catch (const InputError&) {
-    return part.text;  // the journal is damaged, and differs
+    // The text cannot be read, so the journal is damaged, and differs.
+    return part.text;
   }
 }
 

@@ -12,7 +12,7 @@ namespace latsch {
 /// One named text that the channels of a trial depend on: the model's file, the load cases, the
 /// varied paths.
 struct IdentityPart {
-  std::string name;  // one of the names below
+  std::string name;  // name of the part, one of the constants below
   std::string text;  // canonical text of what the part names
 
   bool operator==(const IdentityPart&) const = default;
@@ -25,12 +25,13 @@ using StudyIdentity = std::vector<IdentityPart>;
 inline constexpr const char* kModelPart = "model";
 /// Every required test, with its resolved keys and the content of the files they name.
 inline constexpr const char* kTestsPart = "tests";
-/// Name of the tests part in older journals: the text of test files as written, and, for tests in
-/// the study itself, less than the tests depend on.
+/// Name of the tests part in older journals. It holds the text of test files as written; for tests
+/// in the study itself it holds only some of the keys that the tests depend on.
 inline constexpr const char* kOldTestsPart = "experiments";
 
-/// Parts that may change although the study does not: the version of the built-in model, or the
-/// files of an outside program. A person may know that the results are not affected.
+/// Names of the parts that may change although the study does not: the version of the built-in
+/// model, and the files of an outside program. The user can decide that the results are not
+/// affected.
 inline constexpr const char* kModelVersionPart = "model version";
 /// Files of an outside program.
 inline constexpr const char* kProgramFilesPart = "program files";
@@ -39,7 +40,8 @@ inline constexpr const char* kProgramFilesPart = "program files";
 /// program is not installed.
 StudyIdentity without_program_files(StudyIdentity identity);
 
-/// True if at most the given parts differ, and the parts of tests that an older journal lacks.
+/// True if the two identities differ in nothing but the version of the model, the files of an
+/// outside program and parts of tests that journals of older versions lack.
 bool is_same_but_for_versions(const StudyIdentity& journal, const StudyIdentity& study);
 
 /// Returns the difference between the study of a journal and the present one, naming the part and

@@ -12,8 +12,8 @@
 
 namespace latsch {
 
-/// Trials cannot be stored, or stored trials are damaged: the disk is full, or a row does not agree
-/// with its hash.
+/// Reports that trials cannot be stored or that stored trials are damaged: the disk is full, or a
+/// row does not agree with its hash.
 class JournalError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -23,8 +23,8 @@ class TrialStore {
  public:
   virtual ~TrialStore() = default;
 
-  /// Stores all trials permanently before it returns, or none: then it throws JournalError, and
-  /// earlier trials stay.
+  /// Stores all trials permanently before it returns. If this is not possible it stores none of
+  /// them and throws JournalError; earlier trials stay.
   virtual void append(std::span<const Trial> trials) = 0;
 
   /// Visits every trial in the order of storage. Throws JournalError if one is damaged.

@@ -18,7 +18,8 @@ namespace {
 
 bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// True for % flags width .precision, then e, f or g: formats that read exactly one number.
+/// True if `format` reads exactly one number: "%", flags, width and precision, followed by e, f or
+/// g.
 bool is_number_format(std::string_view format) {
   std::size_t at = 0;
   const auto skip = [&](std::string_view set) {
@@ -37,10 +38,10 @@ bool is_number_format(std::string_view format) {
 struct Hole {
   std::string name;
   std::string format;
-  std::size_t size;  // length in the file
+  std::size_t size;  // length of {name}, the hole, in the file
 };
 
-/// Returns the hole that begins with the brace at `at`; nullopt if no name follows.
+/// Returns the hole {name} that begins with the brace at `at`; nullopt if no name follows.
 std::optional<Hole> hole_at(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
   while (end < text.size() && is_name_character(text[end])) ++end;
@@ -59,7 +60,8 @@ std::optional<Hole> hole_at(std::string_view text, std::size_t at) {
   return hole;
 }
 
-/// Returns the length of {{NAME}} at `at`, which is no hole; 0 otherwise.
+/// Returns the length of an escaped hole {{NAME}} at `at`, which stands for the text {NAME}; 0 if
+/// there is none.
 std::size_t doubled_hole_at(std::string_view text, std::size_t at) {
   if (!text.substr(at).starts_with("{{")) return 0;
   const auto hole = hole_at(text, at + 1);

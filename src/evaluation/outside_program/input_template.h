@@ -2,9 +2,9 @@
 // Input file of an outside program with holes for the design variables.
 //
 //   *ELASTIC
-//   {modulus}, 0.3                    the shortest text that gives the bits of the value back
-//   {modulus:%.6e}, 0.3               as printf(3) formats it: e, f or g
-//   {{modulus}}                       stays {modulus}
+//   {modulus}, 0.3                    writes the shortest text that reproduces the value exactly
+//   {modulus:%.6e}, 0.3               writes it in a format of printf(3): e, f or g
+//   {{modulus}}                       writes the text {modulus}
 //
 // Values are written in the unit that the study declares for the variable. Braces around anything
 // but a name stay unchanged.
@@ -35,8 +35,8 @@ class InputTemplate {
  private:
   struct Part {
     std::string before;  // text before the hole
-    int variable = -1;   // -1: the end of the file
-    std::string format;  // empty: exact
+    int variable = -1;   // index of the variable; -1: the end of the file
+    std::string format;  // printf format; empty: exact
   };
   std::string text_;
   std::vector<Part> parts_;

@@ -19,7 +19,8 @@
 namespace latsch {
 namespace {
 
-// Longest line, characters, because std::regex needs stack in proportion to the line.
+// Longest line that a pattern is applied to, characters. The limit is needed because std::regex
+// uses stack in proportion to the length.
 constexpr std::size_t kLongestLine = 4096;
 
 const char* word_for(OutputReader::Kind kind) {
@@ -38,7 +39,7 @@ const char* word_for(OutputReader::Kind kind) {
   return "";
 }
 
-/// Reads one file. The first error ends the reading.
+/// Reads one output file. The first error ends the reading.
 class Reading {
  public:
   Reading(const OutputReader& reader, std::string text) : reader_(reader), text_(std::move(text)) {
@@ -232,8 +233,8 @@ class Reading {
 
   const OutputReader& reader_;
   std::string text_;
-  std::vector<std::vector<double>> values_;  // SI, for each quantity
-  Status read_;                              // a Failure ends the reading
+  std::vector<std::vector<double>> values_;  // values in SI, for each quantity
+  Status read_;                              // a Failure once an error has ended the reading
 };
 
 }  // namespace

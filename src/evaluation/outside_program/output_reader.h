@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads the output files of an outside program into channels, as a study declares them.
 //
-//   table     columns by the names in the header, with their units there (csv_table.h)
+//   table     columns by the names in the header, which also states their units (csv_table.h)
 //   columns   numbers in rows, columns by their number; lines before the first row of numbers are
 //             a header
 //   keys      lines `key = number` or `key: number`
@@ -10,8 +10,8 @@
 //   tydex     channels of a TYDEX file by their names, and constants, which have one value
 //             (tydex_file.h); the file has their units
 //
-// Missing or too few data, or numbers that are not finite, give a Failure with Cause::bad_output
-// that names the output, the file, what was found and what was expected.
+// If data are missing, are too few or hold numbers that are not finite, the result is a Failure
+// with Cause::bad_output that names the output, the file, what was found and what was expected.
 #pragma once
 
 #include <filesystem>
@@ -27,22 +27,22 @@ struct OutputReader {
   enum class Kind { table, columns, keys, pattern, tydex };
   struct Quantity {
     std::string name;
-    std::string unit = "1";  // unit in the file
+    std::string unit = "1";  // unit of the quantity in the file
   };
 
   std::string name = {};  // name of the output; its channels are NAME/QUANTITY
   std::filesystem::path file = {};
   Kind kind = Kind::table;
   std::vector<Quantity> quantities = {};
-  std::vector<int> columns = {};       // for `columns`: position of each quantity, from 1
+  std::vector<int> columns = {};       // for `columns`: position of each quantity, counted from 1
   std::vector<std::string> keys = {};  // for `keys`: text before each number
   std::string pattern = {};            // for `pattern`: the regular expression
-  std::string after = {};              // for `pattern`: only lines after one that contains this
-                                       // text
-  int samples = 0;                     // expected number of samples; 0: at least one
+  /// For `pattern`: only lines after one that contains this text count.
+  std::string after = {};
+  int samples = 0;  // expected number of samples; 0: at least one
 };
 
-/// Returns values in SI.
+/// Reads the output files in `folder`. The channels are in SI units.
 Result<std::vector<Channel>> read_output(const OutputReader& reader,
                                          const std::filesystem::path& folder);
 

@@ -41,8 +41,8 @@ TEST(OutputReader, TableHasItsUnitsInTheFile) {
   expect_failure(reader, "", "output \"out\" (table)");
 }
 
-// Every spelling of the table gives the number computed by hand, or a failure that names unit and
-// line.
+// Every spelling of the table of units is read with the factor stated in the table, or gives a
+// failure that names unit and line.
 TEST(OutputReader, UnitsOfTablesAreThoseOfAllReaders) {
   int count = 0;
   for (const UnitSpelling& spelling : unit_spellings::kAll) {
@@ -114,7 +114,7 @@ TEST(OutputReader, PatternTakesEveryLineBehindTheMark) {
   expect_failure(reader, "displacements\n 1 1\n 2 2\n", "holds 2 values of u, expected 3");
 }
 
-// Any output of a program gives channels of finite numbers or a failure.
+// Whatever bytes a program writes, reading them gives channels of finite numbers or a failure.
 TEST(OutputReader, NoBytesBreakIt) {
   OutputReader pattern{.kind = Kind::pattern, .quantities = {{"u"}}};
   pattern.pattern = R"((\S+)\s*$)";

@@ -28,8 +28,8 @@ extern char** environ;
 namespace latsch {
 namespace {
 
-constexpr long kTail = 4096;  // bytes at the end of the printed output in which the last line is
-                              // searched
+// Number of bytes at the end of the printed output in which the last line is searched.
+constexpr long kTail = 4096;
 
 std::string tail_of(const std::filesystem::path& printed) {
   std::ifstream file(printed, std::ios::binary | std::ios::ate);
@@ -80,7 +80,8 @@ Status run_program(const std::vector<std::string>& arguments,
   }
   const bool in_time = timeout <= 0.0 || ends_within(pid, timeout);
   if (!in_time) {
-    ::kill(pid, SIGSTOP);  // a stopped program starts nothing while its descendants are searched
+    // The stopped program starts no process while its descendants are searched.
+    ::kill(pid, SIGSTOP);
     kill_descendants(pid);
     ::kill(pid, SIGKILL);
   }
@@ -104,7 +105,8 @@ bool can_be_found(const std::string& program) {
 
 std::optional<std::filesystem::path> file_of_program(const std::string& program) {
   const auto runs = [](const std::filesystem::path& file) {
-    return !std::filesystem::is_directory(file) && ::access(file.c_str(), X_OK) == 0;
+    std::error_code unknown;  // a folder of PATH that may not be entered, which a shell skips too
+    return ::access(file.c_str(), X_OK) == 0 && !std::filesystem::is_directory(file, unknown);
   };
   if (program.find('/') != std::string::npos) {
     return program.starts_with('/') && runs(program) ? std::optional(std::filesystem::path(program))

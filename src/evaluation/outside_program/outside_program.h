@@ -11,20 +11,20 @@
 
 namespace latsch {
 
-/// Runs the program of that argument list in `folder`, in the process group of this process, with
-/// an empty standard input and its output in the file `printed`. Unless it exits with code 0, the
-/// Failure says how it ended and the last line it printed. After `timeout` seconds (0: never) it is
-/// killed with all its descendants; that is a Failure with Cause::timeout.
+/// Runs the program given as an argument list in `folder`, in the process group of this process,
+/// with an empty standard input and its output in the file `printed`. If it does not exit with code
+/// 0, returns a Failure that says how it ended and what its last printed line was. After `timeout`
+/// seconds (0: never) it is killed with all its descendants; this is a Failure with Cause::timeout.
 Status run_program(const std::vector<std::string>& arguments,
                    const std::filesystem::path& folder,
                    const std::filesystem::path& printed,
                    double timeout = 0.0);
 
-/// Returns the file of such a program if it is known: found in PATH, or existing if the path is
-/// absolute.
+/// Returns the path of the program if its file is known: the first match in PATH, or an absolute
+/// path that exists; nullopt otherwise.
 std::optional<std::filesystem::path> file_of_program(const std::string& program);
 
-/// True if the program exists: in PATH, or at its absolute path. A relative path counts as
+/// True if the program is found in PATH or exists at its absolute path. A relative path counts as
 /// existing, because the folder it starts from is not known yet.
 bool can_be_found(const std::string& program);
 

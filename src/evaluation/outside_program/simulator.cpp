@@ -6,15 +6,18 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstring>
 #include <iterator>
+#include <set>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "evaluation/outside_program/named_files.h"
 #include "evaluation/outside_program/outside_program.h"
 #include "evaluation/trial/encoding.h"
 
@@ -31,8 +34,8 @@ std::string host_name() {
   return name.data();
 }
 
-/// Removes folders "...-HOST-PROCESS" of ended processes of this machine. A killed trial cannot
-/// remove its own folder, and its files may have filled the disk.
+/// Removes folders with names "...-HOST-PROCESS" that belong to processes of this machine that have
+/// ended. A killed trial cannot remove its own folder, and its files may have filled the disk.
 void remove_abandoned(const fs::path& scratch) {
   const std::string ours = fmt::format("-{}-", host_name());
   std::error_code ignored;
@@ -54,8 +57,14 @@ class TrialFolder {
  public:
   TrialFolder(const fs::path& scratch, const DesignPoint& point)
       : path_(scratch / fmt::format("{:016x}-{}-{}", hash(point.bits()), host_name(), ::getpid())) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
+    std::error_code error;
+    fs::remove_all(path_, error);
+    fs::create_directories(path_, error);
+    if (error)
+      throw InputError(
+          {path_.string(), 0},
+          "the folder in which the outside program runs cannot be created: " + error.message() +
+              "; copy the study's folder to a place that can be written");
   }
   ~TrialFolder() {
     std::error_code ignored;
@@ -107,8 +116,8 @@ Result<Channels> run(const Simulator& simulator,
   return channels;
 }
 
-/// Returns why nothing more can be written after the program's printed output; empty if it can.
-/// Programs report a full disk in many ways or not at all.
+/// Returns why the program's printed output cannot be continued, such as a full disk; empty if it
+/// can. Programs report a full disk in many different ways or not at all.
 std::string full_disk(const fs::path& printed) {
   const int file = ::open(printed.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
   if (file < 0) return errno == ENOSPC || errno == EDQUOT ? std::strerror(errno) : "";
@@ -117,15 +126,15 @@ std::string full_disk(const fs::path& printed) {
   errno = 0;
   const bool is_written =
       ::write(file, kBlock.data(), kBlock.size()) == std::ssize(kBlock) && ::fsync(file) == 0;
-  const int error = errno == 0 ? ENOSPC : errno;  // a partial write sets no error yet
+  const int error = errno == 0 ? ENOSPC : errno;  // a partial write sets no error
   const bool is_restored = ::ftruncate(file, size) == 0;
   ::close(file);
   const bool is_full = error == ENOSPC || error == EDQUOT || error == EFBIG;
   return !is_written && is_restored && is_full ? std::strerror(error) : "";
 }
 
-/// Returns the command line program: this process, the program beside it (for a benchmark), or the
-/// one in the search path.
+/// Returns the path of the program latsch: this process itself, the program in the same folder (if
+/// this is a benchmark), or the one in the search path.
 std::string this_program() {
   const std::string name = "latsch";
   std::error_code ignored;
@@ -174,12 +183,14 @@ namespace {
 
 constexpr std::uintmax_t kLargestRead = std::uintmax_t{256} << 20;
 
-/// Returns "python3: 6831736 bytes, 0123456789abcdef", which does not depend on the file's folder.
+/// Returns a text that identifies a file independently of its folder, such as "python3: 6831736
+/// bytes, 0123456789abcdef".
 std::string told(const std::string& argument, const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (error) return "";
-  if (size > kLargestRead) {  // a packed program contains all it needs, so its date suffices
+  // A program too large to be read contains all it needs, so its date identifies it.
+  if (size > kLargestRead) {
     const auto time = fs::last_write_time(file, error).time_since_epoch().count();
     return fmt::format("{}: {} bytes, written {}\n", argument, size, time);
   }
@@ -187,8 +198,35 @@ std::string told(const std::string& argument, const fs::path& file) {
       "{}: {} bytes, {:016x}\n", argument, size, hash(read_text_file(file, kLargestRead)));
 }
 
-/// Returns the program and the files among its arguments. This program itself is identified by its
-/// versions.
+bool is_in_study(const Simulator& simulator, const fs::path& file) {
+  const fs::path folder = fs::weakly_canonical(simulator.study_folder);
+  const fs::path relative = fs::weakly_canonical(file).lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace
+
+std::vector<fs::path> watched_files(const Simulator& simulator) {
+  std::set<std::string> of_the_trial;  // files of the trial's own folder
+  for (const Simulator::Input& input : simulator.inputs) of_the_trial.insert(input.file);
+  for (const OutputReader& output : simulator.outputs)
+    of_the_trial.insert(output.file.filename().string());
+  std::vector<fs::path> files;
+  for (const std::string& argument : command(simulator)) {
+    std::error_code ignored;
+    if (!argument.starts_with('/') || !fs::is_regular_file(argument, ignored) ||
+        !is_in_study(simulator, argument))
+      continue;
+    for (const fs::path& file : files_named_beside(argument, of_the_trial))
+      if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  }
+  return files;
+}
+
+namespace {
+
+/// Returns a text that identifies the program, the files among its arguments, and the files that
+/// these name beside them. If the program is Latsch itself, its versions identify it.
 std::string program_files(const Simulator& simulator) {
   const std::vector<std::string> arguments = command(simulator);
   std::string text;
@@ -201,6 +239,8 @@ std::string program_files(const Simulator& simulator) {
     std::error_code ignored;
     if (file && fs::is_regular_file(*file, ignored)) text += told(written, *file);
   }
+  for (const fs::path& file : watched_files(simulator))
+    text += told(file.filename().string(), file);
   return text;
 }
 

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <thread>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "evaluation/trial/encoding.h"
@@ -83,8 +84,8 @@ TEST_F(SimulatorTest, ADiskFilledByWhatAProgramPrintsIsNamed) {
   ASSERT_FALSE(result.ok());
   expect_contains(result.failure().reason, "the disk is full, nothing more can be written to ");
   EXPECT_EQ(result.failure().cause, Cause::transient);
-  expect_contains(reason("exit 3"), "\"/bin/sh\" exited with code 3");  // a full disk is not named
-                                                                        // without cause
+  // The message does not mention a full disk if the disk is not full.
+  expect_contains(reason("exit 3"), "\"/bin/sh\" exited with code 3");
 }
 
 TEST_F(SimulatorTest, HowAProgramFailedIsToldWithTheLastLineItPrinted) {
@@ -117,8 +118,9 @@ TEST_F(SimulatorTest, AProgramThatOverrunsItsTimeoutIsKilledWithAllItStarted) {
   expect_contains(outcome.result.failure().reason, "took more than the 0.3 s allowed to it");
   EXPECT_LT(outcome.wall_time, 1.3);
   const pid_t child = std::stoi(read_text_file(folder_ / "child"));
-  while (::kill(child, 0) == 0) {  // waits until its new parent has reaped it; until then it is a
-                                   // zombie
+  // Waits until the killed child's new parent has collected its exit status; until then it is a
+  // zombie.
+  while (::kill(child, 0) == 0) {
     const std::string stat = read_text_file(fs::path("/proc") / std::to_string(child) / "stat");
     if (stat.find(") Z ") != std::string::npos) break;
     std::this_thread::yield();
@@ -149,6 +151,19 @@ TEST_F(SimulatorTest, TheFolderOfAFailedTrialIsKeptWhereThatIsAskedFor) {
   EXPECT_EQ(read_text_file(kept / "in.txt"), "k = 42\n");
 }
 
+// A file of the folder's name stands for a folder that may not be written.
+TEST_F(SimulatorTest, AFolderThatCannotBeCreatedIsToldWithAWayOut) {
+  std::ofstream(folder_ / "scratch") << "no folder";
+  std::string said;
+  try {
+    said = reason("exit 0");
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  expect_contains(said, "the folder in which the outside program runs cannot be created");
+  expect_contains(said, "copy the study's folder");
+}
+
 TEST_F(SimulatorTest, TheNextTrialRemovesTheFolderOfOneThatWasKilled) {
   const pid_t killed = ::fork();
   if (killed == 0) ::_exit(0);
@@ -167,6 +182,27 @@ TEST_F(SimulatorTest, TheNextTrialRemovesTheFolderOfOneThatWasKilled) {
   EXPECT_FALSE(fs::exists(abandoned));
   EXPECT_TRUE(fs::exists(running));
   EXPECT_TRUE(fs::exists(elsewhere));
+}
+
+TEST_F(SimulatorTest, FilesThatAScriptNamesBesideItCountAsItsOwn) {
+  const auto write = [&](const char* name, const char* text) {
+    std::ofstream(folder_ / name) << text;
+  };
+  write("main.py", "import helper  # and open(\"table.csv\")\nout.txt, in.txt\n");
+  write("helper.py", "from deep import f\n");
+  write("deep.py", "f = 1\n");
+  for (const char* other : {"table.csv", "other.py", "helper.csv", "out.txt", "in.txt", "a.latsch"})
+    write(other, "1\n");
+  Simulator python = simulator("true");
+  python.arguments = {"/bin/sh", (folder_ / "main.py").string(), "in.txt"};
+  std::vector<std::string> names;
+  for (const fs::path& file : watched_files(python)) names.push_back(file.filename().string());
+  EXPECT_EQ(names, (std::vector<std::string>{"deep.py", "helper.py", "table.csv"}));
+  const StudyIdentity before = identity(python, simulator_space());
+  write("other.py", "2\n");
+  EXPECT_FALSE(difference(before, identity(python, simulator_space())));
+  write("deep.py", "f = 2\n");
+  expect_contains(*difference(before, identity(python, simulator_space())), "deep.py");
 }
 
 TEST_F(SimulatorTest, ItsIdentityIsProgramInputsReadersAndUnits) {

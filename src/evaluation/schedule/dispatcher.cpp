@@ -11,12 +11,16 @@
 namespace latsch {
 namespace {
 
-constexpr double kPatience = 0.1;  // s between two checks of the stop request and the progress bar
-constexpr double kLeastStraggling = 0.05;   // s; shorter trials wait for the system now and then
-constexpr std::size_t kTimesForMedian = 5;  // least number of times from which a median is
-                                            // meaningful
-constexpr std::size_t kRecentTimes = 101;   // number of times in the median, because a model may
-                                            // become slower during a run
+// Time between two checks of the stop request and the progress bar, s.
+constexpr double kPatience = 0.1;
+// Time, s, below which a trial never counts as a straggler: the operating system sometimes delays
+// short trials.
+constexpr double kLeastStraggling = 0.05;
+// Smallest number of durations from which a median is computed.
+constexpr std::size_t kTimesForMedian = 5;
+// Number of latest trials in the median. It is limited because a model may become slower during a
+// run.
+constexpr std::size_t kRecentTimes = 101;
 
 /// Returns the target function of an outcome; a target that is not a number counts as none.
 Result<Score> score(const Objective& objective, const DesignPoint& point, const Outcome& outcome) {
@@ -190,7 +194,8 @@ void Dispatcher::stop_unwanted_stragglers(std::span<const DesignPoint> wanted) {
   const auto limit = straggling_since();
   if (!limit) return;
   const auto straggles = [&](const auto& entry) {
-    // A trial without a start left is allowed to run, because it may be wanted again.
+    // A trial whose point has used up its starts is not stopped, because the point may be wanted
+    // again and could not be restarted.
     return entry.second.copies > 0 && entry.second.since <= *limit &&
            entry.second.attempts.starts < most_starts();
   };
@@ -228,8 +233,8 @@ void Dispatcher::start_stragglers_again() {
   }
 }
 
-/// Returns the time before which a running trial must have started to be a straggler; nullopt if
-/// that cannot be determined.
+/// Returns a time: a running trial that started before it is a straggler. Returns nullopt if there
+/// are too few durations to decide, or if no trial may count as a straggler.
 std::optional<double> Dispatcher::straggling_since() const {
   if (options_.straggler_factor <= 0.0 || recent_times_.size() < kTimesForMedian) {
     return std::nullopt;
@@ -249,15 +254,15 @@ void Dispatcher::receive(std::vector<Trial> trials) {
   for (Trial& trial : trials) {
     const std::string bits = trial.point.bits();
     const auto entry = running_.find(bits);
-    if (entry == running_.end())
-      continue;  // a second outcome of a point, or one that nobody waits
-                 // for
+    // If a point is not running, the outcome is its second one, or the point is no longer wanted.
+    if (entry == running_.end()) continue;
     Running& running = entry->second;
-    // The failure came twice, or from a withdrawn attempt: the point waits for a worker already.
+    // The failure was reported twice, or belongs to a withdrawn attempt. The point already waits
+    // for another worker.
     if (running.copies == 0 && !trial.outcome.result) continue;
     running.copies = std::max(running.copies - 1, 0);
     if (is_repeated(running, trial)) {
-      // The resumed run repeats the trial.
+      // The trial will be repeated when the run is resumed.
       if (stopping_ && running.copies == 0) running_.erase(entry);
       continue;
     }
@@ -272,7 +277,8 @@ void Dispatcher::receive(std::vector<Trial> trials) {
 
 int Dispatcher::most_starts() const { return options_.on_failure.retries + 2; }
 
-/// True if this outcome does not count, because another copy runs or the trial is started again.
+/// True if this failure does not count, because another copy of the trial still runs or the trial
+/// is started again.
 bool Dispatcher::is_repeated(Running& running, const Trial& trial) {
   if (trial.outcome.result) return false;
   Attempts& attempts = running.attempts;
@@ -285,14 +291,15 @@ bool Dispatcher::is_repeated(Running& running, const Trial& trial) {
     ++attempts.failures;
     attempts.failure = trial;
   }
-  // One worker may be slow and another not; other failures belong to the point.
+  // A lost worker or a timeout may be due to one slow worker, so the other copy may succeed. Any
+  // other failure is a property of the point.
   const bool is_told = cause != Cause::transient && cause != Cause::timeout;
   if (running.copies > 0) return !is_told || attempts.failures <= options_.on_failure.retries;
   return attempts.failures <= options_.on_failure.retries && attempts.starts < most_starts();
 }
 
-/// Returns the stored form of an outcome that counts: of several failures, the last informative
-/// one.
+/// Returns the outcome of a point as it is stored. If attempts failed in different ways, this is
+/// the last failure that says something about the point.
 Trial Dispatcher::final_of(const Running& running, Trial trial) const {
   const Attempts& attempts = running.attempts;
   if (trial.outcome.result || attempts.starts == 1) return trial;
@@ -333,14 +340,14 @@ void Dispatcher::take_committed() {
   for (const Trial& trial : commits_.take()) {
     known_.add(trial);
     const auto* outcome = known_.find(trial.point);
-    if (trial.outcome.result && outcome && !*outcome)
-      ++progress_.failed;  // the trial has no
-                           // target
+    // Counts a trial that succeeded but from which the target function cannot be computed.
+    if (trial.outcome.result && outcome && !*outcome) ++progress_.failed;
     committing_.erase(trial.point.bits());
   }
 }
 
-/// Gives running trials a moment to end. The others will be evaluated again on resume.
+/// Waits a moment for running trials to end. Trials that have not ended then are evaluated again
+/// when the run is resumed.
 void Dispatcher::give_running_a_moment() {
   stopping_ = true;
   std::erase_if(running_, [](const auto& entry) { return entry.second.copies == 0; });

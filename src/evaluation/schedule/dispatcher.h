@@ -3,20 +3,21 @@
 //
 // - A point that was evaluated, is being evaluated or is being stored is not started again.
 // - A point is started at most `retries` + 2 times, including all copies: once, once more for a
-//   loss that is not its own fault, and as often as the failure policy asks for. A start whose
+//   loss that is not its own fault, and as often as the failure policy demands. A start whose
 //   worker was lost before it began (Cause::not_begun) does not count.
 // - A trial whose worker was lost (Cause::transient) says nothing about its point and is repeated
 //   until its starts are used up: if a point needs too much memory, the system kills every worker
-//   that tries it. Other failures are repeated as the failure policy says.
-// - A straggler runs much longer than the median while a worker is idle. It is started a second
-//   time, once. Evaluators are pure, so whichever copy ends first with channels gives the same
-//   bits. A copy that is lost or expires counts, and the other one continues; a point that has
-//   expired or failed gets no new copy, because it would do so again.
+//   that tries it. Other failures are repeated if the failure policy says so.
+// - A trial is a straggler if it runs much longer than the median while a worker is idle. A second
+//   copy of it is started, once. Evaluators are pure, so whichever copy ends first with channels
+//   gives the same bits. If one copy is lost or exceeds its time limit, this counts as an attempt,
+//   and the other copy continues. A point that has failed or exceeded its time limit gets no new
+//   copy, because it would do so again.
 // - An outcome counts once it is on the disk.
 //
-// - A wanted point that is no longer named is withdrawn if it has not started. A running trial may
-//   still be needed, and its worker is warm; only a straggler is stopped for a waiting wanted
-//   point.
+// - If a wanted point is no longer requested, it is withdrawn if it has not started. A running
+//   trial may still be needed, and its worker has begun it; only a straggler is stopped,
+//   and only if a wanted point waits for a worker.
 #pragma once
 
 #include <map>
@@ -40,8 +41,8 @@ class KnownScores {
   explicit KnownScores(const Objective& objective) : objective_(objective) {}
 
   void add(const Trial& trial);
-  /// Adds a trial stored earlier for any purpose. If slopes are needed and it has none, it is
-  /// evaluated again.
+  /// Adds a trial that was stored earlier. If slopes are needed and the trial has none, it is not
+  /// added, so that its point is evaluated again.
   void add_kept(const Trial& trial);
   const Result<Score>* find(const DesignPoint& point) const;
 
@@ -70,11 +71,11 @@ class Dispatcher {
   bool all_of(std::span<const DesignPoint> wanted,
               const std::function<bool(const DesignPoint&, const Result<Score>&)>& known);
 
-  /// Withdraws running trials. Returns when every finished trial is on the disk, together with the
-  /// record of the requested points (asked_trials.h).
+  /// Withdraws running trials. Returns when every finished trial and the record of the requested
+  /// points (asked_trials.h) are on the disk.
   void finish();
 
-  /// Reports to the progress bar what the optimizer, or the plan, has seen so far.
+  /// Adds an outcome that the optimizer, or the sampling plan, has received to the progress report.
   void count(const DesignPoint& point, const Result<Score>& outcome, bool is_score);
   void report();
 
@@ -83,18 +84,18 @@ class Dispatcher {
   double trial_time() const { return progress_.trial_wall_time; }
 
  private:
-  /// Attempts at a point so far.
+  /// The attempts at a point so far.
   struct Attempts {
     int starts = 0;
-    int failures = 0;                   // failures that did not count
+    int failures = 0;                   // number of failures so far, without lost workers
     bool copied = false;                // true if a copy was started because the point straggled
     std::optional<Trial> failure = {};  // last failure that describes the point
   };
   struct Running {
     DesignPoint point;
     Attempts attempts = {};
-    int copies = 0;      // running copies; 0: waits for a worker to be repeated
-    double since = 0.0;  // start of the first copy
+    int copies = 0;      // number of running copies; 0: the trial waits to be repeated
+    double since = 0.0;  // start of the first running copy, s
   };
 
   bool stop_requested() const;
@@ -120,11 +121,13 @@ class Dispatcher {
   const RunOptions& options_;
   GroupCommit commits_;
   KnownScores known_;
-  std::map<std::string, Running> running_;   // keyed by the bits of the point
-  std::map<std::string, Attempts> stopped_;  // points withdrawn while they ran
-  std::set<std::string> committing_;         // finished, not yet on the disk
-  std::set<std::string> asked_;              // points whose outcome was given
-  std::vector<double> recent_times_;         // s, of the last trials that succeeded
+  std::map<std::string, Running> running_;  // keyed by the bits of the point
+  /// Attempts at points that were withdrawn while they ran.
+  std::map<std::string, Attempts> stopped_;
+  /// Points that have finished but are not yet on the disk.
+  std::set<std::string> committing_;
+  std::set<std::string> asked_;       // points whose outcome was passed to the optimizer
+  std::vector<double> recent_times_;  // durations of the last trials that succeeded, s
   bool stopping_ = false;
   RunProgress progress_;
   std::optional<Score> best_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of failure policies, stragglers and seeded histories in virtual time.
+// Tests failure policies, stragglers and simulated runs with seeded faults, all in virtual time.
 #include "evaluation/schedule/dispatcher.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,8 @@ RunOptions virtual_time() {
   return options;
 }
 
-/// Workers that answer to their trials by a script, which sets the answer and its delay in seconds.
+/// Workers whose outcomes come from a script, which returns the outcome of a trial and its delay in
+/// seconds.
 class Scripted : public Executor {
  public:
   struct Answer {
@@ -64,7 +65,7 @@ class Scripted : public Executor {
   }
   void abandon() override { running_.clear(); }
   double now() const override { return now_; }
-  /// Lets time pass while the trials run.
+  /// Advances the virtual clock while trials run.
   void let_pass(double time) { now_ += time; }
 
   static constexpr double kTooLong = 1e4;  // s
@@ -104,15 +105,16 @@ TEST(FailurePolicy, ALostWorkerIsForgivenOnceMoreThanAFailure) {
   }
 }
 
-// A node that can start no worker any more accepts points and loses them. That tries nothing and
-// uses up no start; only attempts count against the limit.
+// A node on which no worker can be started any more accepts points and loses them. Such a loss is
+// not an attempt at the point and uses up no start; only real attempts count against the limit.
 TEST(FailurePolicy, AWorkerThatIsLostBeforeItBeginsCostsNoStart) {
   for (const int retries : {0, 1}) {
     const int losses = retries + 2;
     const auto script = [&](int allowed) -> Scripted::Script {
       return [=](const DesignPoint& point, int attempt) -> Scripted::Answer {
         if (point.values[0] != 3.0) return {};
-        // A worker starts every second attempt and crashes.
+        // Every first attempt of two is lost before it begins; in the second one a worker starts
+        // and crashes.
         if (attempt % 2 == 1) return {1.0, Failure{"no worker", Cause::not_begun}};
         if (attempt / 2 <= allowed) return {1.0, Failure{"killed", Cause::transient}};
         return {};
@@ -168,7 +170,8 @@ TEST(FailurePolicy, AbortEndsTheRunAtTheFailedStep) {
   EXPECT_EQ(run.steps[0].outcome.failure().reason, "no");
 }
 
-// Nine trials take a second; the worker of the tenth stalls, and its copy ends the plan.
+// Nine trials take a second each. The worker of the tenth stalls, and a copy of this trial
+// completes the plan.
 TEST(Stragglers, AreStartedOnceMoreWhereAWorkerIsIdle) {
   FaultyStore store(0.0, 0);
   Scripted executor(2, [](const DesignPoint& point, int attempt) -> Scripted::Answer {
@@ -196,7 +199,7 @@ TEST(Stragglers, ACopyThatIsLostOrTimesOutDoesNotCountWhileTheOtherRuns) {
 
 const Objective kAny = [](const Channels&) -> Result<Score> { return Score{}; };
 
-/// Proposes x and its speculation at step x.
+/// An optimizer that proposes the point x in step x, followed by the next points as speculation.
 class Counting : public Optimizer {
  public:
   explicit Counting(double steps) : steps_(steps) {}
@@ -214,18 +217,18 @@ class Counting : public Optimizer {
   double steps_, x_ = 0.0;
 };
 
-/// Proposes only the next point, without speculation.
+/// An optimizer that proposes only the next point, without speculation.
 struct Patient : Counting {
   Patient() : Counting(30.0) {}
 };
 
-/// Speculates on points that are never requested.
+/// An optimizer whose speculative points are never requested.
 struct Forgetful : Counting {
   Forgetful() : Counting(30.0) {}
   std::optional<double> speculation(double x) const override { return 1000.0 + x; }
 };
 
-/// Requests the same point again now and then.
+/// An optimizer that sometimes requests an earlier point again.
 struct Insistent : Counting {
   Insistent() : Counting(200.0) {}
   std::vector<DesignPoint> propose(int count) const override {
@@ -241,7 +244,7 @@ struct Insistent : Counting {
   }
 };
 
-/// Takes time to propose each point.
+/// An optimizer that takes time to propose each point.
 struct Thoughtful : Counting {
   Thoughtful(Scripted& clock_, double time_) : Counting(60.0), clock(clock_), time(time_) {}
   std::vector<DesignPoint> propose(int count) const override {
@@ -257,7 +260,7 @@ struct Thoughtful : Counting {
   mutable int proposed = 0;
 };
 
-/// Every attempt at `x` hangs until its time limit.
+/// Returns a script in which every attempt at `x` hangs until its time limit.
 Scripted::Script hanging_at(double x) {
   return [=](const DesignPoint& point, int) -> Scripted::Answer {
     if (point.values[0] != x) return {};
@@ -265,7 +268,7 @@ Scripted::Script hanging_at(double x) {
   };
 }
 
-// Two workers have nothing else to do: one runs the point, the other runs copies of it.
+// Two workers have no other trials: one runs the point, the other runs copies of it.
 TEST(Stragglers, APointThatHangsIsStartedTwiceAndThenCounts) {
   for (const int workers : {1, 2, 3, 8}) {
     for (const int retries : {0, 1, 3}) {
@@ -281,7 +284,7 @@ TEST(Stragglers, APointThatHangsIsStartedTwiceAndThenCounts) {
   }
 }
 
-// Regression for residual methods, which at times have a single point to evaluate and propose
+// Regression test: methods that use residuals sometimes have a single point to evaluate and propose
 // nothing else meanwhile.
 TEST(Stragglers, ASearchGoesOnBehindAPointThatHangs) {
   Scripted executor(2, hanging_at(17.0));
@@ -293,7 +296,8 @@ TEST(Stragglers, ASearchGoesOnBehindAPointThatHangs) {
   EXPECT_EQ(executor.attempts(17.0), 2);
 }
 
-// A model of a tenth of a millisecond waits for the system now and then, which makes no straggler.
+// The operating system sometimes delays a model that takes a tenth of a millisecond. Such a trial
+// is no straggler.
 TEST(Stragglers, AreNoneBelowWhatTheSystemTakes) {
   FaultyStore store(0.0, 0);
   Scripted executor(2, [](const DesignPoint& point, int) -> Scripted::Answer {
@@ -303,8 +307,8 @@ TEST(Stragglers, AreNoneBelowWhatTheSystemTakes) {
   EXPECT_EQ(executor.attempts(9.0), 1);
 }
 
-// If a copy exceeds its time limit, its failure describes the point; the later failure of a copy
-// whose worker is lost does not.
+// Two copies of a trial run. If one exceeds its time limit, this failure describes the point and is
+// kept; the later loss of the other copy's worker does not describe it.
 TEST(Stragglers, WhatIsKeptOfTwoCopiesIsWhatTellsMore) {
   FaultyStore store(0.0, 0);
   Scripted executor(2, [](const DesignPoint& point, int attempt) -> Scripted::Answer {
@@ -321,8 +325,8 @@ TEST(Stragglers, WhatIsKeptOfTwoCopiesIsWhatTellsMore) {
   });
 }
 
-// The point straggles as speculation, is stopped for a requested point, and is requested again,
-// several times.
+// The point straggles as speculation, is stopped in favor of a requested point, and is requested
+// again, several times. Its number of starts is kept.
 TEST(Stragglers, APointThatIsStoppedKeepsItsCount) {
   Scripted executor(2, [](const DesignPoint& point, int) -> Scripted::Answer {
     return {point.values[0] == 1000.0 ? 1e5 : 1.0};
@@ -349,7 +353,7 @@ TEST(Stragglers, AreCounted) {
   EXPECT_EQ(last.copied, 1);
   EXPECT_EQ(last.repeated, 0);
   EXPECT_EQ(most, 1);
-  EXPECT_NEAR(slowest, 23.0, 0.5);  // its copy began 3 s later, at three times the median
+  EXPECT_NEAR(slowest, 23.0, 0.5);  // the copy of the slowest trial began after 3 s
   EXPECT_EQ(last.straggling, 0);
 }
 
@@ -364,7 +368,7 @@ TEST(Stragglers, AreLeftAloneWhereThatIsAskedFor) {
   EXPECT_EQ(executor.attempts(4.0), 1);
 }
 
-// The speculation that stalls holds one of two workers forever unless it is stopped.
+// The speculative trial that stalls occupies one of two workers forever unless it is stopped.
 TEST(Stragglers, AreStoppedWhereNobodyNamesThemAndAWantedPointWaits) {
   const auto time = [](bool stop, long& stopped) {
     Scripted executor(2, [](const DesignPoint& point, int) -> Scripted::Answer {
@@ -385,7 +389,8 @@ TEST(Stragglers, AreStoppedWhereNobodyNamesThemAndAWantedPointWaits) {
   EXPECT_EQ(without, 0);
 }
 
-// Trials that ended while the optimizer was computing started before it began to compute.
+// Trials that end while the optimizer is computing are noticed late; their long waiting time does
+// not make them stragglers.
 TEST(Stragglers, AreNotWhatWaitedForTheOptimizer) {
   RunProgress last;
   RunOptions options = virtual_time();
@@ -397,7 +402,8 @@ TEST(Stragglers, AreNotWhatWaitedForTheOptimizer) {
   EXPECT_EQ(last.copied, 0);
 }
 
-// Speculation that takes a second to compute is not worth a trial of a tenth of a second.
+// If computing a speculative point takes a second, it is not worth a trial that takes a tenth of a
+// second.
 TEST(LookingAhead, EndsWhereThinkingTakesLongerThanTrials) {
   const auto proposed = [](double trial) {
     Scripted executor(4, [=](const DesignPoint&, int) -> Scripted::Answer { return {trial}; });
@@ -409,7 +415,7 @@ TEST(LookingAhead, EndsWhereThinkingTakesLongerThanTrials) {
   EXPECT_GT(proposed(100.0), 60 * 16);
 }
 
-// A resumed run has computed everything before.
+// A resumed run knows the outcomes of all trials of the earlier run, so it requests no speculation.
 TEST(LookingAhead, IsLeftOutWhereTheOutcomeIsKnown) {
   FaultyStore store(0.0, 0);
   for (const bool resumed : {false, true}) {
@@ -420,8 +426,8 @@ TEST(LookingAhead, IsLeftOutWhereTheOutcomeIsKnown) {
   }
 }
 
-// This is the short form of ./bench.sh scheduler_simulation: each mix of hanging points, lost
-// workers, stalls and failing points runs eight times.
+// ./bench.sh scheduler_simulation repeats this test with many more seeds. Here each mix of hanging
+// points, lost workers, stalls and failing points runs eight times.
 TEST(SchedulerInVirtualTime, LosesAndRepeatsNothingAndGivesTheSameBitsInEveryHistory) {
   Undisturbed reference(two_variable_search());
   long expired = 0, repeats = 0;
@@ -436,11 +442,11 @@ TEST(SchedulerInVirtualTime, LosesAndRepeatsNothingAndGivesTheSameBitsInEveryHis
   }
   EXPECT_GT(expired, 60);
   EXPECT_GT(repeats, 300);
-  EXPECT_GE(most, 4);  // the limit is reached if failures are repeated
+  EXPECT_GE(most, 4);  // failures are repeated up to the limit
 }
 
-// Regression: an outcome that came twice, the second time while its point waited for a worker, was
-// counted twice.
+// Regression test: if an outcome arrived twice, the second time while its point waited for a
+// worker, it was counted twice.
 TEST(SchedulerInVirtualTime, WhatIsToldTwiceStartsNothing) {
   Undisturbed reference(two_variable_search());
   for (const std::uint64_t seed : {2430, 8843}) {

@@ -8,8 +8,9 @@
 namespace latsch {
 namespace {
 
-constexpr double kViolated = 1.0;  // violation of every constraint, because a failed point is not
-                                   // known to fulfill any
+// Violation that every constraint of a failed point is given, because it is not known to fulfill
+// any.
+constexpr double kViolated = 1.0;
 
 double squared_distance(const std::vector<double>& u, const std::vector<double>& v) {
   double sum = 0.0;
@@ -17,7 +18,8 @@ double squared_distance(const std::vector<double>& u, const std::vector<double>&
   return sum;
 }
 
-/// Returns the first of the nearest successful steps; nullptr if none succeeded.
+/// Returns the successful step nearest to the point, the first one if several are equally near;
+/// nullptr if none succeeded.
 const Step* nearest_success(const DesignSpace& space,
                             const std::vector<Step>& steps,
                             const DesignPoint& point) {
@@ -70,7 +72,8 @@ std::optional<Continuation> continued(const FailurePolicy& policy,
   DesignPoint source = start->point, target = failed;
   for (int halving = 0; halving < policy.halvings; ++halving) {
     const DesignPoint next = middle(space, source, target);
-    if (next == source || next == target) break;  // no point lies between them
+    // The two points are neighbors in floating-point numbers.
+    if (next == source || next == target) break;
     std::vector<DesignPoint> wanted{next};
     if (behind) {
       wanted.push_back(middle(space, next, target));

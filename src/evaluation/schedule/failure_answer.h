@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that replace a failure for the optimizer, if the failure policy asks for them. The trial
-// itself stays a failure in the journal, in the trajectory and in the report.
+// Values that are reported to the optimizer in place of a failure, if the failure policy says so.
+// The trial itself stays a failure in the journal, in the trajectory and in the report.
 //
 // recover       A declared penalty, equal for all failed points, for methods that cannot handle a
 //               failure. All residuals are equal, and their sum of squares is the penalty;
@@ -11,10 +11,10 @@
 //               Every m is a normal trial that the optimizer observes, and the last s gives the
 //               value for the failed point. If no m succeeds, the failure remains.
 //
-// Both are named after Dakota's failure capturing. There a simulation may start from the final
-// state of the step before, so that the failed point itself may succeed in the end. Here trials are
-// independent, and the point fails again. Continuation gives the value at the edge of the region
-// where the model works.
+// Both are named after Dakota's failure capturing. In Dakota a simulation may start from the final
+// state of the preceding one, so that the failed point itself may succeed in the end. Here trials
+// are independent, and the point would fail again. Continuation therefore uses the value at the
+// edge of the region where the model works.
 //
 // The values depend on the trajectory alone, so they are equal for any number of workers and after
 // a crash.
@@ -30,19 +30,20 @@
 
 namespace latsch {
 
-/// Point observed by the optimizer.
+/// A point that the optimizer observed, with its outcome.
 struct Step {
   DesignPoint point;
   Result<Score> outcome;
   std::optional<Score> answer = {};  // value reported to the optimizer in place of a failure
 };
 
-/// Returns the outcome of the first of these points, most urgent first; nullptr if it cannot be
-/// obtained.
+/// Returns the outcome of the first of these points; the others are evaluated meanwhile, the most
+/// urgent first. Returns nullptr if the outcome cannot be obtained.
 using Ask = std::function<const Result<Score>*(std::span<const DesignPoint> wanted)>;
 
-/// Returns the penalty as a score with as many residuals and constraints as earlier scores. Returns
-/// nullopt before the first success, because these numbers are not known then.
+/// Returns the penalty as a score with as many residuals and constraints as earlier scores have.
+/// Returns nullopt before the first success, because the numbers of residuals and constraints are
+/// not known then.
 std::optional<Score> recovered(const FailurePolicy& policy, const std::vector<Step>& before);
 
 /// The trials of a continuation, in their order, and the resulting value.
@@ -51,8 +52,8 @@ struct Continuation {
   std::optional<Score> answer;
 };
 
-/// `behind` are points wanted after the trials of the continuation, if there are idle workers for
-/// speculation. Returns nullopt if a trial cannot be obtained.
+/// Runs a continuation. `behind` are points wanted after its trials, for speculation if workers are
+/// idle. Returns nullopt if the outcome of a trial cannot be obtained.
 std::optional<Continuation> continued(const FailurePolicy& policy,
                                       const std::vector<Step>& before,
                                       const DesignPoint& failed,

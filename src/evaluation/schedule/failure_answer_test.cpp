@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests a model that fails beyond a distance, and the values its optimizer receives there.
+// Tests a model that fails at points beyond a distance from the center, and the values that its
+// optimizer receives for these points.
 #include "evaluation/schedule/failure_answer.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ Result<Channels> disk(const DesignPoint& point) {
   return channels;
 }
 
-/// The lowest point lies beyond the edge.
+/// Returns a target function whose minimum lies in the region where the model fails.
 Result<Score> answer_target(const Channels& channels) {
   const std::vector<double>& y = channels["y"];
   const std::vector<double> r{y[0] - 1.1, 0.5 * (y[1] - 1.0), 0.1 * y[0]};
@@ -57,7 +58,7 @@ RunOptions options(Then then) {
   return options;
 }
 
-/// Represents a method that ends when it receives a failure.
+/// An optimizer that stops as soon as it receives a failure.
 class TakesNoFailure : public Optimizer {
  public:
   std::vector<DesignPoint> propose(int count) const override { return gss_.propose(count); }
@@ -71,7 +72,7 @@ class TakesNoFailure : public Optimizer {
 
  private:
   Gss gss_{answer_space()};
-  std::set<std::size_t> residuals_;  // numbers of residuals it received
+  std::set<std::size_t> residuals_;  // all numbers of residuals that it received
 };
 
 TEST(Recover, AMethodThatCannotTakeAFailureGoesOnAndTheTrialIsStillAFailedOne) {
@@ -113,8 +114,8 @@ TEST(Recover, BeforeAnythingSucceededAFailureIsAFailure) {
   EXPECT_FALSE(recovered({.then = Then::recover}, {{{{0.5}}, Failure{"no"}}}));
 }
 
-// With s = 0.25, t = 1 and the edge at 0.7, 0.625 succeeds, 0.8125 and 0.71875 fail, 0.671875
-// succeeds.
+// The model fails beyond 0.7. Between the success s = 0.25 and the failure t = 1, the midpoint
+// 0.625 succeeds, 0.8125 and 0.71875 fail, and 0.671875 succeeds.
 TEST(Continuation, HalvesTheWayFromTheNearestSuccessToTheFailedPoint) {
   const FailurePolicy policy{
       .then = Then::continuation, .halvings = 4, .space = DesignSpace({{.name = "x"}})};
@@ -155,12 +156,12 @@ TEST(Continuation, ItsTrialsAreInTheJournalAndItsAnswerComesFromTheEdge) {
   Gss gss(answer_space());
   const auto run =
       run_optimizer(gss, answer_target, executor, &journal, options(Then::continuation));
-  EXPECT_EQ(journal.size(), std::ssize(run.steps));  // one worker runs no unneeded trial
+  EXPECT_EQ(journal.size(), std::ssize(run.steps));  // with one worker no trial is speculative
   int answered = 0;
   for (std::size_t i = 0; i < run.steps.size(); ++i) {
     if (!run.steps[i].answer) continue;
     ++answered;
-    double closest = 1.0;  // least distance of the earlier trials to the edge
+    double closest = 1.0;  // least distance of the earlier trials to the edge of failure
     for (std::size_t k = i - 6; k < i; ++k) {
       const std::vector<double>& x = run.steps[k].point.values;
       closest = std::min(closest, std::abs(std::hypot(x[0] - 0.5, x[1] - 0.5) - kRadius));

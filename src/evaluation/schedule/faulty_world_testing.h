@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: workers, messages and a store in virtual time in which everything goes wrong:
-// points hang or fail, workers die or stall, messages are late, overtake each other and come twice,
-// the store refuses, the master dies. All faults are a function of the seed.
+// Test support: simulated workers, messages and a store, on a virtual clock, in which everything
+// goes wrong: points hang or fail, workers die or stall, messages are late, arrive in another order
+// or arrive twice, the store refuses to store, and the master dies. All faults are a function of
+// the seed.
 #pragma once
 
 #include <algorithm>
@@ -20,19 +21,20 @@
 
 namespace latsch {
 
-/// The master has ended: everything that is not in the store is lost.
+/// Thrown when the master dies. Everything that is not in the store is lost.
 struct MasterDied : std::exception {};
 
-/// Shares of trials, messages or commits with each fault.
+/// Shares of points, starts, trials, messages or calls that suffer each fault.
 struct Faults {
-  double failure = 0.0;   // share of the points that fail, in every history
+  double failure = 0.0;   // share of the points that fail, in every simulated run
   double hang = 0.0;      // share of the points that hang: every attempt overruns the timeout
-  double timeout = 20.0;  // s; longer than a stalled trial unless it is made shorter
-  int retries = 0;        // repeats of failed trials
-  double death = 0.0;     // share of starts in which the worker dies, as often as a restart is
-                          // allowed
-  double refusal = 0.0;   // share of starts in which the worker is lost before it begins
-  double stall = 0.0;     // share of trials that take kStall times longer
+  double timeout = 20.0;  // s; longer than a stalled trial unless a test sets it shorter
+  int retries = 0;        // number of repeats of failed trials
+  /// Share of starts in which the worker dies, limited to the number of restarts that the
+  /// dispatcher allows.
+  double death = 0.0;
+  double refusal = 0.0;  // share of starts in which the worker is lost before it begins
+  double stall = 0.0;    // share of trials that take kStall times as long
   double late = 0.0;
   double twice = 0.0;
   double store = 0.0;
@@ -100,8 +102,8 @@ class FaultyWorld : public Executor {
     if (is_among(point, faults_.hang, 4)) time = 1e9;
     const bool expires = time > faults_.timeout;
     time = std::min(time, faults_.timeout);
-    // A worker dies only as often as the dispatcher tolerates; another death would count as the
-    // point's fault.
+    // A worker dies only as often as the dispatcher allows; one death more would count as a fault
+    // of the point.
     const int starts = ++starts_[point.bits()];
     most_starts_ = std::max(most_starts_, starts);
     const bool dies = happens(faults_.death) && starts < faults_.retries + 2;
@@ -110,7 +112,8 @@ class FaultyWorld : public Executor {
     if (happens(faults_.late)) arrival += 0.3 * random_.uniform();
     Trial trial{point, dies ? lost() : expires ? expired() : outcome(point)};
     trial.outcome.wall_time = time;
-    // A worker's death is observed, not sent as a message, so it cannot come twice.
+    // The death of a worker is noticed directly, not reported by a message, so it cannot be
+    // reported twice.
     if (!dies && happens(faults_.twice)) {
       messages_.push_back({arrival + 0.5 * random_.uniform(), kNobody, trial});
     }
@@ -133,7 +136,7 @@ class FaultyWorld : public Executor {
     return arrived;
   }
 
-  /// Messages already sent still arrive.
+  /// Drops the point from its worker. Messages that were sent before still arrive.
   void withdraw(const DesignPoint& point) override {
     for (Message& message : messages_) {
       if (message.trial.point == point) forget(message);
@@ -151,13 +154,13 @@ class FaultyWorld : public Executor {
   int most_starts() const { return most_starts_; }
 
   static constexpr double kStall = 50.0;
-  static constexpr double kTooLong = 1e5;  // s, far beyond the ten seconds of a search
+  static constexpr double kTooLong = 1e5;  // s, far longer than the ten seconds of a search
 
  private:
   static constexpr int kNobody = -1;
   struct Message {
     double arrival;
-    int worker;  // worker that becomes idle by this message
+    int worker;  // worker that is idle once this message has arrived
     Trial trial;
   };
 

@@ -14,7 +14,7 @@ void move_to(std::vector<Trial>& to, std::vector<Trial>&& from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// Returns a thread that receives no signals, which are for the thread that waits for workers.
+/// Starts a thread that receives no signals. They go to the thread that waits for workers.
 std::thread deaf_thread(auto&& body) {
   sigset_t all, before;
   ::sigfillset(&all);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes finished trials to their store while workers continue.
 //
-// A commit waits for the disk, milliseconds each time. Trials that finish meanwhile form the next
+// A commit waits milliseconds for the disk. Trials that finish during this time form the next
 // commit, so that each group waits for the disk once and workers never wait. Trials returned by
-// take() are on the disk; earlier they must not reach an optimizer.
+// take() are on the disk; they must not be passed to an optimizer earlier.
 #pragma once
 
 #include <condition_variable>
@@ -18,8 +18,8 @@ namespace latsch {
 
 class GroupCommit {
  public:
-  /// If `in_background` is false, add() itself commits, for worlds with a clock of their own.
-  /// Without a store nothing is stored.
+  /// If `in_background` is false, add() commits before it returns; this is meant for simulations
+  /// with a virtual clock. If `store` is nullptr, nothing is stored.
   GroupCommit(TrialStore* store, bool in_background);
   /// Commits the trials still waiting.
   ~GroupCommit();
@@ -28,12 +28,12 @@ class GroupCommit {
 
   void add(std::vector<Trial> trials);
 
-  /// Returns the trials committed since the last call, in the order they came. Throws JournalError
-  /// if the store refused a group.
+  /// Returns the trials committed since the last call, in the order in which they were added.
+  /// Throws JournalError if the store refused a group.
   std::vector<Trial> take();
 
-  /// Waits until there is something to take, or an error to throw. Returns at once if nothing is in
-  /// progress.
+  /// Waits until take() has trials to return or an error to throw. Returns at once if no commit is
+  /// in progress.
   void wait();
 
  private:
@@ -47,7 +47,7 @@ class GroupCommit {
   std::exception_ptr error_;
   bool writing_ = false;
   bool ending_ = false;
-  std::thread writer_;  // last member, because the thread uses all of these
+  std::thread writer_;  // the last member, because the thread uses all others
 };
 
 }  // namespace latsch

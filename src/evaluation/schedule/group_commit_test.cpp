@@ -10,7 +10,7 @@ namespace {
 
 Trial trial(double x) { return {.point = {{x}}, .outcome = {.result = Channels{}}}; }
 
-/// A disk whose every commit waits until it is released.
+/// A store in which every commit waits until it is released.
 class SlowStore : public TrialStore {
  public:
   void append(std::span<const Trial> trials) override {

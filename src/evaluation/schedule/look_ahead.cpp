@@ -6,7 +6,9 @@
 namespace latsch {
 namespace {
 
-/// Number of proposals after which both durations are measured again: they change during a search.
+/// While fewer points are requested, the time for computing all of them is measured again after
+/// kAskAgain requests, because it changes during a search. The interval is doubled each time, up to
+/// kAskSeldom requests.
 constexpr int kAskAgain = 16;
 constexpr int kAskSeldom = 1024;
 

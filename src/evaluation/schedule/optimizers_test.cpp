@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every optimizer takes the same path for any number of workers and any timing, failures included.
+// Tests that every optimizer takes the same path for any number of workers and any timing, also if
+// trials fail.
 #include <gtest/gtest.h>
 
 #include "evaluation/executors/simulated_executor.h"
@@ -38,7 +39,7 @@ Result<Score> sum_of_squares(const Channels& channels) {
   return score;
 }
 
-/// Returns a score for a method that needs derivatives; other methods get none.
+/// Returns a score with derivatives for a method that needs them, and without them otherwise.
 Result<Score> with_derivatives(const Channels& channels) {
   Score score = *sum_of_squares(channels);
   score.constraints.clear();
@@ -62,7 +63,8 @@ std::vector<DesignPoint> path(const std::string& method,
           .method,
       optimizers_space,
       settings);
-  // The failing points depend on the seed, so the timing is varied by the range of the times.
+  // The seed decides which points fail, so it stays the same, and the timing is varied by the range
+  // of durations.
   SimulatedExecutor executor(
       valley,
       {.workers = workers, .seed = 3, .shortest = 0.1 * timing, .longest = 2.0, .failures = 0.1});
@@ -84,7 +86,7 @@ std::vector<DesignPoint> path(const std::string& method,
 void expect_one_path(const std::string& method, const DesignSpace& optimizers_space) {
   for (const int outstanding : {1, 5}) {
     const std::vector<DesignPoint> alone = path(method, optimizers_space, outstanding, 1, 1);
-    EXPECT_GT(alone.size(), 6u);  // Levenberg-Marquardt needs 8
+    EXPECT_GT(alone.size(), 6u);  // Levenberg-Marquardt needs 8 steps
     for (const DesignPoint& point : alone) EXPECT_TRUE(optimizers_space.contains(point));
     for (const int workers : {2, 4, 8}) {
       for (const int timing : {1, 9, 19}) {

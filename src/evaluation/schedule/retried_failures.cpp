@@ -24,7 +24,8 @@ bool says(const Failure& failure, std::string_view words) {
   return failure.reason.find(words) != std::string::npos;
 }
 
-/// A process that is refused memory may report it, or just end.
+/// True if the failure may be due to a lack of memory: a process that is refused memory may report
+/// this or just end.
 bool may_lack_memory(const Failure& failure) {
   static constexpr std::array<std::string_view, 8> kWords{"out of memory",
                                                           "Out of memory",
@@ -41,15 +42,16 @@ bool may_lack_memory(const Failure& failure) {
 }
 
 bool concerns(const std::string& what, const Failure& failure) {
-  const bool is_program = says(failure, "allowed to it");  // part of the message in
-                                                           // outside_program.cpp
+  // The text is a part of the message in outside_program.cpp.
+  const bool is_program = says(failure, "allowed to it");
   if (what == kTimeout) return failure.cause == Cause::timeout && !is_program;
   if (what == kProgramTimeout) return failure.cause == Cause::timeout && is_program;
   if (what == kMemory) return failure.cause != Cause::timeout && may_lack_memory(failure);
   return what == kAll;
 }
 
-/// `row` is the row of the trial, from 1.
+/// True if a mark says that this failure is to be repeated. `row` is the row of its trial in the
+/// journal, counted from 1.
 bool is_to_be_tried_again(const std::vector<JournalMark>& marks, long row, const Failure& failure) {
   for (const JournalMark& mark : marks) {
     if (mark.kind == kRetry && row <= mark.trials && concerns(mark.text, failure)) return true;
@@ -57,7 +59,8 @@ bool is_to_be_tried_again(const std::vector<JournalMark>& marks, long row, const
   return false;
 }
 
-/// Returns the number of points whose last trial failed and counts, if `what` concerns the failure.
+/// Returns the number of points whose latest trial is a failure that `what` concerns and that still
+/// counts.
 long failed_points(const Journal& journal, const std::string& what) {
   std::set<std::string> failed;
   TrialsThatCount(journal).for_each([&](const Trial& trial) {

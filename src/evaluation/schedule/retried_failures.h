@@ -17,24 +17,24 @@ namespace latsch {
 
 /// Limits of a trial. 0: unlimited.
 struct TrialLimits {
-  double timeout = 0.0;          // s, for the trial
-  double program_timeout = 0.0;  // s, for the outside program in it
+  double timeout = 0.0;          // limit of the trial, s
+  double program_timeout = 0.0;  // limit of the outside program in the trial, s
   double memory = 0.0;           // bytes
 };
 
-/// Marks all failures so far to be repeated. Returns the number of these points.
+/// Marks all failures so far to be repeated. Returns the number of failed points.
 long retry_failures(Journal& journal);
 
-/// Stores the limits that hold from now on, and marks trials that failed at a lower limit to be
-/// repeated. Returns the number of these points.
+/// Stores the limits that hold from now on, and marks trials that failed because of a lower limit
+/// to be repeated. Returns the number of the points of these trials.
 long retry_what_limits_forbade(Journal& journal, const TrialLimits& limits);
 
-/// A journal without the failures that are to be repeated.
+/// View of a journal that leaves out the failures that are to be repeated.
 class TrialsThatCount : public TrialStore {
  public:
   explicit TrialsThatCount(Journal& journal) : read_(&journal), written_(&journal) {}
-  /// For reading only: restricts the journal to its first `trials`, and of these to the requested
-  /// ones.
+  /// Creates a view for reading only, of the first `trials` of the journal and, of these, only the
+  /// requested ones.
   explicit TrialsThatCount(const Journal& journal,
                            long trials = std::numeric_limits<long>::max(),
                            AskedTrials asked = AskedTrials({}))

@@ -61,7 +61,7 @@ TEST_F(Failed, ARaisedLimitConcernsWhatItForbadeAlone) {
   EXPECT_EQ(with({4.0, 2.0, 1e9}), 0);  // a lowered limit
   EXPECT_EQ(with({9.0, 2.0, 1e9}), 1);
   EXPECT_EQ(counting(journal), (Points{1, 3, 4, 5}));
-  EXPECT_EQ(with({9.0, 0.0, 1e9}), 1);  // no limit at all
+  EXPECT_EQ(with({9.0, 0.0, 1e9}), 1);  // the new memory limit is none
   EXPECT_EQ(counting(journal), (Points{1, 4, 5}));
   EXPECT_EQ(with({9.0, 0.0, 2e9}), 1);
   EXPECT_EQ(counting(journal), (Points{1, 5}));
@@ -69,7 +69,7 @@ TEST_F(Failed, ARaisedLimitConcernsWhatItForbadeAlone) {
 
 TEST_F(Failed, WhatIsToBeTriedAgainIsRemembered) {
   EXPECT_EQ(retry_failures(journal), 4);
-  journal = Journal::open(folder / "b", kRetriedStudy);  // closes the first journal
+  journal = Journal::open(folder / "b", kRetriedStudy);  // the assignment closes the first journal
   EXPECT_EQ(counting(Journal::open(folder / "a", kRetriedStudy)), (Points{1}));
 }
 

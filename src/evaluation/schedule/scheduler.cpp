@@ -10,7 +10,8 @@
 namespace latsch {
 namespace {
 
-/// Lets the optimizer observe the outcome of the first point it proposes, repeatedly.
+/// Runs an optimizer: repeatedly obtains the outcome of the first point that it proposes and passes
+/// it to the optimizer.
 class Search {
  public:
   using Seen = std::function<void(const Step&)>;
@@ -39,8 +40,8 @@ class Search {
   }
 
  private:
-  /// Sets the value reported for the failed point. Returns false if a trial for it cannot be
-  /// obtained.
+  /// Sets the value that the optimizer receives for the failed point. Returns false if a trial
+  /// needed for this value cannot be obtained.
   bool answer(Step& failed, std::span<const DesignPoint> plan) {
     if (policy_.then == FailurePolicy::Then::recover) {
       failed.answer = recovered(policy_, run_.steps);
@@ -108,14 +109,14 @@ Run run_optimizer(Optimizer& optimizer,
                   TrialStore* journal,
                   const RunOptions& options) {
   Dispatcher dispatcher(objective, executor, journal, options, options.max_steps);
-  // One worker has no use for speculation.
+  // A single worker needs no speculative points.
   LookAhead ahead(executor.workers() > 1 ? executor.workers() * options.look_ahead : 1);
   Search search(
       optimizer,
       options.on_failure,
       [&](const Optimizer& thinking) {
-        // Speculation is not computed while outcomes are known from the journal or from trials run
-        // ahead.
+        // While the outcome of the next point is already known, from the journal or from
+        // speculation, no speculative points are computed.
         std::vector<DesignPoint> plan = thinking.propose(1);
         if (dispatcher.knows(plan.front())) return plan;
         const double since = executor.now();

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps the workers busy with the points that an optimizer or a sampling plan wants, and the
-// journal complete.
+// Keeps the workers busy with the points that an optimizer or a sampling plan wants, and writes
+// every outcome to the journal.
 //
 // Determinism: an optimizer observes the outcome of the first point it proposed and proposes again,
 // whichever trial finished first; trials of later points are speculation that may prove useful. So
 // neither the number of workers nor their timing nor `look_ahead` changes the trajectory. Points
-// already in the journal are not evaluated again: resuming is running the same optimizer once more.
+// already in the journal are not evaluated again, so a search is resumed by running the same
+// optimizer once more from its start.
 #pragma once
 
 #include <string>
@@ -24,14 +25,15 @@ enum class RunEnd {
   converged,
   max_steps,
   stopped,  // on request
-  aborted   // a trial failed and the failure policy says to end
+  aborted   // a trial failed and the failure policy is to abort
 };
 
 /// Trajectory of an optimizer. Its bits are the same for any number of workers, with or without an
 /// interruption.
 struct Run {
   RunEnd end = RunEnd::stopped;
-  /// Reason in words that continue "the search ended "; empty if it was stopped on request.
+  /// Reason why the search ended, in words that continue "the search ended "; empty if it was
+  /// stopped on request.
   std::string ending = {};
   std::vector<Step> steps = {};
 
@@ -39,15 +41,16 @@ struct Run {
   const Step* best() const;
 };
 
-/// Runs the optimizer until it converges. With a journal, its outcomes are reused and new ones
-/// appended. An aborted run ends with the step that failed.
+/// Runs the optimizer until it converges. If there is a journal, outcomes in it are reused and new
+/// ones are appended. The last step of an aborted run is the one that failed.
 Run run_optimizer(Optimizer& optimizer,
                   const Objective& objective,
                   Executor& executor,
                   TrialStore* journal,
                   const RunOptions& options = {});
 
-/// Returns the trajectory as far as the journal contains it, without evaluating, for a report.
+/// Repeats the optimizer with the outcomes in the journal, without evaluating anything, and returns
+/// its trajectory as far as the outcomes reach. For reports.
 Run replay(Optimizer& optimizer,
            const Objective& objective,
            const TrialStore& journal,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: one history of a search in a faulty world, from its first point to its end through
-// every death of the master, and the conditions it has to fulfill.
+// Test support: simulates one search in which workers, messages, store and master fail at random,
+// from its first point to its end through every restart of the master, and checks the conditions
+// that it has to fulfill.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +20,14 @@
 
 namespace latsch {
 
-/// Search problem of a history.
+/// Optimizer, evaluator and objective of a simulated search.
 struct SearchProblem {
   std::function<std::unique_ptr<Optimizer>()> optimizer;
   Evaluator evaluator;
   Objective objective;
 };
 
-/// Returns a generating-set search for the lowest point of a kinked valley.
+/// Returns a generating-set search for the minimum of a valley with a kink, in two variables.
 inline SearchProblem two_variable_search() {
   const DesignSpace space({{.name = "a", .lower = 0.0, .upper = 1.0, .initial = 0.9},
                            {.name = "b", .lower = 0.0, .upper = 1.0, .initial = 0.1}});
@@ -54,17 +55,17 @@ inline std::string bits_of(const Run& run) {
 
 struct History {
   std::uint64_t seed = 0;
-  int workers = 0;       // workers of the last run
-  int restarts = 0;      // restarts after the master died or the store refused
+  int workers = 0;       // number of workers in the last run
+  int restarts = 0;      // number of restarts after the master died or the store refused
   long evaluations = 0;  // evaluations stored
-  long repeats = 0;      // copies of stragglers, trials of lost workers
-  long expired = 0;      // stored evaluations that expired
-  int most_starts = 0;   // starts of one point in one run
-  std::string wrong;     // broken invariant; empty if all hold
-  std::string bits;      // bits of the trajectory
+  long repeats = 0;      // number of copies of stragglers and of repeated trials of lost workers
+  long expired = 0;      // number of stored evaluations that exceeded their time limit
+  int most_starts = 0;   // largest number of starts of one point in one run
+  std::string wrong;     // the broken invariant; empty if all hold
+  std::string bits;      // all bits of the trajectory
 };
 
-/// Observes as the optimizer does and checks that every observed outcome is in the store.
+/// Wraps an optimizer and checks that every outcome it observes is in the store.
 class Witness : public Optimizer {
  public:
   Witness(std::unique_ptr<Optimizer> optimizer, const FaultyStore& store)
@@ -83,8 +84,9 @@ class Witness : public Optimizer {
   long unkept_ = 0;
 };
 
-/// Mixes hanging points, lost workers, stalls and failing points in every combination. Every other
-/// fault has a share of its own, from none to many.
+/// Returns the faults of a seed. The seeds go through all combinations of hanging points, lost
+/// workers, stalls and failing points; the shares of all other faults are random, from none to
+/// many.
 inline Faults faults_of(std::uint64_t seed) {
   RandomStream random(seed, 4);
   const auto in_mix = [&](int kind, double share) { return seed >> kind & 1 ? share : 0.0; };
@@ -98,19 +100,21 @@ inline Faults faults_of(std::uint64_t seed) {
   faults.twice = 0.3 * random.uniform();
   faults.store = 0.03 * random.uniform();
   faults.master = 0.02 * random.uniform();
-  // A stalled trial may also expire. How a point ends is then chance, but fixed once stored.
+  // A stalled trial may also exceed its time limit. Chance then decides how a point ends, but the
+  // outcome is fixed once it is stored.
   if (seed >> 4 & 1) faults.timeout = 0.2 + 3.0 * random.uniform();
   if (seed % 3 == 1) faults.refusal = 0.3 * random.uniform();
   return faults;
 }
 
-/// True if the trajectory must equal that of the undisturbed search to the last bit.
+/// True if these faults must leave the trajectory equal to that of the undisturbed search, to the
+/// last bit.
 inline bool is_comparable(const Faults& faults) {
   return faults.stall == 0.0 || faults.timeout > 0.15 * FaultyWorld::kStall;
 }
 
-/// Returns the trajectory of one worker in a world where points hang and fail and nothing else
-/// happens.
+/// Returns the trajectory of a search with one worker in which points hang and fail but nothing
+/// else goes wrong.
 inline std::string undisturbed(const SearchProblem& problem, const Faults& faults) {
   FaultyStore store(0.0, 0);
   FaultyWorld world(
@@ -137,7 +141,7 @@ class Undisturbed {
   std::map<std::pair<bool, bool>, std::string> bits_;
 };
 
-/// Returns the violated condition of a completed search.
+/// Returns the first violated condition of a completed search, in words; empty if there is none.
 inline std::string fault_of(const History& history,
                             const Faults& faults,
                             const FaultyStore& store,

@@ -39,7 +39,7 @@ Result<Score> scheduler_target(const Channels& channels) {
   return Score{std::abs(y[0] - 0.3) + std::abs(y[0] + y[1]) + 0.1 * y[1] * y[1]};
 }
 
-/// Returns the trajectory to the last bit.
+/// Returns all bits of a trajectory as a text.
 std::string bits(const Run& run) {
   std::string all = std::to_string(static_cast<int>(run.end));
   for (const Step& step : run.steps) {
@@ -63,8 +63,8 @@ TEST(RunOptimizer, TrajectoryIsTheSameBitsForAnyNumberOfWorkersAndAnyTiming) {
     for (const int workers : {1, 2, 3, 4, 8, 16}) {
       for (std::uint64_t timing = 0; timing < 5; ++timing) {
         SimulatedOptions simulated{.workers = workers, .seed = 0, .failures = failures};
-        simulated.shortest = 0.1 + 0.3 * static_cast<double>(timing);  // other delays, same
-                                                                       // failures
+        // The delays differ, but the same points fail.
+        simulated.shortest = 0.1 + 0.3 * static_cast<double>(timing);
         simulated.longest = 3.0 + static_cast<double>(timing);
         EXPECT_EQ(bits(run_simulated(simulated, nullptr)), reference) << workers << " workers";
       }
@@ -133,12 +133,12 @@ TEST(RunOptimizer, ReportsProgress) {
   EXPECT_EQ(last.best_point, run.best()->point);
 }
 
-// In seeded histories in virtual time, a study is stopped at random moments and resumed with
-// another number of workers until it ends.
+// A study is stopped at random moments and resumed with another number of workers until it ends.
+// The moments and all delays depend on a seed and a virtual clock.
 TEST(RunOptimizer, ARunInterruptedAnywhereGivesTheSameBitsAndRepeatsNoFinishedTrial) {
   const std::string reference = bits(run_simulated({.failures = 0.05}, nullptr));
   for (std::uint64_t history = 0; history < 30; ++history) {
-    FaultyStore store(0.0, 0);  // nothing is refused
+    FaultyStore store(0.0, 0);  // a store that refuses nothing
     RandomStream random(7, history);
     std::map<std::string, int> evaluations;
     const Evaluator counting = [&](const DesignPoint& point) {
@@ -216,7 +216,7 @@ TEST(RunDoe, KeepsAllWorkersBusy) {
   SimulatedExecutor executor(model, {.workers = 4});
   ASSERT_EQ(run_doe(full_factorial(scheduler_space(), {10, 10}), executor, journal),
             RunEnd::converged);
-  // A worker may wait only while the last trials, of at most 1.5 s, end.
+  // Workers may be idle only at the end, while the last trials run, which take at most 1.5 s.
   EXPECT_GE(executor.busy_time(), 4.0 * (executor.now() - 1.5));
 }
 

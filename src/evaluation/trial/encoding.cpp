@@ -25,7 +25,8 @@ void put_numbers(std::string& bytes, const std::vector<double>& numbers) {
   bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
 }
 
-/// Reads from the front of `rest`. After the first missing count or number, ok is false.
+/// Reads encoded values from the front of `rest`. If a count or number is missing, ok becomes
+/// false.
 struct Reader {
   std::string_view rest;
   bool ok = true;
@@ -64,8 +65,8 @@ struct Reader {
   bool finished() const { return ok && rest.empty(); }
 };
 
-// Kind of an outcome: channels, or a failure by its cause. The first two are those of journals of
-// format 1, which had no causes.
+// Kind of an encoded outcome: channels, or a failure by its cause. Journals of format 1, which
+// stored no causes, have only the first two kinds.
 enum Kind : std::uint8_t {
   kPoint = 0,
   kChannels = 1,
@@ -73,11 +74,13 @@ enum Kind : std::uint8_t {
   kBadOutput = 3,
   kTransient = 4,
   kNotBegun = 5,
-  // Added to the kind if the CPU time of outside programs follows; not before format 3.
+  // This bit is added to the kind if the CPU time of outside programs follows; journals have it
+  // from format 3 on.
   kWithPrograms = 0x80
 };
 
-// Added to the count of channels if each is followed by its slopes; not before format 5.
+// This bit is added to the count of channels if each channel is followed by its slopes; journals
+// have it from format 5 on.
 constexpr std::uint64_t kWithSlopes = std::uint64_t{1} << 63;
 
 bool is_table(const std::vector<double>& slopes, std::size_t rows) {
@@ -127,10 +130,12 @@ Channels read_channels(Reader& reader) {
     Channel channel{.name = reader.text(), .unit = reader.text(), .values = reader.numbers()};
     if (slopes) channel.slopes = reader.numbers();
     if (!is_table(channel.slopes, channel.values.size())) reader.ok = false;
-    if (channels.find(channel.name) != nullptr) reader.ok = false;  // names are unique
+    // Names of channels must be unique.
+    if (channels.find(channel.name) != nullptr) reader.ok = false;
     if (reader.ok) channels.add(std::move(channel));
   }
-  if (slopes && !channels.has_slopes()) reader.ok = false;  // one value has one encoding
+  // Every value must have only one encoding.
+  if (slopes && !channels.has_slopes()) reader.ok = false;
   return channels;
 }
 
@@ -188,7 +193,7 @@ std::optional<Outcome> decode_outcome(std::string_view bytes) {
   if (kind & kWithPrograms) {
     kind &= static_cast<std::uint8_t>(~kWithPrograms);
     outcome.program_time = reader.number<double>();
-    if (outcome.program_time == 0.0) reader.ok = false;  // one value has one encoding
+    if (outcome.program_time == 0.0) reader.ok = false;  // every value must have only one encoding
   }
   const std::optional<Cause> cause = cause_of(kind);
   if (kind == kChannels) {

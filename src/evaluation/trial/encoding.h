@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes points and channels as bytes, for the journal and between processes: little-endian,
-// counts before contents, numbers by their exact bits. Decoding never trusts a count.
+// Encodes points and channels as bytes, for the journal and for messages between processes:
+// little-endian, counts before contents, numbers by their exact bits. Decoding checks every count
+// before it is used.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +17,12 @@ std::string encode(const DesignPoint& point);
 std::string encode(const Channels& channels);
 std::string encode(const Outcome& outcome);
 
-/// Returns nullopt if the bytes are not exactly one encoded value.
+/// Decode a point or an outcome. Return nullopt if the bytes are not exactly one encoded value.
 std::optional<DesignPoint> decode_point(std::string_view bytes);
 std::optional<Outcome> decode_outcome(std::string_view bytes);
 
-/// FNV-1a hash, 64 bits. Every step is one-to-one in the state, so a change of one byte is always
-/// detected. [Fowler, Noll, Vo, draft-eastlake-fnv]
+/// FNV-1a hash, 64 bits. Every step maps the state one-to-one, so a change of a single byte is
+/// always detected. [Fowler, Noll, Vo, draft-eastlake-fnv]
 inline constexpr std::uint64_t kHashStart = 0xcbf29ce484222325u;
 std::uint64_t hash(std::string_view bytes, std::uint64_t before = kHashStart);
 

@@ -2,9 +2,9 @@
 // Functions from a design point to the channels of all its experiments, and from channels to a
 // score.
 //
-// The evaluator runs on the workers and is expensive; the objective runs in the process that owns
-// the journal and is cheap. The journal stores channels, so that another objective can be computed
-// from finished trials.
+// The evaluator runs on the workers and takes long; the objective runs in the process that owns the
+// journal and is fast. The journal stores channels, so that another objective can be computed from
+// finished trials.
 #pragma once
 
 #include <functional>
@@ -18,12 +18,13 @@
 
 namespace latsch {
 
-/// An evaluator is pure: the same point gives the same bits. A simulation that does not succeed is
-/// a Failure; an exception counts as a Failure, too, with its text as the reason.
+/// Returns the channels of a point. An evaluator is pure: the same point gives the same bits. If a
+/// simulation does not succeed, the result is a Failure; an exception counts as a Failure, too,
+/// with its text as the reason.
 using Evaluator = std::function<Result<Channels>(const DesignPoint&)>;
 
-/// Target function of the channels and, if prior knowledge of the values exists, of the point. A
-/// score that is not finite counts as a failure.
+/// Computes the score of a trial from its channels and, if there is prior knowledge of the
+/// variables, from its point. A score that is not finite counts as a failure.
 class Objective {
   template <class F>
   using IfOfChannels = std::enable_if_t<
@@ -35,17 +36,17 @@ class Objective {
   using OfTrial = std::function<Result<Score>(const DesignPoint&, const Channels&)>;
 
   Objective() = default;
-  /// With `needs_slopes`, a trial stored without slopes counts as not evaluated.
+  /// If `needs_slopes` is true, a stored trial without slopes counts as not evaluated.
   Objective(OfTrial of_trial, bool needs_slopes = false)
       : of_trial_(std::move(of_trial)), needs_slopes_(needs_slopes) {}
-  /// An objective that does not depend on the point.
+  /// Creates an objective that does not depend on the point.
   template <class OfChannels, class = IfOfChannels<OfChannels>>
   Objective(OfChannels of_channels)
       : of_trial_([of_channels](const DesignPoint&, const Channels& channels) {
           return of_channels(channels);
         }) {}
 
-  /// False for an objective that was default-constructed.
+  /// Returns false for an objective without a function.
   explicit operator bool() const { return static_cast<bool>(of_trial_); }
   /// Returns the score of a trial.
   Result<Score> operator()(const DesignPoint& point, const Channels& channels) const {

@@ -13,14 +13,15 @@
 namespace latsch {
 namespace {
 
-/// Returns the CPU time of this thread; other threads may evaluate points of their own.
+/// Returns the CPU time of this thread alone, because other threads may evaluate other points.
 double cpu_seconds() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Returns the CPU time of the programs this process has waited for, and of those they waited for.
+/// Returns the CPU time of the programs that this process has waited for, including the programs
+/// that these have waited for.
 double program_seconds() {
   rusage usage{};
   ::getrusage(RUSAGE_CHILDREN, &usage);

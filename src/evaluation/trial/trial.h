@@ -11,10 +11,10 @@ namespace latsch {
 
 /// Channels, or the reason why there are none, and their cost.
 struct Outcome {
-  Result<Channels> result;    // the channels, or why there are none
+  Result<Channels> result;    // the channels, or the reason why there are none
   double wall_time = 0.0;     // s
-  double cpu_time = 0.0;      // s, of the thread that evaluated
-  int worker = 0;             // number of the worker that evaluated
+  double cpu_time = 0.0;      // CPU time of the evaluating thread, s
+  int worker = 0;             // number of the worker that evaluated the point
   double program_time = 0.0;  // s, user and system CPU time of completed outside programs
 };
 

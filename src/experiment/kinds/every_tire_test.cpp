@@ -13,8 +13,11 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/slip/flat_track.h"
+#include "experiment/rigs/slip/lift_watch.h"
+#include "experiment/rigs/static_stiffness.h"
 #include "models/road/plane_road.h"
 #include "models/road/profile_road.h"
+#include "models/tire/tared_tire.h"
 
 namespace latsch::experiment {
 namespace {
@@ -43,8 +46,8 @@ class EveryTire : public testing::TestWithParam<std::string> {
   Document numbers_;
 };
 
-// A wheel that rolls over a fixed cleat, and a belt that carries the cleat under a stationary
-// wheel, are the same to the tire.
+// For a tire it makes no difference whether its wheel rolls over a fixed cleat or a belt carries
+// the cleat below a stationary wheel.
 TEST_P(EveryTire, DoesNotKnowWhetherItOrTheRoadMoves) {
   constexpr double kSpeed = 40.0, kStep = 5e-4, kFrom = -0.6;
   constexpr int kSteps = 60;
@@ -88,11 +91,12 @@ double geometric_mean(const std::vector<double>& values) {
   return std::exp(sum / static_cast<double>(values.size()));
 }
 
-// A free wheel rolls over a cleat; a tire with point contact rolls on the bare drum, starting at a
-// speed that it then changes. Halving the step twice reduces the change sixteen times at order 2
-// and four times at order 1. Corners of the cleat, and blocks that gain or lose contact within a
-// step, scatter the ratio from one halving and one channel to the next, so the mean is tested. A
-// block of the ring comes down within 0.3 ms: longer steps do not resolve it.
+// The free wheel of a tire with a belt rolls over a cleat. A tire with point contact rolls on the
+// bare drum, from a speed that then changes. Halving the time step twice reduces the change sixteen
+// times at order 2 and four times at order 1. Corners of the cleat, and blocks that gain or lose
+// contact within a step, scatter the ratio from one halving and one channel to the next, so the
+// mean is tested. A block of the ring makes contact within 0.3 ms; longer steps do not resolve
+// this.
 TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
   DrumTest test{.speed = 30.0 / 3.6,
                 .load = 3500.0,
@@ -124,8 +128,8 @@ TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
   EXPECT_GT(geometric_mean(ratios), 7.0);
 }
 
-// If the axle controls the load, the road carries that load at any speed, camber and slip; at a
-// fixed height the load depends on them.
+// If the axle follows the load, the road carries that load at any speed, camber and slip; at a
+// fixed height the load would depend on them.
 TEST_P(EveryTire, OnTheFlatTrackCarriesTheLoadOfTheTest) {
   SlipSweep sweep{.speed = 25.0, .load = 3500.0, .camber = 0.05, .alpha_to = 0.12, .duration = 0.5};
   double most[2] = {};
@@ -143,8 +147,9 @@ TEST_P(EveryTire, OnTheFlatTrackCarriesTheLoadOfTheTest) {
   }
 }
 
-// One test in three frames: C has the axes of the hub; H is C rotated back by the camber; W has H's
-// forces, and moments about the contact point, a loaded radius down the wheel plane.
+// The forces of one test in three frames: C has the axes of the hub; H is C rotated back by the
+// camber; W has the forces of H, and moments about the contact point, which is a loaded radius down
+// the wheel plane.
 TEST_P(EveryTire, ForcesAreThoseOfTheFrameThatIsAskedFor) {
   constexpr double camber = 0.06;
   SlipSweep sweep{.load = 3500.0, .camber = camber, .alpha_to = 0.05, .duration = 0.1};
@@ -165,8 +170,7 @@ TEST_P(EveryTire, ForcesAreThoseOfTheFrameThatIsAskedFor) {
     EXPECT_NEAR(W["My"][i], H["My"][i] + R * c * H["Fx"][i], 1e-9);
     EXPECT_NEAR(W["Mz"][i], H["Mz"][i] + R * s * H["Fx"][i], 1e-9);
   }
-  // The tire's own moments at the contact point: a Magic Formula without an overturning coefficient
-  // has no Mx in W at any camber.
+  // A Magic Formula without an overturning coefficient has no Mx in frame W at any camber.
   if (has_point_contact()) {
     EXPECT_NEAR(W["Mx"][199], 0.0, 1e-6 * 3500.0);
   }
@@ -187,6 +191,41 @@ TEST_P(EveryTire, OnTheDrumTheFrameIsTheSame) {
   for (std::size_t i = 0; i < C["Fz"].size(); ++i)
     EXPECT_NEAR(
         H["Fz"][i], std::sin(test.camber) * C["Fy"][i] + std::cos(test.camber) * C["Fz"][i], 1e-9);
+}
+
+/// Expects the road to carry the load of a test, standing and rolling, and the rig to record it.
+void expect_load_of_the_test(std::unique_ptr<Tire> tire) {
+  constexpr double kLoad = 400.0;  // N; a belt weighs some tens of newtons
+  const auto standing = tared(tire->clone());
+  ASSERT_TRUE(height_under_load(*standing, road::PlaneRoad(), Eigen::Matrix3d::Identity(), kLoad));
+  EXPECT_NEAR(*standing->road_load(), kLoad, 0.01);
+  const auto force = load_at(*standing, 0.004);
+  ASSERT_TRUE(force) << force.failure().reason;
+  EXPECT_NEAR(*force, *standing->road_load(), 0.01);
+  LiftLog lifts;
+  const auto rolling = watched(std::move(tire), lifts);
+  const auto channels =
+      run(*rolling, SlipSweep{.load = kLoad, .alpha_to = 0.01, .duration = 0.1, .step = 1e-3});
+  ASSERT_TRUE(channels) << channels.failure().reason;
+  EXPECT_NEAR((*channels)["Fz"].back(), kLoad, 1.0);
+  EXPECT_NEAR(*rolling->road_load(), kLoad, 2.0);
+}
+
+// A rigid ring of a .tir with gravity stood under its load and the weight of its belt.
+TEST_P(EveryTire, StandsAndRollsUnderTheLoadOfTheTest) {
+  expect_load_of_the_test(tire());
+  EXPECT_NEAR(weight_in_air(*tire()), GetParam() == "rigid_ring" ? 7.0 * 9.81 : 0.0, 1e-9);
+}
+
+TEST(EveryTireWithWeight, AFlexibleRingWithGravityStandsUnderTheLoadOfTheTest) {
+  const SpecimenKind& kind = *language().find_kind("ring_tire");
+  Document numbers = kind.read(std::filesystem::path(LATSCH_SOURCE_DIR) /
+                               "studies/ring_tires/passenger_205_55R16.toml");
+  numbers.set("belt.gravity", 9.81);
+  numbers.set("tread.blocks", 6.0);
+  const auto tire = [&] { return kind.build(numbers)->find<Rolls>()->tire(); };
+  EXPECT_NEAR(weight_in_air(*tire()), 4.52276 * 9.81, 1e-3);
+  expect_load_of_the_test(tire());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds,

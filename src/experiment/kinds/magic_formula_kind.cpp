@@ -26,7 +26,7 @@ using magic_formula::MagicFormula;
 
 constexpr int kBlock = 8192;  // states
 
-/// Says that a tire has no turn slip though a test asks for it; empty if it has.
+/// Returns a sentence if a test requests turn slip but the tire has none; else an empty text.
 std::string no_turn_slip_in(const MagicFormula& tire, const Conventions& asked) {
   if (!asked.turn_slip || tire.conventions().turn_slip) return "";
   const std::string_view missing = tire.parameters().missing_of_turn_slip();
@@ -42,13 +42,15 @@ std::string no_turn_slip_in(const MagicFormula& tire, const Conventions& asked) 
 
 class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, public KnowsLimits {
  public:
-  explicit MagicFormulaSpecimen(const Document& numbers) : parameters_(parameters_of(numbers)) {}
+  explicit MagicFormulaSpecimen(const Document& numbers)
+      : parameters_(parameters_of(numbers)), file_(numbers.file()) {}
 
   std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
     magic_formula::MagicFormulaTireSettings settings;
     settings.pressure = pressure.value_or(settings.pressure);
     settings.log = log_;
     if (pressure) asked_pressure_ = pressure;
+    refuse_soft_pressure(parameters_, pressure.value_or(parameters_.INFLPRES), {file_, 0});
     return std::make_unique<magic_formula::MagicFormulaTire>(parameters_, settings);
   }
   std::vector<std::string> limits_met() const override {
@@ -72,16 +74,21 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
         "its forces leap where the point steps onto the cleat and off it; a rigid or flexible ring "
         "feels the cleat's length"};
   }
+  std::vector<std::string> limits_at_camber(bool rolls) const override {
+    return upright_footprint(rolls);
+  }
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }
   Channels steady(const formats::CsvTable& table, const Conventions& conventions) const override {
+    refuse_soft_pressures(table);
     return answers(MagicFormula(parameters_, conventions), slip_states(table, parameters_).states);
   }
   std::vector<std::string> steady_in_blocks(
       const formats::CsvTable& table,
       const Conventions& conventions,
       const std::function<void(const Channels&)>& tell) const override {
+    refuse_soft_pressures(table);
     const MagicFormula tire(parameters_, conventions);
     std::vector<magic_formula::SteadyState> results;
     StatesBeyond beyond;
@@ -142,9 +149,17 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
   }
 
  private:
+  void refuse_soft_pressures(const formats::CsvTable& table) const {
+    const std::vector<double> pressures = values_of(table, "p");
+    for (std::size_t row = 0; row < pressures.size(); ++row)
+      refuse_soft_pressure(parameters_, pressures[row], table.place(static_cast<int>(row)));
+    if (pressures.empty()) refuse_soft_pressure(parameters_, parameters_.INFLPRES, {file_, 0});
+  }
+
   magic_formula::Parameters parameters_;
+  std::string file_;
   std::shared_ptr<magic_formula::RangeLog> log_ = std::make_shared<magic_formula::RangeLog>();
-  mutable Inflation asked_pressure_;  // the last one that a test stated
+  mutable Inflation asked_pressure_;  // the pressure that a test stated last
 };
 
 class MagicFormulaKind : public SpecimenKind {

@@ -26,6 +26,7 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
     settings.pressure = pressure.value_or(settings.pressure);
     settings.log = log_;
     if (pressure) asked_pressure_ = pressure;
+    refuse_soft_pressure(parameters_, pressure.value_or(parameters_.INFLPRES), {file_, 0});
     auto tire = rigid_ring::RigidRingTire::make(parameters_, settings);
     if (!tire) throw InputError({file_, 0}, "makes no rigid ring: " + tire.failure().reason);
     return std::move(*tire);
@@ -44,7 +45,8 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   std::optional<double> tread_half_width() const override {
     return tread_half_width_of(parameters_);
   }
-  /// The outermost cams stand at the edges of the patch, here of the patch at FNOMIN.
+  /// Returns the distance of the outermost cams from the middle: they are at the edges of the
+  /// contact patch, here of the patch at FNOMIN.
   double felt_half_width() const override {
     if (parameters_.ELLIPS_NWIDTH < 2.0) return 0.0;
     const magic_formula::MagicFormula formula(parameters_);
@@ -53,10 +55,13 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
         formula.evaluate({parameters_.FNOMIN, 0, 0, 0, 0, parameters_.LONGVL, parameters_.INFLPRES})
             .b);
   }
+  std::vector<std::string> limits_at_camber(bool rolls) const override {
+    return upright_footprint(rolls);
+  }
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }
-  /// One pair of cams scans a single line of the road.
+  /// Returns the limit that a single pair of cams follows only one line of the road.
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     if (std::abs(cleat.angle) < kStraightCleat || parameters_.ELLIPS_NWIDTH >= 2.0) return {};
     return {
@@ -84,7 +89,7 @@ class RigidRingKind : public SpecimenKind {
   std::string file() const override {
     return "a .tir file with belt and stiffnesses (MF 6.1, 6.2)";
   }
-  int version() const override { return 4; }
+  int version() const override { return 5; }
   std::vector<std::string> abilities() const override { return abilities_of<RigidRingSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The flexible ring as a kind of specimen.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "experiment/kinds/pictures/rolling_scene.h"
 #include "experiment/kinds/rolling_specimen.h"
@@ -27,15 +31,29 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
     ring_tire::RingTire tire(parameters_at(test.pressure));
     return experiment::run(tire, test);
   }
-  /// A straight section stands on the highest point of what is below it (docs/ring_tire.md).
+  /// Returns the limits of this tire model on a cleat: a rigid cross section rests on the highest
+  /// point below it, and a cell of the tread that lies across an edge touches only one plane
+  /// (docs/ring_tire.md).
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
-    if (std::abs(cleat.angle) < kStraightCleat || parameters_.belt.bending_across > 0.0) return {};
+    std::vector<std::string> all;
+    if (std::abs(cleat.angle) >= kStraightCleat && parameters_.belt.bending_across == 0.0)
+      all.push_back(
+          "the sections of this flexible ring stay straight across (belt.bending_across is 0), so "
+          "an oblique cleat lifts it over its whole width: the more oblique the cleat, the larger "
+          "is Fz, while that of a finite-element tire falls (docs/ring_tire.md); "
+          "belt.bending_across lets the sections bend");
+    if (std::string unresolved = unresolved_by_tread(cleat); !unresolved.empty())
+      all.push_back(std::move(unresolved));
+    return all;
+  }
+  /// Returns the limit of a flat tread: if the wheel is cambered, the load acts at the edge of the
+  /// tread, whereas on a real tire it acts on the curved crown of the tread.
+  std::vector<std::string> limits_at_camber(bool rolls) const override {
+    if (!rolls || parameters_.tread.crown_radius > 0.0) return {};
     return {
-        "the sections of this flexible ring stay straight across (belt.bending_across is 0), so an "
-        "oblique cleat lifts it over its whole width: the more oblique the cleat, the larger is "
-        "Fz, "
-        "while that of a finite-element tire falls (docs/ring_tire.md); belt.bending_across lets "
-        "the sections bend"};
+        "the tread of this flexible ring is flat across (tread.crown_radius is 0): a cambered "
+        "wheel that rolls on it may be pushed to the side that it leans away from, which no tire "
+        "does; tread.crown_radius gives it a crown"};
   }
   double felt_half_width() const override { return 0.5 * parameters_.tread.width; }
   std::optional<double> tread_half_width() const override { return felt_half_width(); }
@@ -48,6 +66,36 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
   }
 
  private:
+  /// Says if a bar is so narrow that blocks or lines of the tread do not resolve it; empty if they
+  /// do.
+  std::string unresolved_by_tread(const Cleat& cleat) const {
+    constexpr double kCells = 4.0;  // blocks that a bar needs: the force has an error of some
+                                    // percent, with fewer blocks of 10 % and more
+    const ring_tire::Tread& tread = parameters_.tread;
+    const double around = 2.0 * std::numbers::pi * parameters_.belt.radius / parameters_.nodes;
+    const double cell = around / tread.blocks, spacing = tread.width / tread.lines;
+    const double along = cleat.length / std::max(std::abs(std::cos(cleat.angle)), 1e-9),
+                 across = cleat.length / std::max(std::abs(std::sin(cleat.angle)), 1e-9);
+    if (along < kCells * cell)
+      return fmt::format(
+          "the cleat is {:.3g} mm long and the blocks of this flexible ring are {:.3g} mm apart: a "
+          "block across an edge carries nearly nothing, so the ring feels the cleat shorter than "
+          "it "
+          "is by about a block, and hardly at all below two; tread.blocks = {:.0f} resolves it",
+          1e3 * along,
+          1e3 * cell,
+          8.0 * std::ceil(kCells * around / along / 8.0));
+    if (std::abs(cleat.angle) > 0.25 * std::numbers::pi && across < spacing)
+      return fmt::format(
+          "the cleat is {:.3g} mm wide across the tread, whose lines of blocks are {:.3g} mm "
+          "apart: "
+          "it may lie between two lines, and the ring does not feel it there; tread.lines = {:.0f} "
+          "resolves it",
+          1e3 * across,
+          1e3 * spacing,
+          std::ceil(2.0 * tread.width / across));
+    return "";
+  }
   /// Returns the parameters of a file with that pressure.
   ring_tire::RingParameters parameters_at(const Inflation& pressure) const {
     if (!pressure) return parameters_;
@@ -65,14 +113,15 @@ class RingTireKind : public SpecimenKind {
   std::string name() const override { return "ring_tire"; }
   std::string in_words() const override { return "flexible ring"; }
   std::string file() const override { return "a TOML file with kind = \"ring_tire\""; }
-  int version() const override { return 10; }
+  int version() const override { return 11; }
   std::vector<std::string> abilities() const override { return abilities_of<RingSpecimen>(); }
 
   bool recognizes(const std::filesystem::path&) const override { return false; }
   std::string describe(const Document& numbers) const override {
     return SpecimenKind::describe(numbers) + ", " + side_in_words(numbers);
   }
-  /// A ring without ply steer and conicity is its own mirror image.
+  /// Adds a note on the side of the tire, except for a ring without ply steer and conicity, which
+  /// equals its mirror image.
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
     const Document numbers = Document::read(file);
     const auto belt = ring_tire::read_ring_tire(numbers.root()).belt;
@@ -84,7 +133,7 @@ class RingTireKind : public SpecimenKind {
   }
   Document read(const std::filesystem::path& file) const override {
     Document document = Document::read(file);
-    RingSpecimen{document};  // errors are reported for the file as written
+    RingSpecimen{document};  // throws for a wrong file; messages then refer to the file as written
     return document;
   }
   std::unique_ptr<Specimen> build(const Document& numbers,

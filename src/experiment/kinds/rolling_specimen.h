@@ -9,6 +9,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/language/specimen.h"
+#include "models/tire/tared_tire.h"
 
 namespace latsch::experiment {
 
@@ -18,7 +19,7 @@ class RollingSpecimen : public Specimen, public Rolls, public HasFootprint {
     if (test.friction)
       throw InputError(
           "a tire that rolls has friction in its own file: expected a footprint without it");
-    const auto prints = experiment::footprints(*tire(test.pressure), test);
+    const auto prints = experiment::footprints(*tared(tire(test.pressure)), test);
     if (prints)
       for (const StandingFootprint& print : *prints)
         experiment::stood_under(*this, {print.footprint.load});

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "experiment/kinds/composed_suspension.h"
+#include "experiment/kinds/hardpoint_doubts.h"
 #include "experiment/kinds/pictures/films_of_tests.h"
 #include "experiment/kinds/pictures/suspension_scene.h"
 #include "experiment/kinds/specimen_kinds.h"
@@ -60,42 +61,6 @@ class SuspensionSpecimen : public Specimen, public IsLoaded, public MovesAsLinka
   suspension::SuspensionCorner corner_;
 };
 
-/// Returns a sentence on every hardpoint at which hardly any suspension has it: exchanged ball
-/// joints, a contact point beside its wheel, the outer end of a link outside of the wheel.
-std::vector<std::string> doubts_about_hardpoints(const Node& root) {
-  constexpr double kFarBeside = 0.5;   // share of the wheel's height over the ground
-  constexpr double kFarOutside = 1.5;  // share of that height, center to a link's end
-  const suspension::CornerGeometry geometry = suspension::read_corner(root).geometry;
-  const Eigen::Vector3d center = geometry.linkage.wheel.center;
-  const Eigen::Vector3d contact = suspension::read_point(root.table("hardpoint"), "contact");
-  const double height = center.z() - contact.z();
-  std::vector<std::string> doubts;
-  if (geometry.kingpin && geometry.kingpin->upper.z() <= geometry.kingpin->lower.z())
-    doubts.push_back(
-        fmt::format("hardpoint.ubj is {:.4g} mm below hardpoint.lbj: the upper ball joint is above "
-                    "the lower one on a suspension; are the two exchanged?",
-                    1e3 * (geometry.kingpin->lower.z() - geometry.kingpin->upper.z())));
-  const double beside = (center - contact).head<2>().norm();
-  if (beside > kFarBeside * height)
-    doubts.push_back(
-        fmt::format("hardpoint.contact is {:.4g} mm beside hardpoint.wheel_center, seen from "
-                    "above: the contact point is usually below the wheel center; is a coordinate "
-                    "in another unit, or of another point?",
-                    1e3 * beside));
-  for (const suspension::Link& link : geometry.linkage.links) {
-    const double away = (link.outer - center).norm();
-    if (away > kFarOutside * height)
-      doubts.push_back(
-          fmt::format("the outer end of link {} is {:.4g} mm away from the wheel center, which is "
-                      "{:.4g} mm above the contact point: it usually lies within the wheel; is a "
-                      "coordinate in another unit?",
-                      link.name,
-                      1e3 * away,
-                      1e3 * height));
-  }
-  return doubts;
-}
-
 class SuspensionKind : public SpecimenKind {
  public:
   std::string name() const override { return "suspension"; }
@@ -110,7 +75,7 @@ class SuspensionKind : public SpecimenKind {
     const ComposedSuspension composed = composed_suspension(written, file.parent_path());
     try {
       SuspensionSpecimen{composed.document};
-    } catch (const InputError& error) {  // errors are reported for the file as written
+    } catch (const InputError& error) {  // messages refer to the file as written
       const Place there = error.place();
       if (there.file != written.file() || composed.added.empty()) throw;
       const std::string words = error.what();

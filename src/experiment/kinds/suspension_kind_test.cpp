@@ -14,7 +14,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// The front suspension of a study with these keys at its upper ball joint.
+/// Test of a study's front suspension with these keys at its upper ball joint.
 class BushingsOfFiles : public testing::Test {
  protected:
   BushingsOfFiles() {
@@ -105,7 +105,7 @@ TEST_F(BushingsOfFiles, WhatIsWrongInThemIsSaidOfThem) {
   EXPECT_NE(said.find("bad.bus:2: "), std::string::npos) << said;
 }
 
-/// Returns what the kind notes of the front suspension of a study after this change of its text.
+/// Returns the notes about the front suspension of a study after a change of its text.
 std::string notes_with(const std::string& old_text, const std::string& new_text) {
   std::string text = read_text_file(
       std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/kerb/front.toml", 1u << 20);
@@ -132,6 +132,9 @@ TEST(HardpointsOfNoSuspension, AreDoubted) {
               "contact = [\"1550.000 mm\", \"1612.500 mm\"",
               "hardpoint.contact is 1000 mm beside");
   expect_note("\"350.000 mm\"]", "\"100.000 mm\"]", "are the two exchanged?");
+  expect_note("trackrod_inner = [\"1490.000 mm\", \"266.310 mm\"",
+              "trackrod_inner = [\"1490.000 mm\", \"2663.10 mm\"",
+              "the inner end of link trackrod is");
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 
 #include <cmath>
 
+#include "base/units.h"
 #include "formats/tire/kept_parts.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/standstill.h"
+#include "models/magic_formula/symmetry.h"
 
 namespace latsch::experiment {
 namespace {
@@ -79,6 +81,15 @@ std::vector<std::string> tir_notes(const std::filesystem::path& file) {
                     "(LEFT); a car puts "
                     "its mirror image on the right",
                     file.string()));
+  const auto asymmetric = magic_formula::asymmetric_coefficients(tir.parameters);
+  if (tir.parameters.side == magic_formula::MeasuredSide::symmetric && !asymmetric.empty())
+    tir.notes.push_back(
+        fmt::format("{}: TYRESIDE is SYMMETRIC, but {} {} not 0, so that the tire differs from its "
+                    "mirror image: they count, and a car has the tire on the left and its mirror "
+                    "image on the right. State the side, or set them to 0",
+                    file.string(),
+                    fmt::join(asymmetric, ", "),
+                    asymmetric.size() == 1 ? "is" : "are"));
   return std::move(tir.notes);
 }
 
@@ -101,7 +112,7 @@ Document read_tir_numbers(const std::filesystem::path& file) {
   }
   for (const auto& field : magic_formula::parameter_fields()) {
     const double value = p.*field.member;
-    if (!std::isfinite(value)) continue;  // a range without an end is left out
+    if (!std::isfinite(value)) continue;  // a range without an end is not stored
     const bool plain = field.unit == ParameterUnit::one;
     text += plain ? fmt::format("{} = {}\n", field.name, value)
                   : fmt::format("{} = \"{} {}\"\n", field.name, value, si_unit_of(field.unit));
@@ -158,7 +169,7 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
                                        const magic_formula::RangeLog& log,
                                        const Inflation& asked_pressure) {
   auto sentences = magic_formula::ranges_left(log.inputs(), parameters);
-  // At rest and below VXLOW the tire is also what the file does not say.
+  // At rest and below VXLOW the tire also depends on values that the file does not state.
   const auto speed = log.inputs().speed;
   if (speed.to > 0.0 && speed.from < magic_formula::low_speed(parameters))
     for (const std::string& assumed : magic_formula::assumed_at_standstill(parameters))
@@ -169,6 +180,20 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
       !magic_formula::pressure_acts(parameters))
     sentences.push_back("the pressure of the test has no effect: " + no_pressure_in_words());
   return sentences;
+}
+
+void refuse_soft_pressure(const Parameters& p, double pressure, const Place& place) {
+  const double factor = 1.0 + p.PFZ1 * (pressure / p.NOMPRES - 1.0);
+  if (p.PFZ1 == 0.0 || factor > 0.0) return;
+  throw InputError(
+      place,
+      fmt::format("the tire has no vertical stiffness at {}: its factor 1 + PFZ1 dpi is {:.3g}, "
+                  "with PFZ1 = {:g} and dpi = p / NOMPRES - 1; expected a pressure above {}, or a "
+                  "smaller PFZ1",
+                  format_quantity(pressure, "kPa", 4),
+                  factor,
+                  p.PFZ1,
+                  format_quantity(p.NOMPRES * (1.0 - 1.0 / p.PFZ1), "kPa", 4)));
 }
 
 std::string no_stiffness_of(const Parameters& p, const std::string& direction) {
@@ -202,6 +227,13 @@ std::vector<std::string> limits_backward_of(const magic_formula::Parameters& p) 
       "so neither is a property of this tire"};
 }
 
+std::vector<std::string> upright_footprint(bool rolls) {
+  if (rolls) return {};
+  return {
+      "length and width of the footprint depend on the load alone in a .tir (Q_RA1 .. Q_RB2): at "
+      "camber they are those of the upright tire"};
+}
+
 std::string tir_text_of(const Document& numbers) {
   return with_parts_of(numbers.file(), formats::tir_text(parameters_of(numbers)));
 }
@@ -211,7 +243,8 @@ std::string with_parts_of(const std::filesystem::path& file, const std::string& 
   try {
     return formats::with_kept_parts(text, formats::read_tir(file));
   } catch (const InputError&) {
-    return text;  // the file has changed since its numbers were read
+    // the file has changed since its numbers were read, so its other parts cannot be kept
+    return text;
   }
 }
 

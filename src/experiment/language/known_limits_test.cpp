@@ -13,8 +13,8 @@
 namespace latsch::experiment {
 namespace {
 
-/// A tire of a study with other numbers: lines "KEY = value" replace those of its file or are added
-/// to [MODEL].
+/// Returns a tire of a study with changed numbers: lines "KEY = value" replace those of its file or
+/// are added to [MODEL].
 Document tir_with(const SpecimenKind& kind, const std::vector<std::string>& lines) {
   std::string text =
       read_text_file(LATSCH_SOURCE_DIR "/studies/tire_model_comparison/rigid_ring.tir");
@@ -89,7 +89,7 @@ TEST(KnownLimits, EveryRollingTestTellsTheRangesThatTheTireLeaves) {
       told_by("magic_formula", kSweep + ", camber = \"5 deg\"", {"CAMMAX = 0.05"}).says("CAMMAX"));
 }
 
-/// The belt of a light tire jumps from a high bar.
+/// On this high bar the belt of a light tire loses contact.
 TEST(KnownLimits, ATireThatLeavesTheRoadSaysFromWhenToWhen) {
   const std::string jump =
       "kind = \"drum_cleat\", speed = \"100 km/h\", load = \"150 N\", drum_diameter = \"2.5 m\", "
@@ -187,7 +187,8 @@ TEST(KnownLimits, AStiffnessThatTheFileDoesNotDetermineIsRefused) {
                   .says("assumed, because there is no YAW_STIFFNESS"));
 }
 
-/// Steady states or a history of slips from a file with these rows.
+/// Runs steady states or a history of slips from a file with these rows; returns the reported
+/// limits.
 Told told_of_states(const std::string& test,
                     const std::string& header,
                     const std::string& rows,
@@ -235,11 +236,73 @@ TEST(KnownLimits, TurnSlipWithoutItsCoefficientsIsToldBeforeTheTestRuns) {
 }
 
 TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {
-  for (const std::string& keys : {kRolling, kSweep, kDrum})
+  const std::string slow = kSweep + ", duration = \"20 s\", step = \"1 ms\"";  // without a lag
+  for (const std::string& keys : {kRolling, slow, kDrum})
     for (const char* kind : {"magic_formula", "rigid_ring"})
       for (const std::string& note : told_by(kind, keys, {"FZMIN = 100", "FZMAX = 12000"}).notes)
         expect_part(note,
-                    "a Magic Formula touches the road at one point");  // the word about the cleat
+                    // the sentence about the cleat
+                    "a Magic Formula touches the road at one point");
+}
+
+/// Notes of a test on a shipped flexible ring.
+std::vector<std::string> told_by_ring(const std::string& file, const std::string& keys) {
+  const SpecimenKind& kind = *language().find_kind("ring_tire");
+  const auto test = language().read_test(
+      Document::parse("test = {" + keys + "}", "t.toml").root().table("test"), {});
+  const auto notes = language().run_in_blocks(
+      kind, kind.read(LATSCH_SOURCE_DIR "/studies/ring_tires/" + file), *test, [](const Channels&) {
+      });
+  return notes ? *notes : std::vector<std::string>{notes.failure().reason};
+}
+
+bool has_part(const std::vector<std::string>& all, const std::string& part) {
+  return std::any_of(all.begin(), all.end(), [&](const std::string& one) {
+    return one.find(part) != std::string::npos;
+  });
+}
+
+TEST(KnownLimits, ARingThatPushesACamberedWheelToTheWrongSideIsTold) {
+  const std::string flat = "is flat across (tread.crown_radius is 0)";
+  const std::string ring = "passenger_205_55R16.toml";
+  const auto rolled = told_by_ring(ring, kRolling + ", measures = [\"camber\"]");
+  EXPECT_TRUE(has_part(rolled, "camber_stiffness is negative, -"));
+  EXPECT_TRUE(has_part(rolled, flat));
+  const auto crowned =
+      told_by_ring("passenger_205_55R16_crowned.toml", kRolling + ", measures = [\"camber\"]");
+  EXPECT_FALSE(has_part(crowned, "is negative"));
+  EXPECT_FALSE(has_part(crowned, flat));
+  EXPECT_FALSE(has_part(told_by_ring(ring, kRolling + ", measures = [\"slip\"]"), flat));
+  // A sibling: a slip stiffness of the wrong sign, which a fit may end with.
+  EXPECT_TRUE(
+      told_by("magic_formula", kRolling, {"PKX1 = -20"}).says("slip_stiffness is negative"));
+}
+
+TEST(KnownLimits, CamberThatDoesNotChangeAFootprintIsTold) {
+  const std::string standing = "kind = \"footprint\", loads = [\"4 kN\"]";
+  for (const char* kind : {"magic_formula", "rigid_ring"}) {
+    EXPECT_TRUE(told_by(kind, standing + ", camber = \"8 deg\"").says("those of the upright tire"));
+    EXPECT_FALSE(told_by(kind, standing).says("upright tire"));
+  }
+  for (const std::string key : {"camber = \"2 deg\"", "friction = 0.8"})
+    expect_part(told_by("magic_formula", "kind = \"modes\", " + key).refusal,
+                "because the tire is in the air");
+}
+
+TEST(KnownLimits, ARecordThatCutsThePassageOverTheCleatIsTold) {
+  const auto on_cleat = [](const std::string& angle, const std::string& more) {
+    return told_by("rigid_ring",
+                   "kind = \"drum_cleat\", load = \"4 kN\", drum_diameter = \"2.5 m\", " + more +
+                       ", cleat = {height = \"10 mm\", length = \"20 mm\", angle = \"" + angle +
+                       "\"}");
+  };
+  const std::string usual = "speed = \"30 km/h\", duration = \"0.2 s\"";
+  EXPECT_FALSE(on_cleat("45 deg", usual).says("the tire touches the cleat"));
+  EXPECT_TRUE(on_cleat("80 deg", usual).says("does not hold the beginning of the passage"));
+  EXPECT_FALSE(on_cleat("80 deg", usual + ", lead = \"0.1 s\"").says("the tire touches the cleat"));
+  // A slow passage over a straight cleat is cut as well.
+  EXPECT_TRUE(on_cleat("0 deg", "speed = \"4 km/h\", duration = \"0.2 s\", run_in = \"0.05 s\"")
+                  .says("the tire starts on the cleat"));
 }
 
 TEST(KnownLimits, APressureWithoutEffectIsTold) {
@@ -250,6 +313,35 @@ TEST(KnownLimits, APressureWithoutEffectIsTold) {
   EXPECT_TRUE(told_by("rigid_ring", kRolling + ", pressure = \"3 bar\"").says("no effect"));
   EXPECT_TRUE(told_by("magic_formula", pressed + "\"2.4 bar\"").notes.empty());
   EXPECT_TRUE(told_by("magic_formula", pressed + "\"1 bar\"", {"PFZ1 = 0.7"}).notes.empty());
+}
+
+TEST(KnownLimits, APressureAtWhichTheVerticalStiffnessVanishesIsRefused) {
+  // 1 + PFZ1 (p / NOMPRES - 1) is 0 at 0.8 bar of 2.4 bar.
+  const std::vector<std::string> pole = {"PFZ1 = 1.5", "NOMPRES = 240000", "INFLPRES = 240000"};
+  for (const std::string pressure : {"0.8 bar", "0.5 bar"})
+    for (const char* kind : {"magic_formula", "rigid_ring"})
+      for (const std::string test : {"kind = \"load_deflection\", deflections = [\"20 mm\"]",
+                                     "kind = \"rolling_stiffness\", load = \"1 kN\""}) {
+        const Told told = told_by(kind, test + ", pressure = \"" + pressure + "\"", pole);
+        expect_part(told.refusal + told.failure,
+                    "no vertical stiffness at " + std::string(pressure[2] == '8' ? "80" : "50") +
+                        " kPa: its factor 1 + PFZ1 dpi is");
+      }
+  EXPECT_TRUE(told_by("magic_formula",
+                      "kind = \"load_deflection\", deflections = [\"20 mm\"], pressure = \"1 bar\"",
+                      pole)
+                  .refusal.empty());
+  expect_part(
+      told_of_states(
+          "kind = \"steady_states\"", "Fz [N],alpha [deg],p [kPa]", "4000,2,200\n4000,2,60\n", pole)
+          .refusal,
+      "s.csv:3: the tire has no vertical stiffness at 60 kPa");
+  // A sibling: the tire's own pressure.
+  expect_part(told_by("magic_formula",
+                      "kind = \"load_deflection\", deflections = [\"20 mm\"]",
+                      {"PFZ1 = 1.5", "NOMPRES = 240000", "INFLPRES = 70000"})
+                  .refusal,
+              "no vertical stiffness at 70 kPa");
 }
 
 TEST(KnownLimits, TheRimHoldsTheTireUp) {
@@ -331,6 +423,42 @@ TEST(KnownLimits, ATirDoesNotTellConicityFromPlySteer) {
         told_by(kind, test, {"PHY1 = 0", "PHY2 = 0", "PVY1 = 0", "PVY2 = 0"}).says("ply_steer"))
         << kind;
   }
+}
+
+/// Returns the limits of the shipped flexible ring in a test; `latsch check` says them.
+std::string ring_limits(const std::string& keys) {
+  const SpecimenKind& kind = *language().find_kind("ring_tire");
+  const auto specimen = kind.build(
+      kind.read(LATSCH_SOURCE_DIR "/studies/ring_tires/passenger_205_55R16.toml"), nullptr);
+  const auto test = language().read_test(
+      Document::parse("test = {" + keys + "}", "t.toml").root().table("test"), {});
+  std::string all;
+  for (const std::string& one : dynamic_cast<const TellsLimits&>(*test).limits(*specimen))
+    all += one + "\n";
+  return all;
+}
+
+// Blocks of the ring are 2.4 mm apart. The force on a bar of 4 mm is 1537 N, that of a ring with
+// blocks of 0.4 mm 1763 N; the flat ground beside it carries 1533 N.
+TEST(KnownLimits, AFlexibleRingSaysThatItsBlocksDoNotResolveAShortBar) {
+  const std::string standing = "kind = \"static_stiffness\", deflections = [\"20 mm\"], ";
+  expect_part(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"4 mm\"}"),
+              "tread.blocks = 24 resolves it");
+  EXPECT_EQ(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"10 mm\"}"), "");
+  expect_part(ring_limits("kind = \"drum_cleat\", speed = \"30 km/h\", load = \"4 kN\", "
+                          "cleat = {height = \"5 mm\", length = \"2 mm\"}"),
+              "hardly at all below two");
+}
+
+TEST(KnownLimits, AFlexibleRingSaysThatABarAlongTheRoadMayLieBetweenItsLines) {
+  const std::string standing = "kind = \"static_stiffness\", deflections = [\"20 mm\"], ";
+  expect_part(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"20 mm\", angle = "
+                                     "\"90 deg\"}"),
+              "tread.lines = 16 resolves it");
+  EXPECT_EQ(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"30 mm\", angle = "
+                                   "\"90 deg\"}")
+                .find("between two lines"),
+            std::string::npos);
 }
 
 }  // namespace

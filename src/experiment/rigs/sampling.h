@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules for the step and the sample step of a run in time: what passes within a step is not seen by
-// the simulation, and what is faster than half the rate of the samples appears in the record at
-// another frequency.
+// Rules for the time step and the sample step of a run in time: the simulation misses events that
+// are shorter than a time step, and a motion faster than half the sampling rate appears in the
+// record at another frequency.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace latsch::experiment {
 
-/// Fewest samples of a period of the fastest motion that drives a run. A motion that is straight
-/// between ten samples has its amplitude to 3 %, between twelve to 2 %.
+/// Least number of samples in a period of the fastest motion that drives a run. Linear
+/// interpolation between ten samples has an amplitude error of 3 %, between twelve of 2 %.
 constexpr double kSamplesOfPeriod = 12.0;
 /// Frequency, Hz, up to which a tire and the wheel on it vibrate strongly after an obstacle.
 constexpr double kTireVibrates = 100.0;

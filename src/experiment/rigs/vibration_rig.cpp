@@ -7,6 +7,7 @@
 #include "experiment/rigs/mode_record.h"
 #include "models/ring_tire/ring/standing_modes.h"
 #include "models/road/plane_road.h"
+#include "models/tire/tared_tire.h"
 
 namespace latsch::experiment {
 namespace {
@@ -42,7 +43,8 @@ Result<Channels> run(ring_tire::RingTire& tire, const ModalTest& test) {
   motion.center.z() =
       test.deflection ? tire.free_radius() - *test.deflection : 2.0 * tire.free_radius();
   if (test.load) {
-    const auto height = height_under_load(tire, ground, motion.carrier, *test.load);
+    const auto height =
+        height_under_load(tire, ground, motion.carrier, *test.load - weight_in_air(tire));
     if (!height) return height.failure();
     motion.center.z() = *height;
   }

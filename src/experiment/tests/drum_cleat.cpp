@@ -63,9 +63,43 @@ Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
   return record;
 }
 
+namespace {
+
+/// Says that the record, or even the run, does not hold the whole passage over the cleat; empty if
+/// it does.
+std::string cut_passage(Specimen& specimen, const DrumTest& test) {
+  const auto* knows = specimen.find<KnowsLimits>();
+  const double radius = specimen.find<Rolls>()->tire(test.pressure)->free_radius();
+  const double reach = reach_of_cleat(test, radius, knows ? knows->felt_half_width() : 0.0);
+  const double time = reach / test.speed, before = test.lead, after = test.duration - test.lead;
+  if (time <= before && time <= after) return "";
+  const char* lost = time > test.run_in + test.lead ? "the tire starts on the cleat"
+                     : time > before && time > after
+                         ? "the record holds neither the beginning nor the end of the passage"
+                     : time > before ? "the record does not hold the beginning of the passage"
+                                     : "the record does not hold the end of the passage";
+  return fmt::format(
+      "the tire touches the cleat from some {0:.3g} ms before it is below the axle to {0:.3g} ms "
+      "after it ({1:.3g} m at {2:.3g} km/h), but {3}: {4:.3g} ms are run before, of which {5:.3g} "
+      "ms are recorded, and {6:.3g} ms after it; expected a longer run_in, lead or duration",
+      1e3 * time,
+      reach,
+      3.6 * test.speed,
+      lost,
+      1e3 * (test.run_in + test.lead),
+      1e3 * before,
+      1e3 * after);
+}
+
+}  // namespace
+
 std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {
   std::vector<std::string> limits = limits_of(specimen, test_.cleat);
+  for (std::string& limit : limits_of_camber(specimen, test_.camber, /*rolls=*/true))
+    limits.push_back(std::move(limit));
   if (!test_.cleat) return limits;
+  if (std::string note = cut_passage(specimen, test_); !note.empty())
+    limits.push_back(std::move(note));
   if (std::string note = note_on_samples(test_.sample_step, test_.speed); !note.empty())
     limits.push_back(std::move(note));
   return limits;

@@ -177,8 +177,7 @@ TEST_F(EveryTest, EveryTireHasAFootprint) {
     for (int i : {0, 1}) {
       const auto at = static_cast<std::size_t>(i);
       const double load = (*channels)["load"][at];
-      EXPECT_NEAR(load, 2000.0 * (i + 1), 100.0) << kind->name();  // the belt's weight is
-                                                                   // additional
+      EXPECT_NEAR(load, 2000.0 * (i + 1), 0.1) << kind->name();
       EXPECT_NEAR((*channels)["mean_pressure"][at] * (*channels)["area"][at], load, 1e-6)
           << kind->name();
       if (kind->name() == "ring_tire") continue;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "footprint": the patch of a tire that stands (rigs/footprint_rig.h has the keys).
+// kind = "footprint": the contact patch of a tire that stands on the ground (rigs/footprint_rig.h
+// has the channels).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test_words.h"
 #include "experiment/tests/pictures/footprint_pictures.h"
 #include "experiment/tests/test_kinds.h"
@@ -13,7 +15,7 @@
 namespace latsch::experiment {
 namespace {
 
-class StandingFootprintTest : public Test {
+class StandingFootprintTest : public Test, public TellsLimits {
  public:
   explicit StandingFootprintTest(FootprintTest test) : test_(std::move(test)) {}
 
@@ -45,8 +47,8 @@ class StandingFootprintTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// Only a pressed tire has slopes, a rolling tire has none. The reading of a sensor jumps with
-  /// its neighbors.
+  /// Only a finite-element tire has derivatives, a rolling tire has none. The reading of a sensor
+  /// jumps as its position changes.
   bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override {
     return test_.friction.value_or(0.0) == 0.0 && test_.camber == 0.0 &&
            kind.has(IsPressed::kName) && channel != "peak_pressure" && channel != "pressure" &&
@@ -56,6 +58,16 @@ class StandingFootprintTest : public Test {
     const auto printed = specimen.find<HasFootprint>()->print(test_, asked);
     if (!printed) return printed;
     return with_slopes_of(asked.channels, *printed);
+  }
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return limits_of_camber(specimen, test_.camber, /*rolls=*/false);
+  }
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    return notes;
   }
   Result<Details> details(Specimen& specimen) const override {
     const auto states = specimen.find<HasFootprint>()->footprints(test_);

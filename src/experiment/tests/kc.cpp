@@ -78,7 +78,8 @@ class KcTestOfCorner : public Test {
   }
   bool has_film() const override { return true; }
   Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
-    std::size_t along = 0;  // index of the first load that varies, or that is stated
+    // index of the load that serves as abscissa: the first that varies, or the first that is stated
+    std::size_t along = 0;
     for (std::size_t i = 6; i-- > 0;)
       if (test_.stated[i]) along = i;
     for (std::size_t i = 6; i-- > 0;)
@@ -105,9 +106,11 @@ class KcTestOfCorner : public Test {
   KcTest test_;
 };
 
-std::vector<Prescribed> kc_loads() {
+/// The loads, in axes of the road at the point where they act.
+std::vector<Prescribed> kc_loads(const std::string& frame) {
   std::vector<Prescribed> loads;
-  for (std::size_t i = 0; i < 6; ++i) loads.push_back({KcTest::kLoads[i], i < 3 ? "N" : "N m"});
+  for (std::size_t i = 0; i < 6; ++i)
+    loads.push_back({KcTest::kLoads[i], i < 3 ? "N" : "N m", frame});
   return loads;
 }
 
@@ -115,7 +118,7 @@ std::unique_ptr<Test> read_kc(const Node& root, const TestSource& source) {
   KcTest test;
   test.at_wheel_center =
       root.choice("at", {"contact_patch", "wheel_center"}, "contact_patch") == "wheel_center";
-  const Histories histories(root, source, kc_loads(), {}, "Fz");
+  const Histories histories(root, source, kc_loads(test.at_wheel_center ? "H" : "W"), {}, "Fz");
   test.loads.setZero(6, static_cast<Eigen::Index>(histories.states()));
   for (std::size_t i = 0; i < 6; ++i)
     if (const std::vector<double>* load = histories.find(KcTest::kLoads[i])) {

@@ -9,10 +9,17 @@
 namespace latsch::experiment {
 namespace {
 
+MeasuredCondition condition_of(const Prescribed& of) {
+  return {
+      .channel = of.name, .unit = of.unit, .frame = of.frame, .acts_at_origin = !of.frame.empty()};
+}
+
 std::vector<double> one_history(const Node& root, const Prescribed& of, const TestSource& source) {
   const auto from = find_measured(root, of.name);
   if (!from) return root.one_or_more(of.name, of.unit);
-  return take_measured(*from, {{of.name, of.unit, true}}, source.measured)[of.name];
+  MeasuredCondition condition = condition_of(of);
+  condition.is_needed = true;
+  return take_measured(*from, {condition}, source.measured)[of.name];
 }
 
 }  // namespace
@@ -25,8 +32,10 @@ Histories::Histories(const Node& root,
   const auto recorded = find_measured(root, "loads");
   if (recorded) {
     std::vector<MeasuredCondition> conditions;
-    for (const Prescribed& load : loads)
-      conditions.push_back({.channel = load.name, .unit = load.unit, .otherwise = "0"});
+    for (const Prescribed& load : loads) {
+      conditions.push_back(condition_of(load));
+      conditions.back().otherwise = "0";
+    }
     const Channels channels = take_measured(*recorded, conditions, source.measured);
     for (const Channel& channel : channels.all()) values_[channel.name] = channel.values;
     if (values_.empty())
@@ -43,10 +52,11 @@ Histories::Histories(const Node& root,
     }
   for (const auto& [name, values] : values_) states_ = std::max(states_, values.size());
   if (values_.empty()) {
-    // The only key that states something may be misspelled, unless there are keys that are read
-    // later.
+    // If no load is stated, the only key may be misspelled, so unknown keys are reported first,
+    // unless some keys are read later.
     if (!root.has("mode") && !root.has("slopes_by") && !root.has("window")) root.close();
-    root.one_or_more(example, loads[0].unit);  // names the key that was probably meant
+    // throws with the name of the key that was probably intended
+    root.one_or_more(example, loads[0].unit);
   }
   if (states_ == 0)
     root.reject(stated_.front().name, "is empty, expected the loads of one state at least");

@@ -13,11 +13,12 @@
 #include "experiment/rigs/static_stiffness.h"
 #include "experiment/tests/test_kinds.h"
 #include "models/road/plane_road.h"
+#include "models/tire/tared_tire.h"
 
 namespace latsch::experiment {
 namespace {
 
-/// Presses a rolling tire that stands: one state after the other, each settled anew.
+/// Presses a rolling tire that does not roll in this test: every state is settled separately.
 Result<Channels> press_rolling(Tire& tire, const LoadDeflection& test) {
   if (test.ground.mu != 0.0)
     throw InputError("a tire that rolls has friction in its own file: expected a test without it");
@@ -103,7 +104,7 @@ Result<Channels> LoadDeflectionTest::run(Specimen& specimen) const {
 
 Result<Channels> LoadDeflectionTest::run_with_slopes(Specimen& specimen, const Asked& asked) const {
   if (auto* pressed = specimen.find<IsPressed>()) return pressed->press(test_, asked);
-  const auto pressed = press_rolling(*specimen.find<Rolls>()->tire(test_.pressure), test_);
+  const auto pressed = press_rolling(*tared(specimen.find<Rolls>()->tire(test_.pressure)), test_);
   if (pressed) stood_under(specimen, (*pressed)["force"]);
   return pressed;
 }

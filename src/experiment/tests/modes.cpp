@@ -150,6 +150,14 @@ std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source
   if (test.load && test.deflection)
     root.reject("deflection", "is given beside load, expected one of them or none");
   test.camber = root.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
+  if (test.camber != 0.0 && !test.loaded())
+    root.reject("camber",
+                "is given without load and deflection, expected none, because the tire is in the "
+                "air; state load or deflection for a tire that stands");
+  if (test.ground.mu != 0.0 && !test.loaded())
+    root.reject("friction",
+                "is given without load and deflection, expected none, because the tire is in the "
+                "air; state load or deflection for a tire that stands");
   if (const auto from = find_measured(root, "count")) {
     const long measured = measured_count(*from, {"frequency", "Hz"}, source.measured);
     test.count = static_cast<int>(std::min(kMost, measured + kMoreModesThanMeasured));

@@ -20,9 +20,20 @@
 namespace latsch::experiment {
 namespace {
 
+// Way, m, of the longest step that is not asked for. Blocks of a flexible ring come down within
+// some steps then, and its camber stiffness is within 3 % of that in short ones; a longer step is
+// faster.
+constexpr double kUsualStep = 0.01;
+
 const std::vector<std::string> kMeasures = {"slip", "cornering", "camber"};
 
-class RollingStiffness : public Test {
+// Consequence of a negative stiffness, for each kind of stiffness.
+constexpr std::pair<const char*, const char*> kWrongSign[] = {
+    {"slip_stiffness", "a driven wheel is pushed backward"},
+    {"cornering_stiffness", "a steered wheel is pushed out of the turn"},
+    {"camber_stiffness", "a cambered wheel is pushed to the side that it leans away from"}};
+
+class RollingStiffness : public Test, public TellsLimits {
  public:
   RollingStiffness(const RollingStiffnessTest& test, std::vector<std::string> measures)
       : test_(test), measures_(std::move(measures)) {}
@@ -49,6 +60,10 @@ class RollingStiffness : public Test {
   std::vector<std::string> needs() const override { return kRollingStiffnessTest.needs; }
   std::optional<long> samples() const override { return 1; }
 
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);
+  }
+
   Result<Channels> run(Specimen& specimen) const override {
     LiftLog lifts;
     const auto tire = watched(specimen.find<Rolls>()->tire(test_.pressure), lifts);
@@ -72,6 +87,14 @@ class RollingStiffness : public Test {
     Channels recorded;
     for (const ChannelInfo& channel : channels())
       recorded.add({channel.name, channel.unit, {values[recorded.all().size()]}});
+    for (const auto& [name, effect] : kWrongSign)
+      if (const Channel* channel = recorded.find(name); channel && channel->values.front() < 0.0)
+        record_limit(specimen,
+                     fmt::format("{} is negative, {:.4g} {}: {}, which no tire does",
+                                 name,
+                                 channel->values.front(),
+                                 channel->unit,
+                                 effect));
     return recorded;
   }
 
@@ -94,7 +117,7 @@ std::unique_ptr<Test> read_rolling_stiffness(const Node& root, const TestSource&
   if (!(test.speed >= 1.0))
     root.reject("speed", fmt::format("is {:.3g} m/s as measured, expected 1 at least", test.speed));
   test.pressure = read_pressure(root, source.measured);
-  test.step = std::min(test.step, kFarthestStep / test.speed);
+  test.step = std::min(test.step, kUsualStep / test.speed);
   test.slip = root.quantity("slip", "1", {0.0, 0.1, true}, test.slip);
   test.angle = root.quantity("angle", "rad", {0.0, 0.1, true}, test.angle);
   test.camber = root.quantity("camber", "rad", {0.0, 0.2, true}, test.camber);

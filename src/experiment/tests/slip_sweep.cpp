@@ -5,6 +5,7 @@
 // The keys are in experiment/tests/keys/slip_sweep_keys.cpp.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,6 +16,7 @@
 #include "experiment/rigs/duration_limit.h"
 #include "experiment/rigs/slip/flat_track.h"
 #include "experiment/rigs/slip/lift_watch.h"
+#include "experiment/rigs/slip/relaxation.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
 
@@ -42,7 +44,7 @@ Channels thinned(const Channels& all, long every) {
   return kept;
 }
 
-class SlipSweepTest : public Test {
+class SlipSweepTest : public Test, public TellsLimits {
  public:
   SlipSweepTest(const SlipSweep& sweep, double sample_step)
       : sweep_(sweep), sample_step_(sample_step) {}
@@ -87,21 +89,28 @@ class SlipSweepTest : public Test {
     return thinned(*channels, std::lround(sample_step_ / sweep_.step));
   }
 
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    return limits_of_camber(specimen, sweep_.camber, /*rolls=*/true);
+  }
+
   /// Says if the sweep is too short for the tire to follow it.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
-    auto notes = Test::run_in_blocks(specimen, tell);
+    double most = 0.0;  // N
+    const auto see = [&](const Channels& channels) {
+      for (const ChannelInfo& force : force_channels(sweep_.frames))
+        if (force.name.starts_with(sweep_.alpha_from != sweep_.alpha_to ? "Fy" : "Fx"))
+          for (const double F : channels[force.name]) most = std::max(most, std::abs(F));
+      tell(channels);
+    };
+    auto notes = Test::run_in_blocks(specimen, see);
     if (!notes) return notes;
-    constexpr double kRadii = 10.0;  // a relaxation length is about a radius
-    const double rolled = sweep_.speed * sweep_.duration;
-    const double radius = specimen.find<Rolls>()->tire(sweep_.pressure)->free_radius();
-    if (rolled < kRadii * radius)
-      notes->push_back(fmt::format(
-          "the sweep moves the tire {:.3g} m on, less than {:g} of its radii: its slips "
-          "lag behind by about a radius, so the forces belong to earlier slips; a "
-          "longer duration helps",
-          rolled,
-          kRadii));
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    const auto tire = specimen.find<Rolls>()->tire(sweep_.pressure);
+    const auto lag = relaxation(*tire, sweep_);
+    if (!lag) return notes;  // the sweep itself has succeeded
+    if (std::string text = lag_in_words(*lag, sweep_, most); !text.empty())
+      notes->push_back(std::move(text));
     return notes;
   }
 

@@ -14,6 +14,7 @@
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/fe_tire/standing_rig.h"
 #include "experiment/tests/test_kinds.h"
+#include "models/tire/tared_tire.h"
 
 namespace latsch::experiment {
 namespace {
@@ -99,7 +100,7 @@ class StaticStiffnessTest : public Test, public TellsLimits {
       return held->drive(press, test_.pressure.has_value(), has_slopes() ? asked : Asked{});
     }
     refuse_without_stiffness(specimen);
-    const auto stood = stand(*specimen.find<Rolls>()->tire(test_.pressure), test_);
+    const auto stood = stand(*tared(specimen.find<Rolls>()->tire(test_.pressure)), test_);
     if (stood && !test_.deflections.empty()) stood_under(specimen, (*stood)["force"]);
     if (stood && !test_.directions.empty()) stood_under(specimen, {test_.load});
     return stood;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/utf8.h"
 #include "formats/text/letter_case.h"
 
 namespace latsch::formats {
@@ -117,6 +118,7 @@ std::vector<double> InpCard::numbers() const {
 }
 
 std::vector<InpCard> split_cards(std::string_view text, const std::string& file_name) {
+  refuse_utf16(text, file_name);
   std::vector<InpCard> cards;
   int number = 0;
   while (!text.empty()) {

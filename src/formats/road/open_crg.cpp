@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "formats/road/open_crg_checks.h"
+#include "formats/road/open_crg_contradictions.h"
 #include "formats/road/open_crg_grid.h"
 #include "formats/road/open_crg_header.h"
 #include "formats/road/open_crg_records.h"
@@ -16,7 +17,8 @@
 namespace latsch::formats {
 namespace {
 
-/// Without a format line the standard assumes KRBI; data in digits cannot have this format.
+/// Sets the format if the header has no format line: the standard then assumes KRBI, which data in
+/// digits cannot have.
 void settle_format(const std::string& bytes, OpenCrgHeader& header) {
   if (!header.format.empty()) return;
   const auto is_text = [](unsigned char c) { return (c >= 32 && c < 127) || c == 10 || c == 13; };
@@ -40,7 +42,7 @@ double last_of(OpenCrgHeader::Channel::Kind kind,
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Builds a road from a file with data and the options and modifiers that apply to it.
+/// Builds a road from the file that has the data, and the options and modifiers that apply to it.
 OpenCrg assemble(const std::string& bytes, OpenCrgHeader header) {
   using Kind = OpenCrgHeader::Channel::Kind;
   if (header.data_begin == std::string_view::npos) {
@@ -68,6 +70,15 @@ OpenCrg assemble(const std::string& bytes, OpenCrgHeader header) {
                         last_of(Kind::slope, header, records),
                         last_of(Kind::banking, header, records)});
   result.grid = open_crg_grid(header, records, result.gaps);
+  if (header.modifiers.empty()) {
+    warn_of_contradictions(header, records, result.grid);
+  } else {
+    OpenCrgHeader unmoved = header;
+    unmoved.modifiers.clear();
+    int ignored = 0;
+    const road::CrgGrid grid = open_crg_grid(unmoved, records, ignored);
+    warn_of_contradictions(header, records, grid);
+  }
   result.warnings = std::move(header.warnings);
   for (const std::string& statement : header.kept)
     result.kept.push_back(utf8_text(statement, header.file));

@@ -14,11 +14,13 @@
 #include "base/utf8.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/mat_file.h"
+#include "formats/tables/mat_runs.h"
 #include "formats/tables/tydex_file.h"
 #include "formats/text/fortran_number.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/natural_unit.h"
 
 namespace latsch::formats {
 namespace {
@@ -28,12 +30,12 @@ using Units = std::map<std::string, std::string>;
 constexpr std::size_t kMostColumns = 10000;                    // most columns of a .dat
 constexpr std::size_t kLargestLabFile = std::size_t{1} << 30;  // bytes
 
-/// A column as in the file.
+/// A column of a laboratory's file.
 struct LabColumn {
   TableColumn source;
   std::vector<double> values = {};  // NaN: a gap
   bool is_si = false;               // false: in the unit of `source`
-  std::string fault = {};           // fault of the cells, in words
+  std::string fault = {};           // error in the cells, in words
 };
 
 void expect_once(const std::vector<LabColumn>& columns, const Place& header) {
@@ -49,7 +51,7 @@ void expect_once(const std::vector<LabColumn>& columns, const Place& header) {
   }
 }
 
-/// Applies units that the caller states for columns that have none.
+/// Sets the units that the caller states for columns without unit.
 void take_stated_units(std::vector<LabColumn>& columns, const Units& units, const Place& header) {
   std::vector<std::string> names, missing;
   for (const LabColumn& column : columns) names.push_back(column.source.name);
@@ -68,7 +70,7 @@ void take_stated_units(std::vector<LabColumn>& columns, const Units& units, cons
   if (!missing.empty()) throw InputError(header, missing_columns(missing, names));
 }
 
-/// Adds columns in SI, with units that the caller states for those that have none.
+/// Adds columns, converted to SI, with units that the caller states for those without unit.
 void add_columns(std::vector<LabColumn> columns,
                  const Units& units,
                  const ExpectedUnit& expected,
@@ -117,25 +119,41 @@ LabTable table_of(const std::filesystem::path& file) {
   return table;
 }
 
+/// Throws InputError if a part is stated of a file whose channels have no paths.
+void expect_no_part(const std::filesystem::path& file, const std::string& part) {
+  if (!part.empty())
+    throw InputError({file.string(), 0},
+                     "has no structs, but struct = " + in_quotes(part) +
+                         " is stated; expected a .mat, or a .csv with columns such as " +
+                         in_quotes(part + ".Fz"));
+}
+
 LabTable read_csv(const std::filesystem::path& file,
                   const Units& units,
-                  const ExpectedUnit& expected) {
+                  const ExpectedUnit& expected,
+                  const std::string& part) {
   const CsvTable csv = CsvTable::read(file);
   LabTable table = table_of(file);
   std::vector<CsvTable::Wanted> wanted;
   std::vector<LabColumn> columns;
   for (TableColumn source : csv.header()) {
     const std::string in_file = source.name;
+    if (!part.empty() && !in_file.starts_with(part + ".")) continue;
+    if (!part.empty()) source.name.erase(0, part.size() + 1);
     take_minus_of_name(source);
     if (expected && !units.contains(source.name)) take_unit_of_name(source, expected(source.name));
     const std::string known = expected && !source.unit.empty() ? expected(source.name) : "";
     const bool is_si = !source.unit.empty() && fault_of_unit(source, known).empty();
-    // The number is converted from its digits, to the last bit.
+    // The decimal digits are converted in one step, so that the result is exact to the last bit.
     std::string si = known;
     if (is_si && si.empty()) si = si_unit(reading_of_unit(source.unit).unit->dimension());
     wanted.push_back({in_file, is_si ? si : ""});
     columns.push_back({source, {}, is_si});
   }
+  if (columns.empty())
+    throw InputError(csv.header_place(),
+                     "has no column that begins with " + in_quotes(part + ".") +
+                         " (columns: " + list_of(csv.columns()) + ")");
   CsvTable::Gaps gaps = csv.numbers_and_gaps(wanted);
   table.lines = std::move(gaps.lines);
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -173,7 +191,8 @@ std::vector<Line> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Names that consortia use, by which a line of names is distinguished from a line about the run.
+/// True for names that test consortia use. They distinguish a line of names from a line about the
+/// run.
 bool is_usual_name(std::string_view word) {
   static constexpr std::array<std::string_view, 22> kNames = {
       "ET", "V",  "N",   "SA",  "IA",  "RL",   "RE",   "P",    "FX",     "FY", "FZ",
@@ -219,7 +238,7 @@ std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
     const Line& names = before[before.size() - 2];
     std::vector<LabColumn> columns =
         columns_named(fields_of(trimmed(names.text), tabs), names, tabs);
-    // The last channels may be plain numbers, whose units are blank.
+    // The last channels may be plain numbers, whose fields in the line of units are blank.
     auto units = fields_of(last.text, tabs);
     while (tabs && units.size() < columns.size()) units.emplace_back();
     while (units.size() > columns.size() && units.back().empty()) units.pop_back();
@@ -235,7 +254,8 @@ std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
   return columns_named(fields_of(trimmed(last.text), tabs), last, tabs);
 }
 
-/// "1" is also the unit of plain numbers; then other units follow.
+/// True if the line begins with a number. "1" is also the unit of plain numbers; the line is then
+/// one of units if other units follow.
 bool begins_with_number(const Line& line) {
   const auto fields = fields_of(trimmed(line.text), false);
   if (parse_fortran_number(fields.front())) return true;
@@ -245,7 +265,7 @@ bool begins_with_number(const Line& line) {
          });
 }
 
-/// Says why no line begins with a number.
+/// Throws InputError that states why no line begins with a number.
 [[noreturn]] void no_line_of_numbers(const std::vector<Line>& lines, const std::string& file) {
   for (const Line& line : lines) {
     const auto first = trimmed(fields_of(trimmed(line.text), false).front());
@@ -259,7 +279,7 @@ bool begins_with_number(const Line& line) {
   throw InputError({file, 0}, "has no line of numbers");
 }
 
-/// Reads one number of a .dat: a gap, or an error if the cell is neither.
+/// Returns the number in a cell of a .dat, or NaN for a gap; throws if the cell is neither.
 double cell_of_dat(std::string_view field, const LabColumn& column, const Place& place) {
   if (const auto number = parse_number(field))
     return std::isfinite(*number) ? *number : std::nan("");
@@ -272,7 +292,9 @@ double cell_of_dat(std::string_view field, const LabColumn& column, const Place&
 
 LabTable read_dat(const std::filesystem::path& file,
                   const Units& stated,
-                  const ExpectedUnit& expected) {
+                  const ExpectedUnit& expected,
+                  const std::string& part) {
+  expect_no_part(file, part);
   const std::string text = utf8_text(read_settled_file(file, kLargestLabFile), file.string());
   const std::vector<Line> lines = lines_of(text);
   if (lines.empty()) throw InputError({file.string(), 0}, "is empty, expected a line of names");
@@ -306,8 +328,9 @@ LabTable read_dat(const std::filesystem::path& file,
   return table;
 }
 
-/// Returns the number of samples of a recording of vectors: the length of the stated ones, if any,
-/// else of those with a known name, else of the first. Throws InputError if these differ.
+/// Returns the number of samples of a recording: the length of the vectors whose names the caller
+/// states, if any, else of those with a known name, else of the first vector. Throws InputError if
+/// these lengths differ.
 std::size_t samples_of(const MatFile::Named& vectors, const std::string& file, const Units& units) {
   const auto counts = [&](const std::string& name) {
     return units.empty() ? recognized(name).has_value() : units.contains(name);
@@ -329,11 +352,30 @@ std::size_t samples_of(const MatFile::Named& vectors, const std::string& file, c
   return (first ? *first : vectors.channels.all().front()).values.size();
 }
 
+/// Returns the channels of one struct: the stated one, or the only one with known channels unless
+/// `units` names channels by their whole paths.
+MatFile part_of(MatFile mat, const Units& units, const std::string& part, LabTable& table) {
+  if (!part.empty()) return run_of(mat, part);
+  const std::vector<std::string> runs = runs_in(mat);
+  const bool is_by_path = std::any_of(units.begin(), units.end(), [&](const auto& one) {
+    return std::any_of(runs.begin(), runs.end(), [&](const std::string& run) {
+      return !run.empty() && one.first.starts_with(run + ".");
+    });
+  });
+  if (is_by_path || std::find(runs.begin(), runs.end(), "") != runs.end()) return mat;
+  if (runs.size() > 1) table.structs = runs;
+  if (runs.size() != 1) return mat;
+  table.assumed_struct = runs.front();
+  return run_of(mat, runs.front());
+}
+
 LabTable read_mat(const std::filesystem::path& file,
                   const Units& units,
-                  const ExpectedUnit& expected) {
+                  const ExpectedUnit& expected,
+                  const std::string& part) {
   LabTable table = table_of(file);
-  const MatFile mat = MatFile::read(file);
+  MatFile mat = part_of(MatFile::read(file), units, part, table);
+  const auto constants = spread_constants(units, mat);
   MatFile::Named vectors = mat.named_channels(units, expected);
   const std::size_t samples = samples_of(vectors, table.file, units);
   table.left_columns = std::move(vectors.left_columns);
@@ -347,20 +389,35 @@ LabTable read_mat(const std::filesystem::path& file,
       table.left_columns.push_back(std::move(column));
       continue;
     }
+    if (constants.contains(column.name) && column.assumed.empty())
+      column.assumed = "a single number, the same in all samples";
     table.channels.add(channel);
     table.units.push_back(column.unit);
     table.columns.push_back(std::move(column));
   }
   for (const MatVariable& variable : mat.variables) {
-    if (variable.is_text || variable.values.size() != 1 || !recognized(variable.name)) continue;
+    if (variable.is_text || variable.values.size() != 1) continue;
+    const auto known = recognized(variable.name);
+    if (!known || table.channels.find(variable.name)) continue;
+    const auto there =
+        std::find_if(table.columns.begin(), table.columns.end(), [&](const TableColumn& column) {
+          return same_channel(column.name, variable.name);
+        });
+    const std::string unit = natural_unit(known->meaning->unit);
     table.left_out[variable.name] =
-        fmt::format("is a single number, {:g}, and no channel", variable.values.front());
+        fmt::format("is a single number, {:g}", variable.values.front()) +
+        (there != table.columns.end()
+             ? "; the vector " + in_quotes(there->name) + " is used"
+             : fmt::format(", without a unit: columns = {{{} = {}}} makes it a channel",
+                           known->channel,
+                           in_quotes(variable.name + (unit == "1" ? "" : " [" + unit + "]"))));
     table.left_columns.push_back({.name = variable.name, .title = variable.name});
   }
   return table;
 }
 
-/// Leaves out a constant for which the file has a channel, too, and says if the two contradict.
+/// Drops a constant for which the file also has a channel, and adds a doubt if the two contradict
+/// each other.
 void leave_out_constant(const TydexFile::Entry& constant, const Channel& channel, LabTable& table) {
   double low = INFINITY, high = -INFINITY;
   for (const double value : channel.values) {
@@ -391,7 +448,9 @@ void leave_out_constant(const TydexFile::Entry& constant, const Channel& channel
 
 LabTable read_tydex(const std::filesystem::path& file,
                     const Units& units,
-                    const ExpectedUnit& expected) {
+                    const ExpectedUnit& expected,
+                    const std::string& part) {
+  expect_no_part(file, part);
   TydexFile tydex = TydexFile::read(file);
   LabTable table = table_of(file);
   table.lines = std::move(tydex.lines);
@@ -418,6 +477,11 @@ LabTable read_tydex(const std::filesystem::path& file,
     const auto& about = tydex.descriptions[k];
     const Channel& channel = tydex.channels.all()[k];
     add(channel.name, about.unit, about.line, channel.values);
+    TableColumn& source = columns.back().source;
+    source.factor = about.factor;
+    source.offset = about.factor * about.measured_offset + about.physical_offset;
+    if (source.factor != 1.0 || source.offset != 0.0)
+      source.assumed = "factor and offsets of the file are applied";
   }
   for (const TydexFile::Entry& constant : tydex.constants) {
     if (!constant.number) continue;
@@ -430,7 +494,7 @@ LabTable read_tydex(const std::filesystem::path& file,
         constant.line,
         std::vector<double>(table.lines.size(), *constant.number));
   }
-  // The values are in SI already, in the dimension that the reader of TYDEX has chosen.
+  // The values are already in SI, in the dimension that the reader of TYDEX has chosen.
   std::map<std::string, std::string> taken;
   for (const Channel& channel : tydex.channels.all()) taken[channel.name] = channel.unit;
   for (const TydexFile::Entry& constant : tydex.constants)
@@ -453,8 +517,8 @@ LabTable read_tydex(const std::filesystem::path& file,
   return table;
 }
 
-/// Counts the pairs of bytes that Shift-JIS (Windows code page 932) writes for one character each,
-/// and the bytes above ASCII that belong to no such pair.
+/// Counts the byte pairs that are one character in Shift-JIS (Windows code page 932), and the bytes
+/// above ASCII that belong to no such pair.
 std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
   std::size_t pairs = 0, others = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -474,8 +538,8 @@ std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
   return {pairs, others};
 }
 
-/// Returns in words which encoding is assumed for a text that is no UTF-8; empty for UTF-8. Only
-/// the beginning of a long file is looked at, because names stand there.
+/// Returns in words the encoding assumed for a text that is not UTF-8; empty for UTF-8. Only the
+/// beginning of a long file is examined, because the names are there.
 std::string encoding_of(const std::filesystem::path& file) {
   constexpr std::size_t kLookedAt = std::size_t{1} << 16;  // bytes
   const MappedFile mapped(file, kLargestLabFile);
@@ -490,9 +554,12 @@ std::string encoding_of(const std::filesystem::path& file) {
   return "Windows-1252, because the bytes are no UTF-8";
 }
 
-using LabReader = LabTable (*)(const std::filesystem::path&, const Units&, const ExpectedUnit&);
+using LabReader = LabTable (*)(const std::filesystem::path&,
+                               const Units&,
+                               const ExpectedUnit&,
+                               const std::string&);
 
-/// The readers by the extensions of their files.
+/// Returns the readers with the file extensions for which they are used.
 const std::vector<std::pair<std::string, LabReader>>& lab_readers() {
   static const std::vector<std::pair<std::string, LabReader>> readers = {{".csv", read_csv},
                                                                          {".txt", read_csv},
@@ -513,11 +580,12 @@ Place LabTable::place(std::size_t sample) const {
 
 LabTable read_lab_table(const std::filesystem::path& file,
                         const Units& units,
-                        const ExpectedUnit& expected) {
+                        const ExpectedUnit& expected,
+                        const std::string& part) {
   const std::string ending = lower(file.extension().string());
   for (const auto& [known, reader] : lab_readers()) {
     if (known != ending) continue;
-    LabTable table = reader(file, units, expected);
+    LabTable table = reader(file, units, expected, part);
     if (known != ".mat") table.assumed_encoding = encoding_of(file);
     return table;
   }

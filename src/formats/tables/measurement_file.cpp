@@ -4,63 +4,100 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "base/document.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "formats/tables/csv_table.h"
+#include "formats/text/letter_case.h"
 
 namespace latsch::formats {
 namespace {
 
 const std::vector<std::string> kModeTypes = {"torsional", "lateral", "radial"};
-/// Waves around the tire. Rigs find some fifteen; forty are shorter than a contact patch.
+/// Largest number of waves around the tire. Rigs find about fifteen; forty waves would be shorter
+/// than a contact patch.
 constexpr long kMostWaves = 40;
 
 template <class Measurement>
 void check(const Measurement& measurement, const CsvTable& table) {
   const auto fault = find_fault(measurement);
   if (!fault) return;
+  std::string way_out;
+  if constexpr (std::is_same_v<Measurement, LoadDeflectionCurve>)
+    way_out = way_out_of(measurement, *fault);
   throw InputError(fault->point < 0 ? Place{table.file(), 0} : table.place(fault->point),
-                   fault->message);
+                   fault->message + way_out);
 }
 
-/// Reads the labels in a row of the table of modes; an empty cell means not known.
-MeasuredMode read_label(const CsvTable& table, int row) {
+/// Names that the columns of a table of modes have in the file; empty for a column that is absent.
+struct ModeColumns {
+  std::string frequency, n, type, phase;
+};
+
+/// Finds the columns of a table of modes by Latsch's names and other usual ones; letter case does
+/// not matter. Throws InputError for any other column.
+ModeColumns mode_columns(const CsvTable& table) {
+  ModeColumns columns;
+  const std::vector<std::pair<std::string*, std::vector<std::string>>> known = {
+      {&columns.frequency, {"frequency", "f", "freq", "frequenz", "eigenfrequenz"}},
+      {&columns.n, {"n", "order", "mode_order", "ordnung"}},
+      {&columns.type, {"type", "typ"}},
+      {&columns.phase, {"phase"}}};
+  for (const std::string& column : table.columns()) {
+    const auto found = std::find_if(known.begin(), known.end(), [&](const auto& one) {
+      return one.first->empty() &&
+             std::find(one.second.begin(), one.second.end(), lower(column)) != one.second.end();
+    });
+    if (found == known.end())
+      throw InputError(table.header_place(),
+                       "unknown column " + in_quotes(column) +
+                           did_you_mean(column, {"frequency", "n", "type", "phase"}) +
+                           "; a table of modes has frequency, n (the number of waves), type and "
+                           "phase: give the column one of these names or cut it off");
+    *found->first = column;
+  }
+  return columns;
+}
+
+/// Reads the labels of a mode from a row of the table; an empty cell means not known.
+MeasuredMode read_label(const CsvTable& table, const ModeColumns& columns, int row) {
   MeasuredMode mode;
-  const auto cell = [&](const char* column) {
-    return table.has(column) ? table.text(column, row) : std::string();
+  const auto cell = [&](const std::string& column) {
+    return column.empty() ? std::string() : table.text(column, row);
   };
-  const auto reject = [&](const char* column, const std::string& expected) {
+  const auto reject = [&](const std::string& column, const std::string& expected) {
     throw InputError(
         table.place(row),
         fmt::format("{} is {}, expected {}", column, in_quotes(cell(column)), expected));
   };
-  if (const std::string n = cell("n"); !n.empty()) {
+  if (const std::string n = cell(columns.n); !n.empty()) {
     const auto waves = parse_number(n);
     if (!waves || !(*waves >= 0.0 && *waves <= kMostWaves) || *waves != static_cast<int>(*waves))
-      reject("n",
+      reject(columns.n,
              fmt::format("a number of waves around the tire, 0 to {}, or nothing", kMostWaves));
     mode.n = static_cast<int>(*waves);
   }
-  mode.type = cell("type");
+  mode.type = cell(columns.type);
   if (!mode.type.empty() &&
       std::find(kModeTypes.begin(), kModeTypes.end(), mode.type) == kModeTypes.end())
-    reject("type", list_of(kModeTypes) + " or nothing" + did_you_mean(mode.type, kModeTypes));
-  const std::string phase = cell("phase");
-  if (!phase.empty() && phase != "s" && phase != "a") reject("phase", "s, a or nothing");
+    reject(columns.type, list_of(kModeTypes) + " or nothing" + did_you_mean(mode.type, kModeTypes));
+  const std::string phase = cell(columns.phase);
+  if (!phase.empty() && phase != "s" && phase != "a") reject(columns.phase, "s, a or nothing");
   if (!phase.empty()) mode.phase = phase[0];
   return mode;
 }
 
 ModeTable read_mode_csv(const std::filesystem::path& file) {
   const CsvTable csv = CsvTable::read(file);
-  csv.expect_only({"frequency", "n", "type", "phase"});
-  const std::vector<double> frequencies = csv.numbers("frequency", "Hz");
+  const ModeColumns columns = mode_columns(csv);
+  const std::vector<double> frequencies =
+      csv.numbers(columns.frequency.empty() ? "frequency" : columns.frequency, "Hz");
   ModeTable table;
   for (int row = 0; row < csv.rows(); ++row) {
-    table.modes.push_back(read_label(csv, row));
+    table.modes.push_back(read_label(csv, columns, row));
     table.modes.back().frequency = frequencies[row];
   }
   check(table, csv);
@@ -106,7 +143,7 @@ std::string mode_toml(const ModeTable& table) {
   return text;
 }
 
-/// Returns any text as one line.
+/// Returns the text as one line, for a comment.
 std::string comment_line(std::string comment) {
   std::replace(comment.begin(), comment.end(), '\n', ' ');
   return comment.empty() ? "" : fmt::format("# {}\n", comment);
@@ -116,9 +153,23 @@ bool is_toml(const std::filesystem::path& file) { return file.extension() == ".t
 
 }  // namespace
 
+namespace {
+
+const std::vector<std::string> kLoadColumns = {"deflection", "loaded_radius", "force", "spread"};
+
+}  // namespace
+
+bool is_load_deflection_table(const std::filesystem::path& file) {
+  if (lower(file.extension().string()) != ".csv") return false;
+  const std::vector<std::string> columns = CsvTable::read(file).columns();
+  return std::all_of(columns.begin(), columns.end(), [](const std::string& column) {
+    return std::find(kLoadColumns.begin(), kLoadColumns.end(), column) != kLoadColumns.end();
+  });
+}
+
 LoadDeflectionCurve read_load_deflection(const std::filesystem::path& file) {
   const CsvTable csv = CsvTable::read(file);
-  csv.expect_only({"deflection", "loaded_radius", "force", "spread"});
+  csv.expect_only(kLoadColumns);
   if (csv.has("deflection") && csv.has("loaded_radius"))
     throw InputError(csv.header_place(),
                      "has both deflection and loaded_radius, expected one of them");

@@ -21,7 +21,7 @@ class MeasurementFile : public testing::Test {
   }
   ~MeasurementFile() override { std::filesystem::remove_all(folder_); }
 
-  /// Returns the error message of reading that text, without the folder.
+  /// Returns the error message for a file with that text, without the folder's name.
   std::string complaint(const std::string& name,
                         const std::string& text,
                         const std::function<void(const std::filesystem::path&)>& read) {
@@ -81,7 +81,8 @@ TEST_F(MeasurementFile, FaultsOfCurvesNameTheirLine) {
             "c.csv:2: force is \"nan\", expected a finite number");
   EXPECT_EQ(complaint("c.csv", "deflection [mm],force [N]\n5,8\n# x\n5,9\n", read),
             "c.csv:4: deflection is 0.005 m after 0.005 m, expected values that all rise or all "
-            "fall");
+            "fall; sweep = {deflection = \"rising\"} in a [measurement.NAME] of the file keeps the "
+            "others");
   EXPECT_EQ(complaint("c.csv", "deflection [mm],forse [N]\n5,8\n", read),
             "c.csv:1: unknown column \"forse\", did you mean \"force\"?");
   EXPECT_EQ(complaint("c.csv", "force [N]\n5\n", read),
@@ -128,6 +129,27 @@ TEST_F(MeasurementFile, FaultsOfShapesNameTheirLine) {
             "s.csv:3: x, y, z are not those of point 1 of mode 1");
   EXPECT_EQ(complaint("s.csv", header + "1,0,0,1,1,0,0\n2,0,0,1,0,0,0\n", read),
             "s.csv:3: shape is zero everywhere");
+}
+
+TEST_F(MeasurementFile, ModesAreKnownByOtherNames) {
+  write_text_file(folder_ / "a.csv", "Frequency [Hz],Order,Typ\n54,0,torsional\n70,1,radial\n");
+  write_text_file(folder_ / "b.csv", "f [Hz],n,type\n54,0,torsional\n70,1,radial\n");
+  EXPECT_EQ(read_modes(folder_ / "a.csv"), read_modes(folder_ / "b.csv"));
+  const auto read = [](const std::filesystem::path& file) { read_modes(file); };
+  const std::string said = complaint("c.csv", "omega [rad/s],n\n260,0\n", read);
+  EXPECT_NE(said.find("unknown column \"omega\""), said.npos) << said;
+  EXPECT_NE(said.find("frequency, n (the number of waves), type and phase"), said.npos) << said;
+  EXPECT_NE(complaint("d.csv", "f [Hz],frequency [Hz]\n54,54\n", read).find("unknown column"),
+            std::string::npos);
+}
+
+TEST_F(MeasurementFile, RowsThatAreNoPointsOfACurveHaveAWayOut) {
+  const auto read = [](const std::filesystem::path& file) { read_load_deflection(file); };
+  const std::string zero = complaint("z.csv", "deflection [mm],force [N]\n0,0\n5,900\n", read);
+  EXPECT_NE(zero.find("select = {deflection = \"2.5 mm ..\"}"), zero.npos) << zero;
+  const std::string loop =
+      complaint("l.csv", "deflection [mm],force [N]\n5,900\n9,1700\n5,850\n", read);
+  EXPECT_NE(loop.find("sweep = {deflection = \"rising\"}"), loop.npos) << loop;
 }
 
 }  // namespace

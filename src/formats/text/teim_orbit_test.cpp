@@ -72,7 +72,7 @@ TEST(TeimOrbit, UnitsInSi) {
   EXPECT_EQ(units.length(), 1e-3);
   EXPECT_EQ(units.angle(), std::numbers::pi / 180.0);
   EXPECT_EQ(units.force(), 1.0);
-  EXPECT_NEAR(units.pressure(), 1e6, 1e-9);  // N/mm^2, because the file names no other unit
+  EXPECT_NEAR(units.pressure(), 1e6, 1e-9);  // N/mm^2, because the file states no unit of pressure
   EXPECT_EQ(parsed_orbit("[UNITS]\nPRESSURE='bar'\n").units().pressure(), 1e5);
 }
 
@@ -128,6 +128,9 @@ TEST(TeimOrbit, ComplaintsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(
       orbit_complaint("[A]\n\nFNOMIN = 3,5\n", fnomin),
       "t.tir:3: FNOMIN is \"3,5\", expected a finite number; decimals are written with a point");
+  EXPECT_EQ(orbit_complaint("[A]\nFNOMIN = 260,000\n", fnomin),
+            "t.tir:2: FNOMIN is \"260,000\", expected a finite number; decimals are written with a "
+            "point, and thousands without a mark: 260000 if the comma separates thousands");
   EXPECT_EQ(orbit_complaint("[A]\nFNOMIN = nan\n", fnomin),
             "t.tir:2: FNOMIN is \"nan\", expected a finite number");
   EXPECT_EQ(orbit_complaint("[A]\nB = 2\n", fnomin), "t.tir:1: [A] has no FNOMIN");

@@ -11,7 +11,8 @@ namespace {
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-/// Bytes 0x80 to 0x9f of Windows-1252 [unicode.org, CP1252.TXT]; 0 if there is no character.
+/// Characters of the bytes 0x80 to 0x9f in Windows-1252 [unicode.org, CP1252.TXT]; 0 if there is
+/// none.
 constexpr char16_t kWindows[32] = {0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
                                    0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017d, 0,
                                    0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
@@ -44,12 +45,8 @@ std::string from_windows_1252(std::string_view bytes) {
 /// Throws InputError for UTF-16 and for zero bytes, which do not occur in a text with one byte per
 /// character.
 void expect_text(std::string_view bytes, const std::string& file) {
+  refuse_utf16(bytes, file);
   const auto zero = bytes.find('\0');
-  // Even without a byte order mark, every ASCII letter of UTF-16 has a zero byte.
-  const bool alternates =
-      zero <= 1 && bytes.size() > 3 && bytes[zero + 1] != '\0' && bytes[zero + 2] == '\0';
-  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff") || alternates)
-    throw InputError({file, 0}, "is UTF-16 text, expected UTF-8: save it as UTF-8");
   if (bytes.find('\n') == bytes.npos && bytes.find('\r') < bytes.size() - 1)
     throw InputError({file, 0},
                      "has lines that end in a carriage return alone, as old Macintosh programs "

@@ -14,10 +14,11 @@
 namespace latsch {
 namespace {
 
-/// A channel with a meaning of its own that may be another channel on some rigs.
+/// A channel that on some rigs serves as another one that is missing, although it has a meaning of
+/// its own.
 struct Relative {
   std::string_view missing, other, words;
-  std::string_view with = {};  // second channel, without which the other does not help
+  std::string_view with = {};  // a second channel that is also needed for that
   bool is_as_it_stands = false;
 };
 constexpr std::array kRelatives = {
@@ -59,8 +60,8 @@ bool same_letters(std::string_view a, std::string_view b) {
   });
 }
 
-/// Returns the known name behind a function's name in one word: ALPHA of "TANALPHA"; "" if there is
-/// none.
+/// Returns the known name in a function's name that is one word: "ALPHA" of "TANALPHA"; "" if there
+/// is none.
 std::string_view argument_of(std::string_view name) {
   for (const std::string_view function : kFunctions)
     if (name.size() > function.size() + 1 &&
@@ -70,10 +71,11 @@ std::string_view argument_of(std::string_view name) {
   return "";
 }
 
-/// Returns the channels that words within an unknown name mean: alpha of "tan alpha".
+/// Returns the channels named by words within an unknown name: alpha for "tan alpha".
 std::vector<std::string_view> channels_within(std::string_view name) {
   constexpr std::size_t kMostWords = 3;
-  constexpr std::size_t kFewestLetters = 2;  // a single letter means a channel by chance
+  // least length of such a word, because a single letter names a channel by chance
+  constexpr std::size_t kFewestLetters = 2;
   std::vector<std::string_view> found;
   if (const auto argument = argument_of(name); !argument.empty())
     found.push_back(recognized(argument)->meaning->name);
@@ -89,7 +91,7 @@ std::vector<std::string_view> channels_within(std::string_view name) {
   return found;
 }
 
-/// True if a name says that its numbers are a function of what it names: "tan alpha".
+/// True if the name is that of a function of another quantity, such as "tan alpha".
 bool is_function(std::string_view name) {
   if (!argument_of(name).empty()) return true;
   return std::ranges::any_of(words_of(name), [](std::string_view word) {
@@ -108,7 +110,9 @@ std::optional<MayBe> unknown_name(std::string_view channel,
                     Unit::of(column.unit).same_dimension(Unit::of(unit));
   if (is_within && (!fits || is_function(column.name)))
     return MayBe{column.name, "a function of it?", false};
-  if (fits) return MayBe{column.name, ""};
+  if (fits) return MayBe{column.name, "", true, is_within};
+  if (channel == "alpha" && column.unit == "1" && column.is_slip_like)
+    return MayBe{column.name, "a plain number: its tangent?", false};
   return std::nullopt;
 }
 
@@ -125,7 +129,7 @@ std::optional<MayBe> known_name(std::string_view channel,
       return MayBe{
           column.name, fmt::format("in {}, expected {}", column.unit, known.meaning->unit), false};
     if (known.channel == channel) return std::nullopt;
-    return MayBe{column.name, "that of one wheel or frame"};
+    return MayBe{column.name, "that of one wheel or frame", true, true};
   }
   if (column.is_used) return std::nullopt;
   const auto has = [&](std::string_view other) {
@@ -154,6 +158,8 @@ std::vector<MayBe> columns_that_may_be(std::string_view channel,
         known ? known_name(channel, column, *known, columns) : unknown_name(channel, unit, column);
     if (one) (one->is_as_it_stands ? found : computed).push_back(std::move(*one));
   }
+  std::stable_partition(
+      found.begin(), found.end(), [](const MayBe& one) { return one.has_its_name; });
   found.insert(found.end(), computed.begin(), computed.end());
   return found;
 }

@@ -25,7 +25,8 @@ TEST(AbsentChannel, AnAngleOfAnotherMeaningMayBeTheSlipAngle) {
     EXPECT_EQ(offered("alpha", "rad", {column("Fz", "N"), column(name, "rad")}), name);
   EXPECT_EQ(offered("alpha", "rad", {column("camber", "rad"), column("yaw", "N")}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "gamma", true}}), "SA");
-  EXPECT_EQ(offered("Fx", "N", {{"Fx_L", "N", true, "Fx_L", true}}), "");  // the axle has its loads
+  // the axle already has its loads
+  EXPECT_EQ(offered("Fx", "N", {{"Fx_L", "N", true, "Fx_L", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "alpha", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "gamma", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "yaw", false}}), "yaw");
@@ -79,6 +80,24 @@ TEST(AbsentChannel, AListSaysHowManyItDoesNotName) {
   for (int i = 0; i < 9; ++i) many.push_back({"c" + std::to_string(i), ""});
   many.front().words = "an angle";
   EXPECT_EQ(list_in_words(many, 2), "`c0` (an angle), `c1` and 7 more");
+}
+
+// tan alpha or Vy / Vx under a name that nobody knows. Numbers of one sign, or above 1.5, are none.
+TEST(AbsentChannel, APlainNumberLikeASlipMayBeTheTangentOfTheSlipAngle) {
+  OtherColumn plain = column("sigma_y", "1");
+  plain.is_slip_like = true;
+  EXPECT_EQ(offered("alpha", "rad", {plain}), "sigma_y");
+  EXPECT_FALSE(columns_that_may_be("alpha", "rad", {plain}).front().is_as_it_stands);
+  EXPECT_EQ(offered("gamma", "rad", {plain}), "");
+  plain.is_slip_like = false;
+  EXPECT_EQ(offered("alpha", "rad", {plain}), "");
+}
+
+TEST(AbsentChannel, AColumnThatContainsTheNameComesFirst) {
+  EXPECT_EQ(columns_that_may_be("toe", "rad", {column("spin", "rad"), column("toe_left", "rad")})
+                .front()
+                .column,
+            "toe_left");
 }
 
 }  // namespace

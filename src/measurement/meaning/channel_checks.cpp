@@ -23,7 +23,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNearlyAll = 0.9;  // share of the samples
 
-/// Values in `unit`: `from` to `to` is usual, below `least` or above `most` is impossible.
+/// Usual range of a channel, in `unit`: values from `from` to `to` are usual, values below `least`
+/// or above `most` impossible.
 struct UsualRange {
   std::string_view channel, unit;
   double least, from, to, most;
@@ -54,6 +55,7 @@ constexpr std::array kRanges = {
     UsualRange{"dy", "m", -10, -0.1, 0.1, 10, kLengths},
     UsualRange{"dz", "m", -10, -0.5, 0.5, 10, kLengths},
     UsualRange{"travel", "m", -10, -0.5, 0.5, 10, kLengths},
+    UsualRange{"deflection", "m", -10, -0.5, 0.5, 10, kLengths},
     UsualRange{"rack", "m", -10, -0.3, 0.3, 10, kLengths},
     UsualRange{"mux", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},
     UsualRange{"muy", "1", -kInfinity, 0, 3, kInfinity, "is it a coefficient?"},
@@ -146,13 +148,14 @@ std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRang
 
 /// Checks that the loads are positive, as those of a wheel on the ground.
 std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
-  constexpr double kHop = 0.02;   // share of the largest load: noise about 0 while the wheel is in
-                                  // the air
+  // Share of the largest load: noise about 0 while the wheel is in the air.
+  constexpr double kHop = 0.02;
   constexpr double kLeast = 5.0;  // N; the load of every tire is larger
   const std::size_t all = numbers_in(channel.values);
   if (all == 0) return std::nullopt;
-  constexpr double kAboutZero = 0.05;  // mean over largest value: below it the channel holds
-                                       // changes of a load, not loads
+  // Ratio of the mean to the largest value below which a channel holds changes of a load, not
+  // loads.
+  constexpr double kAboutZero = 0.05;
   double most = 0.0, sum = 0.0;
   for (const double value : channel.values)
     if (!std::isnan(value)) most = std::max(most, std::abs(value)), sum += value;
@@ -195,8 +198,8 @@ const Channel* only(const Channels& channels, std::string_view meaning) {
   return found;
 }
 
-/// Returns the correlation about zero, not about the means, because a force changes its sign with
-/// its slip.
+/// Returns the correlation about zero, not about the means, because a force changes its sign
+/// together with its slip.
 double correlation(const Channel& a,
                    const Channel& b,
                    const std::function<bool(std::size_t)>& counts) {
@@ -212,7 +215,7 @@ double correlation(const Channel& a,
 struct Pair {
   std::string_view a, b;
   double sign;       // expected sign of their product
-  double most_of_a;  // SI; only samples with |a| below it count
+  double most_of_a;  // SI; only samples with a smaller |a| count
   std::string_view law;
 };
 
@@ -250,6 +253,63 @@ void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   }
 }
 
+/// A motion, the force along it, and the usual stiffness between the two, N/mm.
+struct UsualStiffness {
+  std::string_view motion, force;
+  double least, most;
+};
+// The ranges are wide: the upright of a race car has 50 kN/mm along y, the hub of a comfortable car
+// 0.2 kN/mm along x. A motion in m in place of mm has a thousandth of that, below every range.
+constexpr std::array kStiffnesses = {UsualStiffness{"dx", "Fx", 100, 2e5},
+                                     UsualStiffness{"dy", "Fy", 100, 2e5},
+                                     UsualStiffness{"dz", "Fz", 1, 2e4},
+                                     UsualStiffness{"travel", "Fz", 1, 2e4},
+                                     UsualStiffness{"deflection", "Fz", 10, 1e4}};
+
+/// Returns force over motion, N/m, by the ranges of the two; nullopt unless one clearly follows the
+/// other.
+std::optional<double> stiffness_of(const Channel& motion, const Channel& force) {
+  constexpr double kClearly = 0.9;  // least correlation
+  constexpr std::size_t kFewest = 3;
+  double x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0, n = 0.0;
+  for (std::size_t i = 0; i < std::min(motion.values.size(), force.values.size()); ++i) {
+    const double d = motion.values[i], F = force.values[i];
+    if (!std::isfinite(d + F)) continue;
+    x += d, y += F, xx += d * d, yy += F * F, xy += d * F, n += 1.0;
+  }
+  if (n < kFewest) return std::nullopt;
+  const double dd = xx - x * x / n, FF = yy - y * y / n, dF = xy - x * y / n;
+  if (!(dd > 0.0) || !(FF > 0.0) || !(std::abs(dF) > kClearly * std::sqrt(dd * FF)))
+    return std::nullopt;
+  return std::sqrt(FF / dd);
+}
+
+/// Checks that a motion is of the size that its force causes: a displacement in mm that is read as
+/// m may lie within the range of displacements.
+void check_stiffness(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+  constexpr double kPerMm = 1e-3;  // N/mm in N/m
+  for (const Channel& motion : channels.all()) {
+    const std::string name = base_name(motion);
+    for (const UsualStiffness& usual : kStiffnesses) {
+      if (name != usual.motion || motion.unit != "m") continue;
+      const std::string end =
+          motion.name.starts_with(usual.motion) ? motion.name.substr(usual.motion.size()) : "";
+      const Channel* force = channels.find(std::string(usual.force) + end);
+      const auto stiffness =
+          force && force->unit == "N" ? stiffness_of(motion, *force) : std::nullopt;
+      if (!stiffness || (*stiffness * kPerMm >= usual.least && *stiffness * kPerMm <= usual.most))
+        continue;
+      doubts.push_back({motion.name,
+                        fmt::format("moves by {} N/mm of {}, expected {:g} .. {:g} N/mm; {}",
+                                    format_number(*stiffness * kPerMm, 3),
+                                    force->name,
+                                    usual.least,
+                                    usual.most,
+                                    kLengths)});
+    }
+  }
+}
+
 /// Checks that a horizontal force is at most three times the load.
 void check_friction(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   constexpr double kMostFriction = 3.0;
@@ -259,7 +319,8 @@ void check_friction(const Channels& channels, std::vector<ChannelDoubt>& doubts)
   std::vector<double> loads;
   for (const double value : Fz->values)
     if (value > 0.0) loads.push_back(value);
-  if (2 * loads.size() <= Fz->values.size()) return;  // changes of a load, not loads
+  // the channel holds changes of a load, not loads
+  if (2 * loads.size() <= Fz->values.size()) return;
   const auto middle = loads.begin() + static_cast<std::ptrdiff_t>(loads.size() / 2);
   std::nth_element(loads.begin(), middle, loads.end());
   const double least = kLeastLoad * *middle;
@@ -348,8 +409,8 @@ void check_time(const Channels& channels,
   const std::vector<double>& t = time->values;
   constexpr std::size_t kShortestRun = 3;  // samples
   std::size_t back = 0, first_back = 0, same = 0, first_same = 0, steps = 0, begin = 0;
-  // A run of at least three samples, behind which the time begins where it began, is followed by
-  // another run.
+  // A run is at least three samples. If the time then returns to the value at which the run began,
+  // another run begins.
   const auto begins_anew = [&](std::size_t i) {
     return i - begin >= kShortestRun && std::abs(t[i] - t[begin]) <= t[begin + 1] - t[begin];
   };
@@ -425,6 +486,7 @@ std::vector<ChannelDoubt> doubts_about(const Channels& channels,
   if (!is_turned) {
     check_friction(channels, doubts);
     check_pairs(channels, doubts);
+    check_stiffness(channels, doubts);
     check_inclination(channels, doubts);
     for (ChannelDoubt& doubt : suspension_doubts(channels)) doubts.push_back(std::move(doubt));
   }

@@ -73,7 +73,7 @@ TEST(ChannelChecks, TimeRisesFromSampleToSample) {
   EXPECT_EQ(said_of_time({0.0, 0.1, 0.0, 0.1}, {2}), "");  // the second file begins anew
 }
 
-// Millimeters that are read as meters, such as the 0.113 mm of a hub under 4 kN.
+// Millimeters that were read as meters, such as the 0.113 mm by which a hub moves under 4 kN.
 TEST(ChannelChecks, DoubtDisplacementsOfAnotherUnit) {
   for (const auto& [name, usual, other] : {std::tuple{"dy", 0.02, 0.113},
                                            {"dx", 0.02, 0.2},
@@ -92,7 +92,7 @@ TEST(ChannelChecks, DoubtDisplacementsOfAnotherUnit) {
   }
 }
 
-// A force of one sample in four kilonewtons, read as newtons, or a spike.
+// A single sample that was written in kilonewtons but read as newtons, or a spike.
 TEST(ChannelChecks, NoForceIsMoreThanThreeTimesTheLoad) {
   const auto doubts = doubts_about(times("Fy", 20.0, 17));
   ASSERT_FALSE(doubts.empty());
@@ -166,11 +166,11 @@ TEST(ChannelChecks, NoticeAClockThatGoesBackward) {
   back.add({"time", "s", {0, -0.1, -0.2, -0.3}});
   ASSERT_EQ(doubts_about(back).size(), 1u);
   EXPECT_EQ(doubts_about(back)[0].channel, "time");
-  runs.add({"time", "s", {0, 0.1, 0.2, 0, 0.1, 0.2}});  // two runs in one file
+  runs.add({"time", "s", {0, 0.1, 0.2, 0, 0.1, 0.2}});  // the file contains two runs
   EXPECT_TRUE(doubts_about(runs).empty());
 }
 
-// A table of a K&C rig: a compliant part moves along the force.
+// The table of a K&C rig has a compliant part that moves in the direction of the force.
 TEST(ChannelChecks, KnowTheSignOfACompliance) {
   Channels table;
   table.add({"Fy", "N", {-1000, 0, 1000}});
@@ -194,6 +194,37 @@ TEST(ChannelChecks, CountGapsAndTellANegativeLoad) {
   ASSERT_EQ(gaps.size(), 1u);
   EXPECT_EQ(gaps[0].channel, "length");
   EXPECT_NE(gaps[0].sentence.find("empty in 1 of 3 samples, first in sample 2"), std::string::npos);
+}
+
+/// A wheel that 4 kN move by `most` along each of the axes, at the ends of the sweep.
+Channels moved_wheel(const char* motion, const char* force, double most) {
+  Channel d{motion, "m", {}}, F{force, "N", {}};
+  for (int i = -4; i <= 4; ++i) {
+    d.values.push_back(most * i / 4.0);
+    F.values.push_back(1e3 * i);
+  }
+  Channels channels;
+  channels.add(std::move(d));
+  channels.add(std::move(F));
+  return channels;
+}
+
+// 0.02 mm, 0.11 mm and 3 mm written in a column [m]: the first two stay within 0.1 m.
+TEST(ChannelChecks, ADisplacementInMillimetersReadAsMetersIsDoubted) {
+  for (const auto& [motion, force] :
+       {std::pair{"dx", "Fx"}, {"dy", "Fy"}, {"dy_L", "Fy_L"}, {"dz", "Fz"}, {"travel", "Fz"}}) {
+    const double most = motion[1] == 'z' || motion[0] == 't' ? 30.0 : 0.05;  // mm under 4 kN
+    EXPECT_FALSE(doubts_about(moved_wheel(motion, force, most)).empty()) << motion;
+    EXPECT_TRUE(doubts_about(moved_wheel(motion, force, 1e-3 * most)).empty()) << motion;
+  }
+  const auto doubts = doubts_about(moved_wheel("dy", "Fy", 0.05));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_NE(doubts[0].sentence.find("80 N/mm"), std::string::npos) << doubts[0].sentence;
+}
+
+TEST(ChannelChecks, ADisplacementInMetersReadAsMillimetersIsDoubted) {
+  EXPECT_FALSE(doubts_about(moved_wheel("dy", "Fy", 5e-8)).empty());
+  EXPECT_TRUE(doubts_about(moved_wheel("dy", "Fy", 5e-5)).empty());
 }
 
 }  // namespace

@@ -17,20 +17,23 @@ using Eigen::Vector4d;
 namespace {
 
 constexpr int kMostSteps = 8;
-// Most halvings of a step toward a state in which the car finds no rest.
+// Number of times that a step is halved at most while the car finds no static equilibrium at its
+// end.
 constexpr int kHalvings = 6;
-constexpr double kProbe = 200.0;  // N, large against the residual of settling
-// Share of the forces, for a step. A smaller one is not reached: rolling tires settle to some
-// newtons.
+// Force of a finite difference, N; large against the residual of the static equilibrium.
+constexpr double kProbe = 200.0;
+// Convergence tolerance: size of a step relative to the loaders' forces. Rolling tires settle to
+// some newtons, so a smaller tolerance is not reached.
 constexpr double kEnough = 1e-4;
-// Least volume of the three slopes relative to their length at which they are independent.
+// Smallest volume spanned by the three columns of slopes, relative to their length, at which they
+// count as independent.
 constexpr double kIndependent = 1e-6;
 
 Vector4d as_vector(const std::array<double, kCorners>& forces) {
   return {forces[0], forces[1], forces[2], forces[3]};
 }
 
-/// Returns the normal to three columns of four, by cofactors.
+/// Returns the unit vector normal to the three columns of S in four dimensions, by cofactors.
 Vector4d normal_of(const Matrix<double, 4, 3>& S) {
   Vector4d n;
   for (int i = 0; i < 4; ++i) {
@@ -42,12 +45,13 @@ Vector4d normal_of(const Matrix<double, 4, 3>& S) {
   return n.normalized();
 }
 
-/// Returns the least-squares solution of S x = b; the component along the normal remains.
+/// Returns the least-squares solution of S x = b. The component of b normal to the columns of S
+/// remains as residual.
 Vector3d solve_three(const Matrix<double, 4, 3>& S, const Vector4d& b) {
   return (S.transpose() * S).inverse() * (S.transpose() * b);
 }
 
-/// The car with loaders, standing or rolling.
+/// A car with loaders (virtual downforces) on its chassis, standing or rolling.
 class LoadedCar {
  public:
   LoadedCar(Car& car,
@@ -59,14 +63,14 @@ class LoadedCar {
 
   bool rolls() const { return rolls_; }
   bool has_speed() const { return speed_ != 0.0; }
-  /// Lets the car roll from now on, if it has a speed.
+  /// Switches settle() from the standing car to the car that rolls at its speed, if it has one.
   void roll() { rolls_ = speed_ > 0.0; }
 
   Vector4d pushrods(const CarState& state) const {
     return as_vector(car_.pushrod_forces(state, inputs_));
   }
 
-  /// Settles the car under a downforce.
+  /// Computes the equilibrium of the car under these downforces of the loaders (N).
   Status settle(const Vector3d& downforce, CarState& state) {
     CarInputs with = inputs_;
     if (!rolls_ && with.guide) with.guide->speed = 0.0;
@@ -77,7 +81,8 @@ class LoadedCar {
     return {};
   }
 
-  /// Settles the car at the end of a step, which is halved while it leads to no rest.
+  /// Computes the equilibrium at the end of a step of the downforces. The step is halved while no
+  /// equilibrium is found.
   Status settle_after(Vector3d step, LoaderSolution& found) {
     Status settled = settle(found.downforce, found.state);
     for (int k = 0; k < kHalvings && !settled; ++k) {
@@ -88,11 +93,13 @@ class LoadedCar {
     return settled;
   }
 
-  /// Finds the slopes of the push-rods' forces by differences.
+  /// Finds the derivatives of the push-rods' forces with respect to the loaders' forces by finite
+  /// differences.
   Status find_slopes(LoaderSolution& found) {
     for (int k = 0; k < 3; ++k) {
       Status settled;
-      // At a kink of a bump stop there may be no rest just there; other probes are then tried.
+      // If a bump stop has a kink at one probed force, no equilibrium may be found there, so other
+      // forces are tried.
       for (const double probe : {kProbe, -kProbe, 0.5 * kProbe, -0.5 * kProbe}) {
         Vector3d more = found.downforce;
         more[k] += probe;
@@ -116,7 +123,8 @@ class LoadedCar {
   bool rolls_ = false;
 };
 
-/// The condition requires three independent columns: their volume relative to their length.
+/// Returns true if the three columns are linearly independent: the volume they span, relative to
+/// their length, exceeds a limit.
 bool are_independent(const Matrix<double, 4, 3>& slopes) {
   const Eigen::Matrix3d squares = slopes.transpose() * slopes;
   return squares.determinant() > kIndependent * std::pow(squares.trace() / 3.0, 3);
@@ -129,7 +137,8 @@ std::vector<multibody::Load> AeroLoaders::loads(const Car& car, const Vector3d& 
   for (int i = 0; i < 3; ++i) {
     const auto& bodies = car.mechanism().bodies();
     const CarParts& parts = car.parts();
-    // If the chassis has two halves, the half with the nearer center is used.
+    // The loader acts on the chassis, or on that half of a divided chassis whose origin is nearer
+    // along x.
     const auto away = [&](int body) {
       return std::abs(bodies[static_cast<std::size_t>(body)].origin.x() - points(0, i));
     };
@@ -171,8 +180,8 @@ Result<LoaderSolution> solve_loaders(Car& car,
     found.left = wanted - found.pushrods;
     const bool is_near = step.norm() < kEnough * (1.0 + found.downforce.norm());
     if (is_near && (loaded.rolls() || !loaded.has_speed())) return found;
-    // Slopes are those of the standing car with nearly these forces, because rolling tires are
-    // expensive.
+    // The slopes are computed on the standing car under nearly these forces, because rolling tires
+    // are expensive.
     if (i > 0) loaded.roll();
     found.downforce += step;
   }

@@ -2,8 +2,12 @@
 // Virtual vertical forces on the chassis that reproduce the static forces of the four push-rods, in
 // place of the effects of air, pitch, roll and steering on the track [thesis K, 5-2]:
 //   min |p - p0 - S (F - F0)|²,    S: slopes of the four axial forces by the loaders' forces
-// Three loaders span three of the four directions. The remainder, which no three loaders can
-// produce (nearly the cross-weight), is reported.
+// where p are the wanted axial forces of the push-rods, F the forces of the loaders, and p0, F0 the
+// values of both at the last step.
+//
+// Three loaders can change the four push-rod forces in three independent ways. The combination of
+// push-rod forces that they cannot produce, which is nearly the cross-weight, is reported as
+// remainder.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,24 +18,26 @@ namespace latsch::car {
 
 /// Points on the chassis at rest at which the loaders act, m. Downforce is positive.
 struct AeroLoaders {
-  Eigen::Matrix<double, 3, 3> points;  // one loader per column
+  Eigen::Matrix<double, 3, 3> points;  // one column of coordinates per loader
   std::vector<multibody::Load> loads(const Car& car, const Eigen::Vector3d& downforce) const;
 };
 
 struct LoaderSolution {
-  Eigen::Vector3d downforce;           // F, N
-  Eigen::Vector4d left;                // N, p minus the forces of the car with the loaders
-  Eigen::Vector4d unreachable;         // unit vector: the combination of the four forces that no
-                                       // loaders can produce
+  Eigen::Vector3d downforce;  // F, N
+  Eigen::Vector4d left;  // N, requested push-rod forces minus those of the car with the loaders
+  // Unit vector: combination of push-rod forces that no loaders can produce.
+  Eigen::Vector4d unreachable;
   Eigen::Matrix<double, 4, 3> slopes;  // S
-  CarState state;                      // state at rest with the loaders, at the requested speed
+  CarState state;  // state of equilibrium with the loaders, at the requested speed
 
-  /// Returns F and the remainder for other forces nearby.
+  /// Returns the loaders' forces F and the remaining push-rod forces for other requested push-rod
+  /// forces nearby, by the slopes.
   std::pair<Eigen::Vector3d, Eigen::Vector4d> near(const Eigen::Vector4d& pushrods) const;
   Eigen::Vector4d pushrods;  // with F, N
 };
 
-/// Uses Newton's method with slopes by differences on the standing car, then with these slopes on
+/// Finds the forces of the loaders that produce the wanted push-rod forces. Newton's method is used
+/// with derivatives by finite differences on the standing car, then with the same derivatives on
 /// the rolling car, until a step is below 1e-4 of the forces.
 Result<LoaderSolution> solve_loaders(Car& car,
                                      const AeroLoaders& loaders,

@@ -21,7 +21,8 @@ Index index_in(const std::vector<double>& heights, double height) {
   return std::lower_bound(heights.begin(), heights.end(), height) - heights.begin();
 }
 
-/// Position of a height between two heights of the map, and its slope: 0 beyond them.
+/// Interpolation between two heights of the map: their indices, the share of the way from the lower
+/// to the higher one, and the derivative of that share by height, which is 0 beyond the map.
 struct Between {
   Index low, high;
   double share, slope;

@@ -4,11 +4,12 @@
 //
 //   F_f = q A C_f(h_f, h_r),   F_r = q A C_r(h_f, h_r),   D = q A C_D,      q = ρ v² / 2
 //
-// h is the height of the floor over the plane z = 0 at the two axles, in the middle of the car; a
-// kerb below the floor is not seen. The coefficients are bilinear between the heights of the map
-// and constant beyond them. Downforce acts straight down at the axles, drag backward at a given
-// height. The response is immediate. With a chassis that twists, all forces act on its front half,
-// at points in the middle of the car, where both halves agree.
+// h_f and h_r are the heights of the car's floor above the plane z = 0 at the two axles, in the
+// middle of the car; a kerb below the floor does not change them. The coefficients are bilinear
+// between the heights of the map and constant beyond them. The downforces F_f and F_r act
+// vertically at the axles, the drag D backward at a given height. There is no delay. If the chassis
+// is divided into halves that twist, all forces act on the front half, at points in the middle of
+// the car, where both halves have the same position.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,32 +19,37 @@
 namespace latsch::car {
 
 struct AeroMap {
-  /// A height of each axle, and the coefficients of downforce there.
+  /// One measured row of the map: a ride height at each axle and the coefficients of downforce at
+  /// these heights.
   struct Row {
     double front_height, rear_height;  // m
     double front, rear;                // C_f, C_r; downforce positive
   };
   struct Coefficients {
     Eigen::Vector2d downforce;  // front, rear
-    Eigen::Matrix2d by_height;  // 1/m; rows: coefficients, columns: front and rear height
+    // Derivatives by ride height, 1/m; rows: coefficients, columns: front and rear height.
+    Eigen::Matrix2d by_height;
   };
 
-  double density = 1.2;                      // kg/m^3
-  double area = 1.0;                         // m^2
-  double drag = 0.0;                         // C_D
-  double drag_height = 0.0;                  // m, in the car as drawn
-  double floor_front = 0.0, floor_rear = 0;  // m, in the car as drawn
+  double density = 1.2;      // kg/m^3
+  double area = 1.0;         // m^2
+  double drag = 0.0;         // C_D
+  double drag_height = 0.0;  // m, height at which drag acts, in the car as drawn
+  // Heights of the floor at the axles in the car as drawn, m.
+  double floor_front = 0.0, floor_rear = 0;
 
-  /// Takes the rows of a complete grid, in any order. A single row means constant coefficients.
+  /// Sets the map from the rows of a complete grid of ride heights, in any order. A single row
+  /// means constant coefficients.
   void set_rows(const std::vector<Row>& rows);
-  /// Returns what is wrong with such rows, or an empty text.
+  /// Returns a message that says why such rows form no map, or an empty text if they do.
   static std::string fault(const std::vector<Row>& rows);
 
   Coefficients at(double front_height, double rear_height) const;
 
  private:
   std::vector<double> front_heights_ = {0.0}, rear_heights_ = {0.0};
-  Eigen::MatrixXd front_ = Eigen::MatrixXd::Zero(1, 1), rear_ = front_;  // one front height per row
+  // Rows: front heights, columns: rear heights.
+  Eigen::MatrixXd front_ = Eigen::MatrixXd::Zero(1, 1), rear_ = front_;
 };
 
 }  // namespace latsch::car

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests coefficients over ride heights, and a car that finds its heights under them.
+// Tests the aerodynamic coefficients as functions of ride heights, and a car that reaches
+// equilibrium under the resulting downforce.
 #include "models/car/aero_map.h"
 
 #include <gtest/gtest.h>
@@ -73,7 +74,7 @@ TEST(AeroMap, GridsWithHolesAndDoublesAreNamed) {
   EXPECT_NE(AeroMap::fault({}), "");
 }
 
-/// Rest at a speed on level ground.
+/// A car at rest, or at constant speed, on level ground: tire loads (N) and ride heights (m).
 struct Standing {
   Eigen::Array4d Fz;
   double front_height, rear_height;
@@ -107,7 +108,7 @@ TEST(AeroMap, ACarAtSpeedCarriesWhatTheMapSaysOfTheHeightsItIsAt) {
   const Vector2d c = coefficients(fast.front_height, fast.rear_height);
   const Eigen::Array4d more = fast.Fz - still.Fz;
   EXPECT_LT(fast.front_height, still.front_height - 1e-3);  // the downforce presses the car down
-  // Statics are accurate to 1e-5 of the weight at each tire.
+  // The static equilibrium leaves at most 1e-5 of the weight at each tire.
   EXPECT_NEAR(more[kFL] + more[kFR], qA * c[0], 1e-3 * qA);
   EXPECT_NEAR(more[kRL] + more[kRR], qA * c[1], 1e-3 * qA);
 }
@@ -120,7 +121,7 @@ TEST(AeroMap, StepsWithItAreOfSecondOrder) {
   parameters.aero->drag_height = 0.4;
   parameters.aero->floor_front = 0.035;
   parameters.aero->floor_rear = 0.045;
-  // The floor rises and falls by less than a cell of the map as the wheels go over the kerb.
+  // While the wheels roll over the kerb, the floor rises and falls by less than a cell of the map.
   const auto height_over_kerb = [&](double h) {
     auto car = Car::make(parameters, spring_tires());
     const SmoothKerb road;

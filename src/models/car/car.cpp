@@ -70,7 +70,8 @@ void Car::rebuild(std::vector<multibody::Strut> struts) {
 }
 
 std::optional<Car::Misfit> Car::misfit(const CarParts& parts, const Tires& tires) {
-  constexpr double kFar = 0.25;  // share of the radius
+  // Largest difference between wheel-center height and tire radius, as a share of the radius.
+  constexpr double kFar = 0.25;
   for (int corner = 0; corner < kCorners; ++corner) {
     const double radius = tires[at(corner)]->free_radius(),
                  z = parts.corners[at(corner)].wheel_center.z();
@@ -95,8 +96,8 @@ Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
   if (const auto wrong = misfit(car->parts_, tires)) return Failure{wrong->why};
   const std::vector<multibody::Strut> struts = car->mechanism_->struts();
   if (struts.empty()) return car;
-  // With bars in place of the springs the car stands as drawn, and the bar forces are those that
-  // springs must carry.
+  // Stiff bars in place of the springs keep the car in its drawn position. The forces in these bars
+  // are the preloads that the springs need.
   constexpr double kBar = 1e9;  // N/m
   std::vector<multibody::Strut> bars = struts;
   for (int corner = 0; corner < kCorners; ++corner)
@@ -123,7 +124,8 @@ Result<std::unique_ptr<Car>> Car::make(const CarParameters& parameters,
 Status Car::check_spring(int corner, const std::vector<multibody::Strut>& springs) const {
   const int unit = parts_.corners[at(corner)].unit;
   if (unit < 0) return {};
-  double stiffness = 0.0;  // at rest, of the unit and of springs on both sides of the axle
+  // N/m at rest: the spring unit and the springs that act on both sides of the axle
+  double stiffness = 0.0;
   for (const multibody::Strut& strut : springs) {
     if (&strut != &springs[at(unit)] && strut.lines[0].b != springs[at(unit)].lines[0].b &&
         (strut.lines.size() < 2 || strut.lines[1].b != springs[at(unit)].lines[0].b))
@@ -133,7 +135,8 @@ Status Car::check_spring(int corner, const std::vector<multibody::Strut>& spring
       if (const auto* curve = std::get_if<multibody::ElasticCurve>(&part))
         stiffness += curve->curve.slope(0.0);
   }
-  constexpr double kMost = 10.0;  // times its length: no spring is that long, whatever its travel
+  // Largest plausible compression of a spring, as a multiple of its length.
+  constexpr double kMost = 10.0;
   const double length = mechanism_->rest_length(unit), force = std::abs(springs[at(unit)].preload);
   if (stiffness * kMost * length > force) return {};
   return Failure{fmt::format(

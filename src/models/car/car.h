@@ -5,15 +5,16 @@
 //   wheel: I w' = My + T + B, solved with the tire's step     T: drive, B: brake
 //   on the upright: the hub's force and moment without My, -I w (ω × a) of the spinning wheel, -B
 //   on the chassis: aero loads, -T, and the guide
-// The tires are evaluated once a step, at the motion predicted for its end. The mechanism vibrates
-// faster than the tires and takes two steps meanwhile, with tire forces, loads and a rack that
-// change linearly. A guide takes the driver's place and keeps the car on its line and at its speed:
-// springs and dampers, soft against the tires, between the chassis and a point that moves straight
-// on at constant speed. Laterally and in yaw it holds the chassis at its center of mass.
-// Longitudinally it pulls like a driven axle with shafts from the chassis: P on the wheel centers
-// and -P r, r the loaded radius, on the chassis, together a force at the contact. The guide starts
-// with the force it has to bear (drag, rolling losses, side forces of the tires), so the car starts
-// in balance.
+// The tires are evaluated once per step, at the motion predicted for its end. The mechanism
+// vibrates faster than the tires and is advanced in two steps during this time, with tire forces,
+// loads and rack position that change linearly. In place of a driver, a guide keeps the car on its
+// line and at its speed. It consists of springs and dampers, much softer than the tires, between
+// the chassis and a point that moves straight ahead at constant speed. Laterally and in yaw it
+// holds the chassis at its center of mass. Longitudinally it acts like a driven axle with drive
+// shafts from the chassis: a force P on the wheel centers and a moment -P r on the chassis, with r
+// the loaded radius, which together are equivalent to a force at the contact points. At the start
+// the guide bears exactly the force that the car needs (drag, rolling losses, side forces of the
+// tires), so the car starts in equilibrium.
 #pragma once
 
 #include <array>
@@ -29,44 +30,51 @@
 
 namespace latsch::car {
 
-/// The tires of a car, in the order of its corners.
+/// The four tires of a car, in the order of its corners (front left, front right, rear left, rear
+/// right).
 using Tires = std::array<std::unique_ptr<Tire>, kCorners>;
 
 /// Parameters of the guide, which holds the chassis against a point that moves along x.
 struct Guide {
-  double y = 0.0;        // m, line of the car's middle, added to that of a GuidePoint
-  double lateral = 2e4;  // N/m; damped critically with the car's mass
-  double yaw = 5e4;      // N m/rad
-  double along = 2e4;    // N/m
+  double y = 0.0;  // m, lateral position of the car's middle, added to that of a GuidePoint
+  // N/m, lateral stiffness; the lateral damping is critical for the car's mass
+  double lateral = 2e4;
+  double yaw = 5e4;    // N m/rad
+  double along = 2e4;  // N/m
   /// Shares of the front and the rear axle in the longitudinal pull; together 1.
   std::array<double, 2> drives = {0.0, 1.0};
 };
 
-/// Constant forces of the guide, acting before its point and the car separate.
+/// Constant forces of the guide that act from the start, before the car deviates from the guide's
+/// point.
 struct Trim {
-  double along = 0.0, lateral = 0.0;   // N
-  double yaw = 0.0;                    // N m
-  std::array<double, kCorners> arm{};  // m, wheel center over the road: arm of the pull's reaction
+  double along = 0.0, lateral = 0.0;  // N
+  double yaw = 0.0;                   // N m
+  // Height of the wheel center above the road, m: arm of the reaction to the longitudinal pull.
+  std::array<double, kCorners> arm{};
   bool operator==(const Trim&) const = default;
 };
 
-/// State of the guide: its distance along x, m, its speed, and its line.
+/// State of the guide's point: distance along x (m), speed (m/s), and lateral position of its line
+/// (m).
 struct GuidePoint {
   double x, speed, y;  // m, m/s, m to the left
 };
 
-/// Inputs at the end of a step.
+/// Inputs of a car (rack, loads, guide) at the end of a step.
 struct CarInputs {
-  double rack = 0.0;                              // m, to the left
-  std::vector<multibody::Load> loads = {};        // aero and others, on bodies of the mechanism
+  double rack = 0.0;  // m, displacement of the rack to the left
+  // Aerodynamic and other loads on bodies of the mechanism.
+  std::vector<multibody::Load> loads = {};
   std::array<double, kCorners> drive{}, brake{};  // N m
-  std::optional<GuidePoint> guide = {};           // none: straight on at the initial speed
+  // Not set: the guide moves straight ahead at the initial speed.
+  std::optional<GuidePoint> guide = {};
 };
 
 /// State of a wheel and its tire.
 struct WheelState {
-  std::unique_ptr<Tire> tire;  // with its internal state
-  FreeWheel wheel;             // its spin
+  std::unique_ptr<Tire> tire;  // tire with its internal state
+  FreeWheel wheel;             // spin of the wheel
   WheelMotion motion;          // motion of the rim
   HubForces hub;               // in C
   double brake_moment = 0.0;   // N m, on the wheel
@@ -85,7 +93,7 @@ struct WheelState {
 struct CarState {
   multibody::MechanismState bodies;         // poses and rates of the bodies, and the time
   std::array<WheelState, kCorners> wheels;  // front left, front right, rear left, rear right
-  double speed = 0.0;                       // m/s, speed of the guide
+  double speed = 0.0;                       // m/s, speed of the guide's point
   Trim trim;                                // constant forces of the guide
   double rack = 0.0;                        // m, rack and loads of the last step's inputs
   std::vector<multibody::Load> loads;       // loads of the last step
@@ -96,11 +104,12 @@ struct CarState {
   bool operator==(const CarState& other) const;
 };
 
-/// The car of a parameter set on four tires, held on its line by a guide.
+/// A car made from a set of parameters, on four tires, held on its line by a guide.
 class Car {
  public:
-  /// The parameters must have no fault(). The springs carry the car in its drawn position, at rest
-  /// on tires that stand on z = 0 under the loads of the inputs; their preloads follow from this.
+  /// Makes a car. The parameters must have no fault(). The preloads of the springs are chosen such
+  /// that they carry the car in its drawn position, at rest on tires that stand on z = 0, under the
+  /// loads of the inputs.
   static Result<std::unique_ptr<Car>> make(const CarParameters& parameters,
                                            const Tires& tires,
                                            const CarInputs& at_rest = {},
@@ -114,23 +123,23 @@ class Car {
   /// Returns the first corner whose tire does not fit; nullopt if all fit.
   static std::optional<Misfit> misfit(const CarParts& parts, const Tires& tires);
 
-  /// The parameters it was made from.
+  /// The parameters from which this car was made.
   const CarParameters& parameters() const { return parameters_; }
-  /// Its bodies and joints.
+  /// The mechanism of this car: its bodies, joints and struts.
   const multibody::Mechanism& mechanism() const { return *mechanism_; }
-  /// Indices of its bodies and elements in the mechanism.
+  /// Indices of the car's bodies and elements in the mechanism.
   const CarParts& parts() const { return parts_; }
-  /// The guide. It may be changed before settle().
+  /// The guide that keeps the car on its line. It may be changed before settle() is called.
   Guide guide = {};
-  /// Steps of the mechanism per step of the tires.
+  /// Number of steps of the mechanism per step of the tires.
   int mechanism_steps = 2;
 
-  /// Returns the state at rest on the road, or at constant speed: poses, tires in equilibrium,
-  /// spins of rolling wheels. At speed the tires first roll to their start on level ground, so that
-  /// they have grown with the speed, lost the traces of being pressed down, and turn at their free
-  /// rolling speed.
+  /// Returns the state of equilibrium on the road, at rest or at constant speed: poses of the
+  /// bodies, tires in equilibrium, spins of rolling wheels. At speed the tires first roll toward
+  /// the start on level ground. They have then grown with the speed, have lost the deformation of
+  /// being pressed down at rest, and turn at the free rolling speed.
   Result<CarState> settle(const road::Road& road, double speed, const CarInputs& inputs);
-  /// True if a tire may be beyond the known part of its road (Road::beyond). Otherwise this is a
+  /// If true, a tire may leave the known part of its road (Road::beyond). If false, this is a
   /// Failure.
   bool may_leave_road = false;
   /// Takes one step. After a Failure, which names the part and the time, the state must not be
@@ -140,96 +149,119 @@ class Car {
   /// Returns the force along the push-rod, N, compression positive.
   std::array<double, kCorners> pushrod_forces(const CarState& state,
                                               const CarInputs& inputs = {}) const;
-  /// Returns the motion of the bodies for forces of elements; it is valid as long as the state.
+  /// Returns the motion of the bodies as the elements' force laws need it. It refers to `state`,
+  /// which must outlive it.
   multibody::Motion motion_of(const CarState& state) const;
-  /// The equations of motion of its bodies.
+  /// The equations of motion of the car's bodies.
   const multibody::Assembly& assembly() const { return transient_->assembly(); }
-  /// Returns the extension of the spring unit from rest, m; 0 if it is locked.
+  /// Returns how much longer the spring unit of a corner is than at rest, m; 0 if it is locked.
   double spring_extension(const CarState& state, int corner) const;
   /// Returns the upward force of each tire on its hub, N, including the inertia of a moving belt.
   std::array<double, kCorners> vertical_forces(const CarState& state) const;
-  /// Returns the motion of a wheel in these poses; at rest if `rates` is nullptr.
+  /// Returns the motion of a wheel for these poses and rates of the bodies. If `rates` is nullptr,
+  /// the wheel is at rest.
   WheelMotion motion_of_wheel(int corner,
                               const multibody::Poses& poses,
                               const Eigen::VectorXd* rates) const;
-  /// Returns the current position of the material point of a body that was at `at_rest`.
+  /// Returns the current position, m, of the material point of a body that was at the position
+  /// `at_rest` when the car stood as drawn.
   Eigen::Vector3d point(const CarState& state, int body, const Eigen::Vector3d& at_rest) const;
 
-  /// Adds the guide's wrench on the chassis with its slopes, for a car at rest. Longitudinally it
-  /// holds the chassis' center, so that statics and linear models have its slope there.
+  /// Adds the guide's wrench on the chassis and its derivatives, for a car at rest. Longitudinally
+  /// the guide holds the center of the chassis, so that statics and linear models have a stiffness
+  /// in that direction.
   void add_guide(const multibody::Motion& motion,
                  const GuidePoint& point,
                  std::vector<multibody::BodyForce>& wrenches) const;
-  /// Adds the guide's wrench in motion. Longitudinally it pulls by the driven axle, with its
-  /// initial force.
+  /// Adds the guide's wrench for a moving car. Longitudinally the guide pulls through the driven
+  /// axle with its initial force.
   void add_guide(const multibody::Motion& motion,
                  const GuidePoint& point,
                  const Trim& trim,
                  std::vector<multibody::BodyForce>& wrenches) const;
 
-  /// Adds the air's wrench on the chassis at a forward speed, with its slopes; nothing without a
-  /// map.
+  /// Adds the aerodynamic wrench on the chassis at a forward speed, with its derivatives. Adds
+  /// nothing if the car has no aerodynamic map.
   void add_air(const multibody::Motion& motion,
                double speed,
                std::vector<multibody::BodyForce>& wrenches) const;
 
-  /// The equilibrium of its bodies.
+  /// The solver for the static equilibrium of the car's bodies.
   multibody::Equilibrium& statics() { return *statics_; }
 
  private:
-  /// Factor of the guide's stiffness at rest, which holds the car at its position.
+  /// Factor by which the guide is stiffer for a car at rest, so that it holds the car at its
+  /// position.
   static constexpr double kStill = 1e3;
 
   Car(const CarParameters& parameters, const multibody::TransientSettings& settings);
-  /// Tires linearized about their current state, for statics.
+  /// The four tires with their vertical forces linearized about their current state, for the static
+  /// equilibrium.
   struct LineTire {
-    double force = 0.0, stiffness = 0.0, height = 0.0;         // N, N/m, m, wheel center
-    multibody::Vector6d beside = multibody::Vector6d::Zero();  // other actions at the wheel center
+    double force = 0.0, stiffness = 0.0, height = 0.0;  // N; N/m; m, height of the wheel center
+    // Other forces and moments at the wheel center.
+    multibody::Vector6d beside = multibody::Vector6d::Zero();
   };
   using LineTires = std::array<LineTire, kCorners>;
-  /// Solves statics with the pull of `trim`. Adds to it the remaining longitudinal force of the
-  /// guide, N, which is also returned in `held`.
+  /// Solves the static equilibrium with the longitudinal pull of `trim`. Adds the longitudinal
+  /// force that the guide still bears to this pull, N, and returns it in `held`.
   Result<multibody::Rest> stand(const LineTires& tires,
                                 double speed,
                                 const CarInputs& inputs,
                                 const multibody::Rest& from,
                                 Trim& trim,
                                 double* held = nullptr);
-  /// Adds P of the driven axle: on its wheel centers, with the reaction on the chassis.
+  /// Adds the pull P of the driven axle: forces on its wheel centers, and the reaction on the
+  /// chassis.
   void add_pull(const multibody::Motion& motion,
                 double pull,
                 const Trim& trim,
                 std::vector<multibody::BodyForce>& wrenches) const;
-  /// Describes how far the car at rest has sunk at its worst corner.
+  /// Describes in words how far the car at rest has sunk at the corner that sank most.
   std::string sunk(const multibody::Rest& rest, const LineTires& tires, double speed) const;
+  /// Describes the forces on the car as drawn, for the case that no share of them leads to an
+  /// equilibrium.
+  std::string unstable_as_drawn(double speed) const;
   /// Returns the deviation of the chassis from the guide's line and heading, m, m, rad.
   Eigen::Vector3d off_guide(const multibody::Pose& chassis, const GuidePoint& point) const;
-  /// Static equilibrium on tires that are pressed down, at rest or spinning.
+  /// Returns the static equilibrium on tires that are pressed down without rolling in, at rest or
+  /// spinning.
   Result<multibody::Rest> settle_on_tires(CarState& state,
                                           LineTires& lines,
                                           const road::Road& road,
                                           const CarInputs& inputs);
-  /// Static equilibrium on tires that have rolled to their starting positions.
+  /// Returns the static equilibrium on tires that have rolled to their starting positions, over a
+  /// distance after which their forces are steady. Returns a Failure if a tire does not become
+  /// steady.
   Result<multibody::Rest> roll_in(CarState& state,
                                   LineTires& lines,
                                   const multibody::Rest& rest,
                                   const road::Road& road,
                                   const CarInputs& inputs);
+  /// Lets the tires roll a given number of rounds. Sets, for each tire, the range of its force in
+  /// the last half round, N, if this range is still decreasing; otherwise 0.
+  Result<multibody::Rest> roll_rounds(int rounds,
+                                      CarState& state,
+                                      LineTires& lines,
+                                      const multibody::Rest& rest,
+                                      const road::Road& road,
+                                      const CarInputs& inputs,
+                                      std::array<double, kCorners>& falling);
   void rebuild(std::vector<multibody::Strut> struts);
-  /// Returns a Failure if no spring of its kind can be the preloaded unit of a corner.
+  /// Returns a Failure if a corner needs a preload that no real spring of its stiffness can have.
   Status check_spring(int corner, const std::vector<multibody::Strut>& springs) const;
-  /// Returns linear acceleration of its center and angular acceleration, for a motion with rates
-  /// and accelerations.
+  /// Returns the linear acceleration of a wheel's center and its angular acceleration, for a motion
+  /// with rates and accelerations of the bodies.
   multibody::Vector6d acceleration_of_wheel(int corner, const multibody::Motion& motion) const;
-  /// Advances the tires to the positions of the wheels `ahead` seconds after this motion.
+  /// Advances the tires to the positions that the wheels reach `ahead` seconds after this motion.
   Status roll(CarState& next,
               const multibody::Motion& motion,
               double ahead,
               double step,
               const road::Road& road,
               const CarInputs& inputs) const;
-  /// Adds the actions of tires, drive and guide in this motion. Tire forces are a mixture of the
-  /// present ones, with weight `share`, and those before.
+  /// Adds the forces of tires, drive and guide for this motion. The tire forces are interpolated
+  /// between those before the step and the present ones, which have the weight `share`.
   void add_wheels(const CarState& state,
                   const std::array<HubForces, kCorners>& before,
                   double share,
@@ -238,7 +270,8 @@ class Car {
                   const GuidePoint& guide,
                   std::vector<multibody::BodyForce>& wrenches) const;
   Eigen::Vector3d wheel_center_in_upright(int corner) const;
-  /// Returns a Failure that says where the point below the wheel in its plane is off the road.
+  /// Returns a Failure if the contact point below the wheel, in the wheel's plane, is off the road.
+  /// The message says where.
   Status check_on_road(int corner, const WheelMotion& wheel, const road::Road& road) const;
   const AxleMasses& masses(int corner) const;
 
@@ -248,7 +281,7 @@ class Car {
   CarParts parts_;
   std::unique_ptr<multibody::Equilibrium> statics_;
   std::unique_ptr<multibody::Transient> transient_;
-  Tires tires_;  // the tires at rest, off the road
+  Tires tires_;  // tires as made by the caller, at rest and off the road
 };
 
 }  // namespace latsch::car

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the balance of a car under air: rigid and compliant joints, downforce of several times its
-// weight, drag. References are sums of forces and moments about a line on the ground, by hand.
+// weight, drag. The references are sums of forces and moments about a line on the ground.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,8 @@ void add_bump_stops(CarParameters& car) {
         {{-0.040, -12e3}, {-0.030, -2e3}, {-0.025, 0.0}, {0.0, 0.0}, {0.1, 0.0}})});
 }
 
-/// Returns a car whose downforce at this speed is `times` its weight, 45 % of it in front.
+/// Returns a car whose downforce at this speed is `times` its weight, with 45 % of the downforce at
+/// the front axle.
 CarParameters pressed_car(bool rigid, double speed, double times, double drag = 0.0) {
   CarParameters car = race_car(false);
   if (rigid) make_rigid(car);
@@ -87,8 +88,9 @@ INSTANTIATE_TEST_SUITE_P(Cars,
                                          Pressed{true, 90.0, 4.0},
                                          Pressed{false, 60.0, 5.0}));
 
-// A level road is the same on every line, so the forces are those of the line 0. Joints of 1e10 N/m
-// turn the last digit of a coordinate of 50 m, 7e-15 m, into 7e-5 N, which is no imbalance.
+// The forces on a level road do not depend on the lateral position of the car's line, so they equal
+// those on the line y = 0. A coordinate of 50 m is rounded to 7e-15 m, which joints of 1e10 N/m
+// turn into a force of 7e-5 N. This force is rounding, not an imbalance.
 TEST(CarBalance, RigidJointsStandOnEveryLineThatATestMayHave) {
   const auto car = made(pressed_car(true, 60.0, 2.0));
   const auto middle = car->settle(road::PlaneRoad{}, 60.0, {});
@@ -105,8 +107,8 @@ TEST(CarBalance, RigidJointsStandOnEveryLineThatATestMayHave) {
   }
 }
 
-// The load of a driver's choice presses only a front corner, so the final load is approached from a
-// state far from it.
+// The load acts on one front corner only, so the solver starts from a state far from the final
+// equilibrium.
 TEST(CarBalance, ALargeLoadOnOneCornerOfRigidJointsFindsRest) {
   CarParameters parameters = race_car(false);
   make_rigid(parameters);
@@ -122,7 +124,8 @@ TEST(CarBalance, ALargeLoadOnOneCornerOfRigidJointsFindsRest) {
   }
 }
 
-// The floor has more downforce the lower it is, which acts as a negative spring.
+// The lower the floor is, the larger is the downforce, so the air acts like a spring of negative
+// stiffness.
 TEST(CarBalance, WhatSinksIsToldInWords) {
   for (const bool rigid : {true, false}) {
     CarParameters parameters = pressed_car(rigid, 60.0, 1.0);
@@ -146,8 +149,8 @@ TEST(CarBalance, WhatSinksIsToldInWords) {
   }
 }
 
-/// Returns the moment about y through the origin of drag at its height, weight and downforce, N m,
-/// from the positions of bodies and points, minus that of the tires.
+/// Returns the imbalance of moments about the y axis on the ground, N m: drag at its height, weight
+/// and downforce at the current positions of bodies and points, minus the tire forces.
 double pitch_left(const Car& car, const CarState& state, double speed) {
   const CarParameters& of = car.parameters();
   const auto& bodies = car.mechanism().bodies();
@@ -167,8 +170,9 @@ double pitch_left(const Car& car, const CarState& state, double speed) {
   return moment;
 }
 
-// The contact of the driven axle bears the drag. Moments about the ground's line therefore come
-// only from weight, air and vertical forces, whichever axle drives.
+// The tires of the driven axle bear the drag at their contact points on the ground. Moments about a
+// line on the ground therefore come only from weight, air and vertical forces, whichever axle
+// drives.
 TEST(CarBalance, DragShiftsLoadsAsAnAxleThatDrivesDoes) {
   for (const std::array<double, 2> drives :
        {std::array{0.0, 1.0}, std::array{1.0, 0.0}, std::array{0.5, 0.5}})
@@ -180,8 +184,9 @@ TEST(CarBalance, DragShiftsLoadsAsAnAxleThatDrivesDoes) {
       const double drag = 0.5 * kDensity * 60.0 * 60.0 * kArea * 1.1;
       EXPECT_NEAR(pitch_left(*car, *state, 60.0), 0.0, 1e-5 * drag * 0.35) << drives[0];
       EXPECT_NEAR(state->trim.along, drag, 1e-6 * drag);
-      // 2851 N at about 0.33 m, the height reached there, over a base of 1.55 m shift 605 N from
-      // the front to the rear, apart from the effect of pitch.
+      // A drag of 2851 N at the height of 0.33 m that its point has at speed, over a wheelbase of
+      // 1.55 m, shifts 605 N from the front to the rear axle. The car's pitch changes this
+      // slightly.
       const auto still = made(pressed_car(rigid, 60.0, 1.0, 0.0));
       const auto without = still->settle(road::PlaneRoad{}, 60.0, {});
       const auto a = car->vertical_forces(*state), b = still->vertical_forces(*without);
@@ -207,14 +212,14 @@ TEST(CarBalance, WithDragItStartsInBalanceAndKeepsItsSpeed) {
     }
 }
 
-// A guide without longitudinal stiffness lets the car go, and drag slows it down.
+// If the guide has no longitudinal stiffness, nothing drives the car, and drag slows it down.
 TEST(CarBalance, WithoutAGuideDragSlowsItDown) {
   const auto car = made(pressed_car(false, 60.0, 1.0, 1.1));
   auto state = car->settle(road::PlaneRoad{}, 60.0, {});
   ASSERT_TRUE(state) << state.failure().reason;
   car->guide.along = 0.0;
   while (state->time() < 0.1) ASSERT_TRUE(car->advance(*state, 2e-4, road::PlaneRoad{}, {}).ok());
-  // v' = -c v² has the solution v0 / (1 + c v0 t).
+  // The equation of motion v' = -c v² has the solution v0 / (1 + c v0 t).
   const double c = 0.5 * kDensity * kArea * 1.1 / car->mechanism().mass();
   EXPECT_NEAR(state->bodies.rates[0], 60.0 / (1.0 + c * 60.0 * state->time()), 0.01);
 }

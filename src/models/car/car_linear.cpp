@@ -20,7 +20,8 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Coefficients -c v and -k v of F(t) - F(0), N and N/s.
+/// Force of a tire during motion at constant velocity: the changes -c v (at once, N) and -k v (per
+/// second, N/s) of F(t) - F(0).
 struct EvenMotion {
   Vector3d at_once = Vector3d::Zero(), by_time = Vector3d::Zero();
 };
@@ -56,7 +57,8 @@ Result<EvenMotion> move_evenly(const WheelState& wheel,
   return line;
 }
 
-/// Returns the derivative of the wheel center's motion by that of the upright.
+/// Returns the derivative of the wheel center's displacement with respect to the displacement and
+/// rotation of the upright.
 Eigen::Matrix<double, 3, 6> center_by_upright(const Vector3d& arm) {
   Eigen::Matrix<double, 3, 6> G;
   G << Matrix3d::Identity(), -multibody::cross(arm);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A car at rest on its tires, for small motion (multibody/linear_model.h). Inputs are the heights h
 // of the road below its four tires, outputs are signals of sensors on it.
-//   tire: its force on the hub changes by  -k x - c x',  x: wheel center against its road, across
-//   and upward (y, z)
+//   tire: the force on the hub changes by -k x - c x',  x: wheel center relative to its road,
+//   lateral and vertical (y, z)
 // k and c of a tire of any kind are found by moving its wheel at constant velocity, which gives
 // F(t) - F(0) = -c v - k v t. They are fitted by least squares after the transient of the start has
 // decayed, as the mean of both directions. This is exact for a spring and damper. For other tires k
-// and c hold below the frequencies of their own modes (belt), with sticking friction. Along x a
-// free wheel rolls. Slopes by camber are omitted.
+// and c are valid below the frequencies of the tire's own (belt) modes, with sticking friction.
+// Along x a tire has no stiffness, because the wheel rolls freely. Derivatives by camber are
+// omitted.
 #pragma once
 
 #include <string>
@@ -18,7 +19,8 @@
 
 namespace latsch::car {
 
-/// Slopes of a tire's force by motion along y and z.
+/// Stiffness and damping of a tire: derivatives of its force with respect to displacement and
+/// velocity along y and z.
 struct TireStiffness {
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();  // k, N/m
   Eigen::Matrix3d damping = Eigen::Matrix3d::Zero();    // c, N s/m
@@ -30,7 +32,8 @@ struct TireProbe {
   double step = 2e-4;                     // s
 };
 
-/// Probes a wheel in its state, which is not changed.
+/// Finds the stiffness and damping of a tire by moving its wheel from its current state. `wheel` is
+/// not changed.
 Result<TireStiffness> probe(const WheelState& wheel,
                             const road::Road& road,
                             double time,
@@ -38,15 +41,17 @@ Result<TireStiffness> probe(const WheelState& wheel,
 
 struct LinearCar {
   multibody::LinearModel model;
-  multibody::LinearInputs heights;  // heights at FL, FR, RL, RR, m
+  multibody::LinearInputs heights;  // heights of the road at FL, FR, RL, RR, m
   multibody::LinearOutputs sensors;
-  std::vector<std::string> names;  // pushrod_FL ... N; hub_FL ..., body_z m/s^2: car_record.h
+  // Names of the sensors, pushrod_FL ... N; hub_FL ..., body_z m/s^2: car_record.h.
+  std::vector<std::string> names;
 
-  /// Returns sensors by heights at a frequency in Hz.
+  /// Returns the transfer functions from road heights to sensors at a frequency in Hz: one row per
+  /// sensor.
   Eigen::MatrixXcd response(double frequency) const;
 };
 
-/// Linearizes about the rest of `state`, with the inputs that brought it there.
+/// Linearizes the car about the equilibrium `state`, under the inputs that led to it.
 Result<LinearCar> linearize(const Car& car,
                             const CarState& state,
                             const road::Road& road,

@@ -41,7 +41,7 @@ Body body_of(std::string name, const BodyMass& mass) {
   return {std::move(name), mass.center, mass.mass, mass.inertia};
 }
 
-/// Returns axes whose third is `axis`.
+/// Returns a rotation matrix whose third column is the unit vector `axis`.
 Matrix3d axes_about(const Vector3d& axis) {
   return Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
 }
@@ -77,8 +77,9 @@ class Builder {
       bodies_.push_back(body_of("the chassis", chassis.body));
       return;
     }
-    // The two halves have the mass, center and inertia of the whole. Their distance uses four
-    // fifths of the moments about y and z that are available for it.
+    // The two halves of the chassis together have the mass, center and inertia of the whole. The
+    // distance between the centers of the halves accounts for four fifths of the whole's moments of
+    // inertia about y and z; the rest is the inertia of each half.
     const Vector3d I = chassis.body.inertia.diagonal();
     const double front = car_.front.corner.wheel_center.x(),
                  rear = car_.rear.corner.wheel_center.x(), center = chassis.body.center.x();
@@ -174,7 +175,8 @@ class Builder {
         "the lower wishbone " + name,
         multibody::mass_of_rods(
             {rod(W::kLcaFront, W::kLbj), rod(W::kLcaRear, W::kLbj)}, masses.lower_wishbone, r)));
-    bodies_.push_back({"the upright " + name, c.wheel_center});  // the mass is set below
+    // The mass of the upright is set below.
+    bodies_.push_back({"the upright " + name, c.wheel_center});
     bodies_.push_back(body_of(
         "the push-rod " + name,
         multibody::mass_of_rods({rod(W::kPushrodInner, W::kPushrodOuter)}, masses.pushrod, r)));
@@ -191,7 +193,7 @@ class Builder {
     upright.center = corner.wheel_center + at_side(left, upright.center);
     if (!left) upright.inertia = mirrored(upright.inertia);
     const double across = axle.masses.wheel_across;
-    // The wheel turns freely about y, so it adds nothing there.
+    // The wheel spins freely about y, so it adds no inertia about y to the upright.
     const BodyMass wheel{
         axle.masses.wheel, corner.wheel_center, Vector3d(across, 0.0, across).asDiagonal()};
     bodies_[bodies_.size() - 5 + DoubleWishbone::kUpright] =
@@ -210,9 +212,9 @@ class Builder {
     bodies_.push_back(body_of(
         "the rocker " + name,
         multibody::mass_of_rods({{pivot, rod}, {pivot, damper}}, inboard.rocker_mass, 0.01)));
-    // If the push-rod's joint is rigid, its bearing must not be softer.
-    constexpr double kTiltArm = 0.03;  // m: arm that converts stiffness against travel to that
-                                       // against tilting
+    // Arm, m, that converts a translational stiffness to one against tilting. If the push-rod has
+    // rigid joints, the rocker's bearing must not be softer than these.
+    constexpr double kTiltArm = 0.03;
     const multibody::BushingParameters& joint = corner.bushings[DoubleWishbone::kPushrodInner];
     const double stiff = joint.rigid ? std::max(inboard.bearing, joint.stiffness.maxCoeff())
                                      : inboard.bearing,
@@ -274,7 +276,7 @@ class Builder {
   std::vector<Joint> joints_;
   std::vector<Strut> struts_;
   CarParts parts_;
-  std::array<std::array<int, 2>, 2> rockers_{};  // front and rear; left and right
+  std::array<std::array<int, 2>, 2> rockers_{};  // index 1: front, rear; index 2: left, right
 };
 
 }  // namespace

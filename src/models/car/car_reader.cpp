@@ -78,7 +78,7 @@ AxleMasses read_masses(const Node& axle) {
   return masses;
 }
 
-/// Reads the rocker, whose points are among those of the suspension.
+/// Reads the rocker of an axle. Its hardpoints are among those of the suspension.
 Inboard read_inboard(const Node& axle, const Node& suspension, const Vector3d& rod) {
   const Node points = suspension.table("hardpoint");
   Inboard inboard;
@@ -109,7 +109,8 @@ Axle read_axle(const Node& root, const std::string& name) {
   axle.camber = node.quantity("camber", "rad", Range::between(-0.5, 0.5), 0.0);
   axle.toe = node.quantity("toe", "rad", Range::between(-0.5, 0.5), 0.0);
   const bool is_locked = node.flag("locked", false);
-  // A file may keep the springs that the bars replace.
+  // The springs may be locked, that is replaced by bars. The file may then still contain the keys
+  // of the springs, which are checked.
   if (is_locked && node.table("mass").has("rocker"))
     node.table("mass").quantity("rocker", "kg", Range::positive());
   if (is_locked && !node.has("spring")) return axle;

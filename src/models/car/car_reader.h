@@ -66,17 +66,18 @@
 
 namespace latsch::car {
 
-/// A car as its file states it, without its tires.
+/// A car as described in its file, without its tires.
 struct CarFile {
   CarParameters parameters;  // suspensions, masses, springs and air
-  /// Spring tires of the axles that name no tire.
+  /// Parameters of the spring tires; set for an axle whose file names no tire.
   std::optional<SpringTireParameters> front_spring_tire, rear_spring_tire;
-  double driver_line = 0.0;                   // m
-  std::array<double, 2> drives = {0.0, 1.0};  // shares of front and rear axle in the pull
+  double driver_line = 0.0;  // m
+  // Shares of the front and the rear axle in the longitudinal pull.
+  std::array<double, 2> drives = {0.0, 1.0};
 };
 
 /// Reads the car with its suspensions, but without its tires: the tables front_tire and rear_tire
-/// are left to their kinds. Throws InputError.
+/// are read by the code for the respective kind of tire. Throws InputError.
 CarFile read_car(const Node& root);
 
 }  // namespace latsch::car

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the rest of a car on its tires, standing or rolling, before time begins.
+// Finds the static equilibrium of a car on its tires, standing or rolling at constant speed, from
+// which a simulation starts.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "models/car/car.h"
 #include "models/road/plane_road.h"
@@ -41,7 +44,8 @@ Result<Rest> Car::stand(const LineTires& tires,
       force.z() += tire.force + tire.stiffness * (tire.height - z);
       BodyForce wrench{.body = parts.upright};
       wrench.value << force, arm.cross(force) + tire.beside.tail<3>();
-      Vector6d by_z;  // derivative of z by the upright's motion
+      // Derivative of the height z with respect to the upright's displacement and rotation.
+      Vector6d by_z;
       by_z << Vector3d::UnitZ(), arm.cross(Vector3d::UnitZ());
       wrench.slopes = -tire.stiffness * by_z * by_z.transpose();
       wrench.slopes.bottomRightCorner<3, 3>() += multibody::cross(force) * multibody::cross(arm);
@@ -56,15 +60,35 @@ Result<Rest> Car::stand(const LineTires& tires,
   const multibody::RestSettings standing{
       .loads = inputs.loads, .drivers = drivers, .outside = &outside};
   auto found = statics_->solve(standing, from);
-  // If this start fails, the load is applied from the drawn position in shares of the whole.
+  // If the solver finds no equilibrium from this start, it begins at the drawn position and applies
+  // the load in shares.
   if (!found) found = statics_->solve(standing, statics_->unloaded());
   if (!found)
-    return Failure{found.failure().reason + "; " + sunk(statics_->reached(), tires, speed)};
+    return Failure{found.failure().reason + "; " +
+                   (statics_->share() > 0.0 ? sunk(statics_->reached(), tires, speed)
+                                            : unstable_as_drawn(speed))};
   const double off = off_guide(found->poses[at(parts_.chassis)], {0.0, 0.0, 0.0}).x();
   const double left = -kStill * guide.along * off;
   trim.along += left;
   if (held) *held = left;
   return found;
+}
+
+std::string Car::unstable_as_drawn(double speed) const {
+  std::string words =
+      "not even a small share of the load has an equilibrium near the position in which the car is "
+      "drawn";
+  if (!parameters_.aero || speed == 0.0) return words;
+  const AeroMap& air = *parameters_.aero;
+  const double q = 0.5 * air.density * speed * speed * air.area;
+  const AeroMap::Coefficients there = air.at(air.floor_front, air.floor_rear);
+  return words + fmt::format(
+                     ". There the downforce is {:.4g} N, {:.2g} times the weight, and grows by "
+                     "{:.3g} N with every millimeter that the floor sinks; springs and tires have "
+                     "to hold more than that",
+                     q * there.downforce.sum(),
+                     q * there.downforce.sum() / (mechanism_->mass() * parameters_.gravity),
+                     -1e-3 * q * there.by_height.sum());
 }
 
 std::string Car::sunk(const Rest& rest, const LineTires& tires, double speed) const {
@@ -117,7 +141,8 @@ std::string Car::sunk(const Rest& rest, const LineTires& tires, double speed) co
 
 namespace {
 
-/// Linearizes the force of a tire in its state over the height of its wheel.
+/// Linearizes the vertical force of a tire about its current state, as a function of the height of
+/// its wheel.
 template <class Line>
 void take(Line& line, const WheelState& wheel) {
   const Vector3d force = wheel.motion.carrier * wheel.hub.force;
@@ -133,18 +158,48 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
   return rates;
 }
 
-/// Lets the tires roll to the car's starting position, in rounds; after each round the car's
-/// equilibrium is solved again.
+/// Settings for letting the tires roll to the car's starting position. They roll in rounds; after
+/// each round the car's equilibrium is computed again.
 struct RollIn {
   static constexpr int kRounds = 12;
-  static constexpr int kHeld = 3;  // rounds without motion of the car, until belts have grown
-  double duration;                 // s, of a round: at least 0.3 m of path, which a tire needs to
-                                   // forget
-  int steps;                       // steps of a round, each 12 mm long
+  static constexpr int kMostRounds = 32 * kRounds;  // 115 m of path, or 11 s below 10 m/s
+  // Rounds in which the car's body is held until the belts have grown.
+  static constexpr int kHeld = 3;
+  // Duration of a round, s. It covers at least 0.3 m of path, after which a tire of short
+  // relaxation length has lost its initial transient.
+  double duration;
+  int steps;  // number of steps of a round, each 12 mm long
 
   explicit RollIn(double speed)
       : duration(std::max(0.03, 0.3 / speed)),
         steps(static_cast<int>(std::ceil(duration * speed / 0.012))) {}
+};
+
+/// Ranges (maximum minus minimum) of a tire's forces over the second halves of the rounds. While
+/// the slip relaxes, the range decreases from round to round. If forces vary periodically with the
+/// rotation of the wheel, the range remains.
+class FallingRanges {
+ public:
+  void add(const Vector3d& force) {
+    low_ = low_.cwiseMin(force);
+    high_ = high_.cwiseMax(force);
+  }
+  void end_round() {
+    ranges_.push_back((high_ - low_).maxCoeff());
+    low_.setConstant(std::numeric_limits<double>::infinity());
+    high_ = -low_;
+  }
+  /// Returns the last range, N, if it has decreased within three rounds and is above `least`;
+  /// otherwise 0.
+  double still_falling(double least) const {
+    constexpr double kFalls = 0.9;  // remaining share of the range; relaxation length of 8.5 m
+    const double last = ranges_.back();
+    return last > least && last < kFalls * ranges_[ranges_.size() - 4] ? last : 0.0;
+  }
+
+ private:
+  Vector3d low_ = Vector3d::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
+  std::vector<double> ranges_;
 };
 
 /// Returns the height of the wheel center over the road, m.
@@ -157,8 +212,8 @@ Failure no_stand(int corner, const std::string& why) {
   return {fmt::format("the tire {} does not stand on the road: {}", kCornerNames[at(corner)], why)};
 }
 
-/// Returns the stiffness between two positions of a tire that went down by `travel`, m, if the
-/// stiffness is plausible beside the one so far, N/m; otherwise the one so far.
+/// Returns the secant stiffness of a tire, N/m, from the change of its force while it was lowered
+/// by `travel` (m). Returns the previous `stiffness` if the secant differs from it implausibly.
 double secant_of(double more_force, double travel, double stiffness) {
   if (std::abs(travel) <= 1e-9) return stiffness;
   const double secant = more_force / travel;
@@ -172,7 +227,8 @@ Result<Rest> Car::settle_on_tires(CarState& state,
                                   const road::Road& road,
                                   const CarInputs& inputs) {
   constexpr int kMost = 40;
-  constexpr double kEnough = 1e-8, kUsual = 1e-5;  // relative to the car's weight, at each tire
+  // Convergence tolerances: change of a tire load relative to the car's weight.
+  constexpr double kEnough = 1e-8, kUsual = 1e-5;
   const double weight = mechanism_->mass() * parameters_.gravity;
   const Eigen::VectorXd rates = straight_on(mechanism_->bodies().size(), state.speed);
   Rest rest = statics_->unloaded();
@@ -184,7 +240,8 @@ Result<Rest> Car::settle_on_tires(CarState& state,
     state.trim.arm[at(corner)] = tires_[at(corner)]->free_radius();
   }
   double worst = 0.0, before = 0.0;
-  std::array<double, kCorners> touching;  // N/m, of each tire when it last touched the road
+  // N/m, stiffness of each tire when it last touched the road
+  std::array<double, kCorners> touching;
   touching.fill(lines[kFL].stiffness);
   int touched = 0;  // number of touching tires in the last round
   for (int i = 0; i < kMost; ++i) {
@@ -200,7 +257,7 @@ Result<Rest> Car::settle_on_tires(CarState& state,
       WheelState& wheel = state.wheels[at(corner)];
       wheel.motion = motion_of_wheel(corner, rest.poses, &rates);
       const double z = wheel.motion.center.z(), radius = tires_[at(corner)]->free_radius();
-      // A tire rolls on a radius that is shorter by a third of its deflection.
+      // The effective rolling radius of a tire is its free radius minus a third of its deflection.
       wheel.motion.spin_rate = state.speed / (radius - std::max(0.0, radius - z) / 3.0);
       wheel.tire = tires_[at(corner)]->clone();
       const auto hub = wheel.tire->settle(wheel.motion, road, 0.0);
@@ -218,16 +275,17 @@ Result<Rest> Car::settle_on_tires(CarState& state,
           line.stiffness = secant_of(force - line.force, line.height - z, line.stiffness);
         touching[at(corner)] = line.stiffness;
       } else if (stood_on > 2) {
-        line.stiffness = 0.0;  // in the air while three others stand
+        line.stiffness = 0.0;  // this tire is off the road while the other three carry the car
       }
       take(line, wheel);
-      // A changed arm changes the effect of the pull.
+      // If the arm of the longitudinal pull changes, its moment on the chassis changes.
       constexpr double kArm = 1.0;  // m, arm that converts a moment to tire loads
       double& arm = state.trim.arm[at(corner)];
       const double was = std::exchange(arm, arm_over(road, wheel));
       worst = std::max(worst, std::abs(state.trim.along * (arm - was)) / kArm);
     }
-    // The rounds end at the accuracy of the tires, or when a round brings no improvement.
+    // The rounds end when the error is below the accuracy of the tires, or when a round no longer
+    // halves it.
     if (i > 0 && worst < kEnough * weight) break;
     if (i > 0 && worst < kUsual * weight && worst > 0.5 * before) break;
   }
@@ -244,21 +302,50 @@ Result<Rest> Car::roll_in(CarState& state,
                           const Rest& start,
                           const road::Road& road,
                           const CarInputs& inputs) {
+  Rest rest = start;
+  for (int rounds = RollIn::kRounds;; rounds *= 2) {
+    std::array<double, kCorners> falling{};
+    auto rolled = roll_rounds(rounds, state, lines, rest, road, inputs, falling);
+    if (!rolled) return rolled;
+    rest = std::move(*rolled);
+    const auto most = std::max_element(falling.begin(), falling.end());
+    if (*most == 0.0) return rest;
+    if (rounds >= RollIn::kMostRounds)
+      return Failure{fmt::format(
+          "the tire {} is not steady after {:.3g} m of free rolling: its force still changes by "
+          "{:.3g} N in 0.15 m; its relaxation length (slip stiffness over carcass stiffness) is "
+          "too large under its load of {:.4g} N",
+          kCornerNames[most - falling.begin()],
+          rounds * RollIn(state.speed).duration * state.speed,
+          *most,
+          lines[at(static_cast<int>(most - falling.begin()))].force)};
+  }
+}
+
+Result<Rest> Car::roll_rounds(int rounds,
+                              CarState& state,
+                              LineTires& lines,
+                              const Rest& start,
+                              const road::Road& road,
+                              const CarInputs& inputs,
+                              std::array<double, kCorners>& falling) {
+  constexpr double kSteady = 1e-6;  // range of force in half a round, relative to the weight
   const RollIn way(state.speed);
   const double speed = state.speed, h = way.duration / way.steps;
   const Eigen::VectorXd rates = straight_on(mechanism_->bodies().size(), speed);
+  std::array<FallingRanges, kCorners> ranges;
   Rest rest = start;
   for (int corner = 0; corner < kCorners; ++corner) {
     WheelState& wheel = state.wheels[at(corner)];
     const road::PlaneRoad level{
         {.height = road.height(wheel.motion.center.x(), wheel.motion.center.y(), 0.0)}};
-    const double whole = way.duration * RollIn::kRounds;
+    const double whole = way.duration * rounds;
     wheel.motion.center.x() -= speed * whole;
     wheel.tire = tires_[at(corner)]->clone();
     if (const auto hub = wheel.tire->settle(wheel.motion, level, -whole); !hub)
       return no_stand(corner, hub.failure().reason);
   }
-  for (int round = 0; round < RollIn::kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     if (round >= RollIn::kHeld) {
       auto stood = stand(lines, state.speed, inputs, rest, state.trim);
       if (!stood) return stood;
@@ -269,10 +356,12 @@ Result<Rest> Car::roll_in(CarState& state,
       const WheelMotion end = motion_of_wheel(corner, rest.poses, &rates);
       const road::PlaneRoad level{{.height = road.height(end.center.x(), end.center.y(), 0.0)}};
       const Vector3d from = wheel.motion.center;
-      HubForces mean;       // over the second half, which contains no transient
-      double height = 0.0;  // m, wheel center, likewise: height at which the line has that force
+      HubForces mean;  // mean forces over the second half of the round, which contains no transient
+      // Mean height of the wheel center over the same time, at which the linearized tire has these
+      // forces, m.
+      double height = 0.0;
       for (int i = 1; i <= way.steps; ++i) {
-        const double left = way.duration * (RollIn::kRounds - 1 - round) + h * (way.steps - i);
+        const double left = way.duration * (rounds - 1 - round) + h * (way.steps - i);
         WheelMotion there = end;
         const double part = static_cast<double>(i) / way.steps;
         there.center.y() = from.y() + part * (end.center.y() - from.y());
@@ -289,13 +378,18 @@ Result<Rest> Car::roll_in(CarState& state,
         height += share * there.center.z();
         mean.force += share * hub->force;
         mean.moment += share * hub->moment;
+        ranges[at(corner)].add(hub->force);
       }
+      ranges[at(corner)].end_round();
       std::swap(wheel.hub, mean);
       take(lines[at(corner)], wheel);
       lines[at(corner)].height = height;
       std::swap(wheel.hub, mean);
     }
   }
+  const double least = kSteady * mechanism_->mass() * parameters_.gravity;
+  for (int corner = 0; corner < kCorners; ++corner)
+    falling[at(corner)] = ranges[at(corner)].still_falling(least);
   return rest;
 }
 
@@ -315,7 +409,8 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
     if (!rest) return rest.failure();
   }
   const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, speed, 0.0});
-  // The guide starts with the forces that it held at rest, minus those of its springs.
+  // The guide's constant forces are those that it bore in equilibrium, minus the forces of its
+  // springs.
   const Vector3d off = off_guide(rest->poses[at(parts_.chassis)], {0.0, 0.0, start.y});
   state.trim.along += guide.along * off.x();
   state.trim.lateral = (1.0 - kStill) * guide.lateral * off.y();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A step of a car in time (car.h): the tires roll to where their wheels will be, then the mechanism
-// takes its steps under the forces of the tires.
+// One step of a car in time (car.h): first the tires roll to the predicted positions of their
+// wheels, then the mechanism takes its steps under the forces of the tires.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,8 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Moves the wheel on by `ahead` seconds, with these accelerations of its center and about it.
+/// Extrapolates the motion of a wheel by `ahead` seconds with constant linear acceleration of its
+/// center and constant angular acceleration.
 void go_on(WheelMotion& motion, const Vector6d& acceleration, double ahead) {
   const Vector3d more = ahead * acceleration.head<3>();
   Pose carrier{motion.center, motion.carrier};
@@ -37,8 +38,8 @@ void go_on(WheelMotion& motion, const Vector6d& acceleration, double ahead) {
   motion.angular_velocity += ahead * acceleration.tail<3>();
 }
 
-/// Changes the loads by a share of their difference from `to`, or replaces them by `to` if the two
-/// lists have different loads.
+/// Moves the loads toward `to` by a share of their difference. If the two lists hold different
+/// loads, replaces the loads by `to`.
 void approach(std::vector<multibody::Load>& loads,
               const std::vector<multibody::Load>& to,
               double share) {
@@ -113,7 +114,8 @@ Status Car::advance(CarState& state, double step, const road::Road& road, const 
   const double part = step / mechanism_steps, end = state.time() + step;
   Status rolled;
   for (int i = 1; i <= mechanism_steps; ++i) {
-    // `share` is the part of the remaining change of the inputs, `left` the time after this step.
+    // `share` is the part of the remaining change of the inputs that falls into this step, `left`
+    // the time in s that remains after it.
     const double share = 1.0 / (mechanism_steps - i + 1), left = step - i * part;
     const double now = end - left;
     const GuidePoint guide = inputs.guide ? GuidePoint{inputs.guide->x - inputs.guide->speed * left,

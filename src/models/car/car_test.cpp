@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the car at rest and on the kerb: weight, symmetry, order of its steps, states as values.
+// Tests the car at rest and on a kerb: weight, symmetry, order of convergence of its steps, and
+// states that are copied and restored.
 #include "models/car/car.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ TEST(Car, AtRestCarriesItsWeightByItsLevers) {
     EXPECT_NEAR(Fz[kFL] + Fz[kFR] + Fz[kRL] + Fz[kRR], weight, 1e-4 * weight);
     EXPECT_NEAR(Fz[kFL], Fz[kFR], 1e-4 * weight);
     EXPECT_NEAR(Fz[kRL], Fz[kRR], 1e-4 * weight);
-    // The car stands as drawn: the chassis is lowered by its tires' deflection, and level.
+    // The car stands as drawn, but lower by the deflection of its tires, and its chassis is level.
     const auto& chassis = state->bodies.poses[0];
     EXPECT_NEAR(chassis.place.x(), 0.75, 1e-3);
     EXPECT_LT((chassis.turn - Eigen::Matrix3d::Identity()).norm(), 5e-3);
@@ -89,7 +90,7 @@ road::TriangleRoad short_road() {
        .triangles = {{{0, 1, 2}}, {{0, 2, 3}}}});
 }
 
-// The front wheels begin at x = 1.55 m and reach the road's end after 3.45 m.
+// The front wheels start at x = 1.55 m, so they reach the end of the road after 3.45 m.
 TEST(Car, ATireOffTheRoadsEdgeIsNamedWhenItLeaves) {
   const auto car = made(race_car(true));
   const auto road = short_road();
@@ -130,14 +131,14 @@ TEST(Car, ATwistedChassisIsASpringAboutItsAxis) {
   ASSERT_EQ(parameters.fault(), "");
   const CarMechanism car = build(parameters);
   const auto& bodies = car.mechanism.bodies();
-  // Both halves together are the whole.
+  // The two halves of the chassis together have the mass and inertia of the undivided chassis.
   const multibody::BodyMass both =
       multibody::together({bodies[0].mass, bodies[0].origin, bodies[0].inertia},
                           {bodies[1].mass, bodies[1].origin, bodies[1].inertia});
   EXPECT_NEAR(both.mass, 180.0, 1e-12);
   EXPECT_LT((both.center - Vector3d(0.75, 0.0, 0.28)).norm(), 1e-12);
   EXPECT_LT((both.inertia - parameters.chassis.body.inertia).norm(), 1e-10);
-  // The rear half is held, and a moment acts on the front one.
+  // The rear half of the chassis is held while a moment twists the front half.
   auto joints = car.mechanism.joints();
   joints.push_back({"rig",
                     multibody::kGround,
@@ -189,7 +190,8 @@ TEST(Car, LoadersAreFoundFromTheForcesOfThePushrods) {
   ASSERT_TRUE(found) << found.failure().reason;
   EXPECT_LT((found->downforce - truth).norm(), 0.5);
   EXPECT_LT(found->left.norm(), 1.0);
-  // The part that the loaders cannot produce is reported: it equals the added part.
+  // A combination of push-rod forces that the loaders cannot produce was added to the measurement.
+  // The solution reports it as its remainder.
   measured += 100.0 * found->unreachable;
   found = solve_loaders(*car, loaders, measured, road::PlaneRoad{}, 0.0);
   ASSERT_TRUE(found);

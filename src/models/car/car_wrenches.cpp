@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wrenches on the bodies of a car (car.h): those of the guide, the driven axle, the air and the
-// wheels, with their slopes.
+// Forces and moments on the bodies of a car (car.h) with their derivatives: guide, driven axle,
+// aerodynamics and wheels.
 #include <array>
 #include <cmath>
 
@@ -57,7 +57,7 @@ void Car::add_guide(const Motion& motion,
   const std::size_t first = wrenches.size();
   add_guide(motion, point, wrenches);
   BodyForce& chassis = wrenches[first];
-  // A guide without stiffness in a direction does not start with a force there either.
+  // If the guide has no stiffness in a direction, its initial force in that direction is zero, too.
   if (guide.lateral > 0.0) chassis.value[1] += trim.lateral;
   if (guide.yaw > 0.0) chassis.value[5] += trim.yaw;
   const double pull = chassis.value[0] + trim.along;
@@ -100,8 +100,9 @@ void Car::add_air(const Motion& motion, double speed, std::vector<BodyForce>& wr
   const std::array<Vector3d, 2> arms = {
       arm(parameters_.front.corner.wheel_center.x(), air.floor_front),
       arm(parameters_.rear.corner.wheel_center.x(), air.floor_rear)};
-  std::array<Vector6d, 2> by_height;  // change of a height by the motion of the chassis; wrench of
-                                      // a lift
+  // Change of a ride height per displacement and rotation of the chassis; wrench of a vertical
+  // force there.
+  std::array<Vector6d, 2> by_height;
   for (std::size_t i = 0; i < 2; ++i)
     by_height[i] << Vector3d::UnitZ(), arms[i].cross(Vector3d::UnitZ());
   const auto c = air.at(pose.place.z() + arms[0].z(), pose.place.z() + arms[1].z());

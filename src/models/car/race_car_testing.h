@@ -57,7 +57,7 @@ inline CarParameters race_car(bool locked) {
   car.rear.inboard = rear;
   for (Axle* axle : {&car.front, &car.rear}) {
     Inboard& inboard = *axle->inboard;
-    // The axis of a rocker is at right angles to its rod and its damper's arm.
+    // The axis of a rocker is perpendicular to its arms to the push-rod and to the damper.
     const Eigen::Vector3d rod = axle->corner.points[suspension::DoubleWishbone::kPushrodInner];
     inboard.axis = (rod - inboard.pivot).cross(inboard.damper - inboard.pivot).normalized();
     inboard.unit.stiffness = 52538.0;

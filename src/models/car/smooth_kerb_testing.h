@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four smooth waves below the left wheels: height (sin π s/L)^4 with pitch L = 0.8 m, from x = 3 m.
-// The order of steps can be seen on it, if tires do not lift off.
+// A smooth kerb below the left wheels: four waves of height (sin π s/L)^4 with pitch L = 0.8 m,
+// from x = 3 m. Because it is smooth, the order of convergence of the time steps can be measured on
+// it, provided that no tire lifts off.
 #pragma once
 
 #include <cmath>

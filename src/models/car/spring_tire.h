@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The simplest tire: a vertical spring and damper at the point of the road below the wheel center.
 //   Fz = k (R - (z - h)) + c (h' - z'),  never a pull;  h' along the wheel's path
-// It has no other force. Linear car models use it.
+// k is the stiffness, c the damping, R the free radius, z the height of the wheel center, h that of
+// the road. The tire has no other forces. Linear car models use it.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +38,8 @@ class SpringTire final : public Tire {
     const road::GroundPoint ground = road.at(motion.center.x(), motion.center.y(), time);
     const Eigen::Vector3d& n = ground.normal;
     const Eigen::Vector3d& v = motion.velocity;
-    // h' = ∂h/∂t + v ∂h/∂x: the vertical velocity of moving ground, and the slope driven over.
+    // Vertical velocity of the road at the moving contact point: h' = ∂h/∂t + v ∂h/∂x, from moving
+    // ground and from the slope over which the tire rolls.
     const double rises = -(n.x() * v.x() + n.y() * v.y()) / n.z() + ground.velocity.dot(n) / n.z();
     const double force = std::max(
         0.0,

@@ -23,14 +23,16 @@ struct Aligning {
   R Dt, alphar_eq;
 };
 
-/// Effect of spin on the residual torque: its peak (4.E47) and shape (4.E45), (4.E46).
+/// Effects of spin on the residual torque: the change of its peak (4.E47) and of its shape (4.E45),
+/// (4.E46).
 template <class R>
 struct SpinTorque {
   R zeta6, Drp;
-  R share;  // Mz_phi90 / |D_rphi|: its arc cosine is that of zeta_7 (4.100)
+  R share;  // Mz_phi90 / |D_rphi|, whose arc cosine determines zeta_7 (4.100)
 };
 
-/// Returns cos(2/pi acos(x) a), continued analytically for x > 1 (acos x = i arcosh x).
+/// Returns cos(2/pi acos(x) a). For x > 1 it returns the analytic continuation, with acos x = i
+/// arcosh x.
 template <class R>
 LATSCH_INLINE R cosine_of_share(const R& x, const R& a) {
   const R inside = smaller(x, R(1.0));
@@ -60,12 +62,14 @@ LATSCH_INLINE SpinTorque<R> spin_torque(const TireOf<R>& tire,
   const R BDrp = Kzgr0 / (CDrp * DDrp * not_zero<R>(1.0 - o.epsilon_gamma));       // (4.98)
   s.Drp = DDrp * sin(CDrp * atan(BDrp * R0 * o.phit));                             // (4.93)
   const R Mzp90 = Mzp_inf * (2.0 / kPi) * atan(p.QCRP2 * R0 * abs(o.phit)) * Gyk;  // (4.103)
-  // On a straight path both vanish; their quotient tends to that of their slopes.
+  // On a straight path numerator and denominator of the quotient Mz_phi90 / |D_rphi| vanish. Its
+  // limit is the quotient of their derivatives.
   const R straight = Mzp_inf * (2.0 / kPi) * p.QCRP2 * Gyk / abs(BDrp * CDrp * DDrp);
-  // Without load there is no torque to take a share of.
+  // Without load both torques vanish, and the quotient is set to 1.
   s.share = select(Fz == 0.0, R(1.0), select(s.Drp == 0.0, straight, Mzp90 / abs(s.Drp)));
-  // Without stiffness against spin (4.100) has no value, and close to it none that means anything:
-  // the residual torque then does not depend on the slip angle.
+  // If the stiffness against spin is zero, the quotient in (4.100) is infinite, and near zero it
+  // has no physical meaning. It is then set to 1, and the residual torque does not depend on the
+  // slip angle.
   constexpr double kMostShare = 1e6;
   s.share = select(s.share < kMostShare, s.share, R(1.0));
   return s;
@@ -84,11 +88,11 @@ LATSCH_INLINE R residual_peak(const TireOf<R>& tire,
   const double zeta0 = conventions.turn_slip ? 0.0 : 1.0;  // (4.83)
   return o.Fz_moment * p.UNLOADED_RADIUS *
          ((p.QDZ6 + p.QDZ7 * o.dfz) * p.LRES * zeta2 + camber * zeta0) * o.LMUY_star * o.sign_Vx *
-         o.cos_alpha_star;  // (4.E47) without zeta_8 - 1
+         o.cos_alpha_star;  // the cosine of (4.E47), without zeta_8 - 1
 }
 
 /// Computes atan sqrt(tan^2 angle + drag^2) for two slip angles, and the arc tangent of `third`.
-/// The curves of the side force begin while the tangents are being computed.
+/// Meanwhile the evaluation of the side force's curves begins, so that the processor overlaps both.
 LATSCH_INLINE void equivalent_angles(const Lane (&angles)[2],
                                      const Lane& drag,
                                      const Lane& third,
@@ -115,8 +119,9 @@ LATSCH_INLINE void equivalent_angles(
   arcs[2] = atan(third);
 }
 
-/// Computes everything that does not need the other forces. The curve of the trail goes into
-/// `shapes`, which must already contain those of the side force; their evaluation begins here.
+/// Computes the terms of the aligning moment that need no other forces. The arguments of the
+/// trail's curve are written to `shapes`, which must already contain those of the side force's
+/// curves. The evaluation of these curves begins here.
 template <class R>
 LATSCH_INLINE Aligning<R> aligning_terms(const TireOf<R>& tire,
                                          const Conventions& conventions,

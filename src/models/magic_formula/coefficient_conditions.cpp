@@ -16,7 +16,8 @@ struct Row {
 using enum Condition;
 
 constexpr Row kRows[] = {
-    // Fx. The factor exp(PKX3 dfz) with 1 + PKX2 dfz makes the stiffness nonlinear in the load.
+    // Coefficients of Fx. Because of the product exp(PKX3 dfz) (1 + PKX2 dfz) the slip stiffness is
+    // nonlinear in the load.
     {"PDX2", load, 1},
     {"PDX3", camber, 1, true},
     {"PEX2", load, 1},
@@ -89,8 +90,8 @@ constexpr Row kRows[] = {
     {"SSZ3", camber, 1},
     {"SSZ4", camber, 1},
     {"SSZ4", load, 1},
-    // Mx, My, friction over speed. At one load QSX10 has the same form as QSX2, and QSX13 the
-    // same as QSX3.
+    // Coefficients of Mx and My, and of the decrease of friction with speed. At a single load QSX10
+    // has the same effect as QSX2, and QSX13 the same as QSX3.
     {"QSX2", camber, 1},
     {"QSX10", camber, 1},
     {"QSX10", load, 1},

@@ -20,33 +20,34 @@ namespace latsch::magic_formula {
 
 enum class Condition { load, camber, pressure, speed };
 
-/// Returns the column of states that holds a condition: "Fz", "gamma", "p", "Vx".
+/// Returns the name of the column of states that holds a condition: "Fz", "gamma", "p", "Vx".
 const char* channel_of(Condition condition);
-/// Returns "load", "camber", "pressure" or "speed".
+/// Returns the name of a condition in messages: "load", "camber", "pressure" or "speed".
 const char* name_of(Condition condition);
 
 struct ConditionOrder {
   Condition condition;
   int order = 1;
-  bool is_even = false;           // order in its square or modulus
-  bool needs_both_signs = false;  // both signs of the condition
+  bool is_even = false;  // true: the order counts powers of the condition's square or modulus
+  bool needs_both_signs = false;  // levels with both signs of the condition are needed
 };
 
-/// Returns an empty list for a coefficient of no condition and for an unknown name.
+/// Returns the conditions that a coefficient multiplies, with their orders. Returns an empty list
+/// for a coefficient that multiplies none and for an unknown name.
 std::vector<ConditionOrder> conditions_of(std::string_view coefficient);
 
-/// The levels of a condition that a recording contains.
+/// The different levels of one condition that a recording contains.
 struct LevelsOfCondition {
   int count = 0, count_of_modulus = 0;
   bool has_both_signs = false;
   std::string words = "no record";  // "2 levels: 69, 83 kPa"
 };
 
-/// The levels of every condition; the index is that of the enumeration.
+/// Levels of all conditions. The index is the value of the enumeration Condition.
 using ConditionLevels = std::array<LevelsOfCondition, 4>;
 
-/// Returns why the levels cannot determine a coefficient: "of order 2 in the pressure, of which
-/// there are 2 levels: 69, 83 kPa"; empty if they can.
+/// Returns the reason why these levels cannot determine a coefficient, such as "of order 2 in the
+/// pressure, of which there are 2 levels: 69, 83 kPa". Returns an empty text if they can.
 std::string reason_against(std::string_view coefficient, const ConditionLevels& levels);
 
 }  // namespace latsch::magic_formula

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points in which implementations of the Magic Formula differ, and the caller's choice.
+// Points in which implementations of the Magic Formula differ, as options that the caller chooses.
 #pragma once
 
 namespace latsch::magic_formula {
@@ -10,17 +10,18 @@ enum class Angles {
 };
 
 struct Conventions {
-  /// True: inputs are clamped to the ranges of the file, everything fades out below VXLOW, and E <=
-  /// 1.
+  /// True: the inputs are clamped to the ranges of the file, forces fade out at speeds below VXLOW,
+  /// and E <= 1.
   bool limits = true;
   Angles angles = Angles::direct;
-  /// Uses the spin terms zeta_0 ... zeta_8 of [Pacejka 2012, 4.3.3]; without effect on a tire whose
-  /// file has no turn slip coefficients.
+  /// True: the spin terms zeta_0 ... zeta_8 of [Pacejka 2012, 4.3.3] are included. They have no
+  /// effect if the file has no coefficients of turn slip.
   bool turn_slip = false;
-  /// Factor of the digressive friction (4.E8): the book suggests 10, MF-Tyre has 1.
+  /// Factor A_mu of the decrease of friction with sliding speed (4.E8). The book suggests 10;
+  /// MF-Tyre uses 1.
   double A_mu = 1.0;
-  /// True if the tire is mounted on the other side than it was measured for: alpha, gamma, phit,
-  /// Fy, Mx, Mz change sign.
+  /// True if the tire is mounted on the side of the car opposite to that for which it was measured.
+  /// Then alpha, gamma, phit, Fy, Mx and Mz change their signs.
   bool mirrored = false;
 };
 

@@ -9,7 +9,8 @@
 namespace latsch::magic_formula {
 namespace {
 
-/// Returns 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3).
+/// Returns the factor 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 of the vertical
+/// force in (3).
 template <class K>
 K stiffening(const TireConstantsOf<K>& tire, const K& omega, const K& x, const K& y) {
   using std::abs;
@@ -23,9 +24,10 @@ K at_least(const K& x, double lower) {
 
 }  // namespace
 
-/// Returns Fz with rho_z = rho_zfr + rho_zg: Fz = [1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 -
-/// ((rho_z/R0)^q_FCy2 q_FCy (Fy - S_Fyg)/Fz0)^2] (q_Fz1 rho_z/R0 + q_Fz2 (rho_z/R0)^2) (1 + p_Fz1
-/// dp) Fz0.
+/// Returns the vertical force Fz at the deflection rho_z = rho_zfr + rho_zg:
+///   Fz = [1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2
+///         - ((rho_z/R0)^q_FCy2 q_FCy (Fy - S_Fyg)/Fz0)^2]
+///        (q_Fz1 rho_z/R0 + q_Fz2 (rho_z/R0)^2) (1 + p_Fz1 dp) Fz0
 template <class K>
 K vertical_force_62(const TireConstantsOf<K>& tire,
                     const WheelUnderLoadOf<K>& o,
@@ -61,9 +63,10 @@ Deflection62 deflection_62(const TireConstants& tire,
   const auto surplus = [&](double R_l) {
     return vertical_force_62<double>(tire, o, R_l, Fx, Fy, nullptr) - o.Fz_given;
   };
-  // Smaller radii carry more, so the radius is reduced in steps until the load is bracketed. With
-  // camber the shoulder is pressed even if the crown is clear of the road, so the search may also
-  // go up. If no radius carries as little as the load, the wheel is at its free radius.
+  // The force decreases with the loaded radius, so the radius is reduced in steps until two values
+  // bracket the load. With camber the shoulder of the tire touches the road even if the crown does
+  // not, so the search may also go upward. If the force exceeds the load at every radius, the wheel
+  // is at its free radius.
   const double step = 0.01 * tire.p.UNLOADED_RADIUS;
   double above = o.R_omega, f_above = surplus(above);
   double below = above, f_below = f_above;
@@ -82,11 +85,12 @@ Deflection62 deflection_62(const TireConstants& tire,
   Deflection62 d;
   d.carried = !(f_above > 0.0 || f_below < 0.0);
   if (f_above > 0.0) above = below = o.R_omega;
-  if (f_below < 0.0) {  // no radius carries it
+  if (f_below < 0.0) {  // at no radius the tire carries the load
     d.R_l = 0.0;
   } else {
     for (int i = 0; i < 60 && above - below > 1e-15; ++i) {
-      // Illinois method: the secant, with the older end halved so that both ends move.
+      // Illinois method: a secant step in which the function value at the older end is halved, so
+      // that both ends of the bracket move.
       double middle = (above * f_below - below * f_above) / (f_below - f_above);
       if (!(middle > below && middle < above)) middle = 0.5 * (below + above);
       const double f = surplus(middle);
@@ -122,7 +126,8 @@ DualDeflection62 deflection_62(const TireConstants& tire,
     const DualNumber surplus =
         vertical_force_62<DualNumber>(dual_tire, o, radius, Fx, Fy, nullptr) - o.Fz_given;
     const double stiffness = -surplus.slope(spare);
-    // Without load the wheel only just touches.
+    // Without load the stiffness is zero, the tire barely touches the road, and R_l equals the free
+    // radius.
     d.R_l = stiffness > 0.0 ? DualNumber(found.R_l, without(surplus, spare, 1.0 / stiffness))
                             : DualNumber(found.R_l, o.R_omega.slopes);
   } else if (found.R_l > 0.0) {

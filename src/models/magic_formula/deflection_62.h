@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The deflection of MF 6.2, which depends on camber and side force, by a stepwise search and the
-// secant method: one state at a time, in plain doubles. The deflections of 5.2 and 6.1 have a
-// closed form in geometry.h.
+// Deflection of a tire in MF 6.2, where it depends on camber and side force. It is found by a
+// search in steps and the secant method, for one state at a time. The deflections of MF 5.2 and 6.1
+// have a closed form in geometry.h.
 #pragma once
 
 #include "models/magic_formula/tire_constants.h"
 
 namespace latsch::magic_formula {
 
-/// The variables of a state that the deflection depends on.
+/// Variables of a state on which the deflection depends.
 template <class R>
 struct WheelUnderLoadOf {
-  R Fz, Fz_given;  // N, limited; as given
+  R Fz, Fz_given;  // N, load: limited to the range of the file; as given
   R omega, gamma;  // rad/s, rad
   R dpi;           // (4.E2b)
-  R R_omega;       // m, free radius at speed
+  R R_omega;       // m, free radius of the rolling tire at this speed
 };
 using WheelUnderLoad = WheelUnderLoadOf<double>;
 
@@ -28,8 +28,8 @@ Deflection62 deflection_62(const TireConstants& tire,
                            double Fx,
                            double Fy);
 
-/// Returns the deflection with slopes: dR_l = (dF - dFz)/(-dF/dR_l). `spare` is a direction in
-/// which nothing else has slopes.
+/// Returns the deflection with its derivatives: dR_l = (dF - dFz)/(-dF/dR_l). `spare` is a
+/// direction of derivatives that no other quantity uses.
 struct DualDeflection62 {
   DualNumber rho, R_l;
 };

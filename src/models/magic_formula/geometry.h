@@ -3,8 +3,8 @@
 //
 // (1)-(10), (17)-(19): [Besselink et al. 2010]. In MF 6.2 the deflection depends on camber, and the
 // effect of the side force grows with it. MF 5.2 has separate relaxation lengths (PTX, PTY) and a
-// separate patch length (Q_A1, Q_A2). Two sign rules keep denominators above zero. A load that no
-// deflection carries has no loaded radius (0).
+// separate patch length (Q_A1, Q_A2). Two sign rules keep denominators above zero. If the tire
+// carries the load at no deflection, the loaded radius is returned as 0.
 #if defined(LATSCH_MAGIC_FORMULA_GEOMETRY) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_GEOMETRY
 #undef LATSCH_MAGIC_FORMULA_GEOMETRY
@@ -21,13 +21,15 @@ struct Deflection {
   R rho, R_l;
 };
 
-/// Returns 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 (3).
+/// Returns the factor 1 + q_V2 |omega| R0/V0 - (q_FCx Fx/Fz0)^2 - (q_FCy Fy/Fz0)^2 of the vertical
+/// force in (3).
 template <class R>
 LATSCH_INLINE R stiffening(const TireOf<R>& tire, const R& omega, const R& x, const R& y) {
   return 1.0 + tire.p.Q_V2 * tire.R0_per_V0 * abs(omega) - x * x - y * y;
 }
 
-/// Returns the deflection that carries the load (3), solved for rho; MF 5.2 and 6.1.
+/// Returns the deflection at which the tire carries its load, equation (3) solved for rho, for MF
+/// 5.2 and 6.1.
 template <class R>
 LATSCH_INLINE Deflection<R> deflection(const TireOf<R>& tire,
                                        const OperatingPoint<R>& o,
@@ -49,7 +51,7 @@ LATSCH_INLINE Deflection<R> deflection(const TireOf<R>& tire,
 
 template <class R>
 struct Patch {
-  R a, b;  // half length, half width
+  R a, b;  // half length and half width of the patch
 };
 
 template <class R>

@@ -18,7 +18,7 @@ struct PureLateral {
   R Fy0, muy, Kya, per_Kya_prime, SHy, SVy, By, Cy, Dy, zeta2;
 };
 
-/// Returns K_ya (4.E25), cambered or upright.
+/// Returns the cornering stiffness K_ya (4.E25), with camber or without.
 template <class R>
 LATSCH_INLINE R cornering_stiffness(const TireOf<R>& tire,
                                     const OperatingPoint<R>& o,
@@ -30,7 +30,7 @@ LATSCH_INLINE R cornering_stiffness(const TireOf<R>& tire,
          sine * zeta3 * p.LKY;
 }
 
-/// Returns K_yg0 (4.E30); for MF 5.2 from its shifts.
+/// Returns the camber stiffness K_yg0 (4.E30). For MF 5.2 it follows from the shifts.
 template <class R>
 LATSCH_INLINE R camber_stiffness(const TireOf<R>& tire, const OperatingPoint<R>& o) {
   const auto& p = tire.p;
@@ -47,7 +47,7 @@ LATSCH_INLINE R with_epsilon(const R& stiffness) {
   return stiffness + epsilon_for(stiffness);  // (4.E39)
 }
 
-/// Returns zeta_2 (4.77), (4.78).
+/// Returns zeta_2 (4.77), (4.78), the factor by which spin reduces the peak of the side force.
 template <class R>
 LATSCH_INLINE R peak_reduction_by_spin(const CoefficientsFor<R>& p, const OperatingPoint<R>& o) {
   const R Byp = p.PDYP1 * (1.0 + p.PDYP2 * o.dfz) * cos_atan(p.PDYP3 * o.tan_alpha);
@@ -55,7 +55,7 @@ LATSCH_INLINE R peak_reduction_by_spin(const CoefficientsFor<R>& p, const Operat
   return cos_atan(Byp * (turns + p.PDYP4 * sqrt(turns)));
 }
 
-/// Returns S_Hyphi (4.80), (4.85)-(4.89).
+/// Returns S_Hyphi (4.80), (4.85)-(4.89), the horizontal shift of the side-force curve by spin.
 template <class R>
 LATSCH_INLINE R shift_by_spin(const TireOf<R>& tire,
                               const Conventions& conventions,
@@ -66,7 +66,8 @@ LATSCH_INLINE R shift_by_spin(const TireOf<R>& tire,
   const R DHyp = (p.PHYP2 + p.PHYP3 * o.dfz) * o.sign_Vx;                          // (4.86)
   const R EHyp = R(conventions.limits && p.PHYP4 > 1.0 ? 1.0 : p.PHYP4);           // (4.87)
   const R KyRp0 = camber_stiffness(tire, o) / not_zero<R>(1.0 - o.epsilon_gamma);  // (4.89)
-  // Without height (PHYP2 = 0) the curve is 0, however steep; far beyond its bend it is flat.
+  // If the curve's amplitude is 0 (PHYP2 = 0), the shift is 0 for any steepness, so the steepness
+  // may be limited. Far beyond its bend the curve is flat.
   constexpr double kSteep = 1e100;
   const R steepness = KyRp0 / not_zero<R>(CHyp * DHyp * with_epsilon(Kya0));  // (4.88)
   const R BHyp = larger(smaller(steepness, R(kSteep)), R(-kSteep));
@@ -85,15 +86,15 @@ LATSCH_INLINE R shift_by_camber(const TireOf<R>& tire,
                                 const R& zeta3) {
   const auto& p = tire.p;
   if (tire.mf52) return p.PHY3 * gamma_star * p.LKYC;
-  if (conventions.turn_slip) {  // zeta_0 = 0 (4.83); this is zeta_4 - 1 (4.84)
+  if (conventions.turn_slip) {  // with spin, zeta_0 = 0 (4.83), and the term is zeta_4 - 1 (4.84)
     const R Kya0 = cornering_stiffness<R>(tire, o, R(0.0), o.sin_K0, zeta3);
     return shift_by_spin(tire, conventions, o, Kya0) - SVyg * per_Kya_prime;
   }
   return (camber_stiffness(tire, o) * gamma_star - SVyg) * per_Kya_prime;
 }
 
-/// Computes everything except Fy0, for the cambered or for the upright wheel; the curve goes into
-/// `shapes`.
+/// Computes the terms of the pure side force except Fy0 itself, for the cambered or the upright
+/// wheel. The arguments of its curve are written to `shapes`.
 template <class R>
 LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireOf<R>& tire,
                                                 const Conventions& conventions,
@@ -114,7 +115,7 @@ LATSCH_INLINE PureLateral<R> pure_lateral_terms(const TireOf<R>& tire,
   if (!upright || conventions.turn_slip) y.per_Kya_prime = 1.0 / with_epsilon(y.Kya);     // (4.E39)
   const R SVyg =
       o.Fz * (p.PVY3 + p.PVY4 * dfz) * gamma_star * p.LKYC * o.LMUY_prime * y.zeta2;  // (4.E28)
-  // Upright and on a straight path camber causes no shift.
+  // Camber causes no shift if the wheel is upright and moves on a straight path.
   const R by_camber =
       upright && !conventions.turn_slip
           ? R(0.0)
@@ -152,7 +153,7 @@ struct CombinedLateral {
   R Fy, Gyk, SVyk;
 };
 
-/// Computes S_Vyk and the two curves.
+/// Computes S_Vyk and the arguments of the two weighting curves for combined slip.
 template <class R>
 LATSCH_INLINE CombinedLateral<R> combined_lateral_terms(const TireOf<R>& tire,
                                                         const Conventions& conventions,

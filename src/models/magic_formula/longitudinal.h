@@ -17,7 +17,8 @@ struct Longitudinal {
   R Dx, SVx;
 };
 
-/// Computes everything except Fx; its three curves go into `shapes`.
+/// Computes the terms of the longitudinal force except Fx itself. The arguments of its three curves
+/// are written to `shapes`.
 template <class R>
 LATSCH_INLINE Longitudinal<R> longitudinal_terms(const TireOf<R>& tire,
                                                  const Conventions& conventions,

@@ -18,7 +18,7 @@ Conventions usable(Conventions conventions, const Parameters& parameters) {
   return conventions;
 }
 
-/// True if the kernels do not compute the deflection.
+/// Returns true if the deflection is computed outside of the vectorized kernels.
 bool deflects_otherwise(const Parameters& p) {
   return p.version == Version::mf62 || has_load_curve(p);
 }

@@ -5,8 +5,8 @@
 // Axes: ISO-W at the contact point (NOTATION.md). alpha > 0 gives Fy < 0, kappa = -1 is a locked
 // wheel, Vsx = -kappa |Vx|. Sources and the points in which implementations differ:
 // docs/magic_formula.md. The equations are in operating_point.h, longitudinal.h, lateral.h,
-// aligning.h, moments.h and geometry.h. They are written once for one state and for eight side by
-// side, and for each kernel set (kernel_set.h).
+// aligning.h, moments.h and geometry.h. The source of the equations is compiled for one state and
+// for eight states at a time, and for each kernel set (kernel_set.h).
 #pragma once
 
 #include <span>
@@ -18,22 +18,23 @@ namespace latsch::magic_formula {
 
 using State = StateOf<double>;
 
-/// Results of a state. Every field has the name and unit of `magic_formula_columns`.
+/// Steady-state results for one state. Every field has the name and unit of
+/// `magic_formula_columns`.
 template <class R>
 struct SteadyStateOf {
   R Fx, Fy, Fz;        // N
   R Mx, My, Mz;        // N m
   R R_e, R_l, rho;     // m: effective and loaded radius, deflection
   R a, b;              // m: half length and half width of the contact patch
-  R t, Mzr;            // m, N m: pneumatic trail, residual torque
+  R t, Mzr;            // m: pneumatic trail; N m: residual torque
   R mux, muy, omega;   // 1, 1, rad/s
-  R Kxk, Kya;          // N, N/rad: slip stiffnesses
-  R Cx, Cy, Cz;        // N/m: overall stiffnesses, vertical as secant
+  R Kxk, Kya;          // N; N/rad: longitudinal slip stiffness and cornering stiffness
+  R Cx, Cy, Cz;        // N/m: overall stiffnesses; the vertical one is a secant
   R sigma_x, sigma_y;  // m: relaxation lengths
 };
 using SteadyState = SteadyStateOf<double>;
 
-/// Many states, one column for each member, all of one length.
+/// Many states, stored as one column per field. All columns have the same length.
 struct StateColumns {
   std::span<const double> Fz, kappa, alpha, gamma, phit, Vx, p;
 };
@@ -49,13 +50,14 @@ class MagicFormula {
   const Conventions& conventions() const { return conventions_; }
 
   SteadyState evaluate(const State& state) const;
-  /// Evaluates many states, several times faster. The results are identical to the last bit.
+  /// Evaluates many states, several times faster than one by one. The results are identical to the
+  /// last bit.
   void evaluate(std::span<const State> states, std::span<SteadyState> results) const;
-  /// Computes only forces and moments.
+  /// Computes only the forces and moments of many states.
   void forces(const StateColumns& states, const ForceColumns& results) const;
 
-  /// For MF 6.2 and below: returns the vertical force at a deflection, N; the inverse of `rho` for
-  /// forces Fx, Fy, N, and a spin in rad/s.
+  /// Returns the vertical force at a deflection, N, for all versions up to MF 6.2. It is the
+  /// inverse of `rho` for horizontal forces Fx, Fy (N) and a spin omega (rad/s).
   double vertical_force(
       double rho, double omega, double gamma, double p, double Fx, double Fy) const;
 

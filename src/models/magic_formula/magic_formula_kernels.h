@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Magic Formula for one state and for many, eight at a time.
+// Kernels that evaluate the Magic Formula for one state, and for eight states at a time.
 #include "models/magic_formula/steady_state.h"
 
 namespace latsch::magic_formula::LATSCH_KERNELS {
 
-// States and results are stored as structs of doubles; these functions arrange them field by field.
+// States and results are stored as structs of doubles. These functions convert eight structs to one
+// struct of vectors, and back.
 
 template <class Fields>
 constexpr int kFieldsOf = sizeof(Fields) / sizeof(double);
 
-/// Converts eight structs of doubles to one struct of Lanes.
+/// Converts eight structs of doubles to one struct of Lanes, field by field.
 template <class Wide, class Narrow>
 LATSCH_INLINE Wide side_by_side(const Narrow* eight) {
   static_assert(sizeof(Wide) == 8 * sizeof(Narrow));
@@ -43,13 +44,14 @@ LATSCH_INLINE void one_by_one(const Wide& wide, Narrow* eight) {
   }
 }
 
-/// `wheel` receives the variables that the deflection of MF 6.2 depends on.
+/// Evaluates one state. `wheel` receives the variables on which the deflection of MF 6.2 depends.
 void evaluate_one(const TireConstants& tire,
                   const Conventions& conventions,
                   const State& state,
                   SteadyState& result,
                   WheelUnderLoad& wheel) {
-  // Results are written to their final memory: a copy of values just written would wait for them.
+  // Results are written directly to their final memory, because the processor would stall if it
+  // copied values right after they were written.
   static_assert(sizeof(Lane) == sizeof(double));
   steady_state(tire,
                conventions,
@@ -70,7 +72,8 @@ void evaluate_eight(const TireConstants& tire,
   if (wheels != nullptr) one_by_one(at, wheels);
 }
 
-/// `count` is a multiple of eight; columns are in the order of StateOf and Forces.
+/// Computes the forces of `count` states, a multiple of eight. The columns are in the order of the
+/// fields of StateOf and Forces.
 void forces_of_columns(const TireConstants& tire,
                        const Conventions& conventions,
                        const double* const* in,

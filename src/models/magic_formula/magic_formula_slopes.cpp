@@ -13,7 +13,7 @@
 namespace latsch::magic_formula {
 namespace {
 
-/// A struct of doubles for eight states, with slopes of each field.
+/// Fields of eight states as doubles, with the derivatives of each field.
 template <int fields>
 struct FieldsOfEight {
   double values[fields][8];
@@ -34,14 +34,15 @@ using WheelOfEight = FieldsOfEight<kFieldsIn<WheelUnderLoad>>;
 namespace latsch::magic_formula {
 namespace {
 
-/// Number of directions of one pass; one is spare, for the deflection of MF 6.2.
+/// Largest number of variables for which one pass computes derivatives. One direction is reserved
+/// for the deflection of MF 6.2.
 constexpr std::size_t kVariables = SlopeArena::kDirections - 1;
 constexpr int kSpare = SlopeArena::kDirections - 1;
 
 constexpr const char* kStateNames[] = {"Fz", "kappa", "alpha", "gamma", "phit", "Vx", "p"};
 static_assert(std::size(kStateNames) == kFieldsIn<State>);
 
-/// Members in the order of parameter_fields().
+/// Members of the coefficients in the order of parameter_fields().
 using DualCoefficients = CoefficientsOf<DualNumber>;
 constexpr DualNumber DualCoefficients::*kDualMembers[] = {
 #define LATSCH_MEMBER(section, name, value, unit) &DualCoefficients::name,
@@ -49,7 +50,7 @@ constexpr DualNumber DualCoefficients::*kDualMembers[] = {
 #undef LATSCH_MEMBER
 };
 
-/// A variable: a coefficient or a field of the state.
+/// A variable of the derivatives: either a coefficient or a field of the state.
 struct Variable {
   std::optional<std::size_t> coefficient, state;
 };
@@ -91,8 +92,8 @@ AskedOutputs asked_for(std::span<const Output> outputs) {
   return asked;
 }
 
-/// A pass over up to kVariables variables. Its results are stored in the arena as long as it
-/// exists.
+/// Computes derivatives with respect to up to kVariables variables. The results are stored in the
+/// arena of this object.
 class Pass {
  public:
   Pass(const MagicFormula& tire, std::span<const Variable> variables, const AskedOutputs& asked)
@@ -102,7 +103,7 @@ class Pass {
         asked_(asked),
         start_(arena_.mark()) {}
 
-  /// The result is valid until the next call.
+  /// Evaluates eight states. The result is valid until the next call.
   const SteadyStateOfEight& eight(const State* states) {
     arena_.rewind(start_);
     for (int k = 0; k < 8; ++k)
@@ -127,8 +128,8 @@ class Pass {
       const DualNumber one = DualNumber::variable(0.0, static_cast<int>(j), arena_);
       if (const auto i = variables[j].coefficient) {
         DualNumber& x = p.*kDualMembers[*i];
-        x.slopes = (DualNumber(0.0, x.slopes) + one).slopes;  // a coefficient that is requested
-                                                              // twice has both slopes
+        // If a coefficient is requested twice, it has a derivative in both directions.
+        x.slopes = (DualNumber(0.0, x.slopes) + one).slopes;
       } else {
         const SlopeBlock*& slopes = state_.slopes[*variables[j].state];
         slopes = (DualNumber(0.0, slopes) + one).slopes;
@@ -137,7 +138,7 @@ class Pass {
     return p;
   }
 
-  /// Returns field i of state k, with its slopes, as one number.
+  /// Returns field i of state k with its derivatives as one dual number.
   template <int fields>
   DualNumber alone(const FieldsOfEight<fields>& eight, std::size_t i, int k) {
     const SlopeBlock* of_eight = eight.slopes[i];
@@ -148,7 +149,7 @@ class Pass {
     return {eight.values[i][k], made};
   }
 
-  /// Joins eight numbers with slopes to one field.
+  /// Stores the dual numbers of eight states as one field of the result.
   void join(const DualNumber* eight, Output output) {
     std::uint64_t directions = 0;
     for (int k = 0; k < 8; ++k)
@@ -213,7 +214,8 @@ class Pass {
   SlopeArena::Mark start_;
 };
 
-/// Writes `here` rows, from row `at` on, of the slopes of one output; `to` is 0 before.
+/// Copies the derivatives of one output for `here` states to the rows of `to` from row `at` on.
+/// `to` must contain zeros.
 void put_slopes(const SlopeBlock* slopes,
                 std::size_t first,
                 Eigen::Index at,
@@ -223,7 +225,7 @@ void put_slopes(const SlopeBlock* slopes,
   const double* from = slopes->values();
   for (std::uint64_t left = slopes->directions; left != 0; left &= left - 1, from += 8) {
     const Eigen::Index j = first + __builtin_ctzll(left);
-    if (j >= to.cols()) break;  // the spare direction, which is not requested
+    if (j >= to.cols()) break;  // the reserved direction belongs to no variable
     double* column = &to(at, j);
     if (here == 8)
       for (int k = 0; k < 8; ++k) column[k] = from[k];

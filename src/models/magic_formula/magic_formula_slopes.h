@@ -9,13 +9,14 @@
 // costs about two evaluations plus the equations that depend on the variables, so request only the
 // variables you vary and the outputs you compare.
 //
-// Kinks: the slope of |x| at 0 is that for rising x, the slope of sign(x) at 0 is 0. At and beyond
-// a limit (a clamped input, E > 1, FZMAX, VXLOW) it is that of the limited side. At E = 1 itself, a
-// usual bound of a fit, it is that of the free side. At jumps (Fz = 0, Vx = 0, a switch between
-// equations) it is that of the piece the value belongs to. Parameters whose absence from a file
-// switches equations (Q_A1 and Q_A2, PTY2, LONGITUDINAL_STIFFNESS, LATERAL_STIFFNESS, Q_CAM1 and
-// Q_CAM2, FZMIN, VXLOW at 0) have the slope 0 of such a file at 0. Others that are 0 by default,
-// such as QSX4, QSX10 and LMUV, have their own slope at 0.
+// At kinks, slopes follow these rules. The slope of |x| at 0 is that for increasing x; the slope of
+// sign(x) at 0 is 0. At and beyond a limit (a clamped input, E > 1, FZMAX, VXLOW) the slope is that
+// of the limited side. At E = 1 itself, a usual bound of a fit, it is that of the side E < 1. At
+// jumps (Fz = 0, Vx = 0, a switch between equations) it is that of the branch to which the value
+// belongs. Parameters whose absence from a file switches equations (Q_A1 and Q_A2, PTY2,
+// LONGITUDINAL_STIFFNESS, LATERAL_STIFFNESS, Q_CAM1 and Q_CAM2, FZMIN, VXLOW at 0) have the slope 0
+// if they are 0. Other parameters that are 0 by default, such as QSX4, QSX10 and LMUV, have their
+// proper slope at 0.
 //
 // If an output is not finite, its slopes need not be finite either: NaN results from computations
 // with NaN. A variable without effect still has slope 0.
@@ -30,22 +31,23 @@
 
 namespace latsch::magic_formula {
 
-/// A member of SteadyState as output, for example &SteadyState::Fy.
+/// An output of the formula as a pointer to a member of SteadyState, for example &SteadyState::Fy.
 using Output = double SteadyState::*;
 
 struct SteadyStateSlopes {
-  Eigen::MatrixXd values;               // (state, output): identical to evaluate() to the bit
-  std::vector<Eigen::MatrixXd> slopes;  // for each output: (state, variable)
+  Eigen::MatrixXd values;  // rows: states, columns: outputs; identical to evaluate() to the bit
+  // For each output a matrix; rows: states, columns: variables.
+  std::vector<Eigen::MatrixXd> slopes;
 };
 
-/// Returns d outputs / d variables of many states. Throws InputError for an unknown variable, with
-/// the nearest name.
+/// Returns the derivatives of the outputs with respect to the variables for many states. Throws
+/// InputError for an unknown variable and proposes the most similar name.
 SteadyStateSlopes steady_state_slopes(const MagicFormula& tire,
                                       std::span<const State> states,
                                       std::span<const std::string> variables,
                                       std::span<const Output> outputs);
-/// Computes the slopes into the result of an earlier call. An allocation at every step of a search
-/// would take as long as the slopes.
+/// Computes the derivatives into the result of an earlier call. Allocating a new result at every
+/// step of a search would take as long as computing it.
 void steady_state_slopes(const MagicFormula& tire,
                          std::span<const State> states,
                          std::span<const std::string> variables,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Magic Formula for eight states with slopes.
+// Kernel that evaluates the Magic Formula for eight states with derivatives.
 #include "models/magic_formula/steady_state.h"
 
 namespace latsch::magic_formula::LATSCH_KERNELS {
 
 using DualEight = DualLanes<Lanes>;
 
-// Structs of dual lanes are read as arrays of their fields.
+// Splits a struct of dual numbers into values and derivatives; the struct is read as an array of
+// its fields.
 template <class Fields, class Eight>
 LATSCH_INLINE void take_apart(const Fields& fields, Eight& eight) {
   static_assert(sizeof fields == std::size(decltype(eight.values){}) * sizeof(DualEight));

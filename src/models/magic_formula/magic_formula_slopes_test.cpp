@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes are compared with closed forms and with differences of the plain formula, and tested at
-// points where they are one-sided by convention. For the sample tires see
+// Tests the derivatives of the Magic Formula against closed forms and finite differences, and at
+// kinks, where they are one-sided by convention. The tests with sample tires are in
 // verification/magic_formula.
 #include "models/magic_formula/magic_formula_slopes.h"
 
@@ -29,7 +29,8 @@ double slope(const MagicFormula& tire,
   return steady_state_slopes(tire, {&at, 1}, variables, {&output, 1}).slopes[0](0, 0);
 }
 
-/// Returns a tire without zero among the coefficients without unit, so that all have an effect.
+/// Returns a tire all of whose dimensionless coefficients differ from zero, so that each of them
+/// has an effect.
 Parameters full_tire(Version version) {
   Parameters p = round_tire();
   p.version = version;
@@ -62,7 +63,7 @@ std::vector<State> varied_states(int count) {
                       within(-0.2, 0.2),
                       within(-30, 30),
                       within(1.5e5, 3e5)});
-    if (i % 7 == 0) states.back().Vx *= 0.03;  // below VXLOW
+    if (i % 7 == 0) states.back().Vx *= 0.03;  // this speed is below VXLOW
     if (i % 5 == 0) states.back().kappa = 0.0;
     if (i % 6 == 0) states.back().gamma = 0.0;
     if (i % 8 == 0) states.back().phit = 0.0;
@@ -110,7 +111,8 @@ TEST(MagicFormulaSlopes, AtThePeakTheForceGrowsAsFrictionDoes) {
   const MagicFormula tire(round_tire());
   State at = kCornering;
   at.alpha = 0.0;
-  // The sine has no slope at C atan(Bx - E (Bx - atan Bx)) = pi/2, which is found by bisection.
+  // The derivative of the force is zero at its peak, where C atan(Bx - E (Bx - atan Bx)) = pi/2.
+  // This kappa is found by bisection.
   double low = 0.0, high = 0.3;
   for (int i = 0; i < 80; ++i) {
     at.kappa = 0.5 * (low + high);
@@ -126,7 +128,7 @@ TEST(MagicFormulaSlopes, FarSlidingTheForceIsPeakTimesTheSineOfTheShape) {
   no_limits.limits = false;
   const MagicFormula tire(p, no_limits);
   State far = kCornering;
-  far.alpha = 1e4;  // B alpha = 1e5: the rest of the arc is 1e-5
+  far.alpha = 1e4;  // B alpha = 1e5, so atan(B alpha) is 1e-5 below its limit
   const double C = 1.3, angle = C * 0.5 * std::numbers::pi;
   EXPECT_NEAR(slope(tire, far, &S::Fy, "PDY1"), -4000.0 * std::sin(angle), 0.4);
   EXPECT_NEAR(
@@ -141,13 +143,15 @@ TEST(MagicFormulaSlopes, StiffnessesAreSlopesOfForcesInSlip) {
     State rolling = kCornering;
     rolling.alpha = 0.0;
     const SteadyState s = tire.evaluate(rolling);
-    // (4.E16) and (4.E26) divide by D + 1e-6.
+    // Equations (4.E16) and (4.E26) divide by D + 1e-6, so the slope differs slightly from the
+    // stiffness.
     EXPECT_NEAR(slope(tire, rolling, &S::Fx, "kappa"), s.Kxk, 1e-9 * s.Kxk);
     EXPECT_NEAR(slope(tire, rolling, &S::Fy, "alpha"), s.Kya, -1e-9 * s.Kya);
   }
 }
 
-// Euler's theorem: if all loads and stiffnesses grow by a factor, all forces grow by that factor.
+// If all loads and stiffnesses grow by a factor, all forces grow by that factor. By Euler's theorem
+// on homogeneous functions the derivatives weighted with their variables then add up to the force.
 TEST(MagicFormulaSlopes, ForcesAreHomogeneousInForces) {
   const std::vector<std::string> variables = {"Fz",
                                               "FNOMIN",
@@ -210,14 +214,15 @@ TEST(MagicFormulaSlopes, AtAKinkThoseOfTheSideThatIsSaid) {
   p.QSX14 = 0.02;
   p.ALPMAX = 0.08;
   const MagicFormula tire(p);
-  // The slope of |gamma| at 0 is that for rising gamma; the term Fy |gamma| contributes.
+  // The derivative of |gamma| at gamma = 0 is that for increasing gamma, so the term Fy |gamma|
+  // contributes.
   State rising = kCornering;
   rising.alpha = 0.05;
   const State upright = rising;
   rising.gamma = 1e-7;
   const double to_the_right = (tire.evaluate(rising).Mx - tire.evaluate(upright).Mx) / 1e-7;
   EXPECT_NEAR(slope(tire, upright, &S::Mx, "gamma"), to_the_right, 1e-4 * std::abs(to_the_right));
-  // At the edge of a clamp the slope is that of the limited side.
+  // At the limit of a clamped input the derivative is that of the clamped side, which is zero.
   State clamped = kCornering;
   EXPECT_EQ(slope(tire, clamped, &S::Fy, "alpha"), 0.0);
   p.ALPMAX = 0.09;
@@ -225,7 +230,8 @@ TEST(MagicFormulaSlopes, AtAKinkThoseOfTheSideThatIsSaid) {
                    slope(MagicFormula(p), clamped, &S::Fy, "alpha"));
 }
 
-// A fit whose PEY1 or QEZ1 has reached its bound needs the slope toward the free side.
+// If PEY1 or QEZ1 has reached its bound E = 1 in a fit, the derivative must be that of the side E <
+// 1, so that the fit can leave the bound.
 TEST(MagicFormulaSlopes, AtTheLargestCurvatureFactorThoseOfTheWayBack) {
   constexpr double kStep = 1e-6;
   for (const auto& [name, output] : {std::pair{"PEY1", &S::Fy}, std::pair{"QEZ1", &S::Mz}}) {
@@ -295,7 +301,7 @@ TEST(MagicFormulaSlopes, OneStateAsManyAnyVariablesAskedTwiceAnyOrder) {
         for (std::size_t j = 0; j < variables.size(); ++j) {
           if (variables[j] != name) continue;
           const double alone = slope(tire, states[i], all_outputs()[o], name);
-          // The deflection is solved to 1e-15 m, from one end or the other.
+          // The deflection is solved to 1e-15 m, and the search may approach it from either end.
           EXPECT_NEAR(all.slopes[o](i, j), alone, 1e-11 * std::abs(alone)) << name << o;
         }
   EXPECT_EQ(steady_state_slopes(tire, {}, variables, all_outputs()).slopes[0].rows(), 0);

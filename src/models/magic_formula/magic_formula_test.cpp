@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties that the equations have for any tire. The agreement with another program is tested in
-// verification/magic_formula.
+// Tests properties that the Magic Formula has for every tire. Agreement with another program is
+// tested in verification/magic_formula.
 #include "models/magic_formula/magic_formula.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(MagicFormula, ThePeakIsFrictionTimesLoad) {
   double largest = 0.0;
   for (int i = 0; i < 4000; ++i)
     largest = std::max(largest, tire.evaluate({4000.0, i * 5e-5, 0.0, 0.0, 0.0, 20.0, 2.2e5}).Fx);
-  EXPECT_NEAR(largest, 1.2 * 4000.0, 1e-3);  // sin = 1 is reached because C > 1
+  EXPECT_NEAR(largest, 1.2 * 4000.0, 1e-3);  // the sine reaches 1 because C > 1
 }
 
 TEST(MagicFormula, TheDeflectionCarriesTheLoad) {
@@ -172,8 +172,8 @@ INSTANTIATE_TEST_SUITE_P(MagicFormula,
                          testing::ValuesIn(kernel_sets()),
                          [](const auto& info) { return std::string(name(info.param)); });
 
-// Results are identical to the bit if both sets have a fused multiply-add. The baseline has none,
-// so its results agree within the rounding of a chain of some hundred operations.
+// Kernel sets with a fused multiply-add must give identical bits. The baseline set has none, so its
+// results may differ by the rounding of some hundred successive operations.
 TEST(MagicFormula, EveryKernelSetGivesTheSameForces) {
   for (const Version version : kVersions) {
     const MagicFormula tire = tire_of(version, Angles::direct);

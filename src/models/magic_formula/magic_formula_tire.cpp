@@ -12,8 +12,9 @@
 namespace latsch::magic_formula {
 namespace {
 
-constexpr double kNoSlip = 1e-4;      // slip below which the formula counts as linear
-constexpr double kLeastSigma = 0.01;  // m: shorter than any contact patch
+constexpr double kNoSlip = 1e-4;  // slip below which the force counts as linear in the slip
+// Lower limit of the relaxation length, m: shorter than any contact patch.
+constexpr double kLeastSigma = 0.01;
 
 Conventions for_mode(Conventions conventions, int use_mode) {
   conventions.turn_slip = conventions.turn_slip || use_mode % 10 == 5;
@@ -31,8 +32,9 @@ Parameters on_road(Parameters parameters, double friction) {
 }
 
 Status check_rim(const Parameters& p, const WheelContact& contact) {
-  // A rim that bottoms on its own stiffness may go below the radius of its bead seat a little.
-  constexpr double kBottomed = 0.9, kNoRim = 0.4;  // shares of the rim's and of the free radius
+  // Smallest height of the axle above the road, as a share of the rim radius, or of the free radius
+  // if the file states no rim. A rim that bottoms may compress its own stiffness a little.
+  constexpr double kBottomed = 0.9, kNoRim = 0.4;
   const double lowest = p.RIM_RADIUS > 0.0 ? (p.BOTTOM_STIFF > 0.0 ? kBottomed : 1.0) * p.RIM_RADIUS
                                            : kNoRim * p.UNLOADED_RADIUS;
   if (!(contact.height < lowest)) return {};
@@ -110,7 +112,8 @@ SteadyState MagicFormulaTire::evaluate(const WheelContact& contact,
               settings_.pressure};
   const auto ask = [&](State s) {
     if (lags) return at_any_speed(formula_, s, patch.r);
-    // The formula's kappa is (omega R_e - Vx)/Vx, which changes sign for backward motion.
+    // The formula defines kappa as (omega R_e - Vx)/Vx, which has the opposite sign for backward
+    // motion.
     s.kappa = std::copysign(1.0, s.Vx) * s.kappa;
     return formula_.evaluate(s);
   };
@@ -132,9 +135,9 @@ SteadyState MagicFormulaTire::evaluate(const WheelContact& contact,
   return s;
 }
 
-/// Returns the relaxation lengths at these slips from the secant from zero slip, where ply steer,
-/// conicity and camber cause a force that needs no deflection. If the slip is almost zero, the
-/// tangent is used.
+/// Returns the relaxation lengths at these slips from the secant of the force between zero slip and
+/// this slip. The force at zero slip, by ply steer, conicity and camber, needs no deflection of the
+/// carcass. If the slip is almost zero, the tangent is used.
 MagicFormulaTire::Carcass MagicFormulaTire::carcass(const WheelContact& contact,
                                                     double Fz,
                                                     const Patch& patch) const {
@@ -162,8 +165,8 @@ MagicFormulaTire::Carcass MagicFormulaTire::carcass(const WheelContact& contact,
   return c;
 }
 
-/// Returns the state of the contact patch after `step` if its sliding velocities stay as in `at`.
-/// The relaxation equation is solved exactly for constant velocities.
+/// Returns the state of the contact patch after `step` (s) if its sliding velocities remain those
+/// of `at`. The relaxation equation is solved exactly for constant velocities.
 MagicFormulaTire::Patch MagicFormulaTire::relaxed_patch(const Sliding& at,
                                                         const Carcass& c,
                                                         double step) const {
@@ -173,8 +176,8 @@ MagicFormulaTire::Patch MagicFormulaTire::relaxed_patch(const Sliding& at,
   const double x = c.sigma_x, y = c.sigma_y;
   const double most_x = most_slip(speed, low, c.peak_x, c.slope_x) * x;
   const double most_y = most_slip(speed, low, c.peak_y, c.slope_y) * y;
-  // The states are slips: a relaxation length that changes with the load does not change a force by
-  // itself.
+  // The stored states are slips u/sigma, so that a change of the relaxation length with the load
+  // alone does not change a force.
   const double u = relaxed(patch_.kappa * x, -at.Vsx, std::abs(V_r) / x, most_x, step);
   const double v = relaxed(std::tan(patch_.alpha) * y, at.Vsy, std::abs(V_r) / y, most_y, step);
   return {u / x,
@@ -183,7 +186,8 @@ MagicFormulaTire::Patch MagicFormulaTire::relaxed_patch(const Sliding& at,
           c.pivot.twisted(patch_.psi, at.yaw_rate, V_r, step)};
 }
 
-/// The exponential midpoint rule: velocities and relaxation lengths of the middle of the step.
+/// Integrates the slips by the exponential midpoint rule, with the velocities and relaxation
+/// lengths in the middle of the step.
 MagicFormulaTire::Patch MagicFormulaTire::lag(const WheelContact& contact,
                                               const Sliding& now,
                                               double step) const {
@@ -201,7 +205,8 @@ MagicFormulaTire::Patch MagicFormulaTire::lag(const WheelContact& contact,
   return relaxed_patch(middle, carcass(contact, middle.Fz, half), step);
 }
 
-/// Returns the forces of the patch sliding with `now`; below VXLOW with damping and twist.
+/// Returns the forces of the contact patch with the sliding velocities `now`. At speeds below VXLOW
+/// they include the carcass's damping and the moment of its twist.
 SteadyState MagicFormulaTire::answer(const WheelContact& contact,
                                      const Sliding& now,
                                      Patch patch) const {
@@ -217,10 +222,11 @@ SteadyState MagicFormulaTire::answer(const WheelContact& contact,
   return s;
 }
 
-/// Finds load and slips at the end of a step, also if forces along the road lower the load.
+/// Finds the load and the slips at the end of a step, by iteration if the horizontal forces reduce
+/// the load.
 void MagicFormulaTire::roll(const WheelContact& contact, double spin_rate, double step) {
   constexpr int kMost = 20;
-  constexpr double kClose = 1e-9;  // share of the load
+  constexpr double kClose = 1e-9;  // convergence tolerance relative to the load
   const bool coupled = parameters_.Q_FCX != 0.0 || parameters_.Q_FCY != 0.0;
   Patch patch = patch_;
   Sliding now;
@@ -237,7 +243,7 @@ void MagicFormulaTire::roll(const WheelContact& contact, double spin_rate, doubl
     now = {contact.Vx, contact.Vx - spin_rate * R_e, contact.Vy, contact.yaw_rate, Fz};
     patch = lag(contact, now, step);
     forces_ = answer(contact, now, patch);
-    forces_.Fz = Fz;  // also beyond FZMAX, up to which the formula's is limited
+    forces_.Fz = Fz;  // the actual load, even above FZMAX, to which the formula's load is limited
     if (settled || !coupled) break;
   }
   patch_ = patch;

@@ -8,14 +8,15 @@
 //        its BOTTOM_STIFF
 //   Fx, Fy, Mx, My, Mz = Magic Formula(Fz, kappa', alpha', gamma, phit, Vx, p)
 //
-// USE_MODE of the file (or of the settings). Tens digit: 0 is steady state, kappa' and alpha' are
-// those of the wheel. 1 is relaxation with sigma = K/C at the load (19). In 2 and above sigma also
-// depends on the slip, sigma = |F - F(0)|/(C slip), because the sliding part of the patch needs no
-// deflection [Pacejka 2012, 7.2.3]; F(0) is the force that ply steer, conicity, camber and the
-// other slip cause without this slip. A step is of order 2 in its length, and exact for constant
-// velocities and load. Speeds below VXLOW, rest and turning on the spot are handled by
-// standstill.h, in every mode with relaxation. Units digit: 0 is vertical force alone, 1 Fx and My,
-// 2 Fy, Mx, Mz, 3 all without interaction of the slips, 4 and 5 all (5: with turn slip).
+// The digits of USE_MODE (of the file or of the settings) select the model. Tens digit 0: steady
+// state, in which kappa' and alpha' are the slips of the wheel. Tens digit 1: relaxation with sigma
+// = K/C at the load (19). Tens digit 2 and above: sigma also depends on the slip, sigma = |F -
+// F(0)|/(C slip), because the sliding part of the patch needs no deflection [Pacejka 2012, 7.2.3];
+// F(0) is the force that ply steer, conicity, camber and the other slip cause without this slip. A
+// step is of order 2 in its length, and exact for constant velocities and load. Speeds below VXLOW,
+// rest and turning on the spot are handled by standstill.h, in every mode with relaxation. Units
+// digit 0: vertical force alone; 1: with Fx and My; 2: with Fy, Mx, Mz; 3: all, without interaction
+// of the slips; 4: all, with interaction; 5: as 4, with turn slip.
 #pragma once
 
 #include "models/magic_formula/limits/range_log.h"
@@ -26,16 +27,17 @@
 
 namespace latsch::magic_formula {
 
-/// Choices beside the coefficients.
+/// Settings of the tire in addition to its coefficients.
 struct MagicFormulaTireSettings {
-  Conventions conventions = {};        // axes and signs of inputs and outputs
-  int use_mode = 14;                   // USE_MODE of the .tir file: which forces are computed
-  double pressure = 0.0;               // Pa; 0: INFLPRES
-  std::shared_ptr<RangeLog> log = {};  // collects the inputs of its steps; null: nothing does
+  Conventions conventions = {};  // axes and signs of inputs and outputs
+  int use_mode = 14;             // USE_MODE of the .tir file: which forces are computed
+  double pressure = 0.0;         // Pa, inflation pressure; 0: INFLPRES of the file
+  // Records the inputs of the tire's steps; null: they are not recorded.
+  std::shared_ptr<RangeLog> log = {};
 };
 
-/// Returns the rectangle 2 a x 2 b of the formula without slip; nullopt if the formula has no
-/// coefficients for it.
+/// Returns the contact patch of the formula at zero slip, a rectangle of 2 a x 2 b; nullopt if the
+/// file has no coefficients for the patch.
 std::optional<Footprint> footprint_of(const MagicFormula& formula,
                                       double Fz,
                                       double speed,
@@ -43,7 +45,7 @@ std::optional<Footprint> footprint_of(const MagicFormula& formula,
 
 class MagicFormulaTire final : public Tire {
  public:
-  /// Takes the coefficients of a .tir file.
+  /// Makes a tire from the coefficients of a .tir file.
   explicit MagicFormulaTire(const Parameters& parameters,
                             const MagicFormulaTireSettings& settings = {});
 
@@ -62,25 +64,27 @@ class MagicFormulaTire final : public Tire {
   std::optional<double> road_load() const override { return forces_.Fz; }
   std::unique_ptr<Tire> clone() const override;
 
-  /// Results of the last step: load, lagged slips, forces in W.
+  /// Results of the last step: load, relaxed slips, and forces in the axes W of the contact.
   const SteadyState& contact_forces() const { return forces_; }
-  /// Longitudinal slip of the last step after the relaxation length.
+  /// Longitudinal slip of the contact patch at the end of the last step, after relaxation.
   double lagged_kappa() const { return patch_.kappa; }
-  /// Slip angle of the last step after the relaxation length, rad.
+  /// Slip angle of the contact patch at the end of the last step, after relaxation, rad.
   double lagged_alpha() const { return patch_.alpha; }
 
  private:
-  /// State of the tire: lagged slips, the rolling history r (standstill.h), twist in rad.
+  /// State of the contact patch: relaxed slips, the direction r in which it was rolled in
+  /// (standstill.h), and its twist psi, rad.
   struct Patch {
     double kappa = 0.0, alpha = 0.0, r = 0.0, psi = 0.0;
   };
-  /// Connection of the patch to the carcass.
+  /// Parameters of the carcass that connects the contact patch to the rim.
   struct Carcass {
-    double sigma_x, sigma_y;                  // m: relaxation lengths
-    double peak_x, peak_y, slope_x, slope_y;  // N; N per unit of slip
+    double sigma_x, sigma_y;  // m: relaxation lengths
+    // Peak forces, N; slip stiffnesses, N per unit of slip.
+    double peak_x, peak_y, slope_x, slope_y;
     Pivot pivot;
   };
-  /// Velocity of the patch over the ground, m/s and rad/s, and its load, N.
+  /// Velocity of the contact patch relative to the ground, m/s and rad/s, and its load, N.
   struct Sliding {
     double Vx = 0.0, Vsx = 0.0, Vsy = 0.0, yaw_rate = 0.0, Fz = 0.0;
   };
@@ -98,17 +102,18 @@ class MagicFormulaTire final : public Tire {
   Parameters parameters_;
   MagicFormulaTireSettings settings_;
   MagicFormula formula_;
-  double friction_ = 1.0;  // friction of the road used in formula_
+  double friction_ = 1.0;  // friction factor of the road with which formula_ was made
   Patch patch_;
-  std::optional<Sliding> before_;  // at the end of the last step; empty in the air
+  std::optional<Sliding> before_;  // sliding at the end of the last step; empty in the air
   SteadyState forces_{};
   RangeWatch watch_;
 };
 
-/// Returns a Failure if the axle is so low that the rim would be in the road.
+/// Returns a Failure if the axle is so low that the rim would penetrate the road.
 Status check_rim(const Parameters& parameters, const WheelContact& contact);
 
-/// Returns the coefficients for a road whose friction differs by a factor.
+/// Returns the coefficients of the tire on a road whose friction differs from that of the
+/// measurement by a factor.
 Parameters on_road(Parameters parameters, double friction);
 
 }  // namespace latsch::magic_formula

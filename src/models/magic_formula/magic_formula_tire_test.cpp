@@ -20,8 +20,8 @@ using Eigen::Vector3d;
 
 constexpr double kSpeed = 20.0;
 
-/// Returns the motion of a wheel at its loaded radius for `load`, rolling freely forward except for
-/// the slips.
+/// Returns the motion of a wheel at its loaded radius under `load`, which rolls forward with slip
+/// angle `alpha` and longitudinal slip `kappa`.
 WheelMotion rolling(const MagicFormula& formula, double load, double alpha, double kappa) {
   const SteadyState s = formula.evaluate({load, kappa, alpha, 0.0, 0.0, kSpeed, 2.2e5});
   WheelMotion motion;
@@ -57,17 +57,18 @@ TEST(MagicFormulaTire, ASmallStepInSlipAngleRelaxesOverItsLength) {
   const double alpha = 1e-4;
   const WheelMotion motion = rolling(formula, 4000.0, alpha, 0.0);
   const SteadyState s = formula.evaluate({4000.0, 0.0, alpha, 0.0, 0.0, kSpeed, 2.2e5});
-  const double time = s.sigma_y / kSpeed;  // one relaxation length
+  const double time = s.sigma_y / kSpeed;  // time for rolling by one relaxation length
   for (int i = 0; i < 1000; ++i) ASSERT_TRUE(tire.advance(motion, road, 0.0, time / 1000).ok());
-  EXPECT_NEAR(tire.lagged_alpha() / alpha, 1.0 - std::exp(-1.0), 1e-8);  // exact for any step
+  // The solution is exact for any step.
+  EXPECT_NEAR(tire.lagged_alpha() / alpha, 1.0 - std::exp(-1.0), 1e-8);
   MagicFormulaTire coarse(p);
   ASSERT_TRUE(coarse.advance(motion, road, 0.0, time).ok());
   EXPECT_NEAR(coarse.lagged_alpha(), tire.lagged_alpha(), 1e-12);
 }
 
-// A force without slip needs no deflection: with ply steer, conicity and camber a small step in
-// slip angle relaxes over the length K/C, even if the force passes through zero in between. The
-// tolerance is the nonlinearity of the formula up to that slip.
+// The force at zero slip, by ply steer, conicity and camber, needs no deflection. A small step of
+// the slip angle therefore relaxes over the length K/C, even if the force passes through zero. The
+// tolerance allows for the nonlinearity of the formula up to this slip.
 TEST(MagicFormulaTire, AForceWithoutSlipDoesNotShortenTheRelaxation) {
   const road::PlaneRoad road;
   MagicFormulaTireSettings settings;
@@ -81,7 +82,7 @@ TEST(MagicFormulaTire, AForceWithoutSlipDoesNotShortenTheRelaxation) {
     constexpr double kAlpha = 3e-3;
     WheelMotion motion = rolling(formula, 4000.0, kAlpha, 0.0);
     motion.carrier = AngleAxisd(camber, Vector3d::UnitX()).toRotationMatrix();
-    ASSERT_TRUE(tire.advance(motion, road, 0.0, 1e-9).ok());  // initial state
+    ASSERT_TRUE(tire.advance(motion, road, 0.0, 1e-9).ok());  // sets the initial state
     const SteadyState s =
         formula.evaluate({tire.contact_forces().Fz, 0.0, 0.0, camber, 0.0, kSpeed, 2.2e5});
     const double time = s.sigma_y / kSpeed;
@@ -90,7 +91,8 @@ TEST(MagicFormulaTire, AForceWithoutSlipDoesNotShortenTheRelaxation) {
   }
 }
 
-// The longitudinal case: a force without slip, here that of a shifted curve.
+// A longitudinal force at zero slip, here by a shifted curve, must not shorten the relaxation
+// length of kappa.
 TEST(MagicFormulaTire, ABrakingForceWithoutSlipDoesNotShortenTheRelaxation) {
   Parameters p = round_tire();
   p.PVX1 = 0.03;
@@ -107,7 +109,8 @@ TEST(MagicFormulaTire, ABrakingForceWithoutSlipDoesNotShortenTheRelaxation) {
   EXPECT_NEAR(tire.lagged_kappa() / kKappa, 1.0 - std::exp(-1.0), 0.01);
 }
 
-/// Returns the force on a hub that heaves, drifts and is braked, after `parts` steps.
+/// Returns the force on a hub that moves vertically and laterally and is braked, after `parts`
+/// steps.
 Vector3d after_a_ride(const Parameters& p, int use_mode, int parts) {
   MagicFormulaTireSettings settings;
   settings.use_mode = use_mode;
@@ -128,8 +131,8 @@ Vector3d after_a_ride(const Parameters& p, int use_mode, int parts) {
   return force;
 }
 
-// Halving the step divides the error of the forces along the road by four, with constant and with
-// slip-dependent relaxation lengths, and if these forces lower the load.
+// Halving the step divides the error of the horizontal forces by four. This holds for constant and
+// slip-dependent relaxation lengths, and if the horizontal forces reduce the load.
 TEST(MagicFormulaTire, IsOfOrderTwoInItsStep) {
   Parameters p = round_tire();
   p.PVY1 = 0.02;
@@ -144,7 +147,7 @@ TEST(MagicFormulaTire, IsOfOrderTwoInItsStep) {
         const double other = std::abs((forces[i + 2] - forces[i + 1])[axis]);
         EXPECT_GT(one, 3.4 * other) << "mode " << mode << ", axis " << axis << ", " << i;
       }
-    EXPECT_GT((forces[1] - forces[0]).norm(), 1e-3);  // the effect is visible
+    EXPECT_GT((forces[1] - forces[0]).norm(), 1e-3);  // the coupling must have a visible effect
   }
 }
 
@@ -170,14 +173,15 @@ TEST(MagicFormulaTire, HubForcesBalanceTheContactOnACamberedWheelAndASlope) {
       contact.axes * Vector3d(w.Mx, w.My, w.Mz) + (contact.point - motion.center).cross(force);
   EXPECT_LT((motion.carrier * hub->moment - moment).norm(), 1e-9);
   const road::GroundPoint ground = road.at(contact.point.x(), contact.point.y(), 0.0);
-  EXPECT_NEAR(ground.height, contact.point.z(), 1e-12);  // the contact lies on the road
+  EXPECT_NEAR(ground.height, contact.point.z(), 1e-12);  // the contact point lies on the road
 }
 
 TEST(MagicFormulaTire, AWheelThatLeansRightIsPushedRight) {
   const MagicFormula formula(round_tire());
   MagicFormulaTire tire(round_tire());
   WheelMotion motion = rolling(formula, 4000.0, 0.0, 0.0);
-  motion.carrier = AngleAxisd(0.05, Vector3d::UnitX()).toRotationMatrix();  // top toward -y
+  // The top of the wheel leans toward -y.
+  motion.carrier = AngleAxisd(0.05, Vector3d::UnitX()).toRotationMatrix();
   for (int i = 0; i < 100; ++i) (void)tire.advance(motion, road::PlaneRoad(), 0.0, 1e-3);
   EXPECT_LT(tire.contact_forces().Fy, -50.0);
 }
@@ -203,9 +207,10 @@ TEST(MagicFormulaTire, StandsStillSticksAndLetsGo) {
   motion.center = {0.0, 0.0, 0.28};
   const auto rest = tire.settle(motion, road, 0.0);
   ASSERT_TRUE(rest.ok());
-  EXPECT_NEAR(rest->force.z(), 4000.0, 1e-9);  // 200 N/mm over 20 mm
+  EXPECT_NEAR(rest->force.z(), 4000.0, 1e-9);  // stiffness of 200 N/mm, deflection of 20 mm
   EXPECT_EQ(rest->force.x(), 0.0);
-  // If the standing wheel is pushed sideways by 1 mm, the carcass acts as its spring.
+  // The standing wheel is pushed sideways by 1 mm. The force must equal the lateral stiffness of
+  // the carcass times this distance.
   motion.velocity.y() = 0.01;
   Result<HubForces> pushed = rest;
   for (int i = 0; i < 100; ++i) pushed = tire.advance(motion, road, 0.0, 1e-3);

@@ -14,7 +14,8 @@
 
 namespace latsch::magic_formula::LATSCH_KERNELS {
 
-/// The arc tangent terms of (4.E69): cos(QSX5 atan x[0]), sin(angle + QSX8 atan x[1]), atan x[2].
+/// The three terms of (4.E69) with an arc tangent: cos(QSX5 atan x[0]), sin(angle + QSX8 atan
+/// x[1]), atan x[2].
 template <class R>
 struct OverturningShapes {
   R cosine, sine, arc;
@@ -23,7 +24,7 @@ LATSCH_INLINE OverturningShapes<Lane> overturning_shapes(const CoefficientsFor<L
                                                          const Lane (&x)[3],
                                                          const Lane& angle) {
   const Lanes4 arcs = atan(gathered<3>(x));
-  // -0.0 is added to the first term, because adding 0 would change the sign of -0.
+  // The first addend is -0.0, because adding +0.0 would turn -0.0 into +0.0.
   const SinCos<Lanes4> r =
       sin_cos(four(p.QSX5, p.QSX8, 0.0, 0.0) * arcs + four(-0.0, angle.v, 0.0, 0.0));
   return {r.cos.at(0), r.sin.at(1), arcs.at(2)};
@@ -68,14 +69,16 @@ LATSCH_INLINE R rolling_resistance(const TireOf<R>& tire, const OperatingPoint<R
          (o.load_power * o.pressure_power);  // (A48)
   }
   My = My * o.sign_Vx;
-  // Between rolling and locked the moment fades, and it changes sign if the wheel spins backward.
-  // The limits are at equal distances from a locked wheel (kappa = -1) on both sides.
+  // The rolling resistance moment fades if the wheel slides between the limits `low` and `high` of
+  // kappa, and it is reversed if the wheel spins backward. Both limits have the same distance from
+  // a locked wheel (kappa = -1).
   const R high = p.VXLOW / select(o.Vx == 0.0, R(kEpsilon), abs(o.Vx)) - 1.0;
   const R low = -2.0 - high;
   const R& kappa = o.kappa_given;
   const auto fading = ((kappa >= low) & (kappa <= high));
   if (any(fading)) {
-    const R angle = 0.5 * kPi * (kappa + 1.0) / not_zero<R>(high + 1.0);  // 0 if VXLOW is 0
+    // The angle is 0 if VXLOW is 0.
+    const R angle = 0.5 * kPi * (kappa + 1.0) / not_zero<R>(high + 1.0);
     My = select(fading, My * sin(angle), My);
   }
   return select(kappa < low, -My, My);

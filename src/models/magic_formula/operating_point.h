@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts the caller's state to the inputs of the equations: limits, fading at low speed, alpha*
-// and gamma*, normalized load and pressure, effective rolling radius and spin.
+// Converts the caller's state to the inputs of the equations. This comprises limits, fading at low
+// speed, alpha* and gamma*, normalized load and pressure, effective rolling radius and spin.
 //
 // (4.E...), (4.76) ...: [Pacejka 2012, ch. 4.3]; (A..) and (1)-(19): [Besselink et al. 2010].
 // Signs: ISO-W (NOTATION.md); the book uses adapted SAE, so Vsy = + tan(alpha) |Vx| here.
@@ -20,17 +20,19 @@ namespace latsch::magic_formula::LATSCH_KERNELS {
 using namespace latsch::LATSCH_KERNELS;
 
 constexpr double kPi = 3.14159265358979323846;
-/// Keeps quotients finite; the book's epsilon_x, _K, _y, _V (4.E6a, 4.E16, 4.E26, 4.E39).
+/// Small number added to denominators to keep quotients finite. It is the book's epsilon_x, _K, _y,
+/// _V (4.E6a, 4.E16, 4.E26, 4.E39).
 constexpr double kEpsilon = 1e-6;
 
-/// Returns kEpsilon with the sign of the denominator it is added to; positive at 0.
+/// Returns kEpsilon with the sign of the denominator to which it is added; positive if the
+/// denominator is 0.
 template <class R>
 LATSCH_INLINE R epsilon_for(const R& denominator) {
   return with_sign(R(kEpsilon), denominator + R(0.0));
 }
 
-/// Returns a divisor, or `least` in place of 0. A file may state 0 for a coefficient that the
-/// equations divide by; their limit is that of a small divisor.
+/// Returns the divisor, or `least` if it is 0. A file may contain 0 for a coefficient by which the
+/// equations divide. The result is then that of a very small coefficient.
 template <class R>
 LATSCH_INLINE R not_zero(const R& divisor, double least = kEpsilon) {
   return select(divisor == 0.0, R(least), divisor);
@@ -63,26 +65,26 @@ LATSCH_INLINE void cosines_of_atan(const R& x, const R& y, const R& z, R& of_x, 
 
 template <class R>
 struct OperatingPoint {
-  R Fz, Fz_given;  // limited to FZMAX; as given
-  R Fz_moment;     // limited to FZMIN as well; for trail and residual torque
+  R Fz, Fz_given;  // load limited to FZMAX; load as given
+  R Fz_moment;     // load limited to FZMIN as well, for trail and residual torque
   R kappa, kappa_given, alpha, gamma, phit, Vx, p;
-  R fade;     // 0 at standstill, 1 at and above VXLOW
+  R fade;     // factor on the forces: 0 at standstill, 1 from VXLOW on
   R sign_Vx;  // -1, 0, 1
   R tan_alpha;
   R alpha_star, gamma_star, dfz, dpi;
   R cos_alpha, cos_alpha_star, cos_alpha_prime;
-  R cos_RBX2, cos_RBY2, cos_RVY4;  // cos atan of (4.E54), (4.E62), (4.E67)
+  R cos_RBX2, cos_RBY2, cos_RVY4;  // cosines cos(atan ...) in (4.E54), (4.E62), (4.E67)
   R LMUX_star, LMUY_star, LMUX_prime, LMUY_prime, per_LMUY_star;
   R per_Cz;  // m/N
   R Re, R_omega, omega;
-  R epsilon_gamma, phi;  // used with turn slip
-  // Functions of the state alone, evaluated together.
+  R epsilon_gamma, phi;  // used only with turn slip
+  // Functions of the state alone, which are evaluated together.
   R atan_load;      // atan(BREFF Fz/Fz0)
-  R sin_K, sin_K0;  // sin(PKY4 atan(...)) of (4.E25), cambered and upright
+  R sin_K, sin_K0;  // sin(PKY4 atan(...)) in (4.E25), with and without camber
   R sin_RVY;        // sin(RVY5 atan(RVY6 kappa))
   R exp_PKX3;
   R Fz_My, load_power, pressure_power;  // (Fz/Fz0)^QSY7 (p/p0)^QSY8
-  R patch_load, patch_root;             // Fz/(Cz R0), its cube root
+  R patch_load, patch_root;             // Fz/(Cz R0) and its cube root
 };
 
 template <class R>
@@ -90,8 +92,8 @@ LATSCH_INLINE R clamped(const R& x, const ConstantOf<R>& lower, const ConstantOf
   return larger(smaller(x, R(upper)), R(lower));
 }
 
-/// Returns E limited to 1, with the slope of the unlimited side at 1 itself, so that a fit at the
-/// bound E = 1 can leave it.
+/// Returns the curvature factor E limited to 1. At E = 1 the derivative is that of the unlimited
+/// side, so that a fit can leave this bound.
 template <class R>
 LATSCH_INLINE R at_most_one(const R& E) {
   return select(E <= 1.0, E, R(1.0));
@@ -122,7 +124,7 @@ LATSCH_INLINE void apply_limits(const TireOf<R>& tire,
   o.Fz_moment = select(o.Fz > 0.0, larger(o.Fz, R(p.FZMIN)), R(0.0));
 }
 
-/// Returns the load, which fades below FZMIN by a power of its share.
+/// Returns the load with which moments are computed. Below FZMIN it fades with a power of Fz/FZMIN.
 template <class R>
 LATSCH_INLINE R faded_load(const TireOf<R>& tire, const R& Fz, bool squared) {
   if (!(tire.p.FZMIN > 0.0)) return Fz;
@@ -130,11 +132,11 @@ LATSCH_INLINE R faded_load(const TireOf<R>& tire, const R& Fz, bool squared) {
   return select(Fz < tire.p.FZMIN, Fz * (squared ? share * share : share), Fz);
 }
 
-/// Returns the argument of the arc tangent in (4.E25).
+/// Returns the argument of the arc tangent in the cornering stiffness (4.E25).
 template <class R>
 LATSCH_INLINE R bend(const TireOf<R>& tire, const OperatingPoint<R>& o, const R& gamma_star) {
   const auto& p = tire.p;
-  constexpr double kTiny = 1e-300;  // the arc tangent of any load over it is pi/2
+  constexpr double kTiny = 1e-300;  // for divisors this small the arc tangent is pi/2
   return (o.Fz * tire.per_Fz0_prime) /
          not_zero<R>((p.PKY2 + p.PKY5 * gamma_star * gamma_star) * (1.0 + p.PPY2 * o.dpi), kTiny);
 }
@@ -144,7 +146,7 @@ LATSCH_INLINE void powers(const TireOf<R>& tire, OperatingPoint<R>& o) {
   const auto& p = tire.p;
   const R one = R(1.0), zero = R(0.0);
   const ConstantOf<R> R0 = p.UNLOADED_RADIUS;
-  // Once the rim carries the load, the patch stops growing.
+  // The contact patch does not grow any more once the rim carries the load.
   o.patch_load = smaller(o.Fz_given * o.per_Cz, R(R0 - p.RIM_RADIUS - p.BOTTOM_OFFST)) * (1.0 / R0);
   o.Fz_My = faded_load(tire, o.Fz_given, false);
   const R load = o.Fz_My * tire.per_FNOMIN, pressure = o.p * tire.per_NOMPRES;
@@ -178,8 +180,8 @@ LATSCH_INLINE void functions_of_state(const TireOf<R>& tire, OperatingPoint<R>& 
   o.cos_alpha = cosine[3];
 }
 
-/// Returns x >= 1 with x^3 - x^2 = e >= 0 by Newton's method. It starts from the first terms of the
-/// series, or from above if these are not accurate.
+/// Returns the solution x >= 1 of x^3 - x^2 = e, for e >= 0, by Newton's method. It starts from the
+/// power series in e, or, if the series is not accurate, from a value above the solution.
 template <class R>
 LATSCH_INLINE R stretched(const R& e) {
   constexpr double kSeries = 0.05;
@@ -188,13 +190,14 @@ LATSCH_INLINE R stretched(const R& e) {
   for (int i = 0; i < 60; ++i) {
     const R step = (x * x * (x - 1.0) - e) / (x * (3.0 * x - 2.0));
     x = x - step;
-    // The error is twice the square of the step.
+    // After a Newton step the error is about twice the square of the step.
     if (!any(abs(step) > 1e-8 * x)) break;
   }
   return x;
 }
 
-/// Slopes of the iteration would stop one step early; these are those of the equation.
+/// Derivatives carried through the iteration would lag by one step, so they are computed from the
+/// equation itself.
 template <class V>
 LATSCH_INLINE DualLanes<V> stretched(const DualLanes<V>& e) {
   const V x = stretched(e.v);
@@ -202,9 +205,9 @@ LATSCH_INLINE DualLanes<V> stretched(const DualLanes<V>& e) {
   return {x, scaled<V>(e.slopes, 1.0 / (x * (3.0 * x - 2.0)))};
 }
 
-/// Computes effective rolling radius and spin, which depend on each other: Re = R_omega -
-/// deflection terms (7), R_omega = R0 (q_re0 + q_V1 (omega R0/V0)^2) (1), omega = (1 + kappa) Vx /
-/// Re.
+/// Computes effective rolling radius and spin, which depend on each other:
+///   Re = R_omega - deflection terms (7),  R_omega = R0 (q_re0 + q_V1 (omega R0/V0)^2) (1),
+///   omega = (1 + kappa) Vx / Re
 template <class R>
 LATSCH_INLINE void roll(const TireOf<R>& tire, OperatingPoint<R>& o) {
   const auto& p = tire.p;
@@ -212,7 +215,8 @@ LATSCH_INLINE void roll(const TireOf<R>& tire, OperatingPoint<R>& o) {
   const R slack = p.FNOMIN * o.per_Cz * (p.DREFF * o.atan_load + p.FREFF * load);
   const R speed = (1.0 + o.kappa_given) * o.Vx;
   const R growth = (p.UNLOADED_RADIUS * p.Q_V1 * tire.R0_per_V0 * tire.R0_per_V0) * speed * speed;
-  // A load that no tire carries still gets a rolling radius.
+  // The radius has a lower limit, so that even a load which the tire cannot carry gives a positive
+  // rolling radius.
   constexpr double kSmallestRadius = 0.01;
   const R still =
       larger(p.UNLOADED_RADIUS * p.Q_RE0 - slack, R(kSmallestRadius * p.UNLOADED_RADIUS));
@@ -221,14 +225,14 @@ LATSCH_INLINE void roll(const TireOf<R>& tire, OperatingPoint<R>& o) {
   o.R_omega = o.Re + slack;
 }
 
-/// Computes the spin of the tire on its path and by its camber (4.76), and its camber reduction
-/// (4.90).
+/// Computes the spin of the tire by its curved path and by camber (4.76), and the camber reduction
+/// factor (4.90).
 template <class R>
 LATSCH_INLINE void spin(const CoefficientsFor<R>& p, OperatingPoint<R>& o) {
   o.epsilon_gamma = p.PECP1 * (1.0 + p.PECP2 * o.dfz);  // (4.90)
   const R V = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
   const R Vc_prime = select(abs(o.Vx) < p.VXLOW, p.VXLOW * sign_or_one(o.Vx), V);
-  // z points up, so the turning velocity has the opposite sign of the book's (4.75).
+  // The z axis points up here, so the turn slip has the opposite sign of the book's (4.75).
   o.phi =
       -o.phit - (1.0 - o.epsilon_gamma) * o.omega * sin(o.gamma) / not_zero<R>(Vc_prime);  // (4.76)
 }
@@ -295,7 +299,8 @@ LATSCH_INLINE void find_operating_point(const TireOf<R>& tire,
   if (conventions.turn_slip) spin(p, o);
 }
 
-/// The curves of one state, C atan(Bx - E (Bx - atan Bx)) of each (4.E9), four at a time.
+/// The curves of one state, each of the form C atan(Bx - E (Bx - atan Bx)) (4.E9). They are
+/// evaluated four at a time.
 template <class R>
 struct Shapes {
   enum { kFy, kFyUpright, kGy, kGy0, kFx, kGx, kGx0, kTrail, kCount };
@@ -315,7 +320,7 @@ struct Shapes {
   }
 };
 
-/// Returns sin(C atan(Bx - E (Bx - atan(Bx)))) of a single curve.
+/// Returns sin(C atan(Bx - E (Bx - atan(Bx)))), a single curve of the Magic Formula.
 template <class R>
 LATSCH_INLINE R sine_shape(const R& Bx, const R& C, const R& E) {
   return sin(C * atan(Bx - E * (Bx - atan(Bx))));

@@ -14,7 +14,8 @@ const std::vector<ParameterField>& parameter_fields() {
 }
 
 std::string_view Parameters::missing_of_turn_slip() const {
-  constexpr double kLeast = 1e-9;  // coefficients of a fitted tire are above 1e-4
+  // Limit below which a coefficient counts as 0; those of a fitted tire are above 1e-4.
+  constexpr double kLeast = 1e-9;
   const auto is_zero = [](double value) { return std::abs(value) < kLeast; };
   if (is_zero(QDRP1)) return "QDRP1";
   if (is_zero(PHYP1)) return "PHYP1";

@@ -19,10 +19,10 @@ inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 enum class Version { mf52, mf61, mf62 };
 
-/// The vehicle side for which the coefficients were measured.
+/// Side of the vehicle for which the coefficients were measured.
 enum class MeasuredSide { left, right, symmetric };
 
-/// The numbers among the parameters, as doubles or, for slopes, as dual numbers (dual_number.h).
+/// All numeric parameters: as doubles, or as dual numbers for derivatives (dual_number.h).
 template <class K>
 struct CoefficientsOf {
 #define LATSCH_DECLARE(section, name, value, unit) K name = value;
@@ -38,13 +38,15 @@ struct Parameters : CoefficientsOf<double> {
   /// constant, 2 with load- and slip-dependent lengths, 3 and 4 with a belt), the hundreds digit
   /// the contact.
   int use_mode = 14;
-  /// SHAPE and DEFLECTION_LOAD_CURVE: {deflection, force}, ascending; empty if there is none.
+  /// The columns of [SHAPE] or [DEFLECTION_LOAD_CURVE] in the file: deflections in ascending order
+  /// and forces; empty if the file has none.
   std::vector<double> curve_deflection, curve_force;
 
-  /// False without coefficients of turn slip, or without stiffness against spin (4.99), over which
-  /// the formula divides.
+  /// Returns false if the coefficients of turn slip are missing, or if the stiffness against spin
+  /// (4.99), by which the formula divides, is zero.
   bool turn_slip_known() const { return missing_of_turn_slip().empty(); }
-  /// Names the coefficient that is 0, or so close to 0 that turn slip has no value; empty: none is.
+  /// Returns the name of a coefficient that is 0, or too close to 0 for turn slip to be defined;
+  /// empty if there is none.
   std::string_view missing_of_turn_slip() const;
 };
 
@@ -65,7 +67,8 @@ enum class ParameterUnit {
   frequency,
 };
 
-/// Name of a parameter, its section in a .tir, and its member of Parameters.
+/// Describes a parameter: its name, its section in a .tir file, its default and its member of
+/// Parameters.
 struct ParameterField {
   std::string_view section, name;
   double fallback;
@@ -73,9 +76,10 @@ struct ParameterField {
   double Parameters::*member;
 };
 
-/// Returns all parameters in the order of the file.
+/// Returns the descriptions of all parameters in the order of a .tir file.
 const std::vector<ParameterField>& parameter_fields();
-/// Returns nullptr if no parameter has the given name (capitals).
+/// Returns the description of the parameter with this name (in capitals), or nullptr if there is
+/// none.
 const ParameterField* find_parameter(std::string_view name);
 
 }  // namespace latsch::magic_formula

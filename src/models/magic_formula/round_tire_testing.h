@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a tire whose coefficients can be checked by hand.
+// For tests: a tire whose forces can be computed with pencil and paper.
 #pragma once
 
 #include "models/magic_formula/parameters.h"
 
 namespace latsch::magic_formula {
 
-/// A symmetric passenger car tire of round numbers.
+/// A symmetric passenger car tire whose coefficients are round numbers.
 inline Parameters round_tire() {
   Parameters p;
   p.UNLOADED_RADIUS = 0.3;

@@ -16,19 +16,25 @@ namespace latsch::magic_formula {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kWider = 1.5;  // width relative to the data
+constexpr double kWider = 1.5;  // width of the checked range relative to that of the data
 constexpr double kLeastFriction = 0.2, kMostFriction = 3.0;
-constexpr double kRise = 0.01;     // share of friction over load: a smaller rise is ignored
-constexpr double kConvex = 0.8;    // share of the hull
-constexpr double kLightest = 0.1;  // share of FNOMIN: a moment at a smaller load is ignored
-constexpr double kReturned = 0.5;  // share of the peak of the aligning moment
-// The trail is zero there, whatever the range of the data.
+// Rise of the friction with the load, as a share, below which it is ignored.
+constexpr double kRise = 0.01;
+// Smallest force in a direction, as a share of the convex hull of the forces.
+constexpr double kConvex = 0.8;
+// Share of FNOMIN; the aligning moment at smaller loads is not checked.
+constexpr double kLightest = 0.1;
+// Largest aligning moment of opposite sign, as a share of the peak.
+constexpr double kReturned = 0.5;
+// Slip angle up to which the aligning moment is checked at least, whatever the range of the data.
+// The trail has fallen to zero there.
 constexpr double kLeastSweep = 30.0 * kDegree;
-constexpr double kMostAlpha = 45.0 * kDegree, kMostKappa = 1.0;  // for a tire that rolls forward
+// Largest checked slips of a tire that rolls forward.
+constexpr double kMostAlpha = 45.0 * kDegree, kMostKappa = 1.0;
 constexpr std::size_t kNamed = 3;
 constexpr double kBar = 1e5;
 
-/// A range 1.5 times as wide about its middle.
+/// An interval of 1.5 times the width of the data, with the same middle.
 struct Widened {
   double from, to;
 
@@ -45,7 +51,8 @@ Widened widened(double from, double to) {
   return {from - more, to + more};
 }
 
-/// Widens the range of a quantity that has to stay positive: not below half of its lower end.
+/// Widens the range of a quantity that has to stay positive. The lower end does not go below half
+/// of its value.
 Widened widened_above_zero(double from, double to) {
   Widened range = widened(from, to);
   range.from = std::max(range.from, 0.5 * from);
@@ -70,7 +77,8 @@ Lattice lattice_over(const DataRange& range, const Parameters& p) {
   return lattice;
 }
 
-/// Removes the limits of the file, because they would hide the range outside.
+/// Removes the limits of the file, because clamped inputs would hide the behavior outside of the
+/// data.
 Parameters without_ranges(Parameters p) {
   p.PRESMIN = p.FZMIN = 0.0;
   p.PRESMAX = p.FZMAX = p.KPUMAX = p.ALPMAX = p.CAMMAX = kUnlimited;
@@ -78,7 +86,7 @@ Parameters without_ranges(Parameters p) {
   return p;
 }
 
-/// Severity with which a row fails; 0: it does not fail.
+/// Result of a check: the severity of a violation (0: none) and its description.
 struct Finding {
   double severity = 0.0;
   std::string words;
@@ -99,7 +107,8 @@ using Answer = double SteadyState::*;
 
 Finding keeps_sign(const Parameters& p, const Lattice& at, Answer stiffness, const char* name) {
   const MagicFormula tire(p);
-  const double expected = stiffness == &SteadyState::Kya ? -1.0 : 1.0;  // alpha > 0: Fy < 0
+  // Kya is negative, since alpha > 0 gives Fy < 0
+  const double expected = stiffness == &SteadyState::Kya ? -1.0 : 1.0;
   const State nominal{p.FNOMIN, 0.0, 0.0, 0.0, 0.0, at.speed, at.nominal_pressure};
   const double size = std::max(std::abs(tire.evaluate(nominal).*stiffness), 1e-3 * p.FNOMIN);
   Finding found;
@@ -186,7 +195,7 @@ std::vector<Point> hull_of(std::vector<Point> points) {
   return hull;
 }
 
-/// Returns the extent of a polygon about the origin in a direction.
+/// Returns the distance from the origin to the boundary of a polygon in a direction (rad).
 double reach(const std::vector<Point>& hull, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   double most = 0.0;
@@ -200,7 +209,8 @@ double reach(const std::vector<Point>& hull, double angle) {
   return most;
 }
 
-/// Checks the forces over all slips at a load, in kDirections directions around the circle.
+/// Checks that the forces over all slips at a load form a nearly convex set. It compares the
+/// largest force with the convex hull in kDirections directions.
 Finding ellipse_is_convex(const Parameters& p, const Lattice& at) {
   constexpr int kAlphas = 61, kKappas = 61, kDirections = 64;
   const MagicFormula tire(p);
@@ -210,7 +220,7 @@ Finding ellipse_is_convex(const Parameters& p, const Lattice& at) {
     std::vector<double> farthest(kDirections, 0.0);
     std::vector<State> states;
     for (int i = 0; i < kAlphas; ++i)
-      for (int k = 0; k < kKappas; ++k)  // denser where the forces are steep
+      for (int k = 0; k < kKappas; ++k)  // points are denser where the forces are steep
         states.push_back({Fz,
                           at.kappa * std::pow(2.0 * k / (kKappas - 1) - 1.0, 3),
                           at.alpha * std::pow(2.0 * i / (kAlphas - 1) - 1.0, 3),
@@ -275,7 +285,8 @@ Finding moment_returns(const Parameters& p, const Lattice& at) {
   return found;
 }
 
-/// A factor that has to stay positive, as a function of x = (p - NOMPRES) / NOMPRES or of gamma.
+/// A polynomial factor that has to stay positive. It is a function of x = (p - NOMPRES) / NOMPRES,
+/// or of gamma.
 struct Factor {
   const char* words;
   Condition condition;
@@ -287,6 +298,10 @@ const std::vector<Factor>& factors() {
   using P = Parameters;
   using enum Condition;
   static const std::vector<Factor> all = {
+      {"of vertical stiffness",
+       pressure,
+       {"PFZ1"},
+       [](const P& p, double x) { return 1.0 + p.PFZ1 * x; }},
       {"of slip stiffness",
        pressure,
        {"PPX1", "PPX2"},
@@ -365,10 +380,12 @@ Finding stays_positive(const Parameters& p, const Lattice& at, const Factor& fac
 struct Row {
   std::string name;
   std::function<Finding(const Parameters&)> look;
-  std::vector<std::string_view> suspects;  // prefixes of coefficients that may cause it
+  // Prefixes of the coefficients that may cause a violation.
+  std::vector<std::string_view> suspects;
 };
 
-/// Returns the value at which a coefficient has no effect, or its usual value.
+/// Returns a value for a coefficient with which it does no harm: the one at which it has no effect
+/// or, if there is none, a usual value.
 double neutral_value(std::string_view name) {
   struct Usual {
     std::string_view name;
@@ -391,7 +408,8 @@ double neutral_value(std::string_view name) {
   return name.starts_with("L") && name.size() > 2 ? 1.0 : 0.0;
 }
 
-/// Finds by trial the coefficients that make a row fail.
+/// Finds the coefficients that cause a violation. It sets one coefficient after the other to its
+/// neutral value and keeps the change that reduces the severity most.
 std::vector<std::string> causes(const Row& row, Parameters p, double severity) {
   std::vector<std::string> named;
   while (severity > 0.0 && named.size() < kNamed) {
@@ -412,7 +430,8 @@ std::vector<std::string> causes(const Row& row, Parameters p, double severity) {
         best = &field;
       }
     }
-    if (!best || !(least < 0.9 * severity)) break;  // no coefficient improves much
+    // No coefficient reduces the severity by more than 10 %.
+    if (!best || !(least < 0.9 * severity)) break;
     named.emplace_back(best->name);
     p.*best->member = neutral_value(best->name);
     severity = least;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks whether a Magic Formula tire behaves like a tire beyond the data it was fitted to.
 //
-// A polynomial that is right inside the data may change its course outside. The checks use a
-// lattice over the ranges of the data, 1.5 times as wide about their middle, without the limits of
-// the file:
+// A polynomial that fits the data may behave differently outside of them. The checks use a lattice
+// of points over the ranges of the data, widened by a factor of 1.5 about their middle, and ignore
+// the limits of the file:
 //   cornering stiffness   keeps its sign and is nowhere 0
 //   slip stiffness        keeps its sign and is nowhere 0
 //   friction              stays in 0.2 ... 3, longitudinally and laterally
@@ -13,9 +13,9 @@
 //   aligning moment       falls beyond its peak, and beyond 0 it stays below half of the peak
 //   factors               of pressure and camber polynomials stay positive: no pole, no change
 //                         of sign
-// The coefficients that cause a failed row are found by trial: each suspect is set to its neutral
-// value (0 for a coefficient of load, camber or pressure), and the one that repairs the row, or
-// most of it, is named; then the next, at most three.
+// The coefficients that cause a failed check are found by trial. Each coefficient that may be the
+// cause is set to a neutral value (0 for a coefficient of load, camber or pressure). The one that
+// removes the violation, or most of it, is reported; then the next one is sought, at most three.
 #pragma once
 
 #include <string>
@@ -25,7 +25,8 @@
 
 namespace latsch::magic_formula {
 
-/// Range of the data, SI. Angles and slips up to the larger of both sides.
+/// Range of the data, in SI units. The range of angles and slips is symmetric: the larger modulus
+/// of both sides.
 struct DataRange {
   double Fz_from = 0.0, Fz_to = 0.0;
   double alpha = 0.0, kappa = 0.0;
@@ -33,18 +34,21 @@ struct DataRange {
   double p_from = 0.0, p_to = 0.0;
 };
 
-/// Returns the ranges of the file. If it has none: loads of 0.5 to 1.5 FNOMIN, 12 degrees of side
-/// slip, slips of 0.2, cambers of +-4 degrees, pressures of +-15 % about NOMPRES.
+/// Returns the ranges stated in the file. If the file states none, returns loads of 0.5 to 1.5
+/// FNOMIN, slip angles of 12 degrees, slips of 0.2, cambers of +-4 degrees, and pressures of +-15 %
+/// about NOMPRES.
 DataRange range_of(const Parameters& parameters);
 
 struct SanityFault {
-  std::string row;                        // "friction over load"
-  std::string words;                      // "lateral friction rises with load: 1.1 at 600 N, ..."
-  std::vector<std::string> coefficients;  // the causes, strongest first; may be empty
+  std::string row;  // name of the check, for example "friction over load"
+  // Description of the fault, for example "lateral friction rises with load: 1.1 at 600 N, ...".
+  std::string words;
+  // Coefficients that cause it, strongest first; may be empty.
+  std::vector<std::string> coefficients;
 };
 
-/// Returns the rows that fail, in the order above. Forces that the tire does not have are not
-/// checked.
+/// Returns the checks that fail, in the order of the list above. Forces that the tire does not have
+/// are not checked.
 std::vector<SanityFault> sanity_faults(const Parameters& parameters, const DataRange& range);
 
 }  // namespace latsch::magic_formula

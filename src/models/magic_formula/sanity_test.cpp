@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Returns a tire with coefficients of the size of published passenger tires.
+/// Returns a tire whose coefficients have the size of those of published passenger car tires.
 Parameters sane_tire() {
   Parameters p;
   p.UNLOADED_RADIUS = 0.32;
@@ -59,7 +59,7 @@ TEST(Sanity, ATireOfUsualCoefficientsHasNoFault) {
   EXPECT_THAT(rows_of(sanity_faults(sane_tire(), range_of(sane_tire()))), IsEmpty());
 }
 
-// In each case a single coefficient is wrong, so that one has to be named.
+// In each case a single coefficient is wrong, and the check must name this one.
 TEST(Sanity, AFaultNamesItsRowAndTheCoefficientThatMakesIt) {
   struct Case {
     double Parameters::*coefficient;
@@ -76,6 +76,7 @@ TEST(Sanity, AFaultNamesItsRowAndTheCoefficientThatMakesIt) {
            Case{&Parameters::QCZ1, 2.2, "QCZ1", "aligning moment"},
            Case{&Parameters::RBX1, 60.0, "RBX1", "friction ellipse"},
            Case{&Parameters::PPZ1, 8.0, "PPZ1", "factors"},
+           Case{&Parameters::PFZ1, 9.0, "PFZ1", "factors"},
            Case{&Parameters::PPY2, -9.0, "PPY2", "factors"},
            Case{&Parameters::QBZ4, -15.0, "QBZ4", "factors"},
        }) {
@@ -89,7 +90,8 @@ TEST(Sanity, AFaultNamesItsRowAndTheCoefficientThatMakesIt) {
   }
 }
 
-// PDY2 = 0 and two coefficients of pressure: each alone leaves the friction positive.
+// PDY2 is 0, and two pressure coefficients are wrong. Either of them alone would leave the friction
+// positive.
 TEST(Sanity, TwoCoefficientsThatFailTogetherAreBothNamed) {
   Parameters p = sane_tire();
   p.PPY3 = -3.5;
@@ -102,7 +104,8 @@ TEST(Sanity, TwoCoefficientsThatFailTogetherAreBothNamed) {
   EXPECT_THAT(coefficients, ElementsAre("PPY3", "PPY4"));
 }
 
-// A limit of the file would hide the range outside of it.
+// The check must ignore the limits of the file, because clamped inputs would hide the behavior
+// outside of them.
 TEST(Sanity, LimitsOfTheFileHideNothing) {
   Parameters p = sane_tire();
   p.PDY2 = 0.5;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elementary functions of several numbers at once. For one state, the numbers are evaluated side by
-// side from start to end; for eight states, with or without slopes, one after the other.
+// Evaluates elementary functions of several numbers at once. For a single state all numbers share
+// one vector register. For eight states, with or without derivatives, each function is evaluated
+// for all states, one after the other.
 #if defined(LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE
 #undef LATSCH_MAGIC_FORMULA_SIDE_BY_SIDE
@@ -15,7 +16,8 @@ namespace latsch::magic_formula::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// The types of coefficients that belong to R.
+/// Types of the coefficients for a number type R: if R has derivatives, the coefficients have them,
+/// too.
 template <class R>
 using ConstantOf = typename R::Constant;
 template <class R>
@@ -27,14 +29,14 @@ LATSCH_INLINE double number(double x) { return x; }
 LATSCH_INLINE double number(const Lane& x) {
   double v = x.v;
 #if LATSCH_X86_KERNELS
-  // The value is held in a register. Values just written to memory one by one cannot be read as
-  // four before all of them have arrived, and compilers tend to do so.
+  // Keeps the value in a register. Compilers tend to write four values to memory one by one and to
+  // read them back as one vector, which stalls the processor until all writes are done.
   __asm__("" : "+x"(v));
 #endif
   return v;
 }
 
-/// Returns x[0] to x[N - 1], N <= 4, followed by `beyond`.
+/// Returns a vector of x[0] to x[N - 1], N <= 4, filled up with `beyond`.
 template <int N, class T>
 LATSCH_INLINE Lanes4 gathered(const T* x, double beyond = 0.0) {
   static_assert(N <= 4);
@@ -46,8 +48,9 @@ LATSCH_INLINE void scatter(const Lanes4& v, Lane* x) {
   for (int i = 0; i < N; ++i) x[i] = v.at(i);
 }
 
-// Sine and cosine of four curves C atan(x - E (x - atan x)), in two steps, so that other work of
-// one state can run during the first. For eight states the second step does everything.
+// Sine and cosine of four curves C atan(x - E (x - atan x)), in two steps. For a single state,
+// other computations can overlap with the first step. For eight states the first step does nothing,
+// and the second does all.
 LATSCH_INLINE Lanes4 inner_arcs(const Lane* x) { return atan(gathered<4>(x)); }
 LATSCH_INLINE void magic_of_four(
     const Lane* x_, const Lane* C, const Lane* E, const Lanes4& arcs, Lane* sine, Lane* cosine) {
@@ -71,8 +74,8 @@ LATSCH_INLINE void magic_of_four(
   }
 }
 
-/// Computes the arc tangents of four x; sine and cosine of the first three times a factor, and of
-/// one more angle.
+/// Computes the arc tangents of four numbers x, and the sines and cosines of four angles: the first
+/// three arc tangents times a factor each, and one more angle.
 LATSCH_INLINE void sin_cos_of_atan_all(const Lane (&x)[4],
                                        const double (&factor)[3],
                                        const Lane& angle,
@@ -101,7 +104,7 @@ LATSCH_INLINE void sin_cos_of_atan_all(const R (&x)[4],
   }
 }
 
-/// Computes base^power for three base > 0, and e^exponent.
+/// Computes base^power for three positive bases, and e^exponent.
 LATSCH_INLINE void powers_and_exp(const Lane (&base)[3],
                                   const double (&power)[3],
                                   const Lane& exponent,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: compares slopes with differences of the plain formula, for every variable and output.
+// For tests: compares derivatives with finite differences of the plain formula, for every variable
+// and output.
 //
 // Central differences over h, h/2, h/4, h = 1e-3 of the variable's size, are extrapolated
 // [Richardson 1911]. The error is of order h^6, 1e-18 for a smooth curve, plus rounding, about ten
@@ -30,7 +31,7 @@ inline const std::vector<Output>& all_outputs() {
 
 struct SlopeComparison {
   int count = 0, kinks = 0, not_the_bits = 0;
-  double worst = 0.0;  // excess over the tolerance; at most 1 if all agree
+  double worst = 0.0;  // largest difference over its tolerance; at most 1 if all agree
   std::string where;
 };
 
@@ -62,7 +63,8 @@ class SlopeDifferences {
     return results;
   }
 
-  /// Returns the size in proportion to which a variable is changed; 0 if it cannot be changed.
+  /// Returns the typical size of a variable, to which the step of the differences is proportional;
+  /// 0 if the variable cannot be changed.
   double size_of(const std::string& name) const {
     static const std::vector<std::pair<std::string, double>> states = {{"Fz", 4000.0},
                                                                        {"kappa", 0.1},
@@ -75,7 +77,8 @@ class SlopeDifferences {
       if (state == name) return size;
     const ParameterField& field = *find_parameter(name);
     const double x = tire_.parameters().*field.member;
-    // At 0 these switch equations; limits may be infinite.
+    // The value 0 of these parameters switches equations, and limits may be infinite, so they are
+    // not changed.
     for (const char* switching : {"Q_A1", "Q_A2", "PTY2", "Q_CAM1", "Q_CAM2"})
       if (name == switching && x == 0.0) return 0.0;
     if (!std::isfinite(x)) return 0.0;
@@ -103,7 +106,7 @@ class SlopeDifferences {
            : name == "p"     ? &s.p
                              : nullptr;
   }
-  /// Returns 1 for a coefficient.
+  /// Returns the value of a state's variable; for a coefficient returns 1.
   static double value_of(const std::string& name, State s) {
     const double* x = field_of(name, s);
     return x == nullptr ? 1.0 : *x;
@@ -129,7 +132,8 @@ class SlopeDifferences {
         const double best = fine + (fine - coarse) / 15.0;
         const double here = found.slopes[o](i, j);
         double reach = 1e-7 * std::abs(best) + 1e-9 * sizes_[o] / size;
-        // The deflection of MF 6.2 is solved to 1e-15 m, which matters if it is small.
+        // The deflection of MF 6.2 is solved to 1e-15 m. If the deflection is small, this error
+        // matters in Cz.
         if (all_outputs()[o] == &SteadyState::Cz && up[2][i].rho > 0.0)
           reach += 1e-15 * up[2][i].Cz / up[2][i].rho / (h / 4.0);
         if (value_of(name, states_[i]) == 0.0) continue;

@@ -12,9 +12,10 @@
 namespace latsch::magic_formula {
 namespace {
 
-constexpr double kLowSpeed = 0.1;     // m/s, for a file with VXLOW = 0
-constexpr double kDampVlow = 1e-3;    // s, value of the sample file of MF-Swift
-constexpr double kPivotAngle = 0.05;  // rad, M_inf/C_psi of that file: 4795 N m/rad, about 240 N m
+constexpr double kLowSpeed = 0.1;   // m/s, used if VXLOW of the file is 0
+constexpr double kDampVlow = 1e-3;  // s, default of DAMP_VLOW, from the sample file of MF-Swift
+// Default of M_inf/C_psi, rad, from the sample file of MF-Swift: 4795 N m/rad and about 240 N m.
+constexpr double kPivotAngle = 0.05;
 constexpr double kShortestPatch = 0.01;  // m
 
 using Fields = std::array<double, sizeof(SteadyState) / sizeof(double)>;
@@ -26,13 +27,14 @@ SteadyState mixed(const SteadyState& a, const SteadyState& b, double share_of_b)
   return std::bit_cast<SteadyState>(x);
 }
 
-/// Evaluates a patch rolled in with history `r`, with the resistance of one that rolls at V_low.
+/// Evaluates the formula for a contact patch that was rolled in with the direction `r`. The rolling
+/// resistance is that of a tire that rolls at V_low.
 SteadyState at_low_speed(const MagicFormula& formula, State state, double low, double r) {
   state.Vx = low;
   const SteadyState ahead = formula.evaluate(state);
   if (r == 1.0) return ahead;
   state.Vx = -low;
-  state.kappa = -state.kappa;  // the formula's (omega R_e - Vx)/Vx
+  state.kappa = -state.kappa;  // sign of the formula's kappa = (omega R_e - Vx)/Vx
   SteadyState back = formula.evaluate(state);
   back.My = -back.My;
   return mixed(back, ahead, 0.5 * (1.0 + r));
@@ -92,7 +94,7 @@ double Pivot::twisted(double psi, double w, double V_r, double step) const {
 
 Pivot pivot_of(const Parameters& p, const SteadyState& at) {
   const double Fz0 = p.LFZO * p.FNOMIN, mu = std::abs(at.muy);
-  // The torque of a round patch under even pressure, 2/3 mu Fz R.
+  // Friction torque of a round contact patch of radius R under uniform pressure: 2/3 mu Fz R.
   const double rubbing =
       2.0 / 3.0 * mu * at.Fz * std::sqrt(4.0 * std::max(at.a * at.b, 0.0) / std::numbers::pi);
   Pivot pivot;

@@ -19,9 +19,10 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr double kHeight = 0.28;  // m: 4000 N on the round tire
+constexpr double kHeight = 0.28;  // m, height of the axle at which the round tire carries 4000 N
 
-/// The round tire, which saturates within some degrees when it turns on the spot.
+/// The round tire with a yaw stiffness, such that its parking torque saturates within a few
+/// degrees.
 Parameters parking_tire() {
   Parameters p = round_tire();
   p.YAW_STIFFNESS = 5000.0;
@@ -35,12 +36,12 @@ WheelMotion standing() {
   return motion;
 }
 
-/// A wheel whose motion is given by velocities.
+/// Moves a wheel on a tire by given velocities and returns the forces.
 struct Ride {
   explicit Ride(const Parameters& p, int use_mode = 14) : tire(p, {.use_mode = use_mode}) {
     EXPECT_TRUE(tire.settle(motion, road, 0.0).ok());
   }
-  /// Advances by `step`, with these velocities at the end of the step.
+  /// Advances by `step` seconds. The velocities are those at the end of the step.
   HubForces go(double Vx, double Vy, double yaw_rate, double spin_rate, double step) {
     motion.velocity = {Vx, Vy, 0.0};
     motion.angular_velocity.z() = yaw_rate;
@@ -49,15 +50,15 @@ struct Ride {
     EXPECT_TRUE(hub.ok());
     return hub.ok() ? *hub : HubForces{};
   }
-  /// Moves by the distance `way` at `speed` in equal steps, then stops.
+  /// Moves the wheel by the distance `way` (m) at `speed` in equal steps, then stops it.
   HubForces push(const Vector3d& way, double speed = 0.05, int steps = 200) {
     const double time = way.norm() / speed;
     const Vector3d v = way / time;
-    go(v.x(), v.y(), 0.0, 0.0, 0.0);  // sets the velocity of the whole first step
+    go(v.x(), v.y(), 0.0, 0.0, 0.0);  // sets the velocity at the start of the first step
     for (int i = 0; i < steps; ++i) go(v.x(), v.y(), 0.0, 0.0, time / steps);
     return go(0.0, 0.0, 0.0, 0.0, 0.0);
   }
-  /// Turns on the spot by `angle`, then stops.
+  /// Turns the wheel on the spot by `angle` (rad), then stops it.
   HubForces pivot(double angle, int steps = 200) {
     const double rate = std::copysign(0.2, angle);
     go(0.0, 0.0, rate, 0.0, 0.0);
@@ -74,7 +75,8 @@ SteadyState at_nominal_load(const Parameters& p) {
   return MagicFormula(p).evaluate({4000.0, 0.0, 0.0, 0.0, 0.0, p.VXLOW, p.NOMPRES});
 }
 
-// sigma = K/C: the slope of the formula over the deflection is the stiffness of the carcass.
+// With the relaxation length sigma = K/C, the derivative of the force by deflection is the
+// stiffness C of the carcass.
 TEST(Standstill, ALittlePushIsAnsweredByTheStiffnessesOfTheFile) {
   const Parameters p = parking_tire();
   for (const int mode : {14, 24})
@@ -84,7 +86,7 @@ TEST(Standstill, ALittlePushIsAnsweredByTheStiffnessesOfTheFile) {
     }
 }
 
-/// Returns the formula's curve at a slip.
+/// Returns the force of the Magic Formula curve at a slip.
 double curve(double slip, double stiffness, double peak, double C, double E) {
   const double Bx = stiffness / (C * peak) * slip;
   return peak * std::sin(C * std::atan(Bx - E * (Bx - std::atan(Bx))));
@@ -92,20 +94,22 @@ double curve(double slip, double stiffness, double peak, double C, double E) {
 
 TEST(Standstill, AFarPushIsAnsweredByTheFriction) {
   const Parameters p = parking_tire();
-  // The bound is three times the slip at which the tangent reaches the friction.
+  // The deflection is limited to three times the slip at which the tangent of the curve reaches the
+  // friction.
   constexpr double Kx = 25.0 * 4000.0, Dx = 1.2 * 4000.0, Dy = 4000.0;
   const double Ky = 20.0 * 4000.0 * std::sin(2.0 * std::atan(1.0 / 1.5));
   const double x = curve(3.0 * Dx / Kx, Kx, Dx, 1.6, 0.1);
   const double y = curve(std::atan(3.0 * Dy / Ky), Ky, Dy, 1.3, -0.5);
-  constexpr double kSlowly = 1e-4;  // m/s: the bound widens with speed
+  // At a higher speed, m/s, the limit of the deflection would be larger.
+  constexpr double kSlowly = 1e-4;
   EXPECT_NEAR(Ride(p).push({0.4, 0.0, 0.0}, kSlowly).force.x(), -x, 1e-3);
   EXPECT_NEAR(Ride(p).push({0.0, 0.4, 0.0}, kSlowly).force.y(), -y, 1e-3);
-  EXPECT_NEAR(x, Dx, 0.01 * Dx);  // next to the peak
+  EXPECT_NEAR(x, Dx, 0.01 * Dx);  // this slip is near the peak of the curve
   EXPECT_NEAR(y, Dy, 0.01 * Dy);
 }
 
-// After a long push and a return by twice the carcass's deflection, the force has the opposite
-// sign.
+// The wheel is pushed far, so that the patch slides, then moved back by twice the carcass's
+// deflection. The force must then have the opposite sign.
 TEST(Standstill, WhatSlidBeforeStoresNoDeflection) {
   const Parameters p = parking_tire();
   Ride ride(p);
@@ -113,7 +117,7 @@ TEST(Standstill, WhatSlidBeforeStoresNoDeflection) {
   EXPECT_GT(ride.push({-0.1, 0.0, 0.0}).force.x(), 4000.0);
 }
 
-/// A braked mass on the tire, brought to rest by the symplectic Euler rule.
+/// A mass on the tire is braked to rest. It is integrated by the symplectic Euler method.
 struct Car {
   Car(const Parameters& p, double speed, int use_mode = 14) : ride(p, use_mode), v(speed) {
     for (int i = 0; i < 200; ++i) ride.go(v, 0.0, 0.0, v / 0.295, 1e-3);
@@ -128,7 +132,7 @@ struct Car {
 
 TEST(Standstill, AGradeIsHeldByASpringAndNotByCreep) {
   Parameters p = parking_tire();
-  p.DAMP_VLOW = 4e-3;  // comes to rest within the test
+  p.DAMP_VLOW = 4e-3;  // with this damping the mass comes to rest within the test
   const double weight = 400.0 * 9.81 * 0.2;
   Car car(p, 0.0);
   double x_before = 0.0;
@@ -138,12 +142,13 @@ TEST(Standstill, AGradeIsHeldByASpringAndNotByCreep) {
   }
   EXPECT_NEAR(car.ride.tire.contact_forces().Fx, weight, 1e-6 * weight);
   EXPECT_NEAR(car.x, x_before, 1e-9);
-  EXPECT_NEAR(car.x, -weight / 3e5, 0.02 * weight / 3e5);  // it has not slid on its way to rest
+  // The patch has not slid before it came to rest.
+  EXPECT_NEAR(car.x, -weight / 3e5, 0.02 * weight / 3e5);
 }
 
 TEST(Standstill, ABrakedCarComesToRestWithoutChatter) {
   Parameters p = parking_tire();
-  p.DAMP_VLOW = 4e-3;  // comes to rest within the test
+  p.DAMP_VLOW = 4e-3;  // with this damping the mass comes to rest within the test
   for (const int mode : {14, 24}) {
     Car car(p, 3.0, mode);
     double before = car.v, rise = 0.0;
@@ -155,13 +160,15 @@ TEST(Standstill, ABrakedCarComesToRestWithoutChatter) {
       before = car.v;
     }
     EXPECT_LT(std::abs(car.v), 1e-4) << mode;
-    EXPECT_LT(rise, 1.0) << mode;  // it springs back once, more slowly than the carcass would
-    EXPECT_LT(turns, 2 * 10 * 5) << mode;  // at most at the 4.4 Hz of mass and carcass
+    // The mass springs back once, more slowly than on the carcass alone.
+    EXPECT_LT(rise, 1.0) << mode;
+    // At most two reversals per period of the 4.4 Hz of mass and carcass.
+    EXPECT_LT(turns, 2 * 10 * 5) << mode;
   }
 }
 
-/// Returns forces while a wheel brakes to rest, is pushed, is steered and starts again, in `parts`
-/// steps.
+/// Returns the forces while a wheel brakes to rest, is pushed sideways, is steered and starts
+/// again, in `parts` steps.
 std::vector<Vector3d> errand(const Parameters& p, int use_mode, int parts, double way = 1.0) {
   Ride ride(p, use_mode);
   std::vector<Vector3d> forces;
@@ -199,7 +206,8 @@ TEST(Standstill, ForcesAreContinuousOnTheWayToRestAndBack) {
         largest[fine] = std::max(largest[fine], (forces[i] - forces[i - 1]).norm());
       }
     }
-    EXPECT_LT(largest[1], 0.55 * largest[0]) << mode;  // a jump would not shrink with the step
+    // If the force had a jump, this difference would not shrink with the step.
+    EXPECT_LT(largest[1], 0.55 * largest[0]) << mode;
   }
 }
 
@@ -231,7 +239,8 @@ TEST(Standstill, IsOfOrderTwoThroughStandstill) {
     HubForces hub;
     const double h = 1.0 / parts;
     for (int i = 0; i <= parts; ++i) {
-      const double t = i * h, Vx = 0.4 - 0.8 * t;  // reverses at the end of a step
+      // The velocity reverses exactly at the end of a step.
+      const double t = i * h, Vx = 0.4 - 0.8 * t;
       hub = ride.go(Vx, 0.02 * std::sin(3.0 * t), 0.1 * std::cos(2.0 * t), 3.3 * Vx, i ? h : 0.0);
     }
     return Vector3d(hub.force.x(), hub.force.y(), ride.tire.contact_forces().Mz);
@@ -266,7 +275,7 @@ TEST(Standstill, JustBelowVXLOWTheForcesAreThoseJustAbove) {
 TEST(Standstill, SettledItAnswersAsItDoesAtRest) {
   Parameters p = parking_tire();
   p.PVY1 = 0.02;
-  p.QSX1 = 0.01;  // an overturning moment by load and camber alone
+  p.QSX1 = 0.01;  // adds an overturning moment that depends on load and camber alone
   p.QSX3 = 0.0;
   const road::PlaneRoad road;
   WheelMotion motion = standing();
@@ -282,7 +291,7 @@ TEST(Standstill, SettledItAnswersAsItDoesAtRest) {
   }
 }
 
-// A standing tire has no ply steer; it builds up as the tire rolls.
+// A tire that has never rolled has no ply-steer force. The force builds up as the tire rolls.
 TEST(Standstill, AForceWithoutSlipComesByRolling) {
   Parameters p = parking_tire();
   p.PVY1 = 0.02;
@@ -290,11 +299,12 @@ TEST(Standstill, AForceWithoutSlipComesByRolling) {
   EXPECT_EQ(ride.go(0.0, 0.0, 0.0, 0.0, 0.01).force.y(), 0.0);
   for (int i = 0; i < 400; ++i) ride.go(0.5, 0.0, 0.0, 0.5 / 0.295, 0.02);
   EXPECT_NEAR(ride.tire.contact_forces().Fy, 0.02 * 4000.0, 0.8);
-  for (int i = 0; i <= 50; ++i) {  // comes to rest within a millimeter
+  for (int i = 0; i <= 50; ++i) {  // the wheel comes to rest within a millimeter
     const double V = 0.5 * std::exp(-0.3 * i);
     ride.go(V, 0.0, 0.0, V / 0.295, 1e-3);
   }
-  EXPECT_NEAR(ride.go(0.0, 0.0, 0.0, 0.0, 1.0).force.y(), 0.02 * 4000.0, 0.8);  // it remains
+  // The force remains at rest.
+  EXPECT_NEAR(ride.go(0.0, 0.0, 0.0, 0.0, 1.0).force.y(), 0.02 * 4000.0, 0.8);
 }
 
 /// Returns the formula's torque of turning on the spot: (4.93) at infinite turn slip.
@@ -303,7 +313,7 @@ double spun(Parameters p) {
   return formula.evaluate({4000.0, 0.0, 0.0, 0.0, 1e9, p.VXLOW, p.NOMPRES}).Mz;
 }
 
-// M = -M_inf (1 - exp(-C psi/M_inf)) for a wheel turned from rest.
+// A wheel that is turned from rest has the moment M = -M_inf (1 - exp(-C psi/M_inf)).
 TEST(Standstill, APivotingWheelIsHeldByYawStiffnessUpToTheFormulasTorque) {
   const Parameters p = parking_tire();
   const double M_inf = spun(p);
@@ -318,20 +328,21 @@ TEST(Standstill, APivotingWheelIsHeldByYawStiffnessUpToTheFormulasTorque) {
   }
 }
 
-// The wheel is turned far, then back until the moment is zero: the remaining angle is reduced by ln
-// 2 M_inf/C.
+// The wheel is turned far, then turned back until its moment is zero. The angle of this return is
+// ln 2 M_inf/C.
 TEST(Standstill, LetGoThePivotedWheelKeepsItsAngle) {
   const Parameters p = parking_tire();
   Ride ride(p);
   ride.pivot(0.6);
   EXPECT_NEAR(ride.pivot(-std::numbers::ln2 * spun(p) / 5000.0).moment.z(), 0.0, 1e-3);
-  EXPECT_NEAR(ride.pivot(-0.6).moment.z(), spun(p), 1e-3);  // steered straight: a moment remains
+  // Steered back to straight ahead, a moment remains.
+  EXPECT_NEAR(ride.pivot(-0.6).moment.z(), spun(p), 1e-3);
   for (int i = 0; i < 400; ++i) ride.go(0.5, 0.0, 0.0, 0.5 / 0.295, 1e-2);
-  EXPECT_NEAR(ride.tire.contact_forces().Mz, 0.0, 1.0);  // rolled off
+  EXPECT_NEAR(ride.tire.contact_forces().Mz, 0.0, 1.0);  // rolling has removed the moment
 }
 
-// Without QCRP1 the torque is that of friction under even pressure over a round patch with the area
-// of the formula's patch.
+// Without the coefficient QCRP1, the torque is that of friction under uniform pressure in a round
+// patch, with the area that the formula gives for the patch.
 TEST(Standstill, WithoutTurnSlipInTheFileThePatchRubs) {
   Parameters p = parking_tire();
   p.QCRP1 = p.YAW_STIFFNESS = p.DAMP_VLOW = 0.0;
@@ -370,7 +381,8 @@ TEST(Standstill, AMotionThatIsNoneIsToldAndForgotten) {
   EXPECT_FALSE(ride.tire.advance(ride.motion, ride.road, 0.0, none.velocity.y()).ok());
   const HubForces a = ride.go(0.2, 0.01, 0.1, 1.0, 0.01), b = twin.go(0.2, 0.01, 0.1, 1.0, 0.01);
   EXPECT_EQ(a.force, b.force);
-  const HubForces again = ride.go(0.2, 0.01, 0.1, 1.0, 0.0);  // a step of zero length
+  // A step of zero length must change nothing.
+  const HubForces again = ride.go(0.2, 0.01, 0.1, 1.0, 0.0);
   EXPECT_EQ(a.force, again.force);
   EXPECT_EQ(a.moment, again.moment);
 }

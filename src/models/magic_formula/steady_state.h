@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All equations in the order of their dependence.
+// Evaluates all equations of the Magic Formula, in the order in which they depend on each other.
 #if defined(LATSCH_MAGIC_FORMULA_STEADY_STATE) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_STEADY_STATE
 #undef LATSCH_MAGIC_FORMULA_STEADY_STATE
@@ -31,7 +31,7 @@ LATSCH_INLINE StateOf<R> on_measured_side(const StateOf<R>& s, const Conventions
   return {s.Fz, s.kappa, -s.alpha, -s.gamma, -s.phit, s.Vx, s.p};
 }
 
-/// All forces of a state and the intermediate results.
+/// All forces of a state together with the intermediate results.
 template <class R>
 struct Everything {
   OperatingPoint<R> o;
@@ -84,7 +84,8 @@ LATSCH_INLINE Forces<R> forces_of(const TireOf<R>& tire,
   return conventions.mirrored ? mirrored(f) : f;
 }
 
-/// Computes everything except the deflection of MF 6.2, which depends on `wheel`.
+/// Computes all results except the deflection of MF 6.2. For that deflection, `wheel` receives its
+/// inputs.
 template <class R>
 LATSCH_INLINE void steady_state(const TireOf<R>& tire,
                                 const Conventions& conventions,
@@ -97,7 +98,7 @@ LATSCH_INLINE void steady_state(const TireOf<R>& tire,
   const auto& [o, x, pure, y, z] = e;
   wheel = {o.Fz, o.Fz_given, o.omega, o.gamma, o.dpi, o.R_omega};
   const double side = conventions.mirrored ? -1.0 : 1.0;
-  // Mx comes first, because it is the longest chain that depends on the forces.
+  // Mx is computed first, because it has the longest chain of dependent operations.
   if (asked.Mx) s.Mx = side * overturning(tire, o, y.Fy);
   Deflection<R> d;
   if (asked.deflection) d = deflection(tire, o, x.Fx, y.Fy);

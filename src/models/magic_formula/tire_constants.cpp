@@ -28,13 +28,15 @@ TireConstantsOf<K>::TireConstantsOf(const CoefficientsOf<K>& coefficients, Versi
   per_LONGVL = 1.0 / p.LONGVL;
   per_VXLOW = 1.0 / p.VXLOW;
   per_FZMIN = 1.0 / p.FZMIN;
-  constexpr double kLeastFriction = 1e-9;  // in place of that of a road without friction
+  // Smallest friction factor, so that a road without friction causes no division by zero.
+  constexpr double kLeastFriction = 1e-9;
   per_LMUY = 1.0 / (p.LMUY == 0.0 ? K(kLeastFriction) : p.LMUY);
   R0_per_V0 = p.UNLOADED_RADIUS / p.LONGVL;
   Q_A1 = p.Q_A1;
   Q_A2 = p.Q_A2;
   if (Q_A1 == 0.0 && Q_A2 == 0.0) {
-    // MF-Tyre's default for a file without Q_A1 and Q_A2: a fit over tires by their stiffness.
+    // Default of MF-Tyre for a file without Q_A1 and Q_A2: a regression over many tires as a
+    // function of their vertical stiffness.
     const K y = decadic_logarithm(stiffness);
     Q_A1 = ((-0.0388 * y + 0.2509) * y - 0.6283) * y + 0.6279;
     Q_A2 = 1.693 * Q_A1 * Q_A1;

@@ -8,7 +8,7 @@
 
 namespace latsch::magic_formula {
 
-/// The state of a steady-state tire. SI, ISO-W.
+/// State of a tire in steady motion, in SI units and the axes ISO-W.
 template <class R>
 struct StateOf {
   R Fz;     // N
@@ -20,13 +20,14 @@ struct StateOf {
   R p;      // Pa
 };
 
-/// The outputs requested in addition to Fx, Fy and their components.
+/// Outputs that are requested in addition to Fx, Fy and the quantities from which they are
+/// computed.
 struct AskedOutputs {
   bool Mx = true, My = true, Mz = true;
   bool deflection = true, patch = true, relaxation = true;
 };
 
-/// Constants that depend on the parameters alone. K is double, or DualNumber for slopes with
+/// Constants that depend on the coefficients alone. K is double, or DualNumber for derivatives with
 /// respect to coefficients.
 template <class K>
 struct TireConstantsOf {

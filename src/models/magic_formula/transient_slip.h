@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slip that lags: the carcass holds the contact patch like a spring.
+// Slip with relaxation: the carcass connects the contact patch to the rim like a spring, so that
+// the slip of the patch lags behind that of the wheel.
 //
 //   du/dt + |Vx|/sigma u = -Vsx        kappa' = u/sigma                (7.9), (7.11)
 //   dv/dt + |Vx|/sigma v = +Vsy        alpha' = atan(v/sigma)          (7.7), (7.10), ISO-W
@@ -14,7 +15,8 @@
 
 namespace latsch::magic_formula {
 
-/// Returns u after `step`: du/dt = source - rate u. |u| <= bound.
+/// Returns u after `step` seconds, the solution of du/dt = source - rate u, limited to |u| <=
+/// bound.
 inline double relaxed(double u, double source, double rate, double bound, double step) {
   // (1 - exp(-rate step)) / rate, also for a rate of 0.
   const double gain = rate * step > 1e-12 ? -std::expm1(-rate * step) / rate : step;

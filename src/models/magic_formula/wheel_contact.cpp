@@ -10,13 +10,13 @@ namespace latsch::magic_formula {
 std::optional<WheelContact> touch(const WheelMotion& motion, const RoadPlane& plane) {
   const Eigen::Vector3d spin_axis = motion.carrier.col(1), &n = plane.normal;
   const Eigen::Vector3d forward = spin_axis.cross(n);
-  constexpr double kFlat = 1e-3;  // sine of the angle between spin axis and normal
+  constexpr double kFlat = 1e-3;  // smallest sine of the angle between spin axis and road normal
   if (forward.norm() < kFlat) return std::nullopt;
   WheelContact c;
   c.axes.col(0) = forward.normalized();
   c.axes.col(1) = n.cross(c.axes.col(0));
   c.axes.col(2) = n;
-  const Eigen::Vector3d up = c.axes.col(0).cross(spin_axis);  // in the wheel plane
+  const Eigen::Vector3d up = c.axes.col(0).cross(spin_axis);  // direction up in the wheel plane
   c.height = n.dot(motion.center - plane.point) / n.dot(up);
   c.point = motion.center - c.height * up;
   c.gamma = std::asin(std::clamp(spin_axis.dot(n), -1.0, 1.0));
@@ -33,7 +33,8 @@ std::optional<WheelContact> touch(const WheelMotion& motion, const RoadPlane& pl
 RoadPlane tangent_plane(const WheelMotion& motion, const road::Road& road, double time) {
   RoadPlane plane;
   Eigen::Vector3d below = motion.center;
-  // With camber or on a slope the contact is not below the center; three iterations suffice.
+  // With camber or on a slope the contact point is not exactly below the wheel center. It is found
+  // by iteration; three iterations suffice.
   for (int look = 0; look < 3; ++look) {
     const road::GroundPoint ground = road.at(below.x(), below.y(), time);
     plane = {

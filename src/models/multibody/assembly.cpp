@@ -100,7 +100,8 @@ BushingStrain Assembly::strain(int i, const Motion& motion) const {
 
 void Assembly::add_plain_joints(const Motion& motion) {
   static const Vector6d kStill = Vector6d::Zero();
-  Matrix6d nowhere = Matrix6d::Zero();  // receives actions on the ground
+  // Receives the derivatives of wrenches on the ground, which are not used.
+  Matrix6d nowhere = Matrix6d::Zero();
   tasks_.clear();
   for (const int i : plain_) {
     const Joint& joint = mechanism_.joints()[at(i)];
@@ -357,9 +358,10 @@ std::string Assembly::most_turned(const Poses& poses) const {
 }
 
 double Assembly::rounding(const Poses& poses) const {
-  // Last digits of a coordinate that remain in a sum of forces. A body that has moved far has many
-  // joints there: a car 50 m beside its line leaves up to 8 digits. One that has moved less than
-  // half a meter leaves fewer than its coordinates at rest do.
+  // Factors of the rounding unit for the error of a sum of forces: at a coordinate of the position
+  // at rest, and at a displacement. A body that has moved far has many joints there, so its error
+  // is larger: on a car that is 50 m away from its line, up to 8 digits of the forces are lost.
+  // Displacements below half a meter matter less than the coordinates at rest.
   constexpr double kAtRest = 4.0, kMoved = 32.0, kNear = 0.5;
   double stiffest = 0.0, far = 0.0, moved = 0.0;
   for (const Joint& joint : mechanism_.joints()) {

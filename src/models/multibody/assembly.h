@@ -3,7 +3,7 @@
 // f(x, v) and the blocks of
 //   J = ∂f/∂x + share ∂f/∂v,    share: change of v per change of x within a step; 0 in statics
 // Forces are about the bodies' origins, in the ground's axes. ∂f/∂x omits the effect of rotating
-// axes and arms on velocities and damping forces, which is small beside a damper's part.
+// axes and arms on velocities and damping forces, which is small compared with ∂f/∂v of a damper.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,38 +17,42 @@
 
 namespace latsch::multibody {
 
-/// Force and moment on a body about its origin from something outside the mechanism.
+/// Force and moment on a body about its origin, exerted by something outside the mechanism.
 struct BodyForce {
   int body;
-  Vector6d value = Vector6d::Zero();   // N, N m
-  Matrix6d slopes = Matrix6d::Zero();  // ∂/∂x + share ∂/∂v, their significant parts
+  Vector6d value = Vector6d::Zero();  // N, N m
+  Matrix6d slopes = Matrix6d::Zero();  // ∂/∂x + share ∂/∂v of the wrench, significant parts only
 };
 
-/// Poses, velocities and further data for which forces are computed.
+/// Poses and velocities of the bodies, and further data, for which the forces are computed.
 struct Motion {
   const Poses& poses;
-  const Eigen::VectorXd* rates = nullptr;          // velocity and angular velocity; null: zero
-  const Eigen::VectorXd* accelerations = nullptr;  // needed for inerters and inertia; null: zero
-  const Memories* memories = nullptr;              // at the end of the last step; null: those at
-                                                   // rest
-  std::span<const double> drivers = {};            // empty: all zero
-  double time = 0.0;                               // s
-  double step = kStatics;                          // s since the memories' time
-  double share = 0.0;                              // 1/s
-  double acceleration_share = 0.0;                 // 1/s^2: change of accelerations per change of x
-                                                   // in a step
+  // Velocity and angular velocity, six numbers per body; null: zero.
+  const Eigen::VectorXd* rates = nullptr;
+  // Needed for inerters and inertia forces; null: zero.
+  const Eigen::VectorXd* accelerations = nullptr;
+  // Memories of the force parts at the end of the last step; null: those at rest.
+  const Memories* memories = nullptr;
+  std::span<const double> drivers = {};  // values of the drivers; empty: all zero
+  double time = 0.0;                     // s
+  double step = kStatics;  // s, time since the state of the memories; infinite in statics
+  double share = 0.0;      // 1/s
+  // 1/s^2: change of the accelerations per change of x within a step
+  double acceleration_share = 0.0;
 };
 
-/// Adds actions from outside, such as tires on their road.
+/// Function that adds forces on bodies from outside the mechanism, such as those of tires on their
+/// road.
 using Outside = std::function<void(const Motion&, std::vector<BodyForce>&)>;
 
 class Assembly {
  public:
-  /// The mechanism must outlive this object.
+  /// Makes the assembly of a mechanism, which must outlive this object.
   explicit Assembly(const Mechanism& mechanism);
 
-  /// Computes forces and J for this motion: of elements, weight, loads (scaled by `load_share`),
-  /// actions from outside and the gyroscopic terms -ω × I ω, without M a.
+  /// Computes the forces and J for this motion, for elements, weight, loads (scaled by
+  /// `load_share`), forces from outside and the gyroscopic terms -ω × I ω. The term M a is not
+  /// included.
   void evaluate(const Motion& motion,
                 std::span<const Load> loads,
                 double load_share,
@@ -57,36 +61,39 @@ class Assembly {
   const Eigen::VectorXd& forces() const { return forces_; }
   BlockElimination& J() { return J_; }
   const BlockElimination& J() const { return J_; }
-  /// Largest angle of a bushing at the last evaluation, rad.
+  /// Returns the largest angle by which a bushing was turned at the last evaluation, rad.
   double turned() const { return turned_; }
-  /// Inertia of the body in its orientation at the last evaluation of a motion, about the ground's
-  /// axes.
+  /// Returns the inertia tensor of a body in its orientation at the last evaluation of a motion,
+  /// about the ground's axes.
   const Eigen::Matrix3d& inertia(int body) const {
     return inertia_[static_cast<std::size_t>(body)];
   }
 
-  /// Sets the memories of the parts at the end of a step that ends in this motion.
+  /// Sets the memories of the force parts to those at the end of a step that ends in this motion.
   void remember(const Motion& motion, Memories& kept) const;
-  /// Returns force and moment of a joint on its second body at its own point, in the ground's axes.
+  /// Returns the force and moment of a joint on its second body, at the joint's point of that body,
+  /// in the ground's axes.
   Vector6d joint_load(int joint, const Motion& motion) const;
   /// Returns the tension of a strut, N.
   double strut_force(int strut, const Motion& motion) const;
-  /// Returns the extension from rest, m, without its driver's travel.
+  /// Returns the extension of a strut from rest, m, without the travel of its driver.
   double extension(int strut, const Poses& poses) const;
-  /// Returns the potential energy of all springs, parts, and weight relative to rest, J, without
-  /// loads and actions from outside.
+  /// Returns the potential energy relative to rest, J, of all springs, force parts and weight,
+  /// without that of loads and forces from outside.
   double potential_energy(const Motion& motion) const;
   double kinetic_energy(const Poses& poses, const Eigen::VectorXd& rates) const;
-  /// Names the part with the largest rotation.
+  /// Returns the name of the bushing that is turned by the largest angle.
   std::string most_turned(const Poses& poses) const;
-  /// Returns the rounding error of forces that cancel, N: the stiffest bushing times some last
-  /// digits of the largest coordinate at rest, or of the largest displacement in these poses. A
-  /// mechanism that stands far from its position at rest has a larger one.
+  /// Returns the rounding error of a sum of forces in balance, N: the stiffness of the stiffest
+  /// bushing times some units in the last place of the largest coordinate at rest, or of the
+  /// largest displacement in these poses. The farther a mechanism is from its position at rest, the
+  /// larger is the error.
   double rounding(const Poses& poses) const;
 
  private:
   struct Blocks {
-    int aa, ab, ba, bb;  // positions in J; -1: a is the ground
+    // Indices of blocks in J, by bodies a and b of the element; -1: a is the ground.
+    int aa, ab, ba, bb;
   };
   const Pose& pose(const Poses& poses, int body) const;
   BushingStrain strain(int joint, const Motion& motion) const;
@@ -97,7 +104,7 @@ class Assembly {
   void add_load(const Load& load, double share, const Poses& poses);
   void add(int body, const Vector6d& wrench);
   struct StrutAnswer {
-    double force = 0.0, slope = 0.0;  // tension; its slope by extension
+    double force = 0.0, slope = 0.0;  // tension of the strut; its derivative by the extension
     std::vector<LineGeometry>& lines;
   };
   StrutAnswer answer(int strut,
@@ -108,19 +115,20 @@ class Assembly {
   const Mechanism& mechanism_;
   BlockElimination J_;
   std::vector<Blocks> joint_blocks_;
-  std::vector<int> plain_;  // joints with springs and dampers only
+  std::vector<int> plain_;  // indices of the joints that have springs and dampers only
   std::vector<BushingTask> tasks_;
-  std::vector<BushingPlace> driven_;  // for joints with a driver, by joint; unset for others
+  // Attachment points of joints with a driver, by index of the joint; unset for others.
+  std::vector<BushingPlace> driven_;
   std::vector<LineGeometry> lines_;
   Eigen::VectorXd forces_;
   std::vector<Eigen::Matrix3d> inertia_;
   std::vector<BodyForce> outside_;
-  Memories none_;  // memories at rest
+  Memories none_;  // memories of the force parts at rest
   Pose ground_;
   double turned_ = 0.0;
 };
 
-/// Returns the moments of inertia of a body in its orientation, about the ground's axes.
+/// Returns the inertia tensor of a body in the orientation of its pose, about the ground's axes.
 Eigen::Matrix3d turned_inertia(const Body& body, const Pose& pose);
 
 }  // namespace latsch::multibody

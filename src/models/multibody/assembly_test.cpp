@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests all elements of a mechanism together: their J against differences, their forces against the
-// gradient of their energy, and the loop that friction draws through an equilibrium.
+// Tests the forces of all elements of a mechanism together: their derivatives J against finite
+// differences, their values against the gradient of the energy, and the hysteresis loop that
+// friction causes in statics.
 #include "models/multibody/assembly.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +16,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Returns three bodies on bushings, a rod between two of them, a strut of two lines, and drivers
-/// of both.
+/// Returns a mechanism of three bodies on bushings, with a rod between two of them, a strut along
+/// two lines, and drivers of the rod's joint and of the strut.
 Mechanism some_mechanism(bool with_parts) {
   const auto body = [](const char* name, const Vector3d& origin, double mass) -> Body {
     return {name, origin, mass, mass * Vector3d(0.02, 0.03, 0.025).asDiagonal()};
@@ -138,7 +139,7 @@ TEST(Assembly, ItsShareOfRatesIsThatOfDifferences) {
     up[k] += h;
     down[k] -= h;
     VectorXd differences = (forces(up, 0.0) - forces(down, 0.0)) / (2.0 * h);
-    // The part of ω × I ω that depends on ω does not belong to an element.
+    // The gyroscopic term ω × I ω belongs to no element, so its derivative by ω is subtracted.
     const Body& body = mechanism.bodies()[static_cast<std::size_t>(k / 6)];
     if (k % 6 >= 3) {
       const Eigen::Matrix3d I = turned_inertia(body, poses[static_cast<std::size_t>(k / 6)]);
@@ -149,8 +150,8 @@ TEST(Assembly, ItsShareOfRatesIsThatOfDifferences) {
   }
 }
 
-// A body between a spring and a joint with play and friction, pushed to and fro, draws a loop as
-// high as twice the friction.
+// A body between a spring and a joint with play and friction is pushed to and fro. Force over
+// displacement forms a hysteresis loop whose height is twice the friction.
 TEST(Assembly, PlayAndFrictionDrawALoop) {
   BushingParameters joint{{0.0, 1e6, 1e6}, {100.0, 100.0, 100.0}};
   joint.parts = {{0, Play{1e-4, 1e7}}, {0, Friction{1e6, 30.0}}};
@@ -168,7 +169,7 @@ TEST(Assembly, PlayAndFrictionDrawALoop) {
   EXPECT_NEAR(push(20.0), 20.0 / 1e6, 1e-12);  // friction sticks
   const double out = push(130.0);              // beyond the play, friction slips
   EXPECT_NEAR(out, 1e-4 + 100.0 / 1e7, 1e-12);
-  EXPECT_NEAR(push(100.0), out - 30.0 / (1e7 + 1e6), 1e-12);  // back: friction sticks again
+  EXPECT_NEAR(push(100.0), out - 30.0 / (1e7 + 1e6), 1e-12);  // reversal: friction sticks again
   EXPECT_NEAR(push(-130.0), -out, 1e-12);
 }
 

@@ -17,16 +17,19 @@
 
 namespace latsch::multibody {
 
-/// A body in the order of elimination, with its ranges of the lists below.
+/// One step of the elimination: the body that is eliminated, and its ranges in the lists of
+/// neighbors and updates.
 struct EliminatedBody {
   int body;
   int first_neighbor, end_of_neighbors, first_update, end_of_updates;
 };
-/// A body that is eliminated later and coupled to it: blocks (body, k) and (k, body).
+/// A body that shares an element with the eliminated body k and is eliminated later: index of the
+/// body and of the blocks (body, k) and (k, body).
 struct EliminationNeighbor {
   int body, below, right;
 };
-/// Subtracts `below` times `right` from block `to`.
+/// One update of the elimination: subtracts the product of the blocks `below` and `right` from the
+/// block `to`.
 struct EliminationUpdate {
   int to, below, right;
 };
@@ -39,28 +42,29 @@ struct EliminationPlan {
 
 class BlockElimination {
  public:
-  /// `pairs`: bodies that share elements, in any order, with repetitions.
+  /// `pairs` lists the bodies that share elements, in any order; pairs may be repeated.
   BlockElimination(int bodies, const std::vector<std::pair<int, int>>& pairs);
 
   int bodies() const { return bodies_; }
   int size() const { return static_cast<int>(blocks_.size()); }  // number of stored blocks
   void clear();
-  /// Returns the index of a block for at(); -1 if the two bodies share no element.
+  /// Returns the index of the block (row, column) for at(); -1 if the two bodies share no element.
   int place(int row, int column) const {
     return place_[static_cast<std::size_t>(row * bodies_ + column)];
   }
   Matrix6d& at(int place) { return blocks_[static_cast<std::size_t>(place)]; }
   const Matrix6d& at(int place) const { return blocks_[static_cast<std::size_t>(place)]; }
   Matrix6d& block(int row, int column) { return at(place(row, column)); }
-  /// Returns false if a block on the diagonal is singular; `singular_body` is then its body.
+  /// Factorizes the matrix. Returns false if a block on the diagonal is singular; `singular_body`
+  /// then returns the body of this block.
   bool factorize();
   int singular_body() const { return singular_; }
 
-  /// Compute x <- A^-1 x and x <- A'^-1 x, with six rows per body and any number of columns.
+  /// Compute x <- A^-1 x and x <- (A^T)^-1 x, with six rows per body and any number of columns.
   void solve(Eigen::Ref<Eigen::MatrixXd> x) const;
   void solve_transposed(Eigen::Ref<Eigen::MatrixXd> x) const;
-  /// Returns the block (row, column) of A^-1. This costs little for bodies that are eliminated
-  /// late.
+  /// Returns the block (row, column) of A^-1. The later the body of the column is eliminated, the
+  /// less this costs.
   Matrix6d inverse_block(int row, int column) const;
 
  private:
@@ -73,8 +77,8 @@ class BlockElimination {
   using Blocks = std::vector<Matrix6d, Eigen::aligned_allocator<Matrix6d>>;
 
   int bodies_;
-  std::vector<int> place_;  // indices of blocks, by row and column; -1: none
-  Blocks blocks_;           // the diagonal's first
+  std::vector<int> place_;  // indices of blocks by row and column; -1: the block is zero
+  Blocks blocks_;           // blocks of the matrix, those on the diagonal first
   Blocks pivots_;           // D_k^-1, by body
   std::vector<EliminatedBody> order_;
   std::vector<EliminationNeighbor> neighbors_;

@@ -11,8 +11,9 @@ namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
 
-/// Compares with Eigen's dense LU, an independent program, for a tree, a closed loop and two
-/// separate parts. Blocks on the diagonal need pivoting, because their rows are exchanged.
+/// Compares solutions with Eigen's dense LU factorization, an independent program, for bodies that
+/// form a tree, a closed loop and two separate parts. The rows of the diagonal blocks are permuted,
+/// so that these blocks need pivoting.
 void solves_like_a_dense_factorization() {
   RandomStream random(11, 1);
   for (const Pairs& pairs : {Pairs{{0, 1}, {1, 2}, {1, 3}, {0, 4}},

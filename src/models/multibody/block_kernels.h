@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations on six-by-six blocks, stored by columns, with which BlockElimination eliminates and
-// solves. A column is held in two registers of four that overlap in its middle: rows 0 - 3 and 2 -
-// 5.
+// Operations on 6 x 6 blocks, stored by columns, with which BlockElimination eliminates and solves.
+// A column is held in two vector registers of four numbers that overlap: rows 0 - 3 and rows 2 - 5.
 #include "numerics/kernels/kernel_lanes.h"
 
 namespace latsch::multibody::LATSCH_KERNELS {
@@ -70,7 +69,8 @@ LATSCH_INLINE void subtract_product_of(const double* A, const double* x, double*
   Six(even.upper + odd.upper, even.lower + odd.lower).save(y);
 }
 
-/// Bit masks for a column: all bits in all rows but k; 1 in row k.
+/// Masks for one column of six rows. In `kOthers` all bits are set in all rows but k; `kUnit` has
+/// the number 1 in row k.
 struct SixMask {
   double of[6];
 };
@@ -88,7 +88,7 @@ inline constexpr SixMask kUnit[6] = {{{1.0}},
                                      {{0.0, 0.0, 0.0, 0.0, 1.0}},
                                      {{0.0, 0.0, 0.0, 0.0, 0.0, 1.0}}};
 
-/// Set row k to 0, or to 1.
+/// Set row k of a column to 0, or to 1.
 LATSCH_INLINE Six without_row(const Six& x, int k) {
   const Six others(kOthers[k].of);
   return {Lanes4::bit_and(x.upper, others.upper), Lanes4::bit_and(x.lower, others.lower)};
@@ -99,8 +99,8 @@ LATSCH_INLINE Six with_one_in_row(const Six& x, int k) {
 }
 
 /// Inverts A by Gauss-Jordan elimination in place of A', largest pivots first. Returns false if a
-/// pivot is zero or not a number. Both halves of a row are stored separately, because reading a
-/// value in other pieces than it was stored makes the processor wait.
+/// pivot is zero or not a number. Each row is stored in two halves and read in the same halves,
+/// because the processor stalls if it reads a value in other pieces than it was stored.
 LATSCH_INLINE bool invert(const double* A, double* x) {
   double m[6][8];
   int from[6];
@@ -142,7 +142,8 @@ LATSCH_INLINE bool invert(const double* A, double* x) {
   return true;
 }
 
-/// Returns -1, or the body whose pivot is singular.
+/// Factorizes all blocks in the order of elimination. Returns -1, or the index of the body whose
+/// diagonal block is singular.
 int factorize(const EliminationPlan& of, double* blocks, double* pivots) {
   for (int i = 0; i < of.bodies; ++i) {
     const EliminatedBody& k = of.order[i];
@@ -158,7 +159,7 @@ int factorize(const EliminationPlan& of, double* blocks, double* pivots) {
   return -1;
 }
 
-/// Solves for one column.
+/// Solves the factorized system for one right-hand side.
 void solve(const EliminationPlan& of, const double* blocks, const double* pivots, double* x) {
   for (int i = 0; i < of.bodies; ++i) {
     const EliminatedBody& k = of.order[i];

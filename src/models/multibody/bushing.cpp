@@ -18,14 +18,15 @@ ForceAndMoment force_and_moment(const BushingStrain& s, const BushingForces& for
   return {-(s.axes * forces.f.head<3>()), -(s.axes * (s.N.transpose() * forces.f.tail<3>()))};
 }
 
-/// Returns a wrench about the origin of a body, given the arm to the point at which it acts.
+/// Returns force and moment about the origin of a body; `arm` leads from this origin to the point
+/// at which they act.
 Vector6d about(const Vector3d& arm, const Vector3d& F, const Vector3d& M) {
   Vector6d wrench;
   wrench << F, arm.cross(F) + M;
   return wrench;
 }
 
-/// Returns d(N' t)/dq N for constant moments t, by columns of ω.
+/// Returns d(N' t)/dq N for constant moments t: one column per component of the angular velocity ω.
 Matrix3d turned_moments(const BushingStrain& s, const Vector3d& t) {
   const double s1 = s.s1, c1 = s.c1, c2 = s.c2, t2 = s.t2;
   // N' t = (t_1, s_1 w + c_1 t_2, -c_1 w + s_1 t_2) with w = t_1 tan q_2 - t_3 / cos q_2.
@@ -122,7 +123,8 @@ BushingTangent tangent(const BushingStrain& s, const BushingForces& forces) {
   const Matrix3d C =
       s.axes * (s.N.transpose() * c.asDiagonal() * s.N + turned_moments(s, t)) * s.axes.transpose();
   const Matrix3d rho = cross(s.arm_b), sigma = cross(s.arm_a), f = cross(F), m = cross(M);
-  // Force and moment by the twist of a body at b's point are (K, K arm'; 0, C).
+  // The derivatives of force and moment with respect to displacement and rotation of a body, at b's
+  // point, form the block matrix (K, K arm'; 0, C).
   const Matrix3d K_rho = K * rho, K_sigma = K * sigma;
   BushingTangent J;
   J.bb << -K, K_rho, -(rho * K), rho * K_rho - C + f * rho;

@@ -23,52 +23,54 @@ struct BushingParameters {
   Eigen::Vector3d rotational;                                    // N m/rad
   Eigen::Vector3d damping = Eigen::Vector3d::Zero();             // c, N s/m
   Eigen::Vector3d rotational_damping = Eigen::Vector3d::Zero();  // N m s/rad
-  /// Additional laws of an axis: x, y, z, about x, y, z.
+  /// Additional force law of one axis: 0 to 2 for x, y, z, 3 to 5 for rotations about x, y, z.
   struct Part {
     int axis;
     ForcePart law;
     bool operator==(const Part&) const = default;
   };
   std::vector<Part> parts = {};
-  /// True for a joint without compliance that turns freely (rod_spin.h): equal along all axes,
-  /// without rotational stiffness and parts about axes.
+  /// True for a joint without compliance that turns freely (rod_spin.h). Its stiffness is then
+  /// equal along all axes, and it has neither rotational stiffness nor force parts about its axes.
   bool rigid = false;
   bool operator==(const BushingParameters&) const = default;
 };
 
-/// Attachment points of a bushing on both bodies, from their origins in their axes.
+/// Attachment points of a bushing on both bodies, relative to their origins, in the axes of the
+/// bodies.
 struct BushingPlace {
   Eigen::Vector3d in_a, in_b;
   Eigen::Matrix3d axes_in_a = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d axes_in_b = Eigen::Matrix3d::Identity();
 };
 
-/// Deformation of a bushing.
+/// Deformation of a bushing and the kinematic quantities that follow from it.
 struct BushingStrain {
   Eigen::Vector3d d;      // m
   Eigen::Vector3d q;      // rad
   Eigen::Matrix3d axes;   // A
-  Eigen::Matrix3d N;      // rad/s of q per ω, in the axes of the bushing
+  Eigen::Matrix3d N;      // matrix with q' = N ω, ω in the axes of the bushing
   double s1, c1, c2, t2;  // sines, cosines and tangents of q_1 and q_2
-  Eigen::Vector3d arm_a;  // m, a's origin to b's point, in the ground's axes
-  Eigen::Vector3d arm_b;  // m, b's origin to its point
+  Eigen::Vector3d arm_a;  // m, from the origin of body a to b's point, in the ground's axes
+  Eigen::Vector3d arm_b;  // m, from the origin of body b to its point, in the ground's axes
 };
 
 BushingStrain strain_of(const BushingPlace& place, const Pose& a, const Pose& b);
 
-/// Returns d' and q', m/s and rad/s, from velocities and angular velocities of both bodies.
+/// Returns the rates d' and q', m/s and rad/s, for the velocities and angular velocities of both
+/// bodies.
 Vector6d rates_of(const BushingStrain& strain, const Vector6d& a, const Vector6d& b);
 
-/// Forces f and moments t in the axes of the bushing, and their slopes by d and q.
+/// Forces f and moments t in the axes of the bushing, and their derivatives by d and q.
 struct BushingForces {
   Vector6d f, slopes;
 };
 
-/// Computes only the forces of the springs.
+/// Computes the forces of the springs alone, without dampers and force parts.
 BushingForces spring_forces(const BushingStrain& strain, const BushingParameters& parameters);
-/// Computes the forces of a moving bushing. The slopes are those by d and q if the rates change by
-/// `rate_share` times the changes of d and q. `memory` holds an entry for each part. If `kept` is
-/// not null, it receives the new memories.
+/// Computes the forces of a moving bushing and their derivatives by d and q. The derivatives are
+/// total: the rates change by `rate_share` times the changes of d and q. `memory` holds one entry
+/// per force part. If `kept` is not null, it receives the new memories.
 BushingForces forces_in_motion(const BushingStrain& strain,
                                const Vector6d& rates,
                                const BushingParameters& parameters,
@@ -84,14 +86,15 @@ struct BushingWrenches {
 BushingWrenches wrenches(const BushingStrain& strain, const BushingForces& forces);
 BushingWrenches wrenches(const BushingStrain& strain, const BushingParameters& parameters);
 
-/// Derivatives of the wrenches by travel and rotation [Pose::move] of a and b.
+/// Derivatives of the wrenches on bodies a and b with respect to displacement and rotation
+/// [Pose::move] of a and b.
 struct BushingTangent {
   Matrix6d aa, ab, ba, bb;
 };
 BushingTangent tangent(const BushingStrain& strain, const BushingForces& forces);
 BushingTangent tangent(const BushingStrain& strain, const BushingParameters& parameters);
 
-/// Returns the energy of the springs and that stored by parts, J.
+/// Returns the energy stored in the springs and force parts, J.
 double energy(const BushingStrain& strain,
               const BushingParameters& parameters,
               const PartMemory* memory = nullptr);

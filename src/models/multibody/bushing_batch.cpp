@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <type_traits>
 
-// Kernels read these types as arrays of numbers.
+// The kernels read objects of these types as arrays of doubles, so the sizes must agree.
 static_assert(sizeof(latsch::multibody::Pose) == 12 * sizeof(double));
 static_assert(sizeof(latsch::multibody::BushingPlace) == 24 * sizeof(double));
 static_assert(sizeof(latsch::multibody::BushingParameters) ==
               12 * sizeof(double) +
                   sizeof(std::vector<latsch::multibody::BushingParameters::Part>) +
-                  sizeof(double));  // `rigid` and its padding
+                  sizeof(double));  // the flag `rigid` with its padding
 
 #define LATSCH_KERNELS_IN "models/multibody/bushing_kernels.h"
 #include "numerics/kernels/for_each_kernel_set.h"

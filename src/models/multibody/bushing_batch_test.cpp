@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests bushings side by side against the law of bushing.h: to 1e-13 of the largest number, because
-// sums have some tens of products, and for equal bits in both sets with a fused multiply-add.
+// Tests the vectorized bushings against bushing.h, to 1e-13 of the largest number because the sums
+// have some tens of products. Tests that both kernel sets with a fused multiply-add give equal
+// bits.
 #include "models/multibody/bushing_batch.h"
 
 #include <gtest/gtest.h>
@@ -51,8 +52,8 @@ class BushingBatch : public ::testing::Test {
     pose.move(way);
     return pose;
   }
-  /// Returns cases with angles up to 0.5 rad about each axis, and one turned beyond a right angle
-  /// about x.
+  /// Returns bushings that are turned by up to 0.5 rad about each axis, and one that is turned by
+  /// more than a right angle about x.
   std::vector<Case> cases(int count) {
     std::vector<Case> cases;
     for (int i = 0; i < count; ++i) {

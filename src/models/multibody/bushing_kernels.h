@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four bushings side by side: the law of bushing.h and bushing.cpp, with the same letters.
+// Evaluates four bushings at once. The equations and their letters are those of bushing.h and
+// bushing.cpp.
 #include "numerics/kernels/kernel_math.h"
 
 namespace latsch::multibody::LATSCH_KERNELS {
@@ -10,7 +11,7 @@ using T = Lanes4;
 struct Vector {
   T x, y, z;
 };
-/// A matrix, by columns.
+/// Four 3 x 3 matrices, stored by columns.
 struct Matrix {
   Vector col[3];
 };
@@ -66,7 +67,7 @@ LATSCH_INLINE Matrix crosses(const Vector& a, const Vector& b) {
            {a.z * b.x, a.z * b.y, -(a.x * b.x + a.y * b.y)}}};
 }
 
-/// Reads 4 n successive numbers of each of four bushings.
+/// The transposed values of four bushings: reads 4 n successive numbers of each.
 template <int n>
 struct Numbers {
   T of[4 * n];
@@ -100,14 +101,15 @@ struct Rates {
   }
 };
 
-/// Adds a wrench. It is added number by number, because several bushings add to the same body in
-/// turn, and values must be read in the pieces in which they were stored.
+/// Adds the forces F and moments M to the wrenches `to` of four bodies. Each number is added
+/// separately, because several bushings add to the same body in turn, and the processor stalls if a
+/// value is read in other pieces than it was stored.
 LATSCH_INLINE void add(const Vector& F, const Vector& M, double* const (&to)[4]) {
   const T six[6] = {F.x, F.y, F.z, M.x, M.y, M.z};
   for (int i = 0; i < 6; ++i)
     for (int lane = 0; lane < 4; ++lane) to[lane][i] += six[i].at(lane);
 }
-/// Adds the block (A, B; C, D).
+/// Adds the 6 x 6 block matrix (A, B; C, D) of 3 x 3 blocks to the blocks `to` of four bushings.
 LATSCH_INLINE void add(
     const Matrix& A, const Matrix& B, const Matrix& C, const Matrix& D, double* const (&to)[4]) {
   T all[36];
@@ -137,7 +139,7 @@ LATSCH_INLINE T angle_of(const T& y, const T& x) {
   return select(x < T(0.0), with_sign(T(kPi), y) - front, front);
 }
 
-/// Angles, N and quantities derived from them.
+/// Rotation of a bushing: the angles q, the matrix N, and quantities from which both are computed.
 struct Turning {
   Vector q;
   T s1, c1, c2, t2, per_c2, u, v;  // N = (1, u, v; 0, c1, s1; 0, -s1/c2, c1/c2)
@@ -178,7 +180,8 @@ struct Turning {
   }
 };
 
-/// Adds four bushings. Returns the largest |q|.
+/// Evaluates four bushings and adds their wrenches and tangents to the results. Returns the largest
+/// angle |q|.
 LATSCH_INLINE T add_four(const BushingTask* tasks, bool moving, double rate_share) {
   const auto each = [&](auto member) {
     using P = std::remove_cvref_t<decltype(tasks->*member)>;
@@ -223,8 +226,8 @@ LATSCH_INLINE T add_four(const BushingTask* tasks, bool moving, double rate_shar
       {times(k.x, axes.col[0]), times(k.y, axes.col[1]), times(k.z, axes.col[2])}};
   const Matrix K = product(scaled, to_bushing);
   const Matrix C = product(axes, product(turning.stiffness(c, t), to_bushing));
-  // K × arm has the transpose -(arm × K), because K is symmetric. P belongs to b; Q = K σ + F ×
-  // belongs to a, with F.
+  // K is symmetric, so K × arm is the transpose of -(arm × K). P belongs to body b; Q = K σ + F ×
+  // belongs to body a, on which F acts.
   const Matrix rows_b = cross(arm_b, K), rows_a = cross(arm_a, K);
   const Matrix P = -transposed(rows_b), P_rows = -rows_b;
   const Matrix Q = cross(F) - transposed(rows_a), Q_rows = transposed(Q);

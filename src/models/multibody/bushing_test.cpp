@@ -60,7 +60,8 @@ TEST(Bushing, RotationAboutOneAxisIsATorsionSpring) {
   }
 }
 
-// Work of both wrenches equals the loss of energy, by central differences at random positions.
+// The work of the wrenches on both bodies must equal the loss of stored energy. The energy's
+// gradient is computed by central differences at random positions.
 TEST(Bushing, WrenchesAreTheGradientOfItsEnergy) {
   RandomStream random(3, 1);
   for (int draw = 0; draw < 20; ++draw) {

@@ -96,7 +96,7 @@ Status Equilibrium::end_of_newton(Rest& rest) {
 
 namespace {
 
-/// Moves every pose by `scale` times its part of the step.
+/// Moves each body by `scale` times its six components of the step.
 void move_all(Poses& poses, const Eigen::VectorXd& step, double scale) {
   for (std::size_t k = 0; k < poses.size(); ++k)
     poses[k].move(scale * step.segment<6>(6 * static_cast<Eigen::Index>(k)));
@@ -142,8 +142,10 @@ Status Equilibrium::newton(Rest& rest, const RestSettings& standing, double shar
 }
 
 bool Equilibrium::go_on(Rest& rest, const RestSettings& standing, double share) {
-  constexpr double kShortest = 1.0 / 256.0;  // share of a correction
-  const BlockElimination J = assembly_.J();  // copied, because each trial computes another tangent
+  // Smallest fraction of a Newton correction that is tried.
+  constexpr double kShortest = 1.0 / 256.0;
+  // J is copied, because each trial overwrites the assembly's tangent
+  const BlockElimination J = assembly_.J();
   const Eigen::VectorXd correction = step_;
   const double turn = turn_of(correction), length = correction.norm();
   const Poses start = rest.poses;
@@ -164,6 +166,9 @@ bool Equilibrium::go_on(Rest& rest, const RestSettings& standing, double share) 
 
 Status Equilibrium::damped_newton(Rest& rest, const RestSettings& standing, double share) {
   constexpr int kIterations = 50;
+  // The estimate of the rounding error is that of a single joint. On a body with several joints or
+  // a long arm the error is several times as large, and no correction reduces it.
+  constexpr double kRounding = 8.0;
   assemble(rest, standing, share);
   left_ = assembly_.forces().lpNorm<Eigen::Infinity>();
   double before = left_;
@@ -176,7 +181,10 @@ Status Equilibrium::damped_newton(Rest& rest, const RestSettings& standing, doub
     step_ = assembly_.forces();
     assembly_.J().solve(step_);
     if (!step_.allFinite()) break;
-    if (!go_on(rest, standing, share)) break;
+    if (!go_on(rest, standing, share)) {
+      if (left_ <= kRounding * enough(rest.poses)) return end_of_newton(rest);
+      break;
+    }
     before = left_;
   }
   return Failure{fmt::format("{:.3g} N remain, no correction reduces them, {}",

@@ -14,17 +14,17 @@ namespace latsch::multibody {
 
 class ForceCharacteristic {
  public:
-  using Point = std::pair<double, double>;  // deflection or rate; force
+  using Point = std::pair<double, double>;  // deflection or its rate; force
 
-  /// Returns what is wrong, in words, or an empty text: fewer than two points, numbers that are not
-  /// finite, x that does not increase.
+  /// Returns an empty text if the points form a valid curve, otherwise a message: fewer than two
+  /// points, numbers that are not finite, or x that does not increase.
   static std::string fault(const std::vector<Point>& points);
-  /// Takes points without fault.
+  /// Constructs the curve. The points must have no fault().
   explicit ForceCharacteristic(std::vector<Point> points);
 
   double at(double x) const;
   double slope(double x) const;
-  /// Returns the area below the curve from 0 to x, J if x is a deflection.
+  /// Returns the integral of the force from 0 to x; in J if x is a deflection.
   double area(double x) const;
   const std::vector<Point>& points() const { return points_; }
   bool operator==(const ForceCharacteristic&) const = default;
@@ -34,7 +34,8 @@ class ForceCharacteristic {
   double area_from_first(double x) const;
 
   std::vector<Point> points_;
-  std::vector<double> slopes_, areas_;  // slopes at the points; areas from the first point
+  // Slopes at the points; integrals of the force from the first point to each point.
+  std::vector<double> slopes_, areas_;
 };
 
 }  // namespace latsch::multibody

@@ -34,9 +34,9 @@ struct Response {
   PartForce operator()(const Friction& part) const {
     const double sticking = memory.s + part.stiffness * (d - memory.d);
     const double s = std::clamp(sticking, -part.limit, part.limit);
-    // The true slope is 0 during slip. If nothing else holds the joint, as in play, Newton's method
-    // needs a slope that is not zero. This share of the stiffness serves as slope; the force stays
-    // exact.
+    // The true slope is 0 during slip. If nothing else holds the joint, as within play, Newton's
+    // method needs a slope that is not zero, so this share of the stiffness is used as slope. The
+    // force is exact.
     constexpr double kSlipping = 1e-2;
     return {.f = s, .by_d = (s == sticking ? 1.0 : kSlipping) * part.stiffness, .s = s};
   }

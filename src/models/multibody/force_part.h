@@ -11,7 +11,8 @@
 //   Maxwell    s1 = e s0 + k T (1 - e)/h (d1 - d0),  e = exp(-h/T); statics, h infinite: s1 = 0
 //   Friction   s1 = clamp(s0 + k (d1 - d0))
 // Both are exact; for friction this requires that the rate does not change its sign within the
-// step. Play with friction gives a loop as wide as the gap and as high as the friction.
+// step. A part with play and friction has a hysteresis loop as wide as the gap and as high as the
+// friction.
 #pragma once
 
 #include <limits>
@@ -31,7 +32,7 @@ struct ViscousCurve {
   bool operator==(const ViscousCurve&) const = default;
 };
 struct Play {
-  double gap = 0.0;        // m or rad, to either side
+  double gap = 0.0;        // m or rad, gap to either side
   double stiffness = 0.0;  // N/m, N m/rad
   bool operator==(const Play&) const = default;
 };
@@ -41,14 +42,15 @@ struct Maxwell {
   bool operator==(const Maxwell&) const = default;
 };
 struct Friction {
-  double stiffness = 0.0;  // stiffness before it slips
+  double stiffness = 0.0;  // stiffness of the friction element before it slips
   double limit = 0.0;      // N, N m
   bool operator==(const Friction&) const = default;
 };
 
 using ForcePart = std::variant<ElasticCurve, ViscousCurve, Play, Maxwell, Friction>;
 
-/// s and d at the end of the last step; zero at rest.
+/// State of a force part at the end of the last step: its internal variable s and its deflection d;
+/// both are zero at rest.
 struct PartMemory {
   double s = 0.0, d = 0.0;
   bool operator==(const PartMemory&) const = default;
@@ -56,18 +58,19 @@ struct PartMemory {
 
 struct PartForce {
   double f = 0.0, by_d = 0.0, by_rate = 0.0;
-  double s = 0.0;  // new memory
+  double s = 0.0;  // internal variable s at the end of the step
 };
 
-constexpr double kStatics = std::numeric_limits<double>::infinity();  // s, `step` in statics
+// Step, s, that means statics in the functions below: an infinite one.
+constexpr double kStatics = std::numeric_limits<double>::infinity();
 
 PartForce respond(
     const ForcePart& part, double d, double rate, const PartMemory& memory, double step);
 
-/// Returns the recoverable energy, J.
+/// Returns the energy stored in a force part that it can give back, J.
 double stored_energy(const ForcePart& part, double d, const PartMemory& memory);
 
-/// Returns what is wrong with the numbers of a part, in words, or an empty text.
+/// Returns a message that says which number of a force part is invalid, or an empty text.
 std::string fault_of(const ForcePart& part);
 
 }  // namespace latsch::multibody

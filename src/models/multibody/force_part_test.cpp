@@ -42,7 +42,7 @@ TEST(ForceCharacteristic, WhatIsNoneIsNamed) {
             std::string::npos);
 }
 
-/// Returns f along a path of deflections, in statics.
+/// Returns the static force f at each deflection of a path.
 std::vector<double> along(const ForcePart& part, const std::vector<double>& path) {
   PartMemory memory;
   std::vector<double> forces;
@@ -68,7 +68,8 @@ TEST(ForcePart, PlayIsFreeWithinItsGap) {
   for (std::size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(f[i], expected[i], 1e-9) << i;
 }
 
-// With s' = k d' - s/T at constant rate v, s = k T v (1 - exp(-t/T)), in one step or in ten.
+// The equation s' = k d' - s/T at constant rate v has the solution s = k T v (1 - exp(-t/T)). The
+// part must give it in one step as well as in ten.
 TEST(ForcePart, AMaxwellPartIsExactAtConstantRateForAnyStep) {
   const ForcePart part = Maxwell{3e5, 0.02};
   const double rate = 0.1, end = 0.03;

@@ -28,7 +28,8 @@ MatrixXd dense(const BlockElimination& J) {
   return all;
 }
 
-/// Evaluates a mechanism at rest with the laws of motion.
+/// Evaluates the forces of a mechanism and their derivatives at rest, with the force laws that hold
+/// in motion.
 class Resting {
  public:
   Resting(const Mechanism& mechanism, const Rest& rest, const RestSettings& standing)
@@ -123,7 +124,8 @@ JointRow joint_force_row(const Mechanism& mechanism,
   };
   add(joint.a, K.ba, KC.ba);
   add(joint.b, K.bb, KC.bb);
-  // The line turns with its body: (θ × n) F = θ (n × F).
+  // The direction of the joint's line turns with its body, so the force along it changes: (θ × n) F
+  // = θ (n × F).
   const Vector3d force = wrenches(strain, forces).on_b.head<3>();
   if (direction_body != kGround)
     row.by_x.segment<3>(6 * direction_body + 3) += direction.cross(force).transpose();
@@ -140,7 +142,8 @@ std::vector<LinearMode> natural_modes(const LinearModel& model) {
   MatrixXd state = MatrixXd::Zero(2 * n, 2 * n);
   state.topRightCorner(n, n).setIdentity();
   state.bottomRows(n) = right;
-  // Velocities are scaled so that both halves have the same size.
+  // Velocities are scaled so that the blocks for displacements and velocities have entries of the
+  // same size.
   const double unit = std::sqrt(std::max(right.leftCols(n).cwiseAbs().maxCoeff(), 1.0));
   state.topRightCorner(n, n) *= unit;
   state.bottomLeftCorner(n, n) /= unit;
@@ -149,7 +152,8 @@ std::vector<LinearMode> natural_modes(const LinearModel& model) {
   std::vector<LinearMode> modes;
   for (Index i = 0; i < 2 * n; ++i) {
     const std::complex<double> lambda = found->values[i];
-    // A double real value becomes a pair with imaginary parts from rounding, about √ε of it.
+    // Rounding turns a double real eigenvalue into a pair with imaginary parts of about √ε of its
+    // size. Such pairs are no vibrations.
     if (!(lambda.imag() > 1e-7 * std::abs(lambda))) continue;
     modes.push_back({std::abs(lambda) / (2.0 * std::numbers::pi),
                      -lambda.real() / std::abs(lambda),

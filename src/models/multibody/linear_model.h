@@ -10,10 +10,10 @@
 // therefore not symmetric in general, because rotations about the ground's axes are not coordinates
 // of a potential.
 //
-// Laws with a kink (damper maps, play) have their slopes at the equilibrium. Dry friction sticks.
-// Maxwell parts are relaxed, so their additional stiffness around and above their own frequency is
-// missing. Actions from outside enter by the slopes of their wrenches, evaluated with `share` 0 and
-// 1.
+// Nonlinear laws (damper curves, play) enter with their derivatives at the equilibrium. Dry
+// friction sticks. Maxwell elements are relaxed, so their additional stiffness near and above their
+// own frequency is not included. Actions from outside enter by the slopes of their wrenches,
+// evaluated with `share` 0 and 1.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,21 +29,22 @@ struct LinearModel {
 };
 
 struct LinearInputs {
-  Eigen::MatrixXd P, Q;  // rows as of K, one column per input
+  Eigen::MatrixXd P, Q;  // rows as in K, one column per input
 };
 
 struct LinearOutputs {
-  Eigen::MatrixXd A, B, D;  // one row per output
+  Eigen::MatrixXd A, B, D;  // matrices with one row per output
 };
 
-/// Returns the model of the mechanism at this rest, under the actions that keep it there.
+/// Returns the linear model of the mechanism about this equilibrium, under the actions that cause
+/// it.
 LinearModel linear_model(const Mechanism& mechanism,
                          const Rest& rest,
                          const RestSettings& standing);
 
-/// Rows of A and B for the force in a joint along a line fixed in one of its bodies. Positive: the
-/// force pushes the joint's second body along `direction` (unit vector in the ground's axes at
-/// rest).
+/// Rows of A and B for the output "force in a joint along a line that is fixed in one of its
+/// bodies". The force is positive if it pushes the joint's second body along `direction` (unit
+/// vector in the ground's axes at rest).
 struct JointRow {
   Eigen::RowVectorXd by_x, by_v;
 };
@@ -57,14 +58,15 @@ JointRow joint_force_row(const Mechanism& mechanism,
 struct LinearMode {
   double frequency;        // f, Hz
   double damping;          // ζ, 0 .. 1
-  Eigen::VectorXcd shape;  // φ, of length 1
+  Eigen::VectorXcd shape;  // mode shape φ, of length 1
 };
 
-/// Returns the vibrations, ascending, one of each conjugate pair. Aperiodic motion (ζ >= 1) is
-/// omitted.
+/// Returns the natural modes in ascending order of frequency, one of each conjugate pair. Aperiodic
+/// motion (ζ >= 1) is omitted.
 std::vector<LinearMode> natural_modes(const LinearModel& model);
 
-/// Returns (4), outputs by inputs, at ω in rad/s.
+/// Returns the transfer functions of equation (4) at ω in rad/s: one row per output, one column per
+/// input.
 Eigen::MatrixXcd frequency_response(const LinearModel& model,
                                     const LinearInputs& inputs,
                                     const LinearOutputs& outputs,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests linear models against closed forms, and against differences of the forces from which they
-// come.
+// Tests linear models against closed-form solutions, and against finite differences of the forces.
 #include "models/multibody/linear_model.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +22,7 @@ Body cube(const std::string& name, const Vector3d& origin, double mass) {
   return {name, origin, mass, mass * 0.01 * Eigen::Matrix3d::Identity()};
 }
 
-/// Returns a bushing that is stiff in all but z, and has a damper only there.
+/// Returns a bushing that is soft only along z, with a damper along z.
 BushingParameters along_z(double k, double c) {
   BushingParameters bushing{{1e7, 1e7, k}, {1e5, 1e5, 1e5}};
   bushing.damping.z() = c;
@@ -87,8 +86,8 @@ Mechanism quarter_car(const QuarterCar& q) {
                     {"spring", 0, 1, {0.0, 0.0, 0.2}, along_z(q.ks, q.cs)}});
 }
 
-// The transfer functions from road to body and to wheel are [any text on vehicle dynamics], with S
-// = cs s + ks, T = ct s + kt,
+// The transfer functions of a quarter car from road to body and to wheel are [any text on vehicle
+// dynamics], with S = cs s + ks, T = ct s + kt,
 //   z_s = S T/N, z_u = (ms s² + S) T/N, N = (ms s² + S)(mu s² + S + T) - S²
 TEST(LinearModel, OfAQuarterCarHasItsTransferFunctions) {
   const QuarterCar q;
@@ -114,7 +113,8 @@ TEST(LinearModel, OfAnUndampedQuarterCarHasItsTwoNaturalFrequencies) {
   const Mechanism mechanism = quarter_car(q);
   const auto modes = modes_along_z(linear_model(mechanism, drawn(mechanism), {}));
   ASSERT_EQ(modes.size(), 2u);
-  // The frequencies solve ms mu ω⁴ - (ms (ks + kt) + mu ks) ω² + ks kt = 0.
+  // The angular frequencies of an undamped quarter car are roots of ms mu ω⁴ - (ms (ks + kt) + mu
+  // ks) ω² + ks kt = 0.
   const double a = q.ms * q.mu, b = q.ms * (q.ks + q.kt) + q.mu * q.ks,
                root = std::sqrt(b * b - 4.0 * a * q.ks * q.kt);
   EXPECT_NEAR(modes[0].frequency, std::sqrt((b - root) / (2.0 * a)) / kTwoPi, 1e-8);
@@ -122,8 +122,8 @@ TEST(LinearModel, OfAnUndampedQuarterCarHasItsTwoNaturalFrequencies) {
   for (const LinearMode& mode : modes) EXPECT_NEAR(mode.damping, 0.0, 1e-9);
 }
 
-/// Two inclined hanging bodies with a preloaded unit, a damper map and a bump stop, a load and a
-/// force from outside.
+/// A mechanism under load: two inclined hanging bodies with a preloaded spring-damper unit, a
+/// nonlinear damper and a bump stop, under a load and a force from outside.
 class Loaded : public testing::Test {
  protected:
   Loaded() : rest_(drawn(mechanism_)) {
@@ -171,7 +171,8 @@ class Loaded : public testing::Test {
         {.poses = poses, .rates = &rates, .memories = &rest_.memories}, loads_, 1.0, outside_);
     return assembly.forces();
   }
-  /// Returns central differences by travel and rotation, or by their rates.
+  /// Returns the derivatives of a function by central differences, with respect to displacement and
+  /// rotation of the bodies or to their rates.
   template <class Of>
   MatrixXd differences(bool by_rates, const Of& of) {
     const double h = by_rates ? 1e-5 : 1e-6;

@@ -11,7 +11,7 @@ namespace latsch::multibody {
 
 namespace {
 
-/// Finds an element with a missing body, or with the same body twice.
+/// Returns a message if an element refers to a body that does not exist or joins a body to itself.
 std::string fault_of_ends(const std::string& name, int a, int b, int bodies) {
   for (const int body : {a, b})
     if (body < kGround || body >= bodies)
@@ -40,7 +40,7 @@ std::string fault_of_bushing(const std::string& name, const BushingParameters& b
   return {};
 }
 
-/// True if the joint resists a rotation about that axis at all.
+/// Returns true if the joint resists a rotation about that axis, however weakly.
 bool holds_about(const Joint& joint, const Eigen::Vector3d& axis) {
   const auto resists = [&](const BushingParameters::Part& part) {
     return part.axis >= 3 && joint.axes.col(part.axis - 3).dot(axis) != 0.0;
@@ -49,7 +49,8 @@ bool holds_about(const Joint& joint, const Eigen::Vector3d& axis) {
          std::any_of(joint.bushing.parts.begin(), joint.bushing.parts.end(), resists);
 }
 
-/// Finds a rod with all joints in one line that can spin freely about it.
+/// Returns a message if all joints of a rod lie on one line and none of them resists a rotation of
+/// the rod about it.
 std::string fault_of_spin(const std::string& rod, const std::vector<const Joint*>& joints) {
   constexpr double kNear = 1e-6;  // m
   const auto from_first = [&](const Joint* joint) -> Eigen::Vector3d {
@@ -93,8 +94,8 @@ std::string fault_of_strut(const Strut& strut, int bodies, int drivers) {
   return {};
 }
 
-/// Checks only massless bodies with joints and no struts, because a body with mass may spin in
-/// motion.
+/// Checks massless bodies with joints and no struts for free spin. Bodies with mass are not
+/// checked, because they may spin in motion.
 std::string fault_of_rods(const std::vector<Body>& bodies,
                           const std::vector<Joint>& joints,
                           const std::vector<Strut>& struts) {
@@ -155,7 +156,8 @@ std::string Mechanism::fault_in_motion(const std::vector<Body>& bodies) {
     const Eigen::Matrix3d& I = body.inertia;
     if (!I.allFinite() || (I - I.transpose()).norm() > 1e-9 * I.norm())
       return fmt::format("the inertia of {} is not symmetric or no number", body.name);
-    // Every body has I1 < I2 + I3, so trace/2 I - I, the second moments of mass, is positive.
+    // The matrix trace(I)/2 - I holds the second moments of mass. A real body has positive ones,
+    // since I1 < I2 + I3.
     const Eigen::Matrix3d moments = 0.5 * I.trace() * Eigen::Matrix3d::Identity() - I;
     const double slack = 1e-9 * I.trace();
     const bool possible = I.trace() > 0.0 && moments.diagonal().minCoeff() >= -slack &&

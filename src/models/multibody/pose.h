@@ -30,9 +30,9 @@ inline std::pair<double, double> rotation_series(double z) {
 }
 
 struct Pose {
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();     // m, the body's origin
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // rotation of the body's axes to the
-                                                       // ground's
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  // m, position of the body's origin
+  // Rotation matrix from the body's axes to those of the ground.
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 
   Eigen::Vector3d at(const Eigen::Vector3d& in_body) const { return place + turn * in_body; }
   /// Translates the origin, then rotates by the rotation vector r, both in the ground's axes:
@@ -49,7 +49,7 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// Returns the matrix with cross(a) b = a × b.
+/// Returns the matrix of the cross product: cross(a) b = a × b.
 inline Eigen::Matrix3d cross(const Eigen::Vector3d& a) {
   Eigen::Matrix3d m;
   m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;

@@ -8,7 +8,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Returns the inertia of a point mass about a point at the distance `from`.
+/// Returns the inertia tensor of a point mass about a point; `from` is the vector between both.
 Matrix3d of_point_mass(double mass, const Vector3d& from) {
   return mass * (from.squaredNorm() * Matrix3d::Identity() - from * from.transpose());
 }

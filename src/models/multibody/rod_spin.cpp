@@ -10,8 +10,9 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kSpin = 1.0;          // N m/rad
-constexpr double kSpinDamping = 2e-3;  // N m s/rad: a tenth of critical for a rod of some 0.4 kg
+constexpr double kSpin = 1.0;  // N m/rad
+// N m s/rad: a tenth of the critical damping of a rod of about 0.4 kg
+constexpr double kSpinDamping = 2e-3;
 
 bool resists(const Joint& joint, const Vector3d& line) {
   return joint.bushing.rotational.dot((joint.axes.transpose() * line).cwiseAbs2()) > 0.0 ||
@@ -20,7 +21,8 @@ bool resists(const Joint& joint, const Vector3d& line) {
          });
 }
 
-/// True if the joint's axes can be turned without any other change.
+/// Returns true if the joint's stiffness and damping are the same along all axes, so that its axes
+/// can be turned without an effect.
 bool is_alike_in_all_axes(const Joint& joint) {
   const auto even = [](const Vector3d& v) { return v == Vector3d::Constant(v.x()); };
   const BushingParameters& bushing = joint.bushing;

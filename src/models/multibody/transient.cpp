@@ -16,7 +16,7 @@ namespace {
 
 const Outside kNothing;
 
-constexpr double kWild = 10.0;  // m: largest plausible motion of a part in a step
+constexpr double kWild = 10.0;  // m: largest plausible displacement of a body in a step
 
 const Outside& outside_of(const RestSettings& standing) {
   return standing.outside ? *standing.outside : kNothing;
@@ -73,20 +73,22 @@ Result<MechanismState> Transient::start(const Rest& rest,
   const auto size = 6 * static_cast<Eigen::Index>(rest.poses.size());
   state.rates = rates ? *rates : VectorXd::Zero(size);
   state.accelerations = VectorXd::Zero(size);
-  if (!state.memories.empty()) {  // Deflections beyond the memory are treated as sudden.
+  // A deflection that the memories do not contain acts as a sudden one.
+  if (!state.memories.empty()) {
     const Memories before = state.memories;
     Motion motion = motion_of(state, standing.drivers);
     motion.memories = &before;
     assembly_.remember(motion, state.memories);
   }
-  // M g = f is solved twice, because with inerters e'' has a part without accelerations.
+  // The equation M g = f is solved twice: with inerters, e'' contains a term from velocities in
+  // addition to the accelerations.
   for (int i = 0; i < 2; ++i) {
     Motion motion = motion_of(state, standing.drivers);
     motion.acceleration_share = 1.0;
     assembly_.evaluate(motion, standing.loads, 1.0, outside_of(standing));
     subtract_inertia(state.accelerations);
     correction_ = assembly_.forces();
-    // The inerters' contribution to the mass is the difference of J with and without them.
+    // The mass matrix of the inerters is the difference of J with and without them.
     assembly_.evaluate(motion, standing.loads, 1.0, kNothing);
     const BlockElimination with = assembly_.J();
     motion.acceleration_share = 0.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests motion against closed forms, its order, and conserved quantities.
+// Tests simulated motion against closed-form solutions, its order of convergence, and conserved
+// quantities.
 #include "models/multibody/transient.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,8 @@ Body cube(const std::string& name, const Vector3d& origin, double mass) {
   return {name, origin, mass, mass * 0.01 * Matrix3d::Identity()};
 }
 
-/// Returns springs so soft in all but x that only x moves.
+/// Returns a bushing whose stiffness along x is k and whose other springs are so soft that only the
+/// motion along x matters.
 BushingParameters along_x(double k, double c) {
   BushingParameters bushing{{k, 1.0, 1.0}, {1.0, 1.0, 1.0}};
   bushing.damping.x() = c;
@@ -36,7 +38,7 @@ MechanismState started(Transient& transient,
   return *state;
 }
 
-/// Returns x of the only body at 1 s, released 1 mm from rest.
+/// Returns the position x of the only body 1 s after it was released 1 mm from rest.
 double swing(const BushingParameters& bushing, int steps, std::vector<Strut> struts = {}) {
   const Mechanism mechanism({cube("m", Vector3d::Zero(), 2.0)},
                             {{"spring", kGround, 0, Vector3d::Zero(), bushing}},
@@ -73,7 +75,8 @@ TEST(Transient, AnInerterAddsItsInertanceToTheMass) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.15);
 }
 
-// A spring k in parallel with a Maxwell part k2, T has m x'' + k x + s = 0, s' = k2 x' - s/T.
+// A mass m on a spring k, in parallel with a Maxwell element of stiffness k2 and relaxation time T,
+// has the equations m x'' + k x + s = 0, s' = k2 x' - s/T.
 TEST(Transient, AMaxwellPartIsItsDifferentialEquation) {
   BushingParameters bushing = along_x(800.0, 0.0);
   bushing.parts.push_back({0, Maxwell{400.0, 0.05}});
@@ -81,7 +84,8 @@ TEST(Transient, AMaxwellPartIsItsDifferentialEquation) {
   const auto slope = [](const Vector3d& y) -> Vector3d {
     return {y[1], (-800.0 * y[0] - y[2]) / 2.0, 400.0 * y[1] - y[2] / 0.05};
   };
-  Vector3d y(1e-3, 0.0, 400.0 * 1e-3);  // the part was also stretched, by the same distance
+  // The Maxwell element, too, is stretched by 1 mm at the start.
+  Vector3d y(1e-3, 0.0, 400.0 * 1e-3);
   const int n = 100000;
   for (int i = 0; i < n; ++i) {
     const double h = 1.0 / n;
@@ -105,7 +109,9 @@ TEST(Transient, DryFrictionTakesTheSameFromEverySwing) {
   Transient transient(mechanism, {.dissipation = 0.0, .corrections = 4});
   Rest rest{mechanism.at_rest(), mechanism.no_memories()};
   rest.poses[0].place.x() = 1e-3;
-  rest.memories[0] = {R, 1e-3};  // held out there by a pulling hand
+  // The friction element slips at the start, because the body is held out there by an external
+  // force.
+  rest.memories[0] = {R, 1e-3};
   MechanismState state = started(transient, mechanism, rest);
   const double period = 2.0 * std::numbers::pi / std::sqrt(400.0), h = period / 4000.0;
   double highest = 0.0;
@@ -116,7 +122,7 @@ TEST(Transient, DryFrictionTakesTheSameFromEverySwing) {
   EXPECT_NEAR(highest, 1e-3 - 4.0 * R / 800.0, 1e-6);
 }
 
-// A free body conserves its angular momentum and its energy.
+// A body without forces conserves its angular momentum and its energy.
 TEST(Transient, AFreeBodyTurnsAsEulersEquationsSay) {
   Body body{"top", Vector3d::Zero(), 3.0, Vector3d(0.02, 0.05, 0.06).asDiagonal()};
   const Mechanism mechanism({body}, {});
@@ -138,7 +144,7 @@ TEST(Transient, AFreeBodyTurnsAsEulersEquationsSay) {
   EXPECT_NEAR(coarse / fine, 4.0, 0.2);
 }
 
-/// Returns three bodies in a chain with uneven bushings and an inclined spring-damper unit.
+/// Returns a chain of three bodies on different bushings, with an inclined spring-damper unit.
 Mechanism chain(double damping, double inertance) {
   std::vector<Body> bodies;
   std::vector<Joint> joints;

@@ -17,13 +17,17 @@ namespace {
 using Border = CrgGrid::Border;
 using Eigen::Vector2d;
 
-// Tolerance for equal directions: all digits but the last of sums over the line.
+// Tolerance for points that count as lying on a straight line, relative to the line's length. It
+// allows for rounding in sums along the line.
 constexpr double kStraight = 1e-12;
-// Spacings that differ by less count as even, as in OpenCRG's own evaluation.
+// Differences of the spacing below this share count as equal spacing, as in OpenCRG's own
+// evaluation.
 constexpr double kEven = 1e-9;
-// Cosine of a corner of the line that is sharper than any road's; its normals cannot be used.
+// Smallest cosine of a corner of the reference line. A sharper corner occurs on no road, and its
+// normals cannot be used.
 constexpr double kFolded = 1e-6;
-// Cosine of the 60 deg between the ends of a line below which OpenCRG closes it.
+// Cosine of 60 deg. OpenCRG closes a reference line only if the directions at its two ends differ
+// by less than this angle.
 constexpr double kClosingCosine = 0.5;
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -59,14 +63,16 @@ CrgRoad::CrgRoad(CrgGrid grid) : grid_(std::move(grid)) {
   if (grid_.closed) find_closure();
 }
 
-/// Finds where the straight continuations of both ends meet; each is used for half of the gap.
+/// Closes a line whose ends have a gap: finds where the straight continuations of both ends meet.
+/// Each continuation bridges half of the gap.
 void CrgRoad::find_closure() {
   const double cosine = first_.dot(last_);
   if (cosine <= kClosingCosine) return;
   const Vector2d gap = grid_.line.front() - grid_.line.back();
-  const double beyond = gap.dot(first_) / cosine;  // along the end, to the normal of the first
-                                                   // piece
-  const double before = gap.dot(last_) / cosine;   // along the begin, to the normal of the end
+  // Distance from the end along its direction to the normal at the start.
+  const double beyond = gap.dot(first_) / cosine;
+  // Distance from the start, backward along its direction, to the normal at the end.
+  const double before = gap.dot(last_) / cosine;
   if (beyond <= 0.0 || before <= 0.0) return;
   closed_ = true;
   close_min_ = grid_.u_begin - 0.5 * before * cosine;
@@ -79,13 +85,14 @@ double CrgRoad::wrapped(double u) const {
   return u - length * std::floor((u - close_min_) / length);
 }
 
-/// Returns the direction of the line at a point, not normalized.
+/// Returns the tangent of the reference line at one of its points, not normalized.
 Vector2d CrgRoad::tangent(int point) const {
   const int last = grid_.rows() - 1;
   return grid_.line[std::min(point + 1, last)] - grid_.line[std::max(point - 1, 0)];
 }
 
-/// Returns the vector from a point of the line to where v = 1 crosses the normal on its tangent.
+/// Returns the vector from a vertex of the reference line, at right angles to the tangent there, to
+/// the parallel of the adjacent interval at v = 1; `normal` is the unit normal of this interval.
 Vector2d CrgRoad::miter(int point, const Vector2d& normal) const {
   const Vector2d n = left_of(tangent(point)).normalized();
   const double cosine = n.dot(normal);
@@ -110,8 +117,8 @@ CrgRoad::Interval CrgRoad::interval(const Vector2d& p) const {
   const double a = beyond(k) / tangent(k).dot(d);
   const double b = -beyond(k + 1) / tangent(k + 1).dot(d);
   found.number = k;
-  // Beyond a center of curvature the normals have crossed, and any point of the interval is as
-  // good.
+  // Beyond a center of curvature the normals at both ends of the interval have crossed. Any point
+  // of the interval is then equally good, and the middle is returned.
   found.part = a + b > 0.0 ? std::clamp(a / (a + b), 0.0, 1.0) : 0.5;
   found.v = cross(d, p - P[k]) / d.norm();
   const bool before = k == 0 && a < 0.0, behind = k == last - 1 && b < 0.0;
@@ -159,13 +166,13 @@ namespace {
 
 struct Folded {
   double way = 0.0;   // 0 ... length
-  double sign = 1.0;  // sign of the derivative
+  double sign = 1.0;  // sign of the derivative of `way` by the original position
   bool outside = false;
 };
 
-/// Returns the position that the border mode uses for a position beyond 0 ... length.
+/// Returns the position within 0 ... length that the border mode uses for a position outside.
 Folded fold(double way, double length, Border border) {
-  if (!std::isfinite(way)) way = 0.0;  // infinite if it is too large for a double
+  if (!std::isfinite(way)) way = 0.0;  // a position too large for a double is infinite
   if (way >= 0.0 && way <= length) return {way};
   if (border == Border::repeat) return {way - length * std::floor(way / length)};
   if (border == Border::reflect) {
@@ -216,8 +223,8 @@ void CrgRoad::add_grid(const Place& u, const Place& v, Elevation& result) const 
   }
 }
 
-/// Adds the height of the line and its banking. The banking is multiplied by v in the grid, also
-/// where the grid is repeated.
+/// Adds the height of the reference line and the banking. Where the border mode repeats the grid,
+/// the banking is multiplied by the v inside the grid.
 void CrgRoad::add_line(const Place& u, const Place& v, Elevation& result) const {
   const double rise = grid_.line_height[u.row + 1] - grid_.line_height[u.row];
   result.z += grid_.line_height[u.row] + u.part * rise;
@@ -278,19 +285,19 @@ double CrgRoad::height(double x, double y, double) const {
 }
 
 double CrgRoad::mean_height(const Vector2d& from, const Vector2d& to, double time) const {
-  constexpr double kMost = 8.0;  // lines of the grid to cross
+  constexpr double kMost = 8.0;  // largest number of grid lines that a line may cross
   if (!straight_ || closed_ || !even_v_) return Road::mean_height(from, to, time);
   const Position a = locate(from.x(), from.y()), b = locate(to.x(), to.y());
   const double columns = static_cast<double>(grid_.v.size() - 1);
   const double by_u = 1.0 / grid_.u_increment, by_v = columns / (grid_.v.back() - grid_.v.front());
-  // The positions of the ends are given in grid lines, from the grid's corner.
+  // Both ends are expressed in grid spacings, from the corner of the grid.
   const Vector2d begin((a.u - grid_.u_begin) * by_u, (a.v - grid_.v.front()) * by_v);
   const Vector2d end((b.u - grid_.u_begin) * by_u, (b.v - grid_.v.front()) * by_v);
   const Vector2d low = begin.cwiseMin(end), high = begin.cwiseMax(end), way = end - begin;
   if (!(low.minCoeff() >= 0.0 && high.x() <= grid_.rows() - 1.0 && high.y() <= columns &&
         way.cwiseAbs().maxCoeff() <= kMost))
     return Road::mean_height(from, to, time);
-  // Shares of the line at which it next crosses grid lines of both kinds.
+  // Finds the shares of the line at which it crosses the next row and the next column of the grid.
   Vector2d next, line;
   const auto share_at = [&](int i) {
     return way[i] == 0.0 ? 2.0 : std::max(0.0, (line[i] - begin[i]) / way[i]);
@@ -299,7 +306,7 @@ double CrgRoad::mean_height(const Vector2d& from, const Vector2d& to, double tim
     line[i] = way[i] > 0.0 ? std::floor(begin[i]) + 1.0 : std::ceil(begin[i]) - 1.0;
     next[i] = share_at(i);
   }
-  const double off = 0.5 / std::sqrt(3.0);  // two Gauss points
+  const double off = 0.5 / std::sqrt(3.0);  // two-point Gauss quadrature
   double done = 0.0, sum = 0.0;
   while (done < 1.0) {
     const double until = std::min(1.0, next.minCoeff()), part = until - done;
@@ -321,13 +328,13 @@ double CrgRoad::mean_height(const Vector2d& from, const Vector2d& to, double tim
 GroundPoint CrgRoad::at(double x, double y, double) const {
   const Interval place = interval({x, y});
   const Elevation surface = evaluate(wrapped(u_of(place)), place.v);
-  // Derivatives of z by u and v are the products of the gradient with the derivatives of the
-  // position.
+  // The gradient of z in x and y follows from its derivatives by u and v, which are the products of
+  // the gradient with the derivatives of the position.
   Eigen::Matrix2d moves;
   moves.row(0) = place.along_u;
   moves.row(1) = place.along_v;
   Vector2d gradient = moves.inverse() * Vector2d(surface.dz_du, surface.dz_dv);
-  if (!gradient.allFinite()) gradient.setZero();  // in a center of curvature
+  if (!gradient.allFinite()) gradient.setZero();  // the point is a center of curvature
   GroundPoint ground;
   ground.height = surface.z;
   ground.normal = Eigen::Vector3d(-gradient.x(), -gradient.y(), 1.0).normalized();
@@ -337,7 +344,8 @@ GroundPoint CrgRoad::at(double x, double y, double) const {
 std::string CrgRoad::beyond(double x, double y) const {
   const Position p = locate(x, y);
   const Place u = along(p.u), v = across(p.v);
-  // Positions between the ends of a closed line are interpolated, as its file asks for.
+  // Points between the two ends of a closed line count as road, because the file requests the
+  // interpolation between them.
   const bool is_on_line = !u.outside || closed_;
   if (is_on_line && !v.outside) return {};
   return fmt::format(
@@ -353,7 +361,8 @@ std::string CrgRoad::beyond(double x, double y) const {
 
 GroundBounds CrgRoad::bounds(const GroundBox& box, double) const {
   if (!straight_ || closed_ || grid_.smooth_begin > 0.0 || grid_.smooth_end > 0.0) return {};
-  // On a straight line u and v are linear in x and y, so the corners bound the others.
+  // On a straight line u and v are linear in x and y, so the extreme u and v of the box occur at
+  // its corners.
   double u0 = std::numeric_limits<double>::infinity(), v0 = u0, u1 = -u0, v1 = -u0;
   for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{
            {box.x0, box.y0}, {box.x1, box.y0}, {box.x0, box.y1}, {box.x1, box.y1}}) {
@@ -375,7 +384,8 @@ GroundBounds CrgRoad::bounds(const GroundBox& box, double) const {
     highest = std::max(highest, z + grid_.line_height[row]);
   }
   if (grid_.banking.empty()) return {highest, false};
-  // Maximum of banking times v: both are linear between the rows, so the maximum lies at a corner.
+  // Maximum of banking * v over the cells. Both factors are linear between the rows, so the maximum
+  // is at a corner.
   double lean = -std::numeric_limits<double>::infinity();
   for (int row = first.row; row <= last.row + 1; ++row) {
     for (const double v : {v0, v1}) lean = std::max(lean, grid_.banking[row] * v);

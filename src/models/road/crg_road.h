@@ -6,13 +6,14 @@
 //   z(u, v) = line height(u) + banking(u) v + grid(u, v)
 //
 // Heights and banking are linear between rows, and the grid is bilinear. In the interval k between
-// the points P_k and P_k+1 of the line, v is the distance from the line through both. u divides,
-// parallel to this line, the distance from the normal on P_k-1 P_k+1 through P_k to the normal on
-// P_k P_k+2 through P_k+1. Beyond both ends the line continues straight. At a point closer to a
-// center of curvature than the line itself the coordinates are not unique, as in OpenCRG.
+// the points P_k and P_k+1 of the line, v is the distance from the line through both. u is
+// interpolated linearly, parallel to this line, between the normal to P_k-1 P_k+1 through P_k and
+// the normal to P_k P_k+2 through P_k+1. Beyond both ends the line continues straight. At a point
+// closer to a center of curvature than the line itself the coordinates are not unique, as in
+// OpenCRG.
 //
 // Beyond the grid the border modes of OpenCRG hold:
-//   none     no road: elevation() is empty there; for a tire at() keeps the edge
+//   none     no road: elevation() returns nothing there, but at() keeps the edge for tires
 //   zero     z = border_offset
 //   keep     the edge continues, raised by border_offset
 //   repeat   the grid begins again; reflect: it returns mirrored
@@ -31,18 +32,18 @@ struct CrgGrid {
   double u_begin = 0.0;               // m
   double u_increment = 1.0;           // m
   std::vector<Eigen::Vector2d> line;  // m, at least two points
-  std::vector<double> line_height;    // m, of each row
-  std::vector<double> banking;        // for each row, or empty
-  std::vector<double> v;              // m, at least two, rising
-  std::vector<double> z;              // m, row by row, v from right to left
-  std::vector<bool> missing;          // for each z, or empty; true: z is a guess, and elevation()
-                                      // is empty
+  std::vector<double> line_height;    // m, height of the line at each row
+  std::vector<double> banking;        // slope across at each row, or empty
+  std::vector<double> v;              // m, at least two positions, increasing
+  std::vector<double> z;              // m, heights row by row, v from right to left
+  // One entry per z, or empty; true: z is a guess, and elevation() returns nothing there.
+  std::vector<bool> missing;
 
   Border border_u = Border::keep, border_v = Border::keep;
   double border_offset_u = 0.0, border_offset_v = 0.0;  // m
-  double smooth_begin = 0.0, smooth_end = 0.0;  // m, length over which z fades in from the line's
-                                                // height
-  bool closed = false;                          // the end joins the start, if possible
+  // Length at each end over which z fades in from the line's height, m.
+  double smooth_begin = 0.0, smooth_end = 0.0;
+  bool closed = false;  // the end of the line joins its start, if possible
 
   int rows() const { return static_cast<int>(line.size()); }
   double u_end() const { return u_begin + u_increment * (rows() - 1); }
@@ -58,35 +59,38 @@ class CrgRoad final : public Road {
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
-  /// Reports points beside the grid, unless its file has it repeated or reflected there. Gaps in
-  /// the grid, which the file fills, count as road.
+  /// Returns the reason why a point is off the road: it lies beside the grid, unless the file has
+  /// the grid repeated or reflected there. Gaps in the grid, which the file fills, count as road.
   std::string beyond(double x, double y) const override;
-  /// Integrates from one line of the grid to the next; the height between them is of second degree.
+  /// Returns the mean height by integration from one grid line to the next, which is exact because
+  /// the height between them is a quadratic polynomial.
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
                      double time) const override;
-  /// Returns, inside the grid of a straight line, the highest of the surrounding heights; otherwise
-  /// no bound.
+  /// Returns the maximum of the surrounding grid heights if the box lies inside the grid of a
+  /// straight line. Otherwise returns no bound.
   GroundBounds bounds(const GroundBox& box, double time) const override;
 
   Position locate(double x, double y) const;
   Eigen::Vector2d point(const Position& position) const;
-  /// Returns nothing if the file has no road there.
+  /// Returns the height, m, or nothing if the file has no road at this position.
   std::optional<double> elevation(const Position& position) const;
   const CrgGrid& grid() const { return grid_; }
 
  private:
   struct Interval {
-    int number = 0;     // between points number and number + 1
-    double part = 0.0;  // position in the interval; < 0, > 1 beyond the ends
+    int number = 0;  // index of the interval, which lies between points number and number + 1
+    // Position in the interval, 0 to 1; outside this range beyond the ends of the line.
+    double part = 0.0;
     double v = 0.0;
-    Eigen::Vector2d along_u;  // derivatives of the position by u and v
+    Eigen::Vector2d along_u;  // derivatives of the position (x, y) by u and v
     Eigen::Vector2d along_v;
   };
   struct Place {
     int row = 0;
     double part = 0.0;
-    double sign = 1.0;  // sign of the derivative; 0 if the edge is kept
+    // Sign of the derivative by the position; 0 if the height of the edge is kept.
+    double sign = 1.0;
     bool outside = false;
   };
   struct Elevation {
@@ -111,7 +115,7 @@ class CrgRoad final : public Road {
   LineIndex index_;
   bool straight_ = false, even_v_ = false, closed_ = false;
   double close_min_ = 0.0, close_max_ = 0.0;
-  Eigen::Vector2d first_, last_;  // unit directions at both ends
+  Eigen::Vector2d first_, last_;  // unit vectors along the line at its start and end
 };
 
 }  // namespace latsch::road

@@ -13,10 +13,10 @@ namespace latsch::road {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-// Share of R beyond which |x| is not on the drum, because the surface becomes steeper than three to
-// one.
+// Largest |x| on the drum as a share of its radius R. Beyond it the surface would be steeper than
+// three to one.
 constexpr double kEdge = 0.95;
-// Length in plan, m, below which an edge counts as vertical and has no surface.
+// Edges that are shorter than this in plan view, m, count as vertical and have no surface.
 constexpr double kVertical = 1e-12;
 
 }  // namespace
@@ -29,8 +29,8 @@ DrumRoad::DrumRoad(const Settings& settings)
   for (const Cleat& cleat : settings_.cleats) {
     assert(!cleat.profile.empty() && cleat.profile.reach() < R_);
     const double arc = std::max(-cleat.profile.begin(), cleat.profile.end());
-    // In plan a corner is displaced from its arc by height * tan θ. Within the edges tan θ < 3.1;
-    // the remaining factor allows for curvature.
+    // Seen from above, a corner of a cleat is displaced from its position on the drum by height *
+    // tan θ. Inside |x| = 0.95 R, tan θ is below 3.1; the rest of the factor allows for curvature.
     constexpr double kLean = 10.0;
     windows_.push_back((arc / std::cos(cleat.angle) + kLean * cleat.profile.reach()) / R_);
   }
@@ -38,7 +38,7 @@ DrumRoad::DrumRoad(const Settings& settings)
 
 std::string DrumRoad::fault(const Settings& settings) {
   const double radius = settings.diameter / 2.0, around = kTurn * radius;
-  // Each cleat covers an arc from `from` to `to`, m; an oblique one covers more.
+  // Each cleat covers an arc from `from` to `to`, m. The arc of an oblique cleat is longer.
   std::vector<std::pair<double, double>> arcs;
   for (const Cleat& cleat : settings.cleats) {
     const double stretch = 1.0 / std::cos(cleat.angle);
@@ -48,7 +48,7 @@ std::string DrumRoad::fault(const Settings& settings) {
                       middle + stretch * cleat.profile.end());
   }
   std::sort(arcs.begin(), arcs.end());
-  constexpr double kRounding = 1e-9;  // share of the circumference
+  constexpr double kRounding = 1e-9;  // tolerance, as a share of the circumference
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const bool is_last = i + 1 == arcs.size();
     const double next = is_last ? arcs.front().first + around : arcs[i + 1].first;
@@ -78,7 +78,8 @@ std::string DrumRoad::beyond(double x, double) const {
 void DrumRoad::raise(int number, double x, double y, double turned, Surface& surface) const {
   const Cleat& cleat = settings_.cleats[number];
   const double middle = cleat.starting_angle - turned - y * std::tan(cleat.angle) / R_;
-  // Whole turns bring the middle as near as possible to the point.
+  // Whole turns of the drum are subtracted such that the middle of the cleat is as near as possible
+  // to the point.
   const double theta = middle - kTurn * std::round((middle - std::asin(x / R_)) / kTurn);
   if (std::abs(theta - std::asin(x / R_)) > windows_[number]) return;
   const double stretch = 1.0 / (R_ * std::cos(cleat.angle));
@@ -107,7 +108,7 @@ DrumRoad::Surface DrumRoad::locate(double x, double y, double time) const {
     return surface;
   }
   const double depth = std::sqrt(R_ * R_ - x * x);
-  surface.z = up_ * x * x / (R_ + depth);  // R - depth without cancellation
+  surface.z = up_ * x * x / (R_ + depth);  // computes R - depth without cancellation
   surface.slope = up_ * x / depth;
   if (settings_.cleats.empty()) return surface;
   const double turned = settings_.surface.distance(time) / R_;
@@ -117,9 +118,9 @@ DrumRoad::Surface DrumRoad::locate(double x, double y, double time) const {
 
 double DrumRoad::height(double x, double y, double time) const { return locate(x, y, time).z; }
 
-/// Returns the highest point of a cleat between x0 and x1, if its middle is between the angles
-/// `first` and `last`. For a single angle it is exact; for several it is the highest corner of
-/// every edge that may be there.
+/// Returns the height of the highest point of a cleat between x0 and x1, if the middle of the cleat
+/// is anywhere between the angles `first` and `last`. If both angles are equal, the result is
+/// exact. Otherwise it is the highest corner of all edges that may be in this interval.
 double DrumRoad::highest_of(
     const Cleat& cleat, double x0, double x1, double first, double last) const {
   const double stretch = 1.0 / (R_ * std::cos(cleat.angle));
@@ -151,7 +152,8 @@ double DrumRoad::highest_of(
   return most;
 }
 
-/// True if a cleat may be seen in the box; `highest` is then raised to it.
+/// Returns true if a cleat may be visible in the box. `highest` is then raised to the height of
+/// this cleat.
 bool DrumRoad::cleat_in(const GroundBox& box, double time, double& highest) const {
   bool seen = false;
   const double turned = settings_.surface.distance(time) / R_;
@@ -193,8 +195,9 @@ GroundPoint DrumRoad::at(double x, double y, double time) const {
   ground.height = surface.z;
   double slope_y = 0.0;
   if (surface.cleat >= 0) {
-    // Displaced by dy, the cleat is turned by dθ = -tan(angle) dy / R about the axis. θ grows
-    // toward +x on top of an outer drum, which is above the axis, and on the floor of an inner one.
+    // At a point displaced by dy along the axle, an oblique cleat is displaced about the axis by dθ
+    // = -tan(angle) dy / R. θ grows toward +x on an outer drum, whose top is the road, and on an
+    // inner drum, whose floor is the road.
     const double turn = up_ * std::tan(settings_.cleats[surface.cleat].angle) / R_;
     slope_y = (-x - surface.slope * above_axis) * turn;
   }

@@ -15,8 +15,9 @@
 // wound around the drum as a helix, turned by `angle` from the line of the axle, counterclockwise
 // seen from above as in profile_road.h. Its section is a Profile over the arc length across the
 // bar, wrapped around the drum: corners are at their arc length and height, edges between them are
-// straight. Where flank and drum hide each other from above, the upper surface counts. Beyond |x| =
-// 0.95 R the surface continues as the tangent there, without cleats.
+// straight. At positions where several surfaces lie above each other, such as a flank and the drum,
+// the road is the highest one. Beyond |x| = 0.95 R the surface continues as the tangent there,
+// without cleats.
 #pragma once
 
 #include <string>
@@ -30,32 +31,33 @@ namespace latsch::road {
 
 class DrumRoad final : public Road {
  public:
-  /// A bar on the drum.
+  /// A bar mounted on the drum.
   struct Cleat {
     Profile profile = {};         // heights >= 0: a drum has no grooves
     double starting_angle = 0.0;  // rad
-    double angle = 0.0;           // rad, against the axle, |angle| < 90 deg
-    double friction = 1.0;        // factor on the tire's own friction
+    double angle = 0.0;           // rad, angle to the axle, |angle| < 90 deg
+    double friction = 1.0;        // factor by which the tire's own friction is multiplied
   };
   /// Size, surface speed and cleats of the drum.
   struct Settings {
     double diameter = 2.0;           // m, > 0
     bool inner = false;              // true: the tire rolls inside the drum
     Travel surface = {};             // motion of the drum's surface
-    double friction = 1.0;           // factor beside the cleats
-    std::vector<Cleat> cleats = {};  // none by default
+    double friction = 1.0;           // friction factor beside the cleats
+    std::vector<Cleat> cleats = {};  // no cleats by default
   };
 
-  /// Returns what is wrong with the cleats, or an empty text: one is longer than the drum is
-  /// around, or two overlap.
+  /// Returns an empty text if the cleats are valid, otherwise a message: a cleat is longer than the
+  /// drum's circumference, or two cleats overlap.
   static std::string fault(const Settings& settings);
-  /// Takes settings without fault.
+  /// Constructs the drum. The settings must have no fault().
   explicit DrumRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
   GroundBounds bounds(const GroundBox& box, double time) const override;
-  /// Names points beyond |x| = 0.95 R, where the tangent replaces the drum.
+  /// Returns the reason why a point is off the drum: |x| > 0.95 R, where a tangent replaces the
+  /// drum's surface. Returns an empty text for all other points.
   std::string beyond(double x, double y) const override;
 
   /// Radius of the drum, m.
@@ -74,12 +76,13 @@ class DrumRoad final : public Road {
 
   Settings settings_;
   double R_;
-  double up_;                    // side of the axis: -1 below the road (outer), +1 above (inner)
-  double edge_x_, edge_z_;       // point from which the tangent continues
-  std::vector<double> windows_;  // rad, beyond which a cleat is not seen
+  double up_;  // position of the axis: -1 below the road (outer drum), +1 above it (inner drum)
+  double edge_x_, edge_z_;  // m, point from which the tangent replaces the drum
+  // Angle from the middle of each cleat beyond which it is not visible, rad.
+  std::vector<double> windows_;
 };
 
-/// Returns equally spaced cleats with one section, the first at `starting_angle`.
+/// Returns equally spaced cleats that are equal to `first`, with `first` at its starting angle.
 std::vector<DrumRoad::Cleat> equally_spaced(int number, const DrumRoad::Cleat& first);
 
 }  // namespace latsch::road

@@ -10,7 +10,7 @@ namespace latsch::road {
 namespace {
 
 constexpr int kSinePieces = 256;
-constexpr double kFlank = 1e-5;  // m, over which a flank of triangles falls
+constexpr double kFlank = 1e-5;  // m, length over which a vertical flank falls in the triangle mesh
 
 Profile sine(double pitch, double height) {
   std::vector<Profile::Point> points;
@@ -37,11 +37,13 @@ Profile section_across(const Kerb& kerb) {
   return Profile({{0.0, 0.0}, {kerb.ramp, 1.0}, {kerb.width - kerb.ramp, 1.0}, {kerb.width, 0.0}});
 }
 
-/// Returns the points without vertical flanks, by moving a point of each flank.
+/// Returns the points with steep edges in place of vertical flanks: one point of each flank is
+/// moved.
 std::vector<Profile::Point> without_flanks(std::vector<Profile::Point> points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].s - points[i - 1].s >= kFlank) continue;
-    // The point before moves backward: the low one before a rise, the high one before a fall.
+    // The first point of the flank moves backward: the lower one if the flank rises, the upper one
+    // if it falls.
     points[i - 1].s = points[i].s - kFlank;
   }
   return points;

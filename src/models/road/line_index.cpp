@@ -9,7 +9,7 @@
 namespace latsch::road {
 namespace {
 
-constexpr int kLeaf = 16;  // points per leaf
+constexpr int kLeaf = 16;  // number of points per leaf
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -39,7 +39,7 @@ LineIndex::LineIndex(const std::vector<Eigen::Vector2d>& points) {
 int LineIndex::nearest(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& p) const {
   int best = 0;
   double least = kInfinite;
-  std::array<int, 64> open;  // two boxes per level
+  std::array<int, 64> open;  // stack of open boxes; at most two per level of the tree
   int size = 0;
   open[size++] = 1;
   while (size > 0) {

@@ -9,7 +9,7 @@ namespace latsch::road {
 
 class MirroredRoad final : public Road {
  public:
-  /// The road must outlive this object.
+  /// Constructs the mirror image of `road`, which must outlive this object.
   explicit MirroredRoad(const Road& road) : road_(road) {}
 
   GroundPoint at(double x, double y, double time) const override;

@@ -77,7 +77,7 @@ void PlacedRoad::below(const GroundRow& row, double time, const RowGround& groun
   }
 }
 
-/// Uses the rectangle along the road's own axes that contains the turned one.
+/// Returns bounds of the rectangle along the road's own axes that encloses the rotated box.
 GroundBounds PlacedRoad::bounds(const GroundBox& box, double time) const {
   Eigen::Vector2d low = local(box.x0, box.y0), high = low;
   for (const auto& [x, y] : std::initializer_list<std::pair<double, double>>{
@@ -88,7 +88,7 @@ GroundBounds PlacedRoad::bounds(const GroundBox& box, double time) const {
   }
   GroundBounds bounds = road_->bounds({low.x(), high.x(), low.y(), high.y()}, time);
   bounds.highest += origin_.z();
-  bounds.cylinder.reset();  // the axis need not be parallel to y any more
+  bounds.cylinder.reset();  // the axis of a rotated drum may no longer be parallel to y
   return bounds;
 }
 

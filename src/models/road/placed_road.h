@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road at another position: turned about z by `angle`, its origin moved to `origin`.
+// A road at another position: rotated about z by `angle`, with its origin at `origin`.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace latsch::road {
 
 class PlacedRoad final : public Road {
  public:
-  /// `angle` in rad, `origin` in m.
+  /// Places a road. `angle` is in rad, `origin` in m.
   PlacedRoad(std::shared_ptr<const Road> road, double angle, const Eigen::Vector3d& origin);
 
   GroundPoint at(double x, double y, double time) const override;

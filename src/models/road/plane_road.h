@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An infinite plane: the flat road, a grade, or a running flat belt.
+// An infinite plane as road: flat, with a grade, or a moving flat belt.
 #pragma once
 
 #include "models/road/road.h"
@@ -11,17 +11,17 @@ class PlaneRoad final : public Road {
  public:
   /// Height, slopes and motion of the plane.
   struct Settings {
-    double height = 0.0;    // m, at the origin
-    double grade = 0.0;     // dz/dx: rises ahead
-    double bank = 0.0;      // dz/dy: rises to the left
+    double height = 0.0;    // m, height at the origin
+    double grade = 0.0;     // slope dz/dx: positive if the road rises ahead
+    double bank = 0.0;      // slope dz/dy: positive if the road rises to the left
     double friction = 1.0;  // factor
-    Travel belt = {};       // down the x direction: carries the ground backward below a standing
-                            // tire
+    // Speed of the belt: it carries the ground backward, toward -x, below a standing tire.
+    Travel belt = {};
   };
 
-  /// Makes a level plane at zero, at rest.
+  /// Makes a level plane at the height zero that does not move.
   PlaneRoad() : PlaneRoad(Settings{}) {}
-  /// A plane of these settings.
+  /// Makes a plane with these settings.
   explicit PlaneRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
@@ -31,7 +31,7 @@ class PlaneRoad final : public Road {
  private:
   Settings settings_;
   Eigen::Vector3d normal_;
-  Eigen::Vector3d forward_;  // unit vector, up the grade along x
+  Eigen::Vector3d forward_;  // unit vector along the plane whose projection is x
 };
 
 }  // namespace latsch::road

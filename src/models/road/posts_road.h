@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four plates of a post rig, one below each quarter of a car: level, each moved up and down by
-// an actuator. Heights between samples are cubics through both ends with slopes from central
-// differences, so that velocities have no jumps. Beyond the samples the first and last heights are
-// kept.
+// The road of a four-post rig: four level plates, one below each quarter of a car, each moved up
+// and down by an actuator. Between samples the height is a cubic polynomial in time, with slopes
+// from central differences, so that velocities are continuous. Beyond the samples the first and
+// last heights are kept.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ namespace latsch::road {
 class PostsRoad final : public Road {
  public:
   struct Settings {
-    double x = 0.0, y = 0.0;    // m, the point where the quarters meet
-    std::vector<double> times;  // s, evenly spaced, at least two
-    /// Heights at these times: front left, front right, rear left, rear right, m.
+    double x = 0.0, y = 0.0;    // m, point at which the four plates meet
+    std::vector<double> times;  // s, sample times, evenly spaced, at least two
+    /// Heights of the plates at these times: front left, front right, rear left, rear right, m.
     std::array<std::vector<double>, 4> heights;
   };
 

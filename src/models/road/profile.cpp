@@ -10,10 +10,11 @@
 namespace latsch::road {
 namespace {
 
-// Points closer than this form a flank: their slope would be meaningless.
+// Points whose distance along s is smaller form a vertical flank, because their slope would be
+// meaningless.
 constexpr double kFlank = 1e-9;  // m
 
-// With this few points a search is faster than a look-up.
+// Up to this number of points a binary search is faster than a look-up table.
 constexpr std::size_t kFew = 16;
 
 }  // namespace
@@ -40,7 +41,8 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
     of_several_.back().highest = std::max(of_several_.back().highest, z);
   }
   if (points_.size() <= kFew || !(end() > begin())) return;
-  const auto parts = points_.size() - 1;  // one part for each of evenly spaced points
+  // One part of the look-up table per interval between points.
+  const auto parts = points_.size() - 1;
   parts_per_meter_ = static_cast<double>(parts) / (end() - begin());
   even_ = true;
   for (std::size_t i = 0; i < parts; ++i) {
@@ -52,7 +54,8 @@ Profile::Profile(std::vector<Point> points) : points_(std::move(points)) {
   }
 }
 
-/// Returns the first point from `from` to `to` that is not before s, or `to`.
+/// Returns the first point in the range `from` to `to` whose s is not smaller than the given one,
+/// or `to` if there is none.
 Profile::Place Profile::search(double s, Place from, Place to) const {
   return std::lower_bound(from, to, s, [](const Point& p, double at) { return p.s < at; });
 }
@@ -115,7 +118,9 @@ Profile rounded_profile(const std::vector<Profile::Point>& points,
                         const std::vector<double>& radii) {
   assert(points.size() == radii.size());
   constexpr double kChord = std::numbers::pi / 36.0;
-  constexpr double kSharpest = 0.999 * std::numbers::pi;  // the edges nearly coincide: no arc fits
+  // Largest turn of the profile at a corner, rad. Beyond it the two edges nearly coincide, and no
+  // arc fits between them.
+  constexpr double kSharpest = 0.999 * std::numbers::pi;
   std::vector<Profile::Point> rounded;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d p(points[i].s, points[i].z);
@@ -134,8 +139,8 @@ Profile rounded_profile(const std::vector<Profile::Point>& points,
       rounded.push_back(points[i]);
       continue;
     }
-    // The arc touches both edges at `leg` from the corner; its points are written in the basis of
-    // the edges.
+    // The arc touches both edges at the distance `leg` from the corner. Its points are linear
+    // combinations of the vectors to the two points of contact.
     const double leg = std::min(radii[i] * std::tan(turn / 2.0), half);
     const Eigen::Vector2d from = p + leg * before.normalized(), to = p + leg * behind.normalized();
     const int pieces = static_cast<int>(std::ceil(turn / kChord));

@@ -10,7 +10,8 @@
 namespace latsch::road {
 namespace {
 
-constexpr double kShortest = 1e-4;  // m; areas of shorter lines cancel
+// Length of a line, m, below which the difference of two integrals would lose its digits.
+constexpr double kShortest = 1e-4;
 
 }  // namespace
 
@@ -25,7 +26,7 @@ Eigen::Vector2d ProfileRoad::local(double x, double y, double time) const {
   return {forward * cos_ + left * sin_, left * cos_ - forward * sin_};
 }
 
-/// Returns the number of the repetition to which a position s belongs.
+/// Returns the index of the repetition that contains the position s.
 double ProfileRoad::number_at(double s) const {
   const double number = s / settings_.pitch;
   if (settings_.count <= 0) return std::floor(number);
@@ -87,12 +88,14 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
   const Eigen::Vector2d begin = local(from.x(), from.y(), time),
                         way = local(to.x(), to.y(), time) - begin;
   if (const auto mean = mean_along(begin, way)) return *mean;
-  std::vector<double> corners{0.0, 1.0};  // shares of the line at which the slope changes
+  // Positions along the line, 0 to 1, at which the slope changes.
+  std::vector<double> corners{0.0, 1.0};
   const auto add_corner = [&](double distance, double run) {
     if (const double u = distance / run; u > 0.0 && u < 1.0) corners.push_back(u);
   };
   const auto add = [&](const Profile& profile, double shift, double start, double run) {
-    constexpr double kSlack = 1e-6;  // m, more than rounding: add_corner() decides
+    // Margin, m, larger than rounding errors; add_corner() rejects points outside the line.
+    constexpr double kSlack = 1e-6;
     const double from = std::min(start, start + run) - shift,
                  to = std::max(start, start + run) - shift;
     for (const Profile::Point& p : profile.points_between(from - kSlack, to + kSlack))
@@ -104,15 +107,17 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
   } else {
     const double first = std::min(begin.x(), begin.x() + way.x()), last = first + std::abs(way.x());
     const double end = number_at(last), start = number_at(first);
-    for (double i = 0.0; i <= end - start; ++i) {  // for distant positions start + i may not change
-                                                   // with i
+    // The number of iterations is computed as a difference, because far from the origin adding 1 to
+    // a double may not change it.
+    for (double i = 0.0; i <= end - start; ++i) {
       const double n = start + i;
-      add_corner(n * settings_.pitch - begin.x(), way.x());  // the seam
+      add_corner(n * settings_.pitch - begin.x(), way.x());  // boundary between two repetitions
       add(settings_.along, n * settings_.pitch, begin.x(), way.x());
     }
   }
   std::sort(corners.begin(), corners.end());
-  // Two Gauss points per piece are exact to the third degree, and are never on a flank.
+  // Two Gauss points per piece integrate polynomials of third degree exactly. They never coincide
+  // with a vertical flank.
   const double off = 0.5 / std::sqrt(3.0);
   double sum = 0.0;
   for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -128,8 +133,8 @@ double ProfileRoad::mean_height(const Eigen::Vector2d& from,
 
 GroundPoint ProfileRoad::at(double x, double y, double time) const {
   const Place place = locate(local(x, y, time));
-  const double along = place.along.slope * place.across.height;   // dz/ds
-  const double across = place.along.height * place.across.slope;  // dz/dt
+  const double along = place.along.slope * place.across.height;   // derivative of the height by s
+  const double across = place.along.height * place.across.slope;  // derivative of the height by t
   GroundPoint ground;
   ground.height = place.along.height * place.across.height;
   ground.normal = Eigen::Vector3d(-along * cos_ + across * sin_, -along * sin_ - across * cos_, 1.0)
@@ -139,19 +144,20 @@ GroundPoint ProfileRoad::at(double x, double y, double time) const {
   return ground;
 }
 
-/// Positions in order: border, middle, border ... All positions are computed first, then all
-/// profiles there, so that no look-up waits for another.
+/// Positions of a row in the order border, middle, border ... First all positions are computed,
+/// then the profiles at all of them, so that the processor can overlap the look-ups.
 struct ProfileRoad::RowPlaces {
-  static constexpr int kPieces = 16;  // pieces of a row at once
+  static constexpr int kPieces = 16;  // largest number of pieces that are evaluated together
   template <class Value>
   using Of = std::array<Value, 2 * kPieces + 1>;
 
   std::size_t count;
-  Of<double> s, t, number;  // s from the start of its repetition
+  Of<double> s, t, number;  // s is measured from the start of its repetition
   Of<Profile::Value> along, across;
   Of<double> height;
-  Of<double> area;  // area of `along`, if it is level across
-  bool level;       // the factor across is the same at all positions and between them
+  Of<double> area;  // integral of `along`, computed if the profile across is level
+  // True: the height factor across is the same at all positions of the row and between them.
+  bool level;
 };
 
 void ProfileRoad::below(const GroundRow& row, double time, const RowGround& ground) const {
@@ -224,8 +230,10 @@ void ProfileRoad::describe(const GroundRow& row,
                            : mean_height({row.border_x[j], row.border_y[j]},
                                          {row.border_x[j + 1], row.border_y[j + 1]},
                                          time);
-    const double by_s = along[middle].slope * across[middle].height;  // dz/ds
-    const double by_t = along[middle].height * across[middle].slope;  // dz/dt
+    // Derivative of the height by s.
+    const double by_s = along[middle].slope * across[middle].height;
+    // Derivative of the height by t.
+    const double by_t = along[middle].height * across[middle].slope;
     ground.slope[0][j] = by_s * cos_ - by_t * sin_;
     ground.slope[1][j] = by_s * sin_ + by_t * cos_;
     ground.friction[j] =
@@ -235,8 +243,8 @@ void ProfileRoad::describe(const GroundRow& row,
   }
 }
 
-/// Returns a plane if the whole box is beside the sections or on one straight piece, and the
-/// profile across does not change in it.
+/// Reports the box as a plane if it lies completely beside the obstacle, or on one straight edge of
+/// the profile, and the profile across is constant in it.
 GroundBounds ProfileRoad::bounds(const GroundBox& box, double time) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double shift = settings_.belt.distance(time) - settings_.origin.x();

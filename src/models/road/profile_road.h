@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flat road with obstacles of one section: a cleat or plank across it, a kerb along it.
+// A flat road with an obstacle of constant section, which may repeat: a cleat or plank across the
+// road, a kerb along it.
 //
 // The section is attached to a line through `origin`, turned by `angle` about z. s runs along this
 // line, t to its left:
@@ -21,26 +22,27 @@ namespace latsch::road {
 
 class ProfileRoad final : public Road {
  public:
-  /// The obstacle, and where it lies.
+  /// The obstacle's sections, its position, its repetition and the friction.
   struct Settings {
     Profile along = {};  // height over the distance along the road, m
-    /// Factor of the height over the distance across the road; none: 1.
+    /// Height factor over the distance across the road; not set: 1.
     std::optional<Profile> across = std::nullopt;
-    double pitch = 0.0;  // m; 0: no repetition
+    double pitch = 0.0;  // m, length of a repetition; 0: the obstacle does not repeat
     int count = 0;       // number of repetitions; 0: infinite on both sides
     Eigen::Vector2d origin = Eigen::Vector2d::Zero();  // m
     double angle = 0.0;                                // rad
-    double friction = 1.0;                             // factor beside the obstacle
-    double obstacle_friction = 1.0;                    // factor on the obstacle
-    Travel belt = {};                                  // moves everything toward -x
+    double friction = 1.0;                             // friction factor beside the obstacle
+    double obstacle_friction = 1.0;                    // friction factor on the obstacle
+    Travel belt = {};                                  // motion of the whole road toward -x
   };
 
-  /// A road of these settings.
+  /// Makes a road with these settings.
   explicit ProfileRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override;
-  /// Exact: the height is of second degree between corners.
+  /// Returns the exact mean height along the line, which is computed piecewise because the height
+  /// is a quadratic polynomial between corners.
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
                      double time) const override;
@@ -62,8 +64,8 @@ class ProfileRoad final : public Road {
   };
   GroundBounds bounds_between(Span s, Span t) const;
   struct RowPlaces;
-  /// Determine the positions of the pieces [first, end) of a row and of their borders, the profiles
-  /// there, and the resulting ground.
+  /// For the pieces [first, end) of a row: place() determines the positions of the pieces and their
+  /// borders, look_up() the profiles there, describe() the resulting ground.
   void place(const GroundRow& row, int first, int end, double time, RowPlaces& places) const;
   void look_up(RowPlaces& places) const;
   void describe(const GroundRow& row,
@@ -72,11 +74,11 @@ class ProfileRoad final : public Road {
                 double time,
                 const RowPlaces& places,
                 const RowGround& ground) const;
-  /// Returns s and t of a position.
+  /// Returns s and t of the position x, y.
   Eigen::Vector2d local(double x, double y, double time) const;
   double number_at(double s) const;
-  /// Returns the mean height by the area below one repetition, if the line stays on it and the
-  /// section is level across it there.
+  /// Returns the mean height from the integral of one profile, if the line stays in one repetition
+  /// and the profile across is constant along it. Otherwise returns nothing.
   std::optional<double> mean_along(const Eigen::Vector2d& begin, const Eigen::Vector2d& way) const;
   bool is_on_obstacle(double s, double t) const;
   Place locate(const Eigen::Vector2d& local) const;
@@ -86,7 +88,8 @@ class ProfileRoad final : public Road {
   double cos_, sin_;
 };
 
-/// Returns a bar across the road at x, parallel to the axle at angle 0 [cleat_profile].
+/// Returns a road with a bar across it at x [cleat_profile]. At angle 0 the bar is parallel to the
+/// axle.
 ProfileRoad cleat_road(double x, double height, double length, double bevel, double angle = 0.0);
 
 }  // namespace latsch::road

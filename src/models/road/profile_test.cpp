@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests profiles of many points, which are looked up by parts, against a search through all points:
-// between points, on them, on flanks, beyond both ends.
+// Tests profiles with many points, which are evaluated with a look-up table, against a search
+// through all points. Positions are between points, on points, on flanks and beyond both ends.
 #include "models/road/profile.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 namespace latsch::road {
 namespace {
 
-/// Interpolates between the last point before s and the first behind it; takes the highest of those
-/// at s.
+/// Returns the reference height: interpolated between the last point before s and the first one
+/// after it, or the highest of the points at s.
 double height_by_a_walk(const std::vector<Profile::Point>& points, double s) {
   if (s < points.front().s) return points.front().z;
   if (s > points.back().s) return points.back().z;
@@ -34,8 +34,8 @@ TEST(Profile, OfManyPointsFindsThePieceThatAWalkDoes) {
     std::vector<Profile::Point> points;
     double s = -1.0;
     for (int i = 0; i < 300; ++i) {
-      // Spacing is uneven: many points close to each other, gaps a thousand times as wide, every
-      // tenth a flank.
+      // With uneven spacing, many points are close to each other, gaps are up to a thousand times
+      // as wide, and every tenth pair of points is a vertical flank.
       const double x = random.uniform();
       if (i > 0) s += even ? 0.01 : i % 10 == 0 ? 0.0 : 0.1 * std::pow(x, 8);
       points.push_back({s, random.uniform()});
@@ -72,7 +72,8 @@ TEST(Profile, AreaIsTheSumOfHeights) {
       constexpr int kPieces = 20000;
       const double piece = (to - from) / kPieces;
       for (int k = 0; k < kPieces; ++k) sum += piece * profile.at(from + (k + 0.5) * piece).height;
-      // A flank falls into one piece.
+      // The reference sum smears a vertical flank over one piece, so the tolerance is proportional
+      // to the length of a piece.
       EXPECT_NEAR(profile.area(to) - profile.area(from), sum, 60.0 * std::abs(piece)) << count;
     }
   }

@@ -19,13 +19,14 @@ namespace {
 
 constexpr std::array kKinds = {"flat", "cleat", "drum", "kerb", "wave"};
 constexpr double kSteepest = 10.0;
-constexpr double kLargest = 1e4;                            // m
-constexpr double kShortest = 1e-6;                          // m
-constexpr double kThinnest = 1e-3;                          // m, of a kerb's pitch and width
-constexpr double kHighest = 2.0;                            // m, of cleats and kerbs
-constexpr double kFastest = 1e3;                            // m/s
-constexpr double kRightAngle = std::numbers::pi / 2.0;      // rad
-constexpr double kMostOblique = 80.0 / 90.0 * kRightAngle;  // limit of a cleat's angle
+constexpr double kLargest = 1e4;                        // m
+constexpr double kShortest = 1e-6;                      // m
+constexpr double kThinnest = 1e-3;                      // m, smallest pitch and width of a kerb
+constexpr double kHighest = 2.0;                        // m, largest height of cleats and kerbs
+constexpr double kFastest = 1e3;                        // m/s
+constexpr double kRightAngle = std::numbers::pi / 2.0;  // rad
+// Largest angle of a cleat to the axle, rad.
+constexpr double kMostOblique = 80.0 / 90.0 * kRightAngle;
 
 Range friction_range() { return Range::between(0.0, 10.0); }
 Range size_range() { return {0.0, kLargest, true}; }
@@ -117,7 +118,7 @@ std::unique_ptr<Road> read_drum(const Node& table) {
   return std::make_unique<DrumRoad>(settings);
 }
 
-/// Refuses waves whose slope no road has.
+/// Throws InputError for waves that are steeper than on any real road.
 void refuse_steep_waves(const Node& table, const WaveRoad::Settings& settings) {
   const auto refuse = [&](const char* key, double amplitude, double length) {
     const double slope = 2.0 * std::numbers::pi * std::abs(amplitude) / length;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A road is described by a table, in a file of its own or inline.
+// Reads a road from a table, which is a file of its own or part of another document.
 //
-// friction (of the road) and obstacle_friction (of an obstacle on it) are factors, default 1.
+// The keys `friction` (of the road) and `obstacle_friction` (of an obstacle on it) are factors with
+// the default 1.
 //
-// The keys are in experiment/tests/keys/roads_keys.cpp.
+// All keys are listed in experiment/tests/keys/roads_keys.cpp.
 #pragma once
 
 #include <memory>
@@ -14,13 +15,14 @@
 
 namespace latsch::road {
 
-/// Throws InputError naming the place, for unknown keys too.
+/// Makes the road that the table describes. Throws InputError with file and line if a value is
+/// wrong or a key is unknown.
 std::unique_ptr<Road> read_road(const Node& table);
 
-/// True if `kind` is that of a road.
+/// Returns true if the `kind` of the table is that of a road.
 bool is_road(const Node& table);
 
-/// Reads a road of kind "kerb" only.
+/// Reads a table whose `kind` must be "kerb".
 Kerb read_kerb(const Node& table);
 
 }  // namespace latsch::road

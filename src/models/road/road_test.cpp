@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests roads against the geometry from which they are made.
+// Tests roads of every kind against the geometry from which they are made.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -19,11 +19,11 @@
 namespace latsch::road {
 namespace {
 
-// Rounding of coordinates of a few meters.
+// Rounding error of coordinates of a few meters, m.
 constexpr double kRounding = 1e-14;
 
-/// The normal must be that of the surface, by central differences of the height with steps h. Their
-/// error is h² times a third derivative (below 1/m² here) plus the rounding of the height over h.
+/// Expects the normal to agree with central differences of the height with step h. Their error is
+/// h² times a third derivative (below 1/m² here), plus the rounding of the height divided by h.
 void expect_normal_of_surface(const Road& road, double x, double y, double time) {
   constexpr double h = 1e-5;
   constexpr double kError = 1e-8;
@@ -73,7 +73,8 @@ TEST(Profile, OfACleatHasItsBevelAndTheHigherSideOfAFlank) {
   const Profile groove = cleat_profile(-0.020, 0.050, 0.005);
   EXPECT_NEAR(groove.at(-0.0225).height, -0.0025, kRounding);
   EXPECT_EQ(groove.at(0.0).height, -0.020);
-  EXPECT_EQ(groove.at(-0.020).height, -0.005);  // a flank: its upper edge
+  // On a vertical flank the height is that of its upper edge.
+  EXPECT_EQ(groove.at(-0.020).height, -0.005);
 }
 
 TEST(Profile, PointsAsGoodAsAboveEachOtherAreAFlank) {
@@ -106,7 +107,7 @@ TEST(CleatRoad, TurnsWithItsAngleAndTravelsWithItsBelt) {
 }
 
 TEST(KerbRoad, RepeatsItsSectionAndEnds) {
-  Kerb kerb;  // the kerb of the saw-tooth sample: four of 800 x 800 x 25 mm
+  Kerb kerb;  // the kerb of the saw-tooth sample: four repetitions of 800 x 800 x 25 mm
   kerb.height = 0.025;
   kerb.start = {0.0, -0.4};
   kerb.friction = 0.9;
@@ -157,7 +158,7 @@ TEST_P(Drum, SurfaceIsACircleThroughTheOriginAndTurnsAsARigidBody) {
     EXPECT_NEAR(ground.velocity.dot(ground.normal), 0.0, 100 * kRounding);
     EXPECT_LT(ground.velocity.x(), 0.0);
   }
-  expect_normal_of_surface(road, 1.3, 0.0, 0.0);  // the tangent
+  expect_normal_of_surface(road, 1.3, 0.0, 0.0);  // at x = 1.3 m the tangent replaces the drum
   EXPECT_NEAR(road.height(0.95 * 1.25, 0, 0), road.height(0.95 * 1.25 + 1e-12, 0, 0), 1e-11);
 }
 
@@ -165,9 +166,10 @@ TEST_P(Drum, CleatPassesTheTopOnceATurn) {
   DrumRoad::Settings with = settings(20.0);
   with.cleats = {{cleat_profile(0.02, 0.025, 0.005), 0.5, 0.0, 0.8}};
   const DrumRoad road(with);
-  const double first = 0.5 * 1.25 / 20.0;  // time for the 0.5 rad to the cleat
+  const double first = 0.5 * 1.25 / 20.0;  // time in which the drum turns by 0.5 rad, to the cleat
   const double period = 2.0 * std::numbers::pi * 1.25 / 20.0;
-  // The flat top is a chord, so its middle is nearer to the axis than its corners at 7.5 mm of arc.
+  // The top of the cleat is a straight chord between corners at 7.5 mm of arc from its middle, so
+  // its middle is nearer to the axis than its corners.
   const double sag = (GetParam() ? 1.23 : 1.27) * (1.0 - std::cos(0.0075 / 1.25));
   for (int turn = 0; turn < 3; ++turn) {
     const GroundPoint ground = road.at(0.0, 0.0, first + turn * period);
@@ -175,7 +177,7 @@ TEST_P(Drum, CleatPassesTheTopOnceATurn) {
     EXPECT_EQ(ground.friction, 0.8);
     EXPECT_EQ(road.height(0.0, 0.0, first + (turn + 0.5) * period), 0.0);
   }
-  // Just before, its leading bevel is at x > 0.
+  // Just before the cleat reaches the top, its leading bevel is at x > 0.
   const double drum = DrumRoad(settings()).height(0.03, 0.0, 0.0);
   EXPECT_NEAR(road.height(0.03, 0.0, first - 0.03 / 20.0) - drum, 0.02, 1e-4);
   EXPECT_EQ(road.height(0.0, 0.0, first - 0.03 / 20.0), 0.0);
@@ -191,7 +193,7 @@ TEST_P(Drum, InclinedCleatIsASlopeWithTheRightNormalAndComesEarlierToTheLeft) {
     const double middle = std::sin(theta) * (GetParam() ? 1.22 : 1.28);
     EXPECT_NEAR(road.height(middle, y, 0.0) - DrumRoad(settings()).height(middle, y, 0.0),
                 0.03 / std::cos(theta),
-                1e-3);  // first order in height / R
+                1e-3);  // the error is of first order in height / R
     for (const double aside : {-0.031, -0.023, 0.021, 0.029}) {
       expect_normal_of_surface(road, middle + aside, y, 0.0);
     }
@@ -199,7 +201,8 @@ TEST_P(Drum, InclinedCleatIsASlopeWithTheRightNormalAndComesEarlierToTheLeft) {
 }
 
 TEST_P(Drum, FindsACleatThatLeansOverItsFoot) {
-  // Anywhere on the visible side a high cleat stands out of the drum by its height.
+  // A high cleat sticks out of the drum by its height wherever its top is visible from above, even
+  // where its foot is hidden.
   DrumRoad::Settings with = settings(0.0);
   for (const double theta : {-1.1, -0.7, 0.9}) {
     with.cleats = {{cleat_profile(0.06, 0.1, 0.0), theta, 0.0, 1.0}};
@@ -228,8 +231,8 @@ TEST(DrumRoad, SpacesCleatsEqually) {
   }
 }
 
-/// Returns 8 x 8 squares of two triangles each over x, y in -0.5 .. 0.5 m, with a hole in the
-/// middle.
+/// Returns a mesh of 8 x 8 squares over x, y = -0.5 ... 0.5 m, each divided into two triangles,
+/// with a hole in the middle.
 TriangleMesh hilly_mesh(double height) {
   constexpr int kSquares = 8;
   RandomStream random(5, 1);
@@ -262,14 +265,14 @@ CrgGrid banked_grid() {
   return grid;
 }
 
-// A mesh ends at its outline and at its hole, a grid at its rows and sections; placed roads end at
-// the transformed positions. Kerbs, drums and planes are infinite.
+// A triangle mesh ends at its outline and at its hole, a grid at its borders, and a placed road at
+// the transformed borders. Kerbs, drums and planes are infinite.
 TEST(Road, EndsWhereItsDataDo) {
   const auto mesh = std::make_shared<const TriangleRoad>(hilly_mesh(0.01));
   EXPECT_EQ(mesh->beyond(-0.4, 0.49), "");
-  EXPECT_EQ(mesh->beyond(0.5, 0.5), "");  // the edge is road
+  EXPECT_EQ(mesh->beyond(0.5, 0.5), "");  // the border belongs to the road
   EXPECT_NE(mesh->beyond(0.51, 0.0).find("y = -0.5 and 0.5 m"), std::string::npos);
-  EXPECT_NE(mesh->beyond(0.06, 0.06), "");  // the hole
+  EXPECT_NE(mesh->beyond(0.06, 0.06), "");  // this point is in the hole
   const PlacedRoad placed(mesh, std::numbers::pi / 2.0, {10.0, 0.0, 1.0});
   EXPECT_EQ(placed.beyond(10.0 - 0.4, -0.4), "");
   EXPECT_NE(placed.beyond(0.0, 0.0), "");
@@ -284,7 +287,7 @@ TEST(Road, EndsWhereItsDataDo) {
   EXPECT_EQ(PlaneRoad{}.beyond(1e6, -1e6), "");
 }
 
-// Bounds of a rectangle must hold at every point of it.
+// Bounds that a road returns for a rectangle must hold at every point of it.
 TEST(Road, BoundsHoldInTheWholeBox) {
   const DrumRoad drum({.diameter = 2.0,
                        .surface = 3.0,
@@ -354,7 +357,7 @@ TEST(Road, BoundsHoldInTheWholeBox) {
   EXPECT_GT(cylinders, 5000);
 }
 
-// The reference is a sum of many heights; at vertical edges a sum of few would not suffice.
+// The reference is the mean of many heights. Because of vertical edges a few would not suffice.
 TEST(Road, MeanHeightIsTheIntegralOverTheWay) {
   Kerb ramped{.pitch = 0.1, .width = 0.2, .height = 0.02, .count = 3, .ramp = 0.05, .angle = 0.3};
   const ProfileRoad kerb = kerb_road(ramped);
@@ -378,7 +381,7 @@ TEST(Road, MeanHeightIsTheIntegralOverTheWay) {
         low = std::min(low, z);
         high = std::max(high, z);
       }
-      // The sum locates a vertical flank only to half a part.
+      // The reference locates a vertical flank only to half of a piece.
       EXPECT_NEAR(road->mean_height(from, to, time), sum, 1e-9 + 2.0 * 0.02 / kParts);
       uneven += high > low;
     }
@@ -399,7 +402,8 @@ CrgGrid bumpy_grid(RandomStream& random, double du) {
   return grid;
 }
 
-// Roads here are continuous; the rule for waves requires lines that are short relative to a wave.
+// The roads of this test are continuous. Lines are short relative to a wave length, as the
+// quadrature rule for waves requires.
 TEST(Road, MeanHeightOfTrianglesGridsAndWavesIsTheIntegral) {
   RandomStream random(5, 2);
   const TriangleRoad kerb(kerb_triangles({.shape = Kerb::Shape::sine,
@@ -427,14 +431,14 @@ TEST(Road, MeanHeightOfTrianglesGridsAndWavesIsTheIntegral) {
         const Eigen::Vector2d at = from + (k + 0.5) / kParts * (to - from);
         sum += road->height(at.x(), at.y(), 0.0) / kParts;
       }
-      // The effect of a corner within a part is quadratic in its length; kerbs have a few hundred
-      // corners.
+      // The error by a corner inside a piece is quadratic in the piece's length; kerbs have a few
+      // hundred corners.
       EXPECT_NEAR(road->mean_height(from, to, 0.0), sum, 2e-8) << from << " " << to;
     }
 }
 
-// The results are equal up to rounding for rows that are inclined, cross seams and edges, on
-// sections and triangles and beside all.
+// Evaluation of a row must equal evaluation at its single points up to rounding. The rows are
+// oblique, cross repetitions and edges, and lie on sections, on triangles or beside all obstacles.
 TEST(Road, BelowARowIsWhatIsBelowEachOfItsPlaces) {
   RandomStream random(5, 3);
   Kerb ramped{.pitch = 0.1, .width = 0.2, .height = 0.02, .count = 3, .ramp = 0.05, .angle = 0.3};
@@ -489,8 +493,8 @@ TEST(Road, BelowARowIsWhatIsBelowEachOfItsPlaces) {
     }
 }
 
-// If coordinates are so large that adding one to the number of a section does not change it, the
-// loop must still end.
+// If coordinates are so large that adding 1 to the index of a repetition does not change it, the
+// loop over repetitions must still end.
 TEST(Road, MeanHeightFarOutComesToAnEnd) {
   const ProfileRoad row({.along = cleat_profile(0.02, 0.03, 0.005), .pitch = 0.2});
   const double mean = row.mean_height({4e15, 0.0}, {4e15 + 1.0, 0.0}, 0.0);
@@ -498,8 +502,8 @@ TEST(Road, MeanHeightFarOutComesToAnEnd) {
   EXPECT_LE(mean, 0.02);
 }
 
-// Bounds of a box that shrinks to a point converge to its height, so a search for the highest point
-// by halving ends.
+// Bounds of a box converge to the height at a point if the box shrinks to this point. A search for
+// the highest point by bisection therefore ends.
 TEST(Road, BoundsCloseInOnAPoint) {
   const DrumRoad drum(
       {.diameter = 2.0,

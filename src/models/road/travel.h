@@ -14,11 +14,11 @@ class Travel {
     double speed = 0.0;  // m/s
   };
 
-  /// Makes a belt at rest.
+  /// Makes the motion of a belt that does not move.
   Travel() : Travel(0.0) {}
-  /// Makes a constant speed, m/s.
+  /// Makes a motion with constant speed, m/s.
   Travel(double speed);  // NOLINT: a speed is a travel
-  /// Takes `points` in order of increasing time; at least one.
+  /// Makes a motion from points in order of increasing time; at least one is required.
   explicit Travel(std::vector<Point> points);
 
   double speed(double time) const;     // m/s
@@ -28,8 +28,8 @@ class Travel {
   double from_first(double time) const;
 
   std::vector<Point> points_;
-  std::vector<double> distances_;  // distance from the first point
-  double at_zero_ = 0.0;           // distance from the first point at t = 0
+  std::vector<double> distances_;  // m, distance traveled from the first point to each point
+  double at_zero_ = 0.0;           // m, distance traveled from the first point until t = 0
 };
 
 }  // namespace latsch::road

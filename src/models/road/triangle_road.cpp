@@ -16,12 +16,15 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Area in plan, relative to its longest edge squared, below which a triangle is a wall.
+// Area of a triangle in plan view, relative to its longest edge squared. A triangle with a smaller
+// area counts as vertical.
 constexpr double kWall = 1e-12;
-// Tolerance relative to the area, so that neighbors leave no crack on their common edge.
+// Tolerance for points on an edge, relative to the area of the triangle. Because of it no point on
+// a common edge falls between both neighbors.
 constexpr double kOnEdge = 1e-12;
-// Largest number of grid entries per triangle. Long triangles lie in many cells, so the grid is
-// made coarser until it is met. Larger values cost memory, smaller ones time.
+// Largest mean number of grid cells per triangle. Long triangles lie in many cells, so the grid is
+// made coarser until the number is not exceeded. A larger limit costs memory, a smaller one makes
+// searches slower.
 constexpr double kEntries = 16.0;
 constexpr double kMostCells = 4e6;
 
@@ -36,8 +39,8 @@ bool TriangleRoad::Facet::covers(const Vector2d& p) const {
          cross(a - c, p - c) >= least;
 }
 
-/// Returns the share of a line at which it leaves the triangle; the line starts inside or enters
-/// further on.
+/// Returns the position along the line, as a share of `way`, at which the line leaves the triangle.
+/// The line starts inside the triangle or enters it later.
 double TriangleRoad::Facet::end_of(const Vector2d& from, const Vector2d& way) const {
   double end = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
@@ -95,8 +98,8 @@ void TriangleRoad::build_facets() {
   }
 }
 
-/// Returns length over width of a typical triangle: the geometric mean, on which a few long ones
-/// have little influence.
+/// Returns the extent along x over the extent along y of a typical triangle. It is the geometric
+/// mean of all triangles, on which a few long ones have little influence.
 double TriangleRoad::shape_of_facets() const {
   constexpr double kThinnest = 1e-9;  // m
   double sum = 0.0;
@@ -163,7 +166,8 @@ void TriangleRoad::in_cell(int column, int row, const Action& action) const {
 
 namespace {
 
-/// Returns the area of a triangle within a rectangle, by cutting it at one side after the other.
+/// Returns the area of the part of a triangle that is inside a rectangle, by clipping the triangle
+/// at each side of the rectangle.
 double area_within(const std::array<Vector2d, 3>& corners,
                    const Vector2d& low,
                    const Vector2d& high) {
@@ -189,8 +193,9 @@ double area_within(const std::array<Vector2d, 3>& corners,
 
 }  // namespace
 
-/// A cell has no hole if the triangles of a mesh without overlaps fill its area. If some overlap,
-/// the sum is larger, and the cell counts as one with holes.
+/// Finds the grid cells without holes. The triangles of a mesh without overlaps fill the area of
+/// such a cell. If triangles overlap, their areas add up to more, and the cell counts as one with
+/// holes.
 void TriangleRoad::find_covered() {
   constexpr double kRounding = 1e-9;
   highest_ = facets_.front().highest();
@@ -249,7 +254,8 @@ std::array<int, 2> TriangleRoad::cell_of(const Vector2d& p) const {
           static_cast<int>(std::clamp((p.y() - low_.y()) / size_.y(), 0.0, rows_ - 1.0))};
 }
 
-/// Returns no facet if there is none above or below.
+/// Finds the highest triangle whose plan view covers the point p. The result has no facet if there
+/// is none.
 TriangleRoad::Hit TriangleRoad::find_covering(const Vector2d& p) const {
   Hit best;
   const auto [column, row] = cell_of(p);
@@ -280,7 +286,8 @@ std::string TriangleRoad::beyond(double x, double y) const {
       high_.y());
 }
 
-/// Searches rings of cells around that of the point until no closer triangle is possible.
+/// Finds the triangle nearest to a point beside the mesh. Rings of grid cells around the point's
+/// cell are searched until no closer triangle is possible.
 TriangleRoad::Hit TriangleRoad::find_nearest(const Vector2d& p) const {
   const Vector2d within = p.cwiseMax(low_).cwiseMin(high_);
   const auto [column, row] = cell_of(within);
@@ -299,8 +306,8 @@ TriangleRoad::Hit TriangleRoad::find_nearest(const Vector2d& p) const {
   };
   const double outside = (p - within).norm();
   for (int ring = 0; ring <= std::max(columns_, rows_); ++ring) {
-    // A cell of this ring is at least this far from `within`, the nearest point of the grid to the
-    // point.
+    // `within` is the point of the grid nearest to the given point. Every cell of this ring is at
+    // least `away` from it.
     const double away = std::max(ring - 1, 0) * size_.minCoeff();
     if (std::hypot(away, outside) > least) break;
     for (int i = -ring; i <= ring; ++i) {
@@ -317,14 +324,15 @@ TriangleRoad::Hit TriangleRoad::find_nearest(const Vector2d& p) const {
 
 double TriangleRoad::height(double x, double y, double) const { return find({x, y}).z; }
 
-/// Integrates from triangle to triangle if they are adjacent; otherwise by samples.
+/// Integrates the height triangle by triangle if the triangles along the line are adjacent.
+/// Otherwise samples the height.
 double TriangleRoad::mean_height(const Vector2d& from, const Vector2d& to, double time) const {
   if (!is_covered({std::min(from.x(), to.x()),
                    std::max(from.x(), to.x()),
                    std::min(from.y(), to.y()),
                    std::max(from.y(), to.y())}))
     return Road::mean_height(from, to, time);
-  constexpr double kNext = 1e-9;  // share of the line, to step beyond an edge
+  constexpr double kNext = 1e-9;  // step beyond an edge, as a share of the line
   constexpr int kMost = 4096;     // triangles
   const Vector2d way = to - from;
   double done = 0.0, sum = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One profile for the wheels on the left (y > 0), another for those on the right.
+// A road with one profile for the wheels on the left (y > 0) and another for those on the right.
 #pragma once
 
 #include "models/road/profile.h"

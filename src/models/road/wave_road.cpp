@@ -49,7 +49,9 @@ GroundPoint WaveRoad::at(double x, double, double) const {
 double WaveRoad::mean_height(const Eigen::Vector2d& from,
                              const Eigen::Vector2d& to,
                              double time) const {
-  constexpr double kShort = 0.05;  // share of a wave; the rule's error there is (π part)^6 / 3.15e4
+  // Longest line for the quadrature rule as a share of the wave length; its relative error there is
+  // (π share)^6 / 3.15e4.
+  constexpr double kShort = 0.05;
   const auto [low, high] = std::minmax(from.x(), to.x());
   const auto length_at = [&](double x) {
     const double s = x - settings_.start;
@@ -64,7 +66,7 @@ double WaveRoad::mean_height(const Eigen::Vector2d& from,
   return (5.0 * (z(middle - off) + z(middle + off)) + 8.0 * z(middle)) / 18.0;
 }
 
-/// The amplitude is linear, so it is largest at an end of the stretch.
+/// The amplitude is a linear function of x, so its maximum in a box is at one of its ends.
 GroundBounds WaveRoad::bounds(const GroundBox& box, double) const {
   const double from = std::max(box.x0, settings_.start), to = std::min(box.x1, settings_.end);
   if (from > to) return {0.0, true};

@@ -3,8 +3,8 @@
 //
 // From `start` to `end`, with s = x - start over the length L = end - start,
 //   z = A(s) sin φ(s),   dφ/ds = 2π / λ(s),   φ(0) = 0,
-// A(s) is linear from begin to end; λ(s) is linear, or exponential: λ0 (λ1/λ0)^(s/L). Elsewhere the
-// road is level. An endless sweep keeps the values of its beginning.
+// A(s) is linear. λ(s) is linear or exponential, λ0 (λ1/λ0)^(s/L), where λ0 and λ1 are its values
+// at the two ends. Elsewhere the road is level. An endless sweep keeps its initial values.
 #pragma once
 
 #include <limits>
@@ -27,8 +27,8 @@ class WaveRoad final : public Road {
   explicit WaveRoad(const Settings& settings);
 
   GroundPoint at(double x, double y, double time) const override;
-  /// Uses Gauss' rule with three points if waves are long relative to the line, to 1e-9 of the
-  /// height.
+  /// Returns the mean height by the Gauss rule with three points if the line is short relative to a
+  /// wave length. The error is then below 1e-9 of the height.
   double mean_height(const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to,
                      double time) const override;
@@ -36,8 +36,9 @@ class WaveRoad final : public Road {
 
  private:
   Settings settings_;
-  double growth_ = 0.0;   // dA/ds
-  double stretch_ = 0.0;  // dλ/ds, or the exponent per distance
+  double growth_ = 0.0;  // dA/ds
+  // dλ/ds for a linear sweep, or the exponent per meter for an exponential one
+  double stretch_ = 0.0;
 };
 
 }  // namespace latsch::road

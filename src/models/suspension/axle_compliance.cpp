@@ -10,7 +10,8 @@ Matrix6d travel_at(const Eigen::Vector3d& arm, const Matrix6d& of_origin) {
 }
 
 Matrix6d mirrored_compliance(const Matrix6d& corner) {
-  // Components along y, about x and about z change their signs.
+  // The mirror image of a compliance matrix has reversed signs for components along y, about x and
+  // about z.
   Vector6d signs;
   signs << 1.0, -1.0, 1.0, -1.0, 1.0, -1.0;
   return signs.asDiagonal() * corner * signs.asDiagonal();
@@ -29,7 +30,8 @@ ClassicalCompliances classical_compliances(const Matrix12d& axle, Phase phase) {
     return axle(response, load) + sign * axle(response, load + 6);
   };
   enum { kX, kY, kZ, kAboutX, kAboutY, kAboutZ };
-  // A left wheel's toe-in is a rotation to the right, its camber a rotation of the top to the left.
+  // Toe-in of a left wheel is a rotation to the right about z, its camber a rotation of the top to
+  // the left about x.
   return {.lateral_force_toe = -by(kAboutZ, kY),
           .lateral_force_camber = -by(kAboutX, kY),
           .longitudinal_force_toe = -by(kAboutZ, kX),

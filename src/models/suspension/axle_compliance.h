@@ -9,8 +9,8 @@
 //   in phase C(i, j) + C(i, j + 6),   out of phase C(i, j) - C(i, j + 6)     of the left wheel
 //
 // Suspension analyses define lateral force steer, aligning torque camber and similar quantities in
-// this way. If nothing couples the wheels (anti-roll bar, compliant rack), both are equal. The
-// matrix is linear about the state for which C was computed.
+// this way. If nothing couples the wheels (no anti-roll bar, no compliant rack), the compliances in
+// phase and out of phase are equal. The matrix is linear about the state for which C was computed.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,26 +22,30 @@ namespace latsch::suspension {
 
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 
-/// Converts travel of an upright's origin to travel of a point of it; `arm` leads from the origin
-/// to the point. If the loads act at the point too, the result is symmetric for an unloaded corner.
+/// Returns the rows of `of_origin`, displacement and rotation of an upright at its origin,
+/// converted to another point of the upright; `arm` leads from the origin to this point. If the
+/// loads act at the same point, the compliance of an unloaded corner is symmetric.
 Matrix6d travel_at(const Eigen::Vector3d& arm, const Matrix6d& of_origin);
-/// Returns the compliance of the other wheel if nothing couples them.
+/// Returns the compliance matrix of the right wheel from that of the left one (or vice versa), if
+/// nothing couples the wheels.
 Matrix6d mirrored_compliance(const Matrix6d& corner);
-/// Returns the compliance of both wheels of an axle without coupling, from that of the left one.
+/// Returns the compliance matrix of an axle whose wheels are not coupled, from that of the left
+/// corner.
 Matrix12d uncoupled_axle(const Matrix6d& left);
 
 enum class Phase { in, out };
 
-/// Compliances of the left wheel: toe-in, camber with the top outboard, travel in the direction of
-/// the load.
+/// Compliances of the left wheel. Toe-in and camber with the top outboard are positive;
+/// displacements are positive in the direction of the load.
 struct ClassicalCompliances {
-  double lateral_force_toe, lateral_force_camber;      // rad/N, by a force to the left
-  double longitudinal_force_toe;                       // rad/N, by a force forward
-  double aligning_torque_toe, aligning_torque_camber;  // rad/(N m), by a moment to the left
-  double longitudinal, lateral, vertical;              // m/N
+  double lateral_force_toe, lateral_force_camber;  // rad/N, per force to the left
+  double longitudinal_force_toe;                   // rad/N, per force forward
+  // Compliances per moment that turns to the left, rad/(N m).
+  double aligning_torque_toe, aligning_torque_camber;
+  double longitudinal, lateral, vertical;  // m/N
 };
-/// Camber and toe are taken as rotations about x and z, for a wheel that stands upright and
-/// straight ahead.
+/// Returns the classical compliances of an axle. Camber and toe are taken as rotations about x and
+/// z, which holds for a wheel that is upright and points straight ahead.
 ClassicalCompliances classical_compliances(const Matrix12d& axle, Phase phase);
 
 }  // namespace latsch::suspension

@@ -33,10 +33,12 @@ TEST(AxleCompliance, OfTheOtherWheelIsThatOfItsOwnStatics) {
   const Matrix12d axle = uncoupled_axle(left);
   EXPECT_LT((axle.bottomRightCorner<6, 6>() - right).norm(), 1e-10 * right.norm());
   EXPECT_EQ((axle.topRightCorner<6, 6>().norm()), 0.0);
-  EXPECT_LT((axle - axle.transpose()).norm(), 1e-9 * axle.norm());  // elastic axle
+  // The compliance matrix of an elastic axle is symmetric.
+  EXPECT_LT((axle - axle.transpose()).norm(), 1e-9 * axle.norm());
 }
 
-// The loads of the statics are small; their camber and toe are those of the wheel's spin axis.
+// The compliances must equal finite differences of the static equilibrium under small loads, with
+// camber and toe from the wheel's spin axis.
 TEST(AxleCompliance, ClassicalFormulasAreSlopesOfTheStatics) {
   const DoubleWishbone corner = race_corner();
   const multibody::Mechanism mechanism(corner.bodies(), corner.joints());
@@ -70,7 +72,8 @@ TEST(AxleCompliance, ClassicalFormulasAreSlopesOfTheStatics) {
   }
 }
 
-// A bar resists opposed loads: half of the compliance is between the wheels.
+// An anti-roll bar resists loads of opposite sign only. Half of the resulting change of compliance
+// is between the two wheels.
 TEST(AxleCompliance, LoadsInAndOutOfPhaseDifferByWhatCouplesTheWheels) {
   Matrix12d axle = uncoupled_axle(compliance_of(race_corner()));
   const double own = axle(2, 2), shared = 0.25 * own;

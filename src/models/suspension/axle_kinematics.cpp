@@ -6,16 +6,17 @@
 namespace latsch::suspension {
 namespace {
 
-constexpr double kParallel = 1e-9;  // least difference of two normals' slopes for which they meet
+// Smallest difference of the slopes of two normals at which they intersect.
+constexpr double kParallel = 1e-9;
 
-/// Returns v_y / v_z of the contact point.
+/// Returns the slope v_y / v_z of the path of the contact point.
 double slope(const WheelKinematics& w) { return w.contact_y_by_travel / w.contact_z_by_travel; }
 
 double height_at(const WheelKinematics& w, double y) {
   return w.contact_z + slope(w) * (w.contact_y - y);
 }
 
-/// Converts a slope per travel to one per rise of the contact point.
+/// Converts a derivative by wheel travel to one by the rise of the contact point.
 double by_rise(const WheelKinematics& w, double by_travel) {
   return by_travel / w.contact_z_by_travel;
 }

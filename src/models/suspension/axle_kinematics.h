@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid kinematics of the two wheels of an axle on one rack, with the chassis held and the ground
-// moved. The right wheel is the mirror image of the left one. With contact points L and R, and
-// heights h_i(y) = z_i + v_yi / v_zi (y_i - y) of the normals to their paths, both in the chassis'
-// axes:
+// Rigid kinematics of the two wheels of an axle with a common rack, in which the chassis is fixed
+// and the ground moves. The right wheel is the mirror image of the left one. With contact points L
+// and R, and heights h_i(y) = z_i + v_yi / v_zi (y_i - y) of the normals to their paths, both in
+// the chassis' axes:
 //   roll = -atan2(z_L - z_R, y_L - y_R)      of the chassis to the ground, its left side up     (1)
 //   roll center (kinematic): where both normals meet, above the line through L and R            (2)
 //   roll center (force):     Σ s_i h_i(0), s_i the wheels' shares of the lateral force: where the
 //                            force that the links carry acts                                    (3)
 //   roll_steer = t/2 dtoe/dz,  roll_camber = 1 + t/2 dcamber/dz, t = y_L - y_R                  (4)
 //
-// (2) describes the motion of the chassis while the contact points stay. (3) describes the force on
-// it, and remains finite when both normals become parallel. [Mitchell, Roll Center - Myths and
-// Reality]
+// (2) describes the motion of the chassis while the contact points stay on the ground. (3)
+// describes the force on the chassis, and remains finite if both normals become parallel.
+// [Mitchell, Roll Center - Myths and Reality]
 //
 //   ideal cot δ_o - cot δ_i = t / wheelbase,  ackermann = (δ_i - δ_o) / (δ_ideal(δ_o) - δ_o)    (5)
 //
@@ -32,35 +32,41 @@ struct AxleKinematics {
   double roll_center_height, roll_center_y, force_roll_center_height;
 };
 
-/// `outer_share`: share of the lateral force on the wheel that is higher in the chassis.
+/// `outer_share`: share of the axle's lateral force that acts on the wheel that is higher in the
+/// chassis.
 AxleKinematics axle_of(const WheelKinematics& left,
                        const WheelKinematics& right,
                        double outer_share);
 
-/// Return slopes of a wheel by the chassis' roll, while both contact points stay on the ground.
+/// Return the derivatives of a wheel's toe and camber with respect to the roll angle of the
+/// chassis, while both contact points stay on the ground.
 double roll_steer(const WheelKinematics& wheel, double track);
 double roll_camber(const WheelKinematics& wheel, double track);
 
 struct VehicleData {
   double wheelbase, cg_height;  // m
   bool is_front = true;
-  double brake_share = 0.0, drive_share = 0.0;  // share of the axle, 0 to 1
+  // Share of the axle in the braking or driving force, 0 to 1.
+  double brake_share = 0.0, drive_share = 0.0;
   bool has_outboard_brakes = true;
 };
 
-/// Shares of the load transfer that the links carry; 1: all of it.
+/// Shares of the longitudinal load transfer that the links carry; 1: all of it.
 struct AntiFeatures {
   double braking;  // anti-dive of a front axle, anti-lift of a rear one
-  double driving;  // anti-lift of a front axle, anti-squat of a rear one; torque from the chassis
+  // Anti-lift of a front axle, anti-squat of a rear one; the drive torque is reacted by the
+  // chassis.
+  double driving;
 };
 AntiFeatures anti_features(const WheelKinematics& wheel, const VehicleData& vehicle);
 
-/// Returns the Ackermann share of steer angles from straight ahead, rad, positive to the left. 1:
-/// both wheels roll about one point of the rear axle's line.
+/// Returns how closely the steer angles `left` and `right` (rad, positive to the left) fulfill the
+/// Ackermann condition. 1: both wheels roll about one point on the line of the rear axle; 0: both
+/// have the same angle.
 double ackermann(double left, double right, double track, double wheelbase);
 
-/// Both wheels, from the geometry of one. The geometry must have no fault() and must outlive this
-/// object.
+/// The kinematics of both wheels of an axle, from the geometry of one corner. The geometry must
+/// have no fault() and must outlive this object.
 class KinematicAxle {
  public:
   KinematicAxle(const CornerGeometry& geometry, TravelOf of)

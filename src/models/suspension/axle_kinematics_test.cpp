@@ -14,7 +14,7 @@ KinematicAxle::Wheels wheels(const CornerGeometry& corner, double left, double r
   return *found;
 }
 
-// The axle of a left corner equals that of its mirror image, to rounding.
+// An axle made from a left corner must equal the axle made from its mirror image, to rounding.
 TEST(Axle, IsTheSameFromEitherOfItsCorners) {
   const CornerGeometry left = race_geometry(), right = right_of(left);
   const auto a = wheels(left, 0.02, -0.015, 0.01), b = wheels(right, 0.02, -0.015, 0.01);
@@ -39,12 +39,13 @@ TEST(Axle, StandsLevelInParallelTravel) {
   EXPECT_NEAR(axle.force_roll_center_height, left.roll_center_height, 1e-15);
 }
 
-// The ground goes through the contact points. If the chassis rolls about the kinematic roll center,
-// they move on circles about it to first order.
+// The line of the ground passes through both contact points. If the chassis rolls about the
+// kinematic roll center, the contact points move, to first order, on circles about it.
 TEST(Axle, BothContactPointsMoveAboutTheRollCenter) {
   const auto [left, right] = wheels(race_geometry(), 0.02, -0.02, 0.0);
   const AxleKinematics axle = axle_of(left, right, 0.5);
-  EXPECT_LT(axle.roll, 0.0);  // The left wheel is up in the chassis, so its left side is down.
+  // The left wheel is higher in the chassis, so the left side of the chassis is lower.
+  EXPECT_LT(axle.roll, 0.0);
   EXPECT_NEAR(std::sin(axle.roll), -0.04 / axle.track, 1e-12);
   const double ground = right.contact_z + (left.contact_z - right.contact_z) /
                                               (left.contact_y - right.contact_y) *
@@ -55,13 +56,14 @@ TEST(Axle, BothContactPointsMoveAboutTheRollCenter) {
                          w.contact_z_by_travel * (w.contact_z - z);
     EXPECT_NEAR(along, 0.0, 1e-13);
   }
-  // The force-based roll center lies between the heights of both normals in the center plane.
+  // The force-based roll center lies between the heights at which the two normals meet the center
+  // plane.
   EXPECT_NE(axle_of(left, right, 1.0).force_roll_center_height,
             axle_of(left, right, 0.0).force_roll_center_height);
 }
 
-// Toe and inclination to the ground belong to a chassis that rolls with its contact points on the
-// ground.
+// Toe and inclination relative to the ground are those of a chassis that has rolled while both
+// contact points stay on the ground.
 TEST(Axle, RollSteerAndRollCamberAreSlopesOfOpposedTravel) {
   const CornerGeometry corner = race_geometry();
   const double h = 1e-4;
@@ -74,15 +76,16 @@ TEST(Axle, RollSteerAndRollCamberAreSlopesOfOpposedTravel) {
     const WheelKinematics& u = is_left ? up.left : up.right;
     const WheelKinematics& d = is_left ? down.left : down.right;
     EXPECT_NEAR((u.steer - d.steer) / roll, roll_steer(w, track), 1e-6);
-    // Leaning to the right is a positive rotation about x; positive camber of a left wheel is to
-    // the left.
+    // A rotation that leans a wheel to the right is positive about x, while positive camber leans a
+    // left wheel to the left.
     const double side = is_left ? -1.0 : 1.0;
     EXPECT_NEAR(1.0 + side * (u.camber - d.camber) / roll, roll_camber(w, track), 1e-6);
   }
 }
 
-// If the wishbone axes rise to the front by an angle, the wheel travels at right angles to them,
-// upward and rearward. Anti-dive is then negative, and the rear axle's anti-lift positive.
+// If the axes of the wishbones rise toward the front, the wheel travels perpendicular to them,
+// upward and rearward. The anti-dive of a front axle is then negative, and the anti-lift of a rear
+// axle positive.
 TEST(Axle, AntiFeaturesAreThoseOfThePath) {
   const double angle = 0.1, wheelbase = 1.6, cg_height = 0.3;
   const VehicleData front{wheelbase, cg_height, true, 0.6, 0.2, true};
@@ -95,8 +98,8 @@ TEST(Axle, AntiFeaturesAreThoseOfThePath) {
   EXPECT_NEAR(anti_features(w, rear).driving, 1.0 * ratio, 1e-12);
 }
 
-// With outboard brakes the contact point counts, with inboard ones the wheel center. If the wheel
-// turns about y in bump, they differ by the radius times the rotation.
+// Outboard brakes act at the contact point, inboard brakes at the wheel center. If the wheel turns
+// about y when it rises, their longitudinal displacements differ by the radius times this rotation.
 TEST(Axle, InboardBrakesActAtTheWheelCenter) {
   const CornerGeometry corner = race_geometry();
   const WheelKinematics w = wheels(corner, 0.0, 0.0, 0.0).left;

@@ -21,7 +21,7 @@ using multibody::ForcePart;
 
 constexpr std::array<const char*, 6> kBushingAxes = {
     "x", "y", "z", "about_x", "about_y", "about_z"};
-constexpr double kRigid = 1e10;  // N/m: 0.1 nm a newton
+constexpr double kRigid = 1e10;  // N/m: a joint of this stiffness yields by 0.1 nm per newton
 
 struct Units {
   const char *d, *f, *k, *c;
@@ -35,7 +35,7 @@ std::optional<double> spring(const std::optional<Node>& node, std::size_t axis) 
   return node->quantity(kBushingAxes[axis], units_of(axis).k, Range::not_negative());
 }
 
-/// Reads two numbers with their own units.
+/// Reads an array of two numbers, each with its own unit.
 std::pair<double, double> read_pair(const Node& table,
                                     const char* key,
                                     const char* first,
@@ -51,7 +51,8 @@ std::optional<double> viscous(const std::optional<Node>& node, std::size_t axis)
   return dampers->quantity(kBushingAxes[axis], units_of(axis).c, Range::not_negative());
 }
 
-/// Returns c of an axis of stiffness k. The joint's own values have priority over those of all.
+/// Returns the damping of an axis with the stiffness k. The joint's own keys have priority over
+/// those of [bushing.all].
 double damping_of(const std::optional<Node>& own,
                   const std::optional<Node>& all,
                   std::size_t axis,
@@ -60,8 +61,8 @@ double damping_of(const std::optional<Node>& own,
     if (!node || !node->has("damping")) return std::nullopt;
     return node->quantity("damping", "s", Range::not_negative());
   };
-  const auto common = viscous(all, axis), common_time = time(all);  // read in any case, so that the
-                                                                    // keys count as known
+  // The common values are read in any case, so that their keys count as known.
+  const auto common = viscous(all, axis), common_time = time(all);
   const auto value = viscous(own, axis), own_time = time(own);
   if (value) return *value;
   if (own_time) return *own_time * k;
@@ -69,8 +70,8 @@ double damping_of(const std::optional<Node>& own,
   return common_time.value_or(0.0) * k;
 }
 
-/// Reads the parts of one table, of a joint or of all, without its curve if the joint has a
-/// stiffness.
+/// Reads the force parts of one table: a joint's own or [bushing.all]. The curve of [bushing.all]
+/// is skipped if the joint has a stiffness of its own.
 void read_parts(const Node& node,
                 std::size_t axis,
                 bool with_curve,
@@ -104,15 +105,15 @@ bool has_curve(const std::vector<BushingParameters::Part>& parts, std::size_t ax
   return false;
 }
 
-/// Rejects a curve that drives the motion on instead of resisting it. Its force at rest is a
-/// preload and does not count.
+/// Throws InputError for a force curve that drives the motion instead of resisting it. Its force at
+/// zero deflection is a preload and is not counted.
 void refuse_driving(const Node& table,
                     const std::string& key,
                     const std::string& unit,
                     const std::string& unit_of_force,
                     const multibody::ForceCharacteristic& curve,
                     double beside) {
-  constexpr double kRounding = 1e-9;  // share of the largest force
+  constexpr double kRounding = 1e-9;  // tolerance, as a share of the largest force
   double most = 0.0;
   for (const auto& [x, f] : curve.points()) most = std::max(most, std::abs(f));
   for (const auto& [x, f] : curve.points()) {
@@ -154,8 +155,8 @@ BushingParameters read_bushing(const Node& bushings, const std::string& name) {
   const bool rigid = (own && own->flag("rigid", false)) ||
                      (all && all->flag("rigid", false) && !(own && own->has("rigid")));
   for (std::size_t axis = 0; axis < kBushingAxes.size(); ++axis) {
-    const auto common = spring(all, axis);  // Read even if not used, so that the key counts as
-                                            // known.
+    // The common stiffness is read even if it is not used, so that its key counts as known.
+    const auto common = spring(all, axis);
     const auto value = spring(own, axis);
     std::vector<BushingParameters::Part> parts;
     if (own) read_parts(*own, axis, true, parts);

@@ -28,15 +28,16 @@ namespace latsch::suspension {
 /// Reads the bushing of a joint by its name in the table of bushings. Throws InputError.
 multibody::BushingParameters read_bushing(const Node& bushings, const std::string& name);
 
-/// Returns the keys of springs, curves and dampers, in SI, as `x = "1.2e7 N/m"`, from which
-/// read_bushing() makes this bushing. The bushing must have no other parts.
+/// Returns the keys of springs, curves and dampers, in SI units, such as `x = "1.2e7 N/m"`, from
+/// which read_bushing() makes this bushing. The bushing must have no other parts.
 std::vector<std::string> bushing_lines(const multibody::BushingParameters& bushing);
 
-/// Keys that must not be given beside `file`.
+/// Returns the keys that must not be given in a table that has the key `file`.
 const std::vector<std::string>& keys_in_place_of_a_file();
 
-/// Reads a curve such as [["-1 mm", "-9 kN"], ...]. Throws InputError also for a curve that, with
-/// the stiffness `beside` it (force per `unit`), drives the motion on instead of resisting it.
+/// Reads a curve such as [["-1 mm", "-9 kN"], ...]. Throws InputError also for a curve that drives
+/// the motion instead of resisting it, together with the stiffness `beside` (force per `unit`) of
+/// the same axis.
 multibody::ForceCharacteristic read_curve(const Node& table,
                                           const std::string& key,
                                           const std::string& unit,

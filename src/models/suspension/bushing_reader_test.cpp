@@ -14,7 +14,8 @@ constexpr const char* kAll =
     "[bushing.all]\nx = \"1 N/m\"\ny = \"2 N/m\"\nz = \"3 N/m\"\n"
     "about_x = \"4 N m/rad\"\nabout_y = \"5 N m/rad\"\nabout_z = \"6 N m/rad\"\n";
 
-/// Returns the bushing of joint ubj with this text behind kAll; every key must be known.
+/// Reads a file in which kAll is followed by this text, and returns the bushing of the joint ubj.
+/// Every key must be known.
 BushingParameters ubj_of(const std::string& own, const std::string& of_all = "") {
   const Document document = Document::parse(kAll + of_all + "[bushing.ubj]\n" + own, "corner.toml");
   const Node root = document.root();
@@ -32,7 +33,7 @@ std::string complaint_about_ubj(const std::string& own) {
   return "none";
 }
 
-/// Returns the only part, which must belong to this axis.
+/// Returns the only force part of a bushing, which must belong to this axis.
 template <class Law>
 Law part_of_axis(const BushingParameters& bushing, int axis) {
   EXPECT_EQ(bushing.parts.size(), 1u);
@@ -114,7 +115,8 @@ TEST(BushingReader, DampingOfAJointGoesBeforeThatOfAll) {
   EXPECT_EQ(ubj_of("", all).damping, Eigen::Vector3d(2.0, 7.0, 6.0));
   EXPECT_EQ(ubj_of("damping = \"1 s\"\n", all).damping, Eigen::Vector3d(1.0, 2.0, 3.0));
   EXPECT_EQ(ubj_of("viscous.y = \"0 N s/m\"\n", all).damping, Eigen::Vector3d(2.0, 0.0, 6.0));
-  // The time does not apply to a curve, because there is no stiffness to multiply it with.
+  // The time constant of the damping does not apply to an axis with a curve, because this axis has
+  // no stiffness by which to multiply it.
   const BushingParameters curved = ubj_of(
       "viscous.x = \"9 N s/m\"\ncurve.x = [[\"-1 m\", \"-1 N\"], [\"1 m\", \"2 N\"]]\n", all);
   EXPECT_EQ(curved.damping.x(), 9.0);

@@ -17,7 +17,7 @@ std::vector<Link> rods_of(const CornerGeometry& geometry) {
   return rods;
 }
 
-/// Returns the direction of the kingpin at rest, upward.
+/// Returns the direction of the kingpin at rest, pointing upward.
 Result<Vector3d> kingpin_of(const CornerGeometry& geometry) {
   const auto rest = KinematicCorner(geometry, TravelOf::wheel_center).move_to(0.0, 0.0);
   if (!rest) return rest.failure();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests five links on bushings: stiff ones move as the rigid linkage, a right corner is the mirror
-// image of a left one, and caster is that of the kingpin of the kinematics.
+// Tests a five-link corner on bushings: with stiff bushings it moves like the rigid linkage, a
+// right corner is the mirror image of a left one, and its caster is that of the kingpin in the
+// rigid kinematics.
 #include "models/suspension/compliant_corner.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ CornerGeometry five_links() {
   return corner;
 }
 
-/// Returns bushings of a compliant strut and of links with stiffness k.
+/// Returns the bushings of the links with stiffness k, and those of the push-rod.
 std::vector<BushingParameters> stiff(double k) {
   std::vector<BushingParameters> all(12, {Vector3d::Constant(k), Vector3d::Constant(1.0)});
   all[10].stiffness = all[11].stiffness = Vector3d::Constant(4e4);
@@ -52,7 +53,8 @@ Stands stands(const CompliantCorner& corner, const Vector3d& force, const Vector
           wheel_position(corner.wheel, mechanism.at_rest()[upright])};
 }
 
-/// Returns the difference, m and rad, of links with this stiffness from rigid ones.
+/// Returns the difference (m and rad) between the position of a wheel whose links have bushings of
+/// stiffness k and that of a wheel on rigid links.
 double from_rigid(double k, double Fz) {
   const CornerGeometry geometry = five_links();
   const auto corner = compliant_five_links(geometry, kContact, stiff(k));
@@ -91,7 +93,8 @@ TEST(FiveLinks, OfTheRightSideAreTheMirrorImage) {
   EXPECT_GT(std::abs(of_left.wheel.caster - of_left.rest.caster), 1e-5);
 }
 
-// A rack that turns the upright about the kingpin of the kinematics does not change its caster.
+// If the rack turns the upright about the kingpin of the rigid kinematics, its caster does not
+// change.
 TEST(FiveLinks, CasterIsThatOfTheKingpinAtRest) {
   const CornerGeometry geometry = five_links();
   const auto corner = compliant_five_links(geometry, kContact, stiff(1e9));

@@ -14,20 +14,21 @@ namespace latsch::suspension {
 struct CornerGeometry {
   Linkage linkage;
   SpringDrive spring;
-  /// Ball joints at rest, m. None: the upright is steered by the rack about the axis of its
-  /// instantaneous rotation, with its spring held (five links).
+  /// Ball joints of the kingpin at rest, m. A five-link corner has none: the rack steers its
+  /// upright about the instantaneous axis of rotation with the spring held.
   struct Kingpin {
     Eigen::Vector3d lower, upper;
   };
   std::optional<Kingpin> kingpin;
   struct Rates {
     double spring;       // N/m
-    double sprung_mass;  // kg, carried by the spring of this corner at rest
+    double sprung_mass;  // kg, mass that the spring of this corner carries at rest
     double tire;         // N/m, vertical
   };
   std::optional<Rates> rates;
 
-  /// Returns what is wrong with the geometry, naming the part, or an empty text.
+  /// Returns an empty text for a valid geometry, otherwise a message that names the part with the
+  /// fault.
   std::string fault() const;
 };
 

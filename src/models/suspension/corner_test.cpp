@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the statics of a corner against numbers on which two independent programs agree to every
-// digit.
+// Tests the static equilibrium of a corner against numbers on which two independent programs agree
+// to every digit printed.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -19,7 +19,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 struct Case {
   const char* name;
   Vector3d force, moment;
-  std::array<double, 6> moved;  // mm; deg: dx, dy, dz, camber, toe-in, caster
+  std::array<double, 6> moved;  // dx, dy, dz in mm; camber, toe-in, caster in deg
 };
 
 const std::array<Case, 4> kCases = {
@@ -118,7 +118,8 @@ TEST_F(SuspensionCorner, SlopesInStiffnessesAreThoseOfDifferences) {
     differences << (up.contact - down.contact), up.camber - down.camber, up.toe - down.toe,
         up.caster - down.caster;
     differences /= 2.0 * h;
-    // A residual of 1e-7 N moves the wheel by 1e-14 m or rad, over 2 h.
+    // A residual force of 1e-7 N displaces the wheel by 1e-14 m or rad, an error which the central
+    // difference divides by 2 h.
     EXPECT_LT((slopes.col(p) * stiffness - differences).norm(), 1e-5 * differences.norm() + 5e-12)
         << DoubleWishbone::kNames[static_cast<std::size_t>(p / 6)] << " " << p % 6;
   }
@@ -183,7 +184,7 @@ TEST_F(SuspensionCorner, ARodThatSpinsFreelyIsNamed) {
             std::string::npos)
       << fault;
   EXPECT_NE(fault.find("no rotational stiffness (about_x"), std::string::npos) << fault;
-  // A body with mass may spin in motion but has no equilibrium.
+  // A body with mass is allowed to spin freely in motion. It then has no unique equilibrium.
   auto bodies = corner_.bodies();
   for (multibody::Body& body : bodies) body.mass = 1.0;
   ASSERT_EQ(Mechanism::fault(bodies, corner_.joints()), "");

@@ -13,11 +13,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNear = 1e-3;  // m; least length of a rod, and of an arm about its axis
-constexpr double kFar = 50.0;   // m; no car is that large
+// Smallest length of a rod, and smallest distance of a rod from the axis about which it holds a
+// wishbone, m.
+constexpr double kNear = 1e-3;
+constexpr double kFar = 50.0;  // m; largest plausible coordinate
 
-/// Finds rods that point at the axis about which they should hold. They leave a mechanism, however
-/// stiff they are.
+/// Returns a message if a rod points at the axis about which it should hold a wishbone. However
+/// stiff such a rod is, the corner can then move freely.
 std::string fault_of_rods(const DoubleWishbone& corner) {
   using enum DoubleWishbone::Joint;
   const auto p = [&](int joint) { return corner.points[static_cast<std::size_t>(joint)]; };

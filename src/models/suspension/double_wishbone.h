@@ -50,8 +50,9 @@ struct DoubleWishbone {
   Side side = Side::left;
   Body pushrod_on = kUpper;
 
-  /// Returns what is wrong with the points, naming them, or an empty text: coincident ends of a
-  /// rod, joints of a wishbone that coincide or lie in one line, points that look like millimeters.
+  /// Returns an empty text if the points form a valid corner. Otherwise returns a message that
+  /// names them: coincident ends of a rod, joints of a wishbone that coincide or lie in one line,
+  /// coordinates that look like millimeters.
   std::string fault() const;
   std::vector<multibody::Body> bodies() const;
   std::vector<multibody::Joint> joints() const;

@@ -12,8 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBelow = 5e-3;   // m; largest distance of contact point and wheel center along x
-constexpr double kInLine = 1e-3;  // m; arms nearer to one line define no plane
+// Largest distance along x between contact point and wheel center, m.
+constexpr double kBelow = 5e-3;
+// Smallest distance, m, of the ends of a rocker's arms from one line at which they define a plane.
+constexpr double kInLine = 1e-3;
 
 std::optional<Vector3d> find_point(const Node& points, const char* name) {
   if (!points.has(name)) return std::nullopt;

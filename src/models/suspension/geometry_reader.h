@@ -37,7 +37,8 @@ namespace latsch::suspension {
 /// Reads a point such as ["1648.347 mm", "273.206 mm", "303.434 mm"].
 Eigen::Vector3d read_point(const Node& points, const char* name);
 
-/// Throws InputError if something is missing. The geometry read may still have a fault().
+/// Reads the geometry of a corner. Throws InputError if a key is missing. The returned geometry may
+/// still have a fault().
 CornerGeometry read_geometry(const Node& root);
 
 }  // namespace latsch::suspension

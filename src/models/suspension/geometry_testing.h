@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Corners with kinematics known in closed form, and a real one.
+// Corners whose kinematics are known in closed form, and the corner of a real car.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace latsch::suspension {
 
-constexpr double kArm = 0.3;  // m, of the wishbones and the track-rod
+constexpr double kArm = 0.3;  // m, length of the wishbones and of the track-rod
 
 /// Returns a left corner with equal parallel wishbones. Their axes lie in the x-z plane at an angle
 /// to x, positive with their rear ends lower; their arms are at an angle to y, positive with their
@@ -72,7 +72,7 @@ inline CornerGeometry race_geometry() {
   return corner;
 }
 
-/// Returns the corner with all points mirrored.
+/// Returns the mirror image of a left corner.
 inline CornerGeometry right_of(CornerGeometry corner) {
   const auto turn = [](Eigen::Vector3d& point) { point.y() = -point.y(); };
   for (Link& link : corner.linkage.links) turn(link.inner), turn(link.outer);
@@ -88,7 +88,8 @@ inline CornerGeometry right_of(CornerGeometry corner) {
     turn(*point);
   const auto turn_lever = [&](Lever& lever) {
     turn(lever.pivot), turn(lever.own), turn(lever.driving);
-    lever.axis.x() = -lever.axis.x(), lever.axis.z() = -lever.axis.z();  // an axial vector
+    // The mirror image of an axial vector reverses its x and z.
+    lever.axis.x() = -lever.axis.x(), lever.axis.z() = -lever.axis.z();
   };
   if (spring.rocker) {
     turn_lever(spring.rocker->lever);

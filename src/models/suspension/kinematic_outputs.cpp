@@ -17,8 +17,11 @@ using enum Sense;
 using Group = KinematicOutput::Group;
 
 constexpr double kGravity = 9.80665;  // m/s²
-constexpr double kStep = 1e-4;        // m of travel, for slopes of slopes
-constexpr double kNoSteer = 1e-3;     // rad/m; below this the rack does not steer the wheel
+// Step of wheel travel, m, in the finite differences for second derivatives.
+constexpr double kStep = 1e-4;
+// Smallest rotation of the wheel per rack travel, rad/m, at which the rack is considered to steer
+// it.
+constexpr double kNoSteer = 1e-3;
 
 constexpr std::array kOutputs = {
     KinematicOutput{"toe", "rad", "toe angle, positive toe-in", &W::toe},
@@ -237,7 +240,7 @@ void set_path(const MovingLinkage& moving, W& w) {
   w.roll_center_height = v.y() / v.z() * contact.y();  // (5)
 }
 
-/// Computes all outputs that need no neighboring pose.
+/// Computes all outputs that follow from one pose, without neighboring poses.
 Result<W> standing(const CornerGeometry& geometry, const MovingLinkage& moving) {
   const Wheel& wheel = geometry.linkage.wheel;
   const double outboard = wheel.side == Side::left ? 1.0 : -1.0;
@@ -285,7 +288,8 @@ Result<WheelKinematics> KinematicCorner::move_to(double travel, double rack) {
   auto found = standing(*geometry_, moving_);
   if (!found) return found;
   W& w = *found;
-  // Slopes of slopes are central differences, or one-sided ones where the linkage ends.
+  // Second derivatives are central differences of first ones, or one-sided differences at the end
+  // of the linkage's range.
   const auto neighbor = [&](double at) -> Result<W> {
     MovingLinkage there = moving_;
     if (const auto moved = there.move_to(at, rack); !moved) return moved.failure();

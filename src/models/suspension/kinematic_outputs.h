@@ -16,9 +16,9 @@
 //
 // (2)-(4) are those printed by Lotus Suspension Analysis (verification/lotus_shark); the trail is
 // measured at right angles to the kingpin, the offset along the ground. (5) is the height at which
-// the normal to the path of the contact point meets the car's center plane. It belongs to the true
-// motion of the upright, not to a construction with planes. [Milliken & Milliken, Race Car Vehicle
-// Dynamics, 1995]
+// the normal to the path of the contact point meets the car's center plane. It is computed from the
+// true motion of the upright, not by a geometric construction with planes. [Milliken & Milliken,
+// Race Car Vehicle Dynamics, 1995]
 #pragma once
 
 #include <span>
@@ -41,22 +41,23 @@ struct WheelKinematics {
   double roll_center_height, roll_center_by_travel;
   double spring_length, motion_ratio, motion_ratio_by_travel;
   double arb_angle, arb_ratio;
-  double wheel_rate, ride_rate, ride_frequency;  // 0 if the rates are not known
+  double wheel_rate, ride_rate, ride_frequency;  // 0 if spring rate or mass are not known
 };
 
 struct KinematicOutput {
   const char* name;
   const char* unit;   // SI
-  const char* words;  // description and positive sense
+  const char* words;  // description of the output and of its positive sense
   double WheelKinematics::*value;
   Sense of = Sense::same, by = Sense::same;
   enum class Group { wheel, spring, bar, rates } group = Group::wheel;
 };
 
-/// Returns all outputs in their usual order.
+/// Returns all kinematic outputs in the order in which they are shown.
 std::span<const KinematicOutput> kinematic_outputs();
 
-/// A corner on its path from rest. The geometry must have no fault() and must outlive this object.
+/// A corner that moves from its position at rest. The geometry must have no fault() and must
+/// outlive this object.
 class KinematicCorner {
  public:
   KinematicCorner(const CornerGeometry& geometry, TravelOf of);
@@ -66,11 +67,12 @@ class KinematicCorner {
  private:
   const CornerGeometry* geometry_;
   MovingLinkage moving_;
-  Status rest_;  // a Failure: there is no state at rest
+  Status rest_;  // a Failure if the linkage has no position at rest
   double length_at_rest_ = 0.0, ratio_at_rest_ = 0.0;
 };
 
-/// Returns the outputs of the mirror image, whose rack is moved in the opposite direction.
+/// Returns the outputs of the mirror-image wheel, whose rack is displaced in the opposite
+/// direction.
 WheelKinematics mirrored(const WheelKinematics& wheel);
 
 }  // namespace latsch::suspension

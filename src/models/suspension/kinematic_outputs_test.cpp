@@ -32,7 +32,8 @@ TEST(KinematicOutputs, EqualParallelWishbonesNeitherLeanNorSteer) {
   }
 }
 
-// The normal to the path is parallel to the arms, through the contact point at y = 0.7 m.
+// The normal to the path of the contact point is parallel to the arms and passes through the
+// contact point at y = 0.7 m.
 TEST(KinematicOutputs, RollCenterOfAParallelogramIsInLineWithItsArms) {
   EXPECT_NEAR(at(parallelogram(), 0.0).roll_center_height, 0.0, 1e-14);
   for (const double angle : {-0.1, 0.05, 0.2}) {
@@ -42,7 +43,8 @@ TEST(KinematicOutputs, RollCenterOfAParallelogramIsInLineWithItsArms) {
   const double travel = 0.06, angle = std::asin(travel / kArm);
   const WheelKinematics w = at(parallelogram(), travel);
   EXPECT_NEAR(w.roll_center_height, -std::tan(angle) * w.contact_y, 1e-12);
-  // With h(z) = -tan(asin(z / l)) (y_0 + l cos) the slope at z = 0 is -y / l.
+  // The roll-center height is h(z) = -tan(asin(z / l)) (y_0 + l cos(asin(z / l))). Its derivative
+  // at z = 0 is -y / l.
   EXPECT_NEAR(at(parallelogram(), 0.0).roll_center_by_travel, -0.7 / kArm, 1e-5);
 }
 
@@ -58,7 +60,8 @@ TEST(KinematicOutputs, SlopesAreThoseOfDifferences) {
     const auto by_travel = [&](double WheelKinematics::*y) { return (up.*y - down.*y) / (2 * h); };
     const auto by_rack = [&](double WheelKinematics::*y) { return (left.*y - right.*y) / (2 * h); };
     using W = WheelKinematics;
-    const double e = 1e-7;  // truncation of rad/m² at h², rounding of 1e-13 over 2 h
+    // Error bound of a difference: truncation of order h² plus rounding of 1e-13 divided by 2 h.
+    const double e = 1e-7;
     EXPECT_NEAR(by_travel(&W::toe), w.bump_steer, e);
     EXPECT_NEAR(by_travel(&W::camber), w.bump_camber, e);
     EXPECT_NEAR(by_travel(&W::center_x), w.center_x_by_travel, e);
@@ -72,8 +75,8 @@ TEST(KinematicOutputs, SlopesAreThoseOfDifferences) {
   }
 }
 
-// A force at the contact point balances the spring's: F_wheel(z) = i F. Its slope is the wheel
-// rate.
+// The vertical force at the contact point that balances the spring force F is i F. Its derivative
+// by travel is the wheel rate.
 TEST(KinematicOutputs, WheelRateIsTheSlopeOfTheForceThatHoldsTheSpring) {
   const CornerGeometry corner = race_geometry();
   const auto rest = at(corner, 0.0);
@@ -100,7 +103,7 @@ TEST(KinematicOutputs, ARightCornerIsTheMirrorImageOfTheLeft) {
   for (const auto& [travel, rack] : {std::pair{0.0, 0.0}, {0.03, 0.02}, {-0.025, -0.01}}) {
     const WheelKinematics a = mirrored(at(left, travel, rack)), b = at(right, travel, -rack);
     for (const KinematicOutput& output : kinematic_outputs()) {
-      // Slopes of slopes divide rounding by 0.1 mm.
+      // Second derivatives are differences over 0.1 mm, which enlarges rounding errors.
       const double value = b.*output.value, size = std::max(1.0, std::abs(value));
       const bool is_second = std::string(output.name).ends_with("_by_travel") &&
                              (output.value == &WheelKinematics::roll_center_by_travel ||
@@ -118,7 +121,7 @@ TEST(KinematicOutputs, HaveNamesOfTheirOwn) {
   EXPECT_EQ(names.size(), kinematic_outputs().size());
 }
 
-// Static toe and camber are those of the wheel at rest.
+// At rest the wheel has the toe and camber that the geometry states.
 TEST(KinematicOutputs, AWheelStandsAsItIsSet) {
   CornerGeometry corner = parallelogram();
   const double toe = 0.004, camber = -0.03;
@@ -127,7 +130,7 @@ TEST(KinematicOutputs, AWheelStandsAsItIsSet) {
   const WheelKinematics w = at(corner, 0.05);
   EXPECT_NEAR(w.toe, toe, 1e-12);
   EXPECT_NEAR(w.camber, camber, 1e-12);
-  // The top is inboard, so the lowest point of the disk is outboard.
+  // The top of the wheel leans inboard, so its lowest point is outboard of the center.
   EXPECT_NEAR(w.contact_y - w.center_y, 0.3 * std::sin(-camber), 2e-6);
 }
 
@@ -135,14 +138,17 @@ TEST(SignViews, TurnAxesAround) {
   using enum Sense;
   for (const Sense sense : {same, along_x, along_y, along_z, about_x, about_y, about_z})
     EXPECT_EQ(sign(SignView::iso, sense), 1.0);
-  // Steer is positive to the left in ISO 8855 and Adams, to the right in SAE J670.
+  // A positive steer angle means steering to the left in ISO 8855 and Adams, to the right in SAE
+  // J670.
   EXPECT_EQ(sign(SignView::sae, about_z), -1.0);
   EXPECT_EQ(sign(SignView::adams, about_z), 1.0);
   EXPECT_EQ(sign(SignView::sae, along_z), -1.0);
   EXPECT_EQ(sign(SignView::adams, along_x), -1.0);
-  EXPECT_EQ(sign(SignView::sae, about_z, along_y), 1.0);  // steer to the right by rack to the right
+  // In SAE, steering to the right per rack travel to the right is positive.
+  EXPECT_EQ(sign(SignView::sae, about_z, along_y), 1.0);
   for (const SignView view : {SignView::iso, SignView::sae, SignView::adams})
-    EXPECT_EQ(sign(view, about_x), sign(view, along_x));  // proper rotations
+    // The axes of the view form a right-handed system, so it is a proper rotation.
+    EXPECT_EQ(sign(view, about_x), sign(view, along_x));
 }
 
 }  // namespace

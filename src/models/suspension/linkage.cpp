@@ -11,16 +11,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNear = 1e-3;        // m; a shorter link is a fault
-constexpr double kFar = 50.0;         // m; no car is that large
-constexpr double kConverged = 1e-13;  // m: rounding of points a meter from the origin
-constexpr double kSolved = 1e-10;     // m; accepted residual if rounding prevents a smaller one
+// Smallest length of a link, m. A shorter one is a fault.
+constexpr double kNear = 1e-3;
+constexpr double kFar = 50.0;  // m, largest plausible coordinate
+// Convergence tolerance, m: the rounding of coordinates of about a meter.
+constexpr double kConverged = 1e-13;
+// Residual, m, that is accepted if rounding prevents a smaller one.
+constexpr double kSolved = 1e-10;
 constexpr int kIterations = 12;
-constexpr double kLongStep = 0.05;   // m of travel and rack; links turn little in one step
-constexpr double kShortStep = 1e-7;  // m; the path ends if steps get shorter
-constexpr double kFarTurn = 0.35;    // rad in a step; beyond, another assembly may be met
-constexpr double kSingular = 1e-5;   // least pivot of the equations, with arms relative to the
-                                     // longest
+// Longest step of travel and rack, m, in which the links turn little.
+constexpr double kLongStep = 0.05;
+// Shortest step, m. If steps become shorter, the linkage is at the end of its range.
+constexpr double kShortStep = 1e-7;
+// Largest rotation of the upright in a step, rad; beyond it the other assembly of the linkage may
+// be reached.
+constexpr double kFarTurn = 0.35;
+// Smallest pivot of the equations that counts as regular; lengths are relative to the longest arm.
+constexpr double kSingular = 1e-5;
 
 }  // namespace
 
@@ -54,7 +61,8 @@ std::string Linkage::fault() const {
   J(5, 2) = 1.0;
   const Eigen::FullPivLU<Matrix6d> factors(J);
   if (factors.matrixLU().diagonal().cwiseAbs().minCoeff() > kSingular) return {};
-  // Forces of the links that are in balance with each other, without another load on the upright.
+  // Forces of the links that balance each other on the unloaded upright. They exist if the
+  // equations are singular.
   const Vector6d forces =
       Eigen::FullPivLU<Matrix6d>(J.transpose()).setThreshold(kSingular).kernel().col(0);
   std::string names;
@@ -117,8 +125,8 @@ void MovingLinkage::take(const Pose& pose, double travel, double rack, double le
   rack_ = rack;
   left_ = left;
   twists_.by_travel = factors_.solve(Vector6d::Unit(5));
-  // The rack moves the inner end: the link becomes shorter by n_y dr, and the upright makes up for
-  // it.
+  // The rack moves the inner end of the track-rod. This would shorten the link by n_y dr, so the
+  // upright moves to keep its length.
   const Vector3d n = (outer(linkage_->trackrod) - inner(linkage_->trackrod)).normalized();
   Vector6d by_rack = Vector6d::Zero();
   by_rack[linkage_->trackrod] = n.y();
@@ -147,7 +155,7 @@ bool MovingLinkage::try_step(double travel, double rack) {
     }
     before = left;
     const Vector6d correction = factors.solve(-e.residual);
-    if (!(correction.tail<3>().norm() < kFarTurn)) return false;  // true for NaN, too
+    if (!(correction.tail<3>().norm() < kFarTurn)) return false;  // written so that NaN fails, too
     pose.move(correction);
   }
   return false;
@@ -173,7 +181,7 @@ Result<Pose> MovingLinkage::move_to(double travel, double rack) {
 }
 
 std::string MovingLinkage::end_of_way(double travel, double rack) const {
-  // Near a singularity of the equations links hold each other in balance with very large forces.
+  // Near a singularity of the equations the links balance each other with very large forces.
   const Vector6d forces = factors_.transpose().solve(Vector6d::Unit(5));
   int most = 0;
   forces.head<Linkage::kLinks>().cwiseAbs().maxCoeff(&most);

@@ -28,55 +28,59 @@
 
 namespace latsch::suspension {
 
-/// A link. Points at rest, m.
+/// One of the five links of a wheel carrier. Points at rest, m.
 struct Link {
   std::string name;
   Eigen::Vector3d inner, outer;
 };
 
-/// A wheel. Its spin axis points to the left of the car on both sides.
+/// A wheel with its rigid tire. Its spin axis points to the left of the car on both sides.
 struct Wheel {
   Side side = Side::left;
   Eigen::Vector3d center, spin_axis = {0.0, 1.0, 0.0};
-  double radius = 0.0;  // m, of the tire's middle circle
-  double offset = 0.0;  // m, of that circle from the center along the spin axis
+  double radius = 0.0;  // m, radius of the tire's middle circle
+  double offset = 0.0;  // m, distance of that circle from the wheel center along the spin axis
 
-  /// Returns the vector from the wheel center to the contact point for that spin axis.
+  /// Returns the vector from the wheel center to the contact point for this spin axis.
   Eigen::Vector3d down(const Eigen::Vector3d& axis) const;
 };
 
 struct Linkage {
   static constexpr int kLinks = 5;
   std::array<Link, kLinks> links;
-  int trackrod = 4;  // the link whose inner point moves with the rack, along y
+  int trackrod = 4;  // index of the link whose inner point moves with the rack along y
   Wheel wheel;
 
-  /// Returns what is wrong with the linkage, naming the part, or an empty text: links without
-  /// length, coincident points, an upright that can move with all links and its travel held.
+  /// Returns an empty text for a valid linkage, otherwise a message that names the part: a link
+  /// without length, coincident points, or an upright that can move while all links and its travel
+  /// are held.
   std::string fault() const;
 };
 
 enum class TravelOf { wheel_center, contact };
 
-/// Velocity of the wheel center and rotation, in the axes of the ground, per travel and per rack
-/// displacement.
+/// Derivatives of the upright's position: velocity of the wheel center and angular velocity, in the
+/// axes of the ground, per wheel travel and per rack travel.
 struct Twists {
   Vector6d by_travel, by_rack;
 
-  /// Returns the velocity of a point of the upright at `from_center`.
+  /// Returns the velocity of the upright's point that lies at `from_center` relative to the wheel
+  /// center.
   static Eigen::Vector3d at(const Vector6d& twist, const Eigen::Vector3d& from_center) {
     return twist.head<3>() + twist.tail<3>().cross(from_center);
   }
 };
 
-/// A linkage on its path from rest. Two linkages that took the same path are equal to the last bit.
+/// A linkage that moves from its position at rest. Two linkages that made the same movements are
+/// equal to the last bit.
 class MovingLinkage {
  public:
-  /// The linkage must have no fault().
+  /// Makes the linkage in its position at rest. It must have no fault().
   MovingLinkage(const Linkage& linkage, TravelOf of);
 
-  /// Moves from the present pose, in as many steps as needed. A Failure names the link that ends
-  /// the path, and the linkage stays there.
+  /// Moves the linkage from its present position to this wheel travel and rack travel, in as many
+  /// steps as needed. A Failure names the link that limits the motion; the linkage then stays at
+  /// the end of its range.
   Result<Pose> move_to(double travel, double rack);
 
   const Pose& upright() const { return pose_; }
@@ -84,11 +88,11 @@ class MovingLinkage {
   double rack() const { return rack_; }
   const Twists& twists() const { return twists_; }
   Eigen::Vector3d spin_axis() const { return pose_.turn * linkage_->wheel.spin_axis; }
-  /// Vector from the wheel center to the contact point.
+  /// Returns the vector from the wheel center to the contact point.
   Eigen::Vector3d to_contact() const { return linkage_->wheel.down(spin_axis()); }
   Eigen::Vector3d inner(int link) const;
   Eigen::Vector3d outer(int link) const;
-  /// Residual of the equations, m.
+  /// Returns the residual of the link equations, m.
   double left() const { return left_; }
 
  private:
@@ -103,13 +107,14 @@ class MovingLinkage {
 
   const Linkage* linkage_;
   TravelOf of_;
-  std::array<Eigen::Vector3d, Linkage::kLinks> outer_;  // in the upright's axes, origin at the
-                                                        // wheel center
+  // Outer points of the links in the upright's axes, relative to the wheel center.
+  std::array<Eigen::Vector3d, Linkage::kLinks> outer_;
   std::array<double, Linkage::kLinks> length_;
-  double height_;  // m, at rest, of the point that travels
+  double height_;  // m, height at rest of the point whose travel is prescribed
   Pose pose_;
   double travel_ = 0.0, rack_ = 0.0, left_ = 0.0;
-  double orientation_ = 0.0;  // sign of the Jacobian's determinant; a change means another assembly
+  // Sign of the Jacobian's determinant; if it changes, another assembly was reached.
+  double orientation_ = 0.0;
   Eigen::PartialPivLU<Matrix6d> factors_;
   Twists twists_;
 };

@@ -33,7 +33,7 @@ TEST(MovingLinkage, KeepsItsLengthsAndReachesTheTravel) {
   }
 }
 
-// The assembly at a travel must not depend on the path to it.
+// The position at a given travel must not depend on the path on which it was reached.
 TEST(MovingLinkage, ComesBack) {
   const Linkage linkage = race_geometry().linkage;
   MovingLinkage moving(linkage, TravelOf::contact);
@@ -44,7 +44,7 @@ TEST(MovingLinkage, ComesBack) {
   EXPECT_LT((moving.upright().turn - Eigen::Matrix3d::Identity()).norm(), 1e-12);
 }
 
-/// Returns the difference of the twist from a central difference over 2 h.
+/// Returns the difference between the twist of the upright and a central difference over 2 h.
 double twist_error(double h, bool by_rack) {
   const Linkage linkage = race_geometry().linkage;
   MovingLinkage at(linkage, TravelOf::contact);
@@ -68,8 +68,8 @@ TEST(MovingLinkage, TwistsAreTheLimitOfDifferencesWithOrderTwo) {
   }
 }
 
-// On parallel arms of equal length a point travels on a circle of that radius, and the path ends
-// where the arms stand upright.
+// If the arms are parallel and of equal length, a point of the upright travels on a circle with
+// this radius. The path must end where the arms are vertical.
 TEST(MovingLinkage, OfAParallelogramTravelsOnACircle) {
   const Linkage linkage = parallelogram().linkage;
   ASSERT_EQ(linkage.fault(), "");
@@ -89,8 +89,8 @@ TEST(MovingLinkage, OfAParallelogramTravelsOnACircle) {
       << beyond.failure().reason;
 }
 
-// Upright, arm of 100 mm ahead of an upright kingpin, track-rod of 300 mm across: the rack moves
-// until both are in line, at y = 0.6 - (0.3 + 0.1) from the kingpin at most sideways.
+// The kingpin is vertical, the steering arm reaches 100 mm ahead of it, and the track-rod of 300 mm
+// lies across. The rack can move until rod and arm are in line.
 TEST(MovingLinkage, TheTrackRodIsNamedWhereTheRackGoesTooFar) {
   const Linkage linkage = parallelogram().linkage;
   MovingLinkage moving(linkage, TravelOf::contact);
@@ -98,7 +98,7 @@ TEST(MovingLinkage, TheTrackRodIsNamedWhereTheRackGoesTooFar) {
   ASSERT_FALSE(found);
   EXPECT_NE(found.failure().reason.find("trackrod ends the path"), std::string::npos)
       << found.failure().reason;
-  // Rod and arm are then in line from the inner end 0.1 m ahead of the kingpin.
+  // Rod and arm are then in line, and the inner end is 0.1 m ahead of the kingpin.
   EXPECT_NEAR(moving.rack(), 0.3 - std::sqrt(0.4 * 0.4 - 0.1 * 0.1), 1e-6);
 }
 
@@ -112,7 +112,7 @@ TEST(Linkage, FaultsNameTheirPart) {
   bad.links[4].inner = bad.links[4].outer;
   EXPECT_EQ(bad.fault(), "both ends of trackrod coincide");
   bad = good;
-  bad.links[4].outer = {0.0, 0.6, 0.3};  // on the kingpin
+  bad.links[4].outer = {0.0, 0.6, 0.3};  // the outer end of the track-rod lies on the kingpin
   EXPECT_NE(bad.fault().find("trackrod"), std::string::npos) << bad.fault();
   EXPECT_NE(bad.fault().find("singular"), std::string::npos) << bad.fault();
   bad = good;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signs of three conventions, as factors on results in ISO 8855. A quantity is directed along an
-// axis or about one, or has the same sign in all conventions (toe-in, camber, lengths, heights
-// above ground).
+// Sign conventions of three systems of axes, as factors by which results in ISO 8855 are
+// multiplied. A quantity is directed along an axis or about an axis, or it has the same sign in all
+// conventions (toe-in, camber, lengths, heights above ground).
 //
 //   iso    x forward,  y left,  z up          ISO 8855
 //   sae    x forward,  y right, z down        SAE J670, 1976
@@ -20,7 +20,8 @@ namespace latsch::suspension {
 enum class Sense { same, along_x, along_y, along_z, about_x, about_y, about_z };
 enum class SignView { iso, sae, adams };
 
-/// Sense in which a quantity is positive, and that of the quantity by which it is differentiated.
+/// Sense in which a quantity is positive. If it is a derivative, `by` is the sense of the quantity
+/// by which it is differentiated.
 struct SignSense {
   Sense of = Sense::same, by = Sense::same;
 };
@@ -29,7 +30,7 @@ using AxisSigns = std::array<double, 3>;
 
 inline constexpr std::array<AxisSigns, 3> kAxisSigns = {
     {{1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}, {-1.0, -1.0, 1.0}}};
-/// Signs of the mirror image that converts a left wheel to a right one.
+/// Signs of the mirror reflection that turns a left wheel into a right one.
 inline constexpr AxisSigns kMirror = {1.0, -1.0, 1.0};
 
 constexpr double sign(const AxisSigns& s, Sense sense) {

@@ -11,11 +11,12 @@ namespace {
 
 using Eigen::Matrix;
 using Eigen::Vector3d;
-using Velocities = Matrix<double, 3, 2>;  // slopes by travel, by rack
+using Velocities = Matrix<double, 3, 2>;  // columns: derivatives by wheel travel and by rack travel
 
-constexpr double kNear = 1e-3;       // m
-constexpr double kNoArm = 1e-3;      // m; a rod nearer to the axis than this cannot turn the lever
-constexpr double kPastReach = 1e-9;  // excess of the cosine that rounding may cause at rest
+constexpr double kNear = 1e-3;  // m
+// Smallest distance of a rod from the rocker's axis at which it can turn the rocker, m.
+constexpr double kNoArm = 1e-3;
+constexpr double kPastReach = 1e-9;  // amount by which rounding may raise a cosine above 1 at rest
 
 struct Moved {
   Vector3d place;
@@ -35,8 +36,8 @@ Moved on_upright(const Vector3d& point,
   return moved;
 }
 
-/// Returns the motion of the rod's point on the wishbone, whose ball joint has moved to this
-/// position.
+/// Returns position and velocity of the push-rod's point on a wishbone whose ball joint has this
+/// position and velocity.
 Moved on_wishbone(const SpringDrive& drive, const Moved& ball) {
   const Vector3d axis = (drive.hinge_rear - drive.hinge_front).normalized();
   const Vector3d was = drive.ball - drive.hinge_front, is = ball.place - drive.hinge_front;
@@ -44,7 +45,8 @@ Moved on_wishbone(const SpringDrive& drive, const Moved& ball) {
       std::atan2(axis.dot(was.cross(is)), from_axis(axis, was).dot(from_axis(axis, is)));
   const Vector3d arm =
       Eigen::AngleAxisd(angle, axis).toRotationMatrix() * (drive.outer - drive.hinge_front);
-  const Vector3d lever = axis.cross(is);  // the ball joint's, by the angle
+  // Derivative of the ball joint's position by the wishbone's angle.
+  const Vector3d lever = axis.cross(is);
   Moved moved{drive.hinge_front + arm, {}};
   moved.velocities = axis.cross(arm) * (lever.transpose() * ball.velocities) / lever.squaredNorm();
   return moved;
@@ -95,7 +97,8 @@ Result<Lever::Turned> Lever::turned(const Vector3d& driving_now) const {
                                name,
                                1e3 * (std::abs(d) - size) / (own - driving).norm(),
                                d > 0.0 ? "short" : "long")};
-  // At rest atan2(b, a) ± acos(d / size) is 0 for the sign that -b has there.
+  // The equation has the two solutions atan2(b, a) ± acos(d / size). The sign is chosen such that
+  // the angle is 0 at rest; it is opposite to that of b at rest.
   const double sign = (driving - pivot).dot(across) > 0.0 ? -1.0 : 1.0;
   const double ratio = std::max(-1.0, std::min(1.0, d / size));
   const double angle = std::remainder(std::atan2(b, a) + sign * std::acos(ratio), 2.0 * M_PI);

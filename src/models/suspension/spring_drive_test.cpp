@@ -19,7 +19,8 @@ SpringState state_of(const CornerGeometry& corner, double travel, double rack) {
   return *state;
 }
 
-// The upright only translates, on a circle, so the length is that between two known points.
+// The upright only translates on a circle, so the length of the spring is the distance between two
+// known points.
 TEST(SpringDrive, WithoutARockerIsTheDistanceOfItsEnds) {
   const CornerGeometry corner = parallelogram();
   ASSERT_EQ(corner.spring.fault(), "");
@@ -31,23 +32,23 @@ TEST(SpringDrive, WithoutARockerIsTheDistanceOfItsEnds) {
   }
 }
 
-// A point of a wishbone travels on a circle about the wishbone's axis, by the angle of the ball
-// joint.
+// A point of a wishbone moves on a circle about the wishbone's axis. It turns by the same angle as
+// the ball joint.
 TEST(SpringDrive, OnAWishboneFollowsItsAngle) {
   CornerGeometry corner = parallelogram();
   corner.spring.on = SpringDrive::On::lower_wishbone;
   corner.spring.hinge_front = corner.linkage.links[2].inner;
   corner.spring.hinge_rear = corner.linkage.links[3].inner;
   corner.spring.ball = corner.linkage.links[2].outer;
-  corner.spring.outer = {0.02, 0.45, 0.2};  // in the middle of the arm
+  corner.spring.outer = {0.02, 0.45, 0.2};  // in the middle of the wishbone's arm
   corner.spring.inner = {0.02, 0.40, 0.6};
   const double travel = 0.08, angle = std::asin(travel / kArm);
   const Vector3d end(0.02, 0.3 + 0.5 * kArm * std::cos(angle), 0.2 + 0.5 * kArm * std::sin(angle));
   EXPECT_NEAR(state_of(corner, travel, 0.0).length, (end - corner.spring.inner).norm(), 1e-12);
 }
 
-// A rocker has arms of equal length at a right angle, with push-rod and spring at right angles to
-// them. At rest the spring moves as the push-rod does.
+// The two arms of the rocker have equal length and form a right angle, and push-rod and spring are
+// perpendicular to them. At rest the spring then moves by the same distance as the push-rod.
 TEST(SpringDrive, ARightAngledRockerPassesTheMotionOn) {
   CornerGeometry corner = parallelogram();
   corner.spring.outer = {0.0, 0.6, 0.3};
@@ -63,7 +64,7 @@ TEST(SpringDrive, ARightAngledRockerPassesTheMotionOn) {
   ASSERT_EQ(corner.spring.fault(), "");
   EXPECT_NEAR(state_of(corner, 0.0, 0.0).length_slopes[0], -1.0, 1e-12);
   EXPECT_NEAR(state_of(corner, 0.0, 0.0).length, 0.3, 1e-15);
-  // The push-rod, 0.4 m long, pushes farther than the arms of the rocker, 0.1 m, allow.
+  // The push-rod moves farther than the rocker's arms of 0.1 m allow.
   MovingLinkage moving(corner.linkage, TravelOf::contact);
   ASSERT_TRUE(moving.move_to(0.15, 0.0));
   const auto beyond =
@@ -85,7 +86,7 @@ TEST(SpringDrive, SlopesAreThoseOfDifferences) {
       const SpringState down = state_of(corner, travel - h, rack);
       const SpringState left = state_of(corner, travel, rack + h);
       const SpringState right = state_of(corner, travel, rack - h);
-      // The error is rounding of 1e-13 m over 2 h; the truncation is smaller.
+      // Rounding errors of 1e-13 m divided by 2 h dominate; the truncation error is smaller.
       EXPECT_NEAR((up.length - down.length) / (2 * h), at.length_slopes[0], 3e-8);
       EXPECT_NEAR((left.length - right.length) / (2 * h), at.length_slopes[1], 3e-8);
       EXPECT_NEAR((up.blade_angle - down.blade_angle) / (2 * h), at.blade_slopes[0], 3e-6);

@@ -32,25 +32,28 @@
 
 namespace latsch::suspension {
 
-/// A suspension corner as its file states it.
+/// A suspension corner as described in its file.
 struct SuspensionCorner {
   CornerGeometry geometry;                   // hardpoints and links
-  std::optional<CompliantCorner> compliant;  // none without [bushing]
-  std::optional<DoubleWishbone> statics;     // its double wishbone; none for five links
+  std::optional<CompliantCorner> compliant;  // bodies and bushings; not set without [bushing]
+  std::optional<DoubleWishbone> statics;     // its double wishbone; not set for five links
 };
 
-/// Throws InputError naming the place, or the part that is no suspension.
+/// Reads a suspension corner. Throws InputError naming file and line, or the part that is not
+/// valid.
 SuspensionCorner read_corner(const Node& root);
-/// Reads the double wishbone with bushings. Throws InputError also if there is none.
+/// Reads the double wishbone with its bushings. Throws InputError also if the corner is no double
+/// wishbone or has no bushings.
 DoubleWishbone read_suspension(const Node& root);
 
-/// Returns the stiffnesses that the number at a path of the file sets, as index of the joint and of
-/// x, y, z, about_x ...: several for one of [bushing.all], none if the number is no stiffness.
+/// Returns the stiffnesses that the number at a path of the file sets, as pairs of joint index and
+/// axis index (x, y, z, about_x ...). A number of [bushing.all] sets several; a number that is no
+/// stiffness sets none.
 std::vector<std::pair<int, int>> stiffnesses_at(const Document& numbers,
                                                 const std::string& path,
                                                 const std::vector<multibody::Joint>& joints);
-/// True if a number at this path is one of the stiffnesses that stiffnesses_at() finds. Those of
-/// curves, play and friction are not.
+/// Returns true if a number at this path is one of the stiffnesses that stiffnesses_at() finds.
+/// Stiffnesses of curves, play and friction are not among them.
 bool is_stiffness(const std::string& path);
 
 }  // namespace latsch::suspension

@@ -30,7 +30,8 @@ Matrix6d wheel_slopes(const WheelPoints& points, const Pose& upright) {
   Matrix6d slopes = Matrix6d::Zero();
   slopes.topLeftCorner<3, 3>().setIdentity();
   slopes.topRightCorner<3, 3>() = -cross(upright.turn * points.contact);
-  // da = δθ × a, so its rows are those of -cross(a).
+  // A small rotation δθ changes the spin axis by da = δθ × a, so the derivatives are the rows of
+  // -cross(a).
   const Eigen::Matrix3d da = -cross(a), dk = -cross(k);
   slopes.block<1, 3>(3, 3) = -sign * da.row(2) / std::sqrt(1.0 - a.z() * a.z());
   slopes.block<1, 3>(4, 3) =

@@ -7,8 +7,9 @@
 namespace latsch {
 namespace {
 
-/// Returns the length of an element around `center` that a sensor around `at` covers, m, weighted
-/// by its share, which fades over the length b.
+/// Returns the length, m, over which a sensor covers a tread element, along one axis. The element
+/// has this center and length. Near its ends its share of the pressure fades over the distance b,
+/// and the covered length is weighted accordingly.
 double on_sensor(double at, double side, double center, double length, double b) {
   const double z = at - center;
   if (std::abs(z) >= 0.5 * (side + length + b)) return 0.0;
@@ -36,7 +37,9 @@ double Footprint::pressure_at(double x, double y, double side) const {
 
 double Footprint::peak_pressure(double side) const {
   if (elements.empty()) return 0.0;
-  constexpr double kSteps = 6.0, kLast = 1e-3;  // steps per sensor side; last step over the side
+  // Number of steps per side of the sensor in the first search, and the step, relative to the side,
+  // at which the search ends.
+  constexpr double kSteps = 6.0, kLast = 1e-3;
   const auto by_x = [](const auto& a, const auto& b) { return a.x < b.x; };
   const auto by_y = [](const auto& a, const auto& b) { return a.y < b.y; };
   const auto [back, front] = std::ranges::minmax_element(elements, by_x);

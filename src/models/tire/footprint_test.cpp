@@ -21,13 +21,14 @@ TEST(Footprint, ASensorInsideSeesThePressureAndHalfOfItAtTheEdge) {
   EXPECT_NEAR(print.peak_pressure(kSide), p, 1e-9 * p);
 }
 
-// On a patch of 10 mm the sensor measures its whole force.
+// The footprint is 10 mm long and wide and lies inside the sensor, which therefore measures its
+// whole force.
 TEST(Footprint, APatchSmallerThanTheSensorCountsWithItsForce) {
   const Footprint print = Footprint::rectangle(20.0, 0.01, 0.01);
   EXPECT_NEAR(print.peak_pressure(kSide), 20.0 / (kSide * kSide), 1e-6);
 }
 
-// The reference searches all positions, a tenth of a millimeter apart.
+// The reference value is the maximum over sensor positions a tenth of a millimeter apart.
 TEST(Footprint, ThePeakIsThatOfEveryPlaceOfTheSensor) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(0.0, 1.0);
@@ -44,7 +45,7 @@ TEST(Footprint, ThePeakIsThatOfEveryPlaceOfTheSensor) {
       for (double y = -0.06; y < 0.06; y += 1e-4)
         most = std::max(most, print.pressure_at(x, y, kSide));
     const double peak = print.peak_pressure(kSide);
-    EXPECT_LE(peak, most * 1.01);  // the reference is searched in steps too
+    EXPECT_LE(peak, most * 1.01);  // the reference, too, is searched in finite steps
     EXPECT_GE(peak, most * 0.97);
   }
 }
@@ -52,23 +53,24 @@ TEST(Footprint, ThePeakIsThatOfEveryPlaceOfTheSensor) {
 TEST(Footprint, GripIsTheShareOfTheFrictionThatIsUsed) {
   Footprint print;
   EXPECT_EQ(print.grip_level(), 0.0);
-  print.elements = {{0, 0, 0.01, 0.01, 4e5, 3e5, 4e5, 1.25},      // slides
-                    {0.02, 0, 0.03, 0.01, 4e5, 0.0, 1e5, 1.25}};  // uses a fifth
+  print.elements = {{0, 0, 0.01, 0.01, 4e5, 3e5, 4e5, 1.25},  // slides
+                    // This element uses a fifth of its friction.
+                    {0.02, 0, 0.03, 0.01, 4e5, 0.0, 1e5, 1.25}};
   EXPECT_NEAR(print.grip_level(), (1.0 + 3.0 * 0.2) / 4.0, 1e-12);
   for (FootprintElement& at : print.elements) at.friction = 0.0;
   EXPECT_EQ(print.grip_level(), 0.0);
 }
 
-constexpr double kHat = 10e-3;  // m, distance of nodes
+constexpr double kHat = 10e-3;  // m, distance between nodes
 
-/// Returns the element of a node whose pressure is a mean weighted by its hat function
-/// (experiment/rigs/fe_tire/tire_footprint.h).
+/// Returns the element of a node. Its pressure is the mean pressure weighted by the node's hat
+/// function (experiment/rigs/fe_tire/tire_footprint.h).
 FootprintElement share(double x, double y, double pressure) {
   return {
       .x = x, .y = y, .length = kHat, .width = kHat, .pressure = pressure, .blur = std::sqrt(0.5)};
 }
 
-/// Returns nodes at offset + k kHat along x, with a pressure that is constant across.
+/// Returns elements at nodes x = offset + k kHat. Their pressure depends on x only.
 template <class Pressure>
 Footprint strip(double offset, const Pressure& pressure) {
   Footprint print;
@@ -81,7 +83,7 @@ Footprint strip(double offset, const Pressure& pressure) {
   return print;
 }
 
-// Elements overlap with their neighbors so that the sum is unchanged.
+// Neighboring elements overlap such that the sum of their pressures is uniform.
 TEST(BlurredFootprint, ASensorOnEvenPressureShowsIt) {
   const Footprint print = strip(0.0, [](double) { return 2e5; });
   for (const double x : {0.0, 1e-3, 4e-3, 7.5e-3})
@@ -96,8 +98,8 @@ TEST(BlurredFootprint, AWideSensorShowsAllOfTheForceOnce) {
   EXPECT_NEAR(print.pressure_at(0.0, 0.0, kAll) * kAll * kAll, force, 1e-9 * force);
 }
 
-// The second moment of a single element is (L^2 + b^2) / 12, found from forces on narrow sensors
-// along it.
+// The second moment of a single element's force is (L^2 + b^2) / 12. It is found from the forces on
+// narrow sensors along the element.
 TEST(BlurredFootprint, AShareIsSpreadMidwayBetweenEvenAndHat) {
   Footprint print;
   print.elements.push_back(share(0.0, 0.0, 1e5));
@@ -111,8 +113,9 @@ TEST(BlurredFootprint, AShareIsSpreadMidwayBetweenEvenAndHat) {
   EXPECT_NEAR(moment / force, 0.5 * (1.0 / 12.0 + 1.0 / 6.0) * kHat * kHat, 1e-3 * kHat * kHat);
 }
 
-/// Ellipse p0 sqrt(1 - (x / a)^2) [Johnson, Contact Mechanics, section 4.2], Pa, with its mean
-/// weighted by a node's hat function, and the value that a sensor would show.
+/// Elliptic pressure p0 sqrt(1 - (x / a)^2), Pa, of a line contact [Johnson, Contact Mechanics,
+/// section 4.2], its mean weighted by a node's hat function, and the pressure that a sensor would
+/// measure.
 struct Line {
   double a, p0 = 3e5;
   double at(double x) const {
@@ -137,8 +140,8 @@ struct Line {
   }
 };
 
-// A node's mean is lower than the ellipse's peak, by 9 % for a patch of three elements, by 3 % for
-// five, with a node or an element in the middle.
+// The weighted mean at a node is lower than the peak of the ellipse: by 9 % if the contact is three
+// elements long and by 3 % if it is five, with a node or an element in the middle.
 TEST(BlurredFootprint, ASensorShowsThePeakOfALineContact) {
   struct {
     double a, reach;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tire::advance_free for a tire whose steps are cheap and whose state is copied with it. Steps are
-// tried from the same state, at rates that Broyden's method derives from the residuals of the last
-// ones. In a short step the wheel's inertia dominates, so two or three trials suffice.
+// Implements Tire::advance_free for a tire whose steps are cheap and whose state is copied with it.
+// The step is repeated from the same state with different wheel speeds, which Broyden's method
+// finds from the residuals of the previous trials. In a short step the wheel's inertia dominates,
+// so two or three trials suffice.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +15,9 @@ template <class T>
 Result<HubForces> advance_by_trials(
     T& tire, WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double h) {
   constexpr int kMost = 30;
-  constexpr double kClose = 1e-7;  // share of the force on the hub, at the radius for the spin
+  // Convergence tolerance: residual relative to the force on the hub (times the radius for the
+  // spin).
+  constexpr double kClose = 1e-7;
   using Pair = FreeWheel::Pair;
   const T before = tire;
   FreeWheel::Matrix stiffness = FreeWheel::Matrix::Zero();
@@ -34,14 +37,16 @@ Result<HubForces> advance_by_trials(
       motion = there;
       return hub;
     }
-    // Broyden's update is the least change with which the last trial would have been predicted.
+    // Broyden's update is the smallest change of the Jacobian with which the last trial would have
+    // been predicted correctly.
     const Pair way = 0.5 * h * (rates - last_rates);
     if (way.squaredNorm() > 0.0)
       stiffness -= (of_tire - last_T + stiffness * way) * way.transpose() / way.squaredNorm();
     last_rates = rates;
     last_T = of_tire;
     auto next = wheel.balanced(time, h, rates, of_tire, stiffness);
-    if (!next) {  // the estimate is from a kink: start again
+    // The Jacobian's estimate is from the other side of a kink: start again without it.
+    if (!next) {
       stiffness.setZero();
       next = wheel.balanced(time, h, rates, of_tire, stiffness);
     }

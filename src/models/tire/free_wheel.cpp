@@ -21,8 +21,8 @@ double unbraked(const FreeRate& free, double time, double step, double rate, dou
   return T + push_on(free, time, rate).value - free.inertia * a;
 }
 
-/// Returns dry friction of at most `brake` on a wheel on which all other moments have the sum
-/// `sum`.
+/// Returns the moment of a dry-friction brake that can bear up to `brake`, N m, on a wheel that
+/// turns at `rate` under other moments with the sum `sum`.
 double friction(double brake, double rate, double sum) {
   return rate != 0.0 ? -std::copysign(brake, rate) : -std::clamp(sum, -brake, brake);
 }
@@ -65,7 +65,8 @@ FreeWheel::Pair FreeWheel::left(double time, double step, const Pair& rates, con
 
 std::optional<FreeWheel::Pair> FreeWheel::balanced(
     double time, double step, const Pair& rates, const Pair& T, const Matrix& stiffness) const {
-  // The equations are D (w1 - rates) = r + B.
+  // The trapezoidal rule, linearized at the given rates, is D (w1 - rates) = r + B, with B the
+  // brake's moment.
   Matrix D = Matrix::Identity();
   Pair r = Pair::Zero();
   const std::optional<FreeRate>* const all[2] = {&spin, &height};
@@ -77,7 +78,7 @@ std::optional<FreeWheel::Pair> FreeWheel::balanced(
     if (*all[1 - i]) D(i, 1 - i) = 0.5 * step * stiffness(i, 1 - i);
     r[i] = unbraked(free, time, step, rates[i], T[i]);
   }
-  // The height is eliminated, then the spin is solved alone, with its brake.
+  // The height is eliminated from the two equations. The spin is then solved alone, with its brake.
   const double firm = D(0, 0) - D(0, 1) * D(1, 0) / D(1, 1);
   if (!(D(1, 1) > 0.0 && firm > 0.0)) return std::nullopt;
   Pair to = Pair::Zero();

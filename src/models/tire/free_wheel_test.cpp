@@ -13,12 +13,12 @@
 namespace latsch {
 namespace {
 
-/// A tire of springs and a damper about the wheel's axis and below it, with a weak coupling of spin
-/// and height. Its only state is the number of its steps.
+/// A tire that consists of springs and a damper, about the wheel's axis and below it, with a weak
+/// coupling of spin and height. Its only state is the number of its steps.
 class Springs final : public Tire {
  public:
   double by_spin = 0.0, by_height = 0.0, damping = 0.0, coupling = 0.0, hardening = 0.0;
-  double broken_above = 1e9;  // m of height
+  double broken_above = 1e9;  // m, height above which a step fails
   long steps = 0;
 
   double free_radius() const override { return 0.3; }
@@ -52,7 +52,7 @@ class Springs final : public Tire {
 
 const road::PlaneRoad kRoad;
 
-/// Returns the wheel after `parts` steps over a time.
+/// Returns the wheel after the given time, divided into `parts` steps.
 FreeWheel after(Springs tire, FreeWheel wheel, double time, int parts) {
   WheelMotion motion;
   const double h = time / parts;
@@ -65,7 +65,7 @@ FreeWheel after(Springs tire, FreeWheel wheel, double time, int parts) {
   return wheel;
 }
 
-// The motion is J w' = -k y - d w from y = 0.01.
+// The equation of motion is J w' = -k y - d w, with y = 0.01 at the start.
 TEST(FreeWheel, RingsAsADampedOscillatorDoesToOrderTwo) {
   constexpr double J = 0.8, omega = 200.0, D = 0.1, kTime = 0.05, y0 = 0.01;
   Springs tire;
@@ -85,7 +85,8 @@ TEST(FreeWheel, RingsAsADampedOscillatorDoesToOrderTwo) {
     EXPECT_NEAR(std::log2(off(parts) / off(2 * parts)), 2.0, 0.05) << parts;
 }
 
-// The trapezoidal rule conserves the energy of a spring and turns by 2 atan(h omega/2) a step.
+// On a spring the trapezoidal rule conserves the energy, and its phase advances by 2 atan(h
+// omega/2) per step.
 TEST(FreeWheel, KeepsItsEnergyHoweverLongTheStep) {
   for (const double angle : {0.1, 0.6, 2.0, 20.0}) {
     Springs tire;
@@ -113,7 +114,8 @@ TEST(FreeWheel, TurnsUniformlyFasterUnderAConstantMoment) {
   EXPECT_NEAR(end.spin->place, 14.0, 1e-12);
 }
 
-// The motion is J w' = -c w, given only by the push.
+// The equation of motion is J w' = -c w. The moment -c w is not the tire's but an additional one on
+// the wheel.
 TEST(FreeWheel, AMomentMayHangOnTheRateAndOnTime) {
   FreeWheel wheel;
   wheel.spin = {.inertia = 1.0, .rate = 1.0, .acceleration = -50.0, .push = [](double t, double w) {
@@ -127,8 +129,8 @@ TEST(FreeWheel, AMomentMayHangOnTheRateAndOnTime) {
   EXPECT_NEAR(std::log2(off(40) / off(80)), 2.0, 0.05);
 }
 
-// With c z' = T - load an axle without mass on a spring comes to rest at load/k, whether h/tau is
-// 50 or not.
+// The tire's law is c z' = T - load. An axle without mass on a spring then comes to rest at load/k,
+// for steps of h/tau = 50 as well as for short ones.
 TEST(FreeWheel, AnAxleWithoutMassFollowsItsLoad) {
   constexpr double k = 2e5, load = 4000.0;
   for (const double tau : {20e-3, 1e-5}) {
@@ -144,7 +146,8 @@ TEST(FreeWheel, AnAxleWithoutMassFollowsItsLoad) {
   }
 }
 
-// Two springs, each pulled by the other's motion, have two known modes; the slower one is excited.
+// Two springs are coupled: each is loaded by the other's motion. The system has two known modes, of
+// which the slower one is excited.
 TEST(FreeWheel, SpinAndHeightAreSolvedTogether) {
   Springs tire;
   tire.by_spin = tire.by_height = 1e4;
@@ -152,8 +155,8 @@ TEST(FreeWheel, SpinAndHeightAreSolvedTogether) {
   FreeWheel wheel;
   wheel.spin = {.inertia = 1.0, .place = 0.01, .acceleration = -10.0};
   wheel.height = {.inertia = 1.0, .place = -0.01, .acceleration = 10.0};
-  // In opposite motion they have stiffness k - c: sqrt(1000) rad/s, with the phase of the rule
-  // itself.
+  // If spin and height move in opposite directions, their stiffness is k - c and the frequency
+  // sqrt(1000) rad/s. The phase is that of the trapezoidal rule itself.
   constexpr int kSteps = 500;
   constexpr double h = 5e-3, omega = 31.6227766016837933;
   for (FreeRate* free : {&*wheel.spin, &*wheel.height}) free->acceleration = -1000.0 * free->place;
@@ -181,7 +184,8 @@ TEST(FreeWheel, ASpringThatIsNotLinearIsSolvedToo) {
   }
 }
 
-// A wheel at 10 rad/s, with 20 N m on 0.5 kg m^2, stops after 0.25 s and stays at rest.
+// A wheel that turns at 10 rad/s, with an inertia of 0.5 kg m^2 and a braking moment of 20 N m,
+// stops after 0.25 s and stays at rest.
 TEST(FreeWheel, ABrakeLocksItAndHoldsIt) {
   FreeWheel wheel;
   wheel.brake = 20.0;
@@ -198,7 +202,7 @@ TEST(FreeWheel, ABrakeLocksItAndHoldsIt) {
   }
   EXPECT_EQ(wheel.spin->rate, 0.0);
   EXPECT_EQ(wheel.spin->acceleration, 0.0);
-  // The brake holds until the moment exceeds its own.
+  // The brake holds the wheel until the driving moment exceeds the brake's largest moment.
   wheel.spin->push = [](double t, double) -> Push { return {100.0 * (t - 0.4), 0.0}; };
   for (int i = 401; i <= 700; ++i) {
     ASSERT_TRUE(tire.advance_free(motion, wheel, kRoad, 1e-3 * i, 1e-3));
@@ -209,8 +213,8 @@ TEST(FreeWheel, ABrakeLocksItAndHoldsIt) {
   EXPECT_NEAR(wheel.spin->rate, 0.5 * 100.0 * 0.1 * 0.1 / 0.5, 1e-9);
 }
 
-// The brake is steeper than any step can resolve. With a spring the wheel stops where the spring
-// pulls less than the brake holds.
+// The brake's moment jumps at zero speed, which no step resolves. On a spring the wheel comes to
+// rest where the spring's moment is smaller than the brake can hold.
 TEST(FreeWheel, ABrakedSpringComesToRestWithinItsFriction) {
   for (const double h : {1e-3, 0.05, 3.0}) {
     Springs tire;
@@ -238,7 +242,8 @@ TEST(FreeWheel, AFailureLeavesAllAsItWas) {
   EXPECT_EQ(motion, before);
   EXPECT_EQ(wheel.height->place, 0.0);
   EXPECT_EQ(wheel.height->rate, 10.0);
-  // A drive that grows faster with speed than inertia holds it has no unique solution.
+  // If a driving moment grows with speed faster than the inertia term 2 m/h of the step, the step
+  // has no unique solution.
   tire.broken_above = 1e9;
   wheel = {};
   wheel.spin = {.inertia = 1.0, .rate = 1.0, .push = [](double, double w) -> Push {

@@ -9,14 +9,14 @@ namespace latsch {
 namespace {
 
 Eigen::Vector3d mirrored(const Eigen::Vector3d& v) { return {v.x(), -v.y(), v.z()}; }
-/// Mirrors axial vectors: angular velocity, moment.
+/// Returns the mirror image of an axial vector: an angular velocity or a moment.
 Eigen::Vector3d mirrored_turning(const Eigen::Vector3d& v) { return {-v.x(), v.y(), -v.z()}; }
 
 WheelMotion mirrored(const WheelMotion& motion) {
   WheelMotion image = motion;
   image.center = mirrored(motion.center);
-  // S C S only changes signs, so that the mirror image of a mirror image equals the original to the
-  // last bit.
+  // The product S C S only changes signs of the matrix C, so that the mirror image of a mirror
+  // image equals the original to the last bit.
   for (const auto& [i, j] : {std::pair{0, 1}, {1, 0}, {1, 2}, {2, 1}})
     image.carrier(i, j) = -motion.carrier(i, j);
   image.velocity = mirrored(motion.velocity);
@@ -46,7 +46,7 @@ Result<HubForces> MirroredTire::advance(const WheelMotion& motion,
 
 Result<HubForces> MirroredTire::advance_free(
     WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) {
-  // Spin and height of a wheel equal those of its image.
+  // The mirror image of a wheel has the same spin and height as the wheel.
   WheelMotion image = mirrored(motion);
   Result<HubForces> hub =
       mirrored(tire_->advance_free(image, wheel, road::MirroredRoad(road), time, step));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mirror image of a tire, for the other side of the car than the one on which it was measured.
-// With S = diag(1, -1, 1) it receives the wheel's motion and the road mirrored in y = 0, and
-// returns mirrored results,
+// The mirror image of a tire, for use on the side of the car opposite to that on which the tire was
+// measured. The tire gets the wheel's motion and the road mirrored in the plane y = 0, with S =
+// diag(1, -1, 1), and its results are mirrored back:
 //   center S p, carrier S C S, velocity S v, angular velocity -S w;  force S F, moment -S M
 // so slip angle, inclination and turn slip enter with reversed sign and Fy, Mx, Mz are returned
 // with reversed sign, for any kind of tire: pulls by ply steer, conicity and tread pattern change
@@ -19,7 +19,7 @@ enum class TireSide { left, right };
 
 class MirroredTire final : public Tire {
  public:
-  /// Takes a tire of the other side.
+  /// Constructs the mirror image of a tire that belongs to the other side of the car.
   explicit MirroredTire(std::unique_ptr<Tire> tire) : tire_(std::move(tire)) {}
 
   double free_radius() const override { return tire_->free_radius(); }
@@ -44,8 +44,8 @@ class MirroredTire final : public Tire {
   std::unique_ptr<Tire> tire_;
 };
 
-/// Returns the tire as mounted on that side: itself, or its mirror image if it belongs to the other
-/// side.
+/// Returns the tire of side `of` as mounted on side `on`: itself if the sides are equal, otherwise
+/// its mirror image.
 std::unique_ptr<Tire> mounted(std::unique_ptr<Tire> tire, TireSide of, TireSide on);
 
 }  // namespace latsch

@@ -19,18 +19,22 @@ namespace latsch {
 
 /// Position and motion of the rim.
 struct WheelMotion {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();            // m, inertial
-  Eigen::Matrix3d carrier = Eigen::Matrix3d::Identity();       // columns: axes of C, inertial
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // m/s, of the center, inertial
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // rad/s, of C, inertial
-  double spin = 0.0;       // rad, of the rim about the carrier's y; rolling forward: positive rate
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  // m, inertial
+  // Columns: axes of the frame C in the inertial frame.
+  Eigen::Matrix3d carrier = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, of the center, in the inertial frame
+  // Angular velocity of the frame C, in the inertial frame, rad/s.
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  // Rotation of the rim about the carrier's y, rad; its rate is positive when the wheel rolls
+  // forward.
+  double spin = 0.0;
   double spin_rate = 0.0;  // rad/s
 
   bool operator==(const WheelMotion&) const = default;
 };
 
-/// Returns a Failure if no tire can follow the motion: a number that is not finite, a step (s) back
-/// in time.
+/// Returns a Failure if a motion is impossible for any tire: a number that is not finite, or a
+/// negative step (s).
 inline Status check_motion(const WheelMotion& motion, double step = 0.0) {
   if (!(motion.center.allFinite() && motion.carrier.allFinite() && motion.velocity.allFinite() &&
         motion.angular_velocity.allFinite() && std::isfinite(motion.spin) &&
@@ -41,7 +45,7 @@ inline Status check_motion(const WheelMotion& motion, double step = 0.0) {
   return {};
 }
 
-/// Force and moment of the tire on the rim at the wheel center, in C.
+/// Force and moment of the tire on the rim at the wheel center, in the axes of the frame C.
 struct HubForces {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m
@@ -56,18 +60,20 @@ class Tire {
 
   /// Radius of the unloaded tire at rest, m, which determines the height of first touch.
   virtual double free_radius() const = 0;
-  /// Brings the tire to equilibrium with the rim at rest (velocities taken as zero).
+  /// Brings the tire to equilibrium while the rim is at rest. The velocities of `motion` are taken
+  /// as zero.
   virtual Result<HubForces> settle(const WheelMotion& motion,
                                    const road::Road& road,
                                    double time) = 0;
-  /// Advances the last state to `motion`, `step` seconds later; `time` is the end of the step.
+  /// Advances the tire from its last state to `motion`, which is reached `step` seconds later.
+  /// `time` is the end of the step, s.
   virtual Result<HubForces> advance(const WheelMotion& motion,
                                     const road::Road& road,
                                     double time,
                                     double step) = 0;
-  /// Advances together with a wheel whose spin or height follows from the forces on it
-  /// (free_wheel.h). `wheel` and the free part of `motion` become those at the end of the step. A
-  /// Failure leaves the tire and both unchanged.
+  /// Advances the tire together with a wheel whose spin or height follows from the forces on it
+  /// (free_wheel.h). On return, `wheel` and the free components of `motion` hold their values at
+  /// the end of the step. A Failure leaves the tire, `wheel` and `motion` unchanged.
   virtual Result<HubForces> advance_free(
       WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) = 0;
   /// Returns the footprint at the end of settle() or of the last step, or nothing for tire models
@@ -79,10 +85,10 @@ class Tire {
     const auto print = footprint();
     return print ? std::optional(print->load) : std::nullopt;
   }
-  /// Returns points around the belt in its current position, in order, m, inertial; none for tire
-  /// models without a belt.
+  /// Returns points along the belt in its current position, in circumferential order, m, in the
+  /// inertial frame. Returns none for tire models without a belt.
   virtual Eigen::Matrix3Xd outline() const { return {}; }
-  /// Returns an independent copy of model and state.
+  /// Returns an independent copy of the tire with its state.
   virtual std::unique_ptr<Tire> clone() const = 0;
 };
 

@@ -56,9 +56,9 @@ std::string better_blas_core(const std::string& chosen) {
   return "";
 }
 
-// Switches kernels. OpenBLAS reads the variable when it loads, before any code of the program can
-// set it, so it is made to choose again. Both functions are those that its own constructor and
-// destructor call.
+// Switches the kernels of OpenBLAS. OpenBLAS reads its environment variable when it is loaded,
+// before any code of the program can set it, so this function makes OpenBLAS choose its kernels
+// again, by the two functions that its own constructor and destructor call.
 bool use_blas_core(const std::string& core) {
   const auto quit = find<void (*)()>("gotoblas_dynamic_quit");
   const auto init = find<void (*)()>("gotoblas_dynamic_init");

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Choice of OpenBLAS' kernels, and exclusive access to BLAS.
 //
-// Debian's OpenBLAS 0.3.21 knows the processors of its time. On a newer one it falls back to
-// kernels of 2004, two to five times slower in matrix products. This module chooses by the
-// instruction set instead. A user's own OPENBLAS_CORETYPE has priority.
+// Debian's OpenBLAS 0.3.21 recognizes the processors of its time. On a newer one it uses kernels of
+// 2004, which are two to five times slower in matrix products. This module chooses kernels by the
+// instruction set instead. The user's environment variable OPENBLAS_CORETYPE has priority.
 //
-// The build without threads, which suits trials, also has no locks: functions that run at the same
-// time in two threads may get the same buffer and return wrong numbers. All code here that calls
-// BLAS or LAPACK therefore holds a BlasTurn.
+// The single-threaded build of OpenBLAS, which suits trials, also has no locks: if two threads call
+// it at the same time, both may get the same buffer, and the results are wrong. All code here that
+// calls BLAS or LAPACK therefore holds a BlasTurn.
 #pragma once
 
 #include <mutex>
@@ -22,11 +22,11 @@ std::string blas_core();
 /// NO_AFFINITY SkylakeX SINGLE_THREADED".
 std::string blas_configuration();
 
-/// Switches to better kernels if there are any. Later calls do nothing.
+/// Switches to better kernels if OpenBLAS has any. Later calls do nothing.
 void choose_blas_core();
 
-/// Makes this thread, during its lifetime, the only one to call BLAS, on kernels that suit the
-/// processor. A thread may hold only one at a time.
+/// While an object of this class lives, its thread is the only one that calls BLAS, on kernels that
+/// suit the processor. A thread may hold only one at a time.
 class BlasTurn {
  public:
   BlasTurn();

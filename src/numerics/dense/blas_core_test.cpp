@@ -57,7 +57,7 @@ TEST(BlasCore, ReplacesAnOldFallbackAndIsFaster) {
   choose_blas_core();
   const std::string chosen = blas_core();
   EXPECT_EQ(better_blas_core(chosen), "");
-  ASSERT_TRUE(use_blas_core("Prescott"));  // kernels for an unknown processor
+  ASSERT_TRUE(use_blas_core("Prescott"));  // the kernels for an unknown processor
   const double slow = product_time();
   const std::string better = better_blas_core("Prescott");
   ASSERT_TRUE(use_blas_core(better));
@@ -66,8 +66,8 @@ TEST(BlasCore, ReplacesAnOldFallbackAndIsFaster) {
   ASSERT_TRUE(use_blas_core(chosen));
 }
 
-TEST(BlasCore,
-     IsOneOpenBlasWithoutThreads) {  // whatever the system's libblas.so.3 and libopenblas.so.0 are
+// Holds whichever libblas.so.3 and libopenblas.so.0 the system has.
+TEST(BlasCore, IsOneOpenBlasWithoutThreads) {
   EXPECT_NE(blas_configuration().find("SINGLE_THREADED"), std::string::npos)
       << blas_configuration();
   std::ifstream maps("/proc/self/maps");

@@ -21,7 +21,8 @@ TEST(Cholesky, FactorsTheMatrixOfTheSmallerIndex) {
     for (int j = 0; j < 5; ++j) EXPECT_EQ(factors.L()(i, j), j <= i ? 1.0 : 0.0);
   }
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(5, 1.0, 5.0);
-  EXPECT_EQ(factors.solve_lower(b), Eigen::VectorXd::Ones(5));  // differences of b
+  // L^-1 takes differences of successive entries.
+  EXPECT_EQ(factors.solve_lower(b), Eigen::VectorXd::Ones(5));
   EXPECT_EQ(factors.solve_lower(Eigen::MatrixXd(b)).col(0), Eigen::VectorXd::Ones(5));
   EXPECT_EQ(factors.solve_upper(b), (Eigen::VectorXd(5) << -1, -1, -1, -1, 5).finished());
   EXPECT_EQ(factors.solve(b), Eigen::VectorXd::Unit(5, 4));

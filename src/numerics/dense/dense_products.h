@@ -11,7 +11,7 @@ namespace latsch::numerics {
 template <class Scalar>
 using DenseMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Returns A* B, the overlaps of the columns.
+/// Returns A* B, the inner products of the columns of A with the columns of B.
 template <class Scalar>
 DenseMatrix<Scalar> overlaps(const Eigen::Ref<const DenseMatrix<Scalar>>& A,
                              const Eigen::Ref<const DenseMatrix<Scalar>>& B);

@@ -30,7 +30,8 @@ TEST(DenseProducts, AreThoseOfEigen) {
   expect_products_of_eigen<std::complex<double>>();
 }
 
-// The matrices are so small that calls begin and end all the time (blas_core.h).
+// Two threads multiply small matrices, so that calls of both often overlap. Without the lock of
+// blas_core.h they would overwrite each other's buffers.
 TEST(DenseProducts, AreTheSameBitsInSeveralThreads) {
   constexpr int n = 24, kTimes = 40000, kThreads = 2;
   const Eigen::MatrixXd A = Eigen::MatrixXd::Random(n, n);

@@ -15,14 +15,16 @@ namespace latsch::numerics {
 namespace {
 
 constexpr std::size_t kPage = std::size_t{1} << 21, kLine = 64;
-constexpr std::size_t kSmallestKept = 2 * kPage;         // smaller arrays are left to the allocator
-constexpr std::size_t kMostKept = std::size_t{1} << 28;  // bytes kept in all
+// Bytes; smaller arrays come from the allocator.
+constexpr std::size_t kSmallestKept = 2 * kPage;
+constexpr std::size_t kMostKept = std::size_t{1} << 28;  // largest total size of kept blocks, bytes
 constexpr std::size_t kMostWasted = 2;  // largest ratio of kept to requested size for reuse
 
-/// Freed memory, the oldest first.
+/// Blocks of memory that were freed and are kept for reuse, the oldest first.
 class Kept {
  public:
-  /// Takes the smallest that has at least `bytes`, and not far more; {nullptr, 0} if there is none.
+  /// Takes the smallest kept block that has at least `bytes` and is not much larger; returns
+  /// {nullptr, 0} if there is none.
   LargeMemory take(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     auto best = all_.end();
@@ -54,7 +56,8 @@ class Kept {
   std::size_t bytes_ = 0;
 };
 
-/// The object is never destroyed, because static objects may free memory after that.
+/// The list of kept memory is never destroyed, because other static objects may free memory while
+/// the program ends.
 Kept& kept() {
   static Kept* const all = new Kept;
   return *all;
@@ -72,7 +75,7 @@ LargeMemory large_memory(std::size_t bytes) {
   void* memory = std::aligned_alloc(step, size);
   if (memory == nullptr) throw std::bad_alloc();
 #ifdef __linux__
-  if (step == kPage) madvise(memory, size, MADV_HUGEPAGE);  // a hint
+  if (step == kPage) madvise(memory, size, MADV_HUGEPAGE);  // only a hint: a failure does no harm
 #endif
   return {memory, size};
 }

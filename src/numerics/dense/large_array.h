@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory of many megabytes that is written before it is read. It is not filled with zeros, and is
-// on large pages if the system grants them (requested on Linux), so that walking through it does
-// not cause a page miss every four kilobytes.
+// Memory of many megabytes that is written before it is read. It is not filled with zeros. It is on
+// large pages if the system grants them (requested on Linux), so that reading through it does not
+// cause a page miss every four kilobytes.
 //
-// Freed memory is kept for the next request, up to a limit: the system would clear every page
-// again, which costs as much as using it once.
+// Freed memory is kept for the next request, up to a limit: the system would fill every page with
+// zeros again, which costs as much as using it once.
 #pragma once
 
 #include <cstddef>

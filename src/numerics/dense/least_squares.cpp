@@ -10,7 +10,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// Interface that Eigen requires of a function.
+/// The residuals in the form that Eigen's Levenberg-Marquardt solver requires of a function.
 struct Function {
   using Scalar = double;
   using InputType = Eigen::VectorXd;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Minimum of the sum of squares of a smooth function of few unknowns: Levenberg-Marquardt as in
-// MINPACK [Moré 1978] in Eigen's translation, with derivatives by central differences. It is meant
-// for functions that cost microseconds; results of simulations are fitted by src/optimization.
+// Minimizes the sum of squares of a smooth function of few unknowns by Levenberg-Marquardt as in
+// MINPACK [Moré 1978], in Eigen's translation, with derivatives by central differences. It is meant
+// for functions that take microseconds; results of simulations are fitted by src/optimization.
 #pragma once
 
 #include <Eigen/Core>

@@ -6,8 +6,8 @@
 namespace latsch::numerics {
 namespace {
 
-// A cyclic permutation times a triangle of ones needs pivoting; (A x)_i is a sum of the last
-// entries of x.
+// The matrix, a cyclic permutation times a triangle of ones, needs pivoting because its first
+// pivots are zero.
 TEST(Lu, SolvesWherePivotsVanish) {
   constexpr int n = 7;
   const Eigen::MatrixXd A = Eigen::MatrixXd::NullaryExpr(

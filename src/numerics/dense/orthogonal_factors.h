@@ -20,12 +20,12 @@ class HouseholderQr {
   Eigen::VectorXd solve_R(const Eigen::VectorXd& b) const;             // R^-1 (b_1 ... b_n)
 
  private:
-  Eigen::MatrixXd reflections_;   // Householder vectors, and R above them
+  Eigen::MatrixXd reflections_;   // Householder vectors, and R above the diagonal
   Eigen::VectorXd coefficients_;  // 2 / |reflection|^2
 };
 
-/// Factorization A P = Q R. Each next column is the one farthest from the span of those before, so
-/// that the rank shows.
+/// Factorization A P = Q R with column pivoting: each next column is the one farthest from the span
+/// of the columns before it, so that the diagonal of R reveals the rank.
 struct PivotedQr {
   Eigen::MatrixXd Q;       // m x m: the first `rank` columns span the range
   std::vector<int> order;  // order of the n columns: the first `rank` are independent
@@ -38,11 +38,11 @@ PivotedQr pivoted_qr(const Eigen::MatrixXd& A, double threshold);
 /// Returns orthonormal columns that span the range of A to rounding.
 Eigen::MatrixXd range_basis(const Eigen::MatrixXd& A);
 
-/// Returns x of least |A x - b| for A with independent columns.
+/// Returns the x that minimizes |A x - b|, for A with independent columns.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// Returns the shortest x of least |A x - b| for A of any shape and rank. B is treated column by
-/// column.
+/// Returns the shortest of all x that minimize |A x - b|, for A of any shape and rank. B is treated
+/// column by column.
 Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 Eigen::MatrixXd shortest_solution(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 

@@ -8,7 +8,8 @@
 namespace latsch::numerics {
 namespace {
 
-/// A straight line at 0, 1, 2, 3, and the values of 1 + 2 t plus a part that no line has.
+/// Matrix for fitting a straight line at t = 0, 1, 2, 3, and values 1 + 2 t plus a part that is
+/// orthogonal to every straight line.
 const Eigen::MatrixXd kLine = (Eigen::MatrixXd(4, 2) << 1, 0, 1, 1, 1, 2, 1, 3).finished();
 const Eigen::VectorXd kValues = (Eigen::VectorXd(4) << 2, 2, 4, 8).finished();
 const Eigen::Vector2d kOneAndTwo(1.0, 2.0);
@@ -27,7 +28,7 @@ TEST(PivotedQr, TellsWhichColumnsAreIndependent) {
   A << kLine.col(0), kLine.col(1), kLine.col(0) + kLine.col(1);
   const PivotedQr qr = pivoted_qr(A, 1e-9);
   EXPECT_EQ(qr.rank, 2);
-  EXPECT_EQ(qr.order.front(), 2);  // the longest column
+  EXPECT_EQ(qr.order.front(), 2);  // the longest column comes first
   EXPECT_LT((qr.Q.rightCols(2).transpose() * A).norm(), 1e-14);
   const Eigen::MatrixXd Q = range_basis(A);
   ASSERT_EQ(Q.cols(), 2);

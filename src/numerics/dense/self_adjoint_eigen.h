@@ -10,8 +10,9 @@ namespace latsch::numerics {
 
 template <class Scalar>
 struct SelfAdjointEigen {
-  Eigen::VectorXd values;                                         // ascending
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> vectors;  // unit columns, in this order
+  Eigen::VectorXd values;  // ascending
+  /// Columns of length 1, in the order of the values.
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> vectors;
 };
 
 /// Computes A = V diag(values) V*. Only the lower triangle of A is read.

@@ -14,8 +14,8 @@ constexpr int kSize = 12;
 
 double angle(int k) { return (k + 1) * std::numbers::pi / (kSize + 1); }
 
-/// Returns a matrix with `middle` on the diagonal, `beside` to its right and its conjugate to its
-/// left.
+/// Returns a tridiagonal matrix with `middle` on the diagonal, `beside` above it and the conjugate
+/// of `beside` below it.
 template <class Scalar>
 Eigen::Matrix<Scalar, -1, -1> tridiagonal(double middle, Scalar beside) {
   Eigen::Matrix<Scalar, -1, -1> A = Eigen::Matrix<Scalar, -1, -1>::Zero(kSize, kSize);
@@ -47,7 +47,8 @@ TEST(SelfAdjointEigen, FindsThemWhereTheCouplingsHaveAnyPhase) {
   expect_pairs_of_second_differences(tridiagonal(2.0, std::polar(1.0, 0.7)));
 }
 
-// Linear elements with consistent mass, held at both ends, have 6 (1 - cos a) / (2 + cos a).
+// A bar of linear finite elements with consistent mass, fixed at both ends, has the eigenvalues 6
+// (1 - cos a) / (2 + cos a), a = k pi / (n + 1).
 TEST(SelfAdjointEigen, FindsTheFrequenciesOfABar) {
   const Eigen::VectorXd lambda =
       generalized_eigenvalues(tridiagonal(2.0, -1.0), tridiagonal(4.0 / 6.0, 1.0 / 6.0));

@@ -10,7 +10,7 @@ namespace latsch::numerics {
 /// Decomposition J = U diag(values) V' of an m x n matrix, without U.
 struct SingularValues {
   Eigen::VectorXd values;  // min(m, n) values, descending
-  Eigen::MatrixXd V;       // n x n; J times a column beyond the values is zero
+  Eigen::MatrixXd V;       // n x n; J V_k = 0 for every column k >= values.size()
 };
 
 SingularValues singular_values(const Eigen::MatrixXd& J);

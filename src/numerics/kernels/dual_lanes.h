@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lanes with their slopes (dual_number.h): a kernel written for lanes computes slopes too if it is
-// called with these. V is Lanes, Lanes4 or Lane.
+// SIMD lanes with their slopes, that is, derivatives (dual_number.h). A kernel that is written for
+// lanes also computes slopes if it is called with these types. V is Lanes, Lanes4 or Lane.
 //
-// Values are those of V to the last bit, with the same fused products. Elementary functions are
-// those of V with their derivatives.
+// Values equal those of V to the last bit, with the same fused products. Elementary functions have
+// the values of V and their exact derivatives.
 #if defined(LATSCH_DUAL_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_DUAL_LANES
 #undef LATSCH_DUAL_LANES
@@ -19,7 +19,7 @@ namespace latsch::LATSCH_KERNELS {
 // Slope functions are not inlined, because a kernel has hundreds of operations and few of them
 // involve slopes.
 
-/// Returns x times `by`.
+/// Returns the slopes x multiplied by `by`.
 template <class V>
 [[gnu::noinline]] const SlopeBlock* scaled(const SlopeBlock* x, V by) {
   SlopeBlock* made = x->arena->make(x->directions, V::kWidth);
@@ -33,7 +33,7 @@ template <class V>
   return made;
 }
 
-/// Reads the existing slopes one after the other.
+/// Reads, direction by direction, the slopes that a block stores.
 template <class V>
 struct SlopeReader {
   std::uint64_t directions;
@@ -49,7 +49,8 @@ struct SlopeReader {
   }
 };
 
-/// Returns by_a a + by_b b; one of the two may be nullptr.
+/// Returns the slopes of by_a a + by_b b, given the slopes of a and b; one of the two may be
+/// nullptr.
 template <class V>
 [[gnu::noinline]] const SlopeBlock* combined(const SlopeBlock* a,
                                              V by_a,
@@ -72,7 +73,7 @@ template <class V>
   return made;
 }
 
-/// Returns a + b or a - b; one of the two may be nullptr.
+/// Returns the slopes of a + b or of a - b; one of the two may be nullptr.
 template <class V, bool minus>
 [[gnu::noinline]] const SlopeBlock* summed(const SlopeBlock* a, const SlopeBlock* b) {
   if (b == nullptr) return a;
@@ -91,8 +92,9 @@ template <class V, bool minus>
   return made;
 }
 
-/// Returns by_a a + by_b b + c, or - c; any of them may be nullptr, but not all. The order is that
-/// of combined(), so that a slope's bits do not depend on which other slopes exist.
+/// Returns the slopes of by_a a + by_b b + c, or of the same with - c; any of the three may be
+/// nullptr, but not all. The operations have the order of combined(), so that the bits of a slope
+/// do not depend on which other slopes exist.
 template <class V, bool minus>
 [[gnu::noinline]] const SlopeBlock* of_fused(
     const SlopeBlock* a, V by_a, const SlopeBlock* b, V by_b, const SlopeBlock* c) {
@@ -112,8 +114,8 @@ template <class V, bool minus>
   return made;
 }
 
-/// Returns a where `weight` is above 0, and b elsewhere; one of the two may be nullptr. (The
-/// argument is not a mask because GCC 12 fails on one that is passed at -O1.)
+/// Returns the slopes of a where `weight` is above 0, and those of b elsewhere; one of the two may
+/// be nullptr. (The argument is not a mask because GCC 12 fails on one that is passed at -O1.)
 template <class V>
 [[gnu::noinline]] const SlopeBlock* chosen(V weight, const SlopeBlock* a, const SlopeBlock* b) {
   const auto where = weight > V(0.0);
@@ -130,7 +132,7 @@ template <class V>
   return made;
 }
 
-/// Converts the slopes of one number to those of lanes.
+/// Copies the slopes of a single number to all lanes.
 template <class V>
 [[gnu::noinline]] const SlopeBlock* widened(const SlopeBlock* x) {
   SlopeBlock* made = x->arena->make(x->directions, V::kWidth);
@@ -156,12 +158,13 @@ struct DualLanes : Arithmetic<DualLanes<V>> {
   LATSCH_INLINE DualLanes(const V& x, const SlopeBlock* s) : v(x), slopes(s) {}
   LATSCH_INLINE DualLanes(const Product<Self>& p) { *this = mul(p.a, p.b); }
 
-  /// True if no argument has slopes, which is likely.
+  /// True if no argument has slopes, which is the usual case.
   template <class... More>
   LATSCH_INLINE static bool plain(const Self& x, const More&... more) {
     return __builtin_expect(x.slopes == nullptr && ((more.slopes == nullptr) && ...), true);
   }
-  /// Combine the slopes of x, or of x and y, each times its factor.
+  /// Return the slopes of x multiplied by `by`, or the sum of those of x and y, each multiplied by
+  /// its factor.
   LATSCH_INLINE static const SlopeBlock* of_one(const Self& x, const V& by) {
     return plain(x) ? nullptr : scaled<V>(x.slopes, by);
   }

@@ -23,7 +23,7 @@ LATSCH_INLINE void functions(const R& x, const R& y, const typename R::Constant&
   f[11] = R(c);
 }
 
-/// Writes values[f][lane] and slopes[f][lane].
+/// Evaluates every test function f in all lanes and writes values[f][lane] and slopes[f][lane].
 void evaluate(const double* x,
               const double* y,
               const DualNumber& c,

@@ -25,18 +25,19 @@ namespace latsch {
 
 class SlopeArena;
 
-/// The slopes of one number. They follow this header in ascending order, `width` doubles for each
-/// direction whose bit is set: 1 for a single number, the number of lanes for lanes (dual_lanes.h).
-/// A block never changes once written, so equal slopes can share one.
+/// The slopes of one number. The values follow this header in memory, in ascending order of the
+/// directions: for each direction whose bit is set, 1 double for a single number, or as many
+/// doubles as there are lanes (dual_lanes.h). A block never changes once written, so numbers with
+/// equal slopes can share it.
 struct alignas(64) SlopeBlock {
   std::uint64_t directions;
-  SlopeArena* arena;  // memory for slopes computed from these
+  SlopeArena* arena;  // memory for slopes that are computed from this block
 
   double* values() { return reinterpret_cast<double*>(this + 1); }
   const double* values() const { return reinterpret_cast<const double*>(this + 1); }
 };
 
-/// Memory of slopes, freed all at once.
+/// Memory for slopes, which is freed all at once.
 class SlopeArena {
  public:
   static constexpr int kDirections = 64;
@@ -68,7 +69,7 @@ class SlopeArena {
     void operator()(char* p) const { std::free(p); }
   };
   std::vector<std::unique_ptr<char, Free>> chunks_;
-  std::size_t chunk_ = 0;  // chunk in use is chunks_[chunk_ - 1]
+  std::size_t chunk_ = 0;  // number of chunks in use; chunks_[chunk_ - 1] is filled now
   char* next_ = nullptr;
   char* end_ = nullptr;
 };
@@ -87,10 +88,11 @@ struct DualNumber {
   double slope(int direction) const;
 };
 
-/// Returns by_a a + by_b b; one of the two may be nullptr.
+/// Returns the slopes by_a a + by_b b; one of the two may be nullptr.
 const SlopeBlock* combined(const SlopeBlock* a, double by_a, const SlopeBlock* b, double by_b);
 
-/// Returns the slopes of x times a factor without one direction; nullptr if there is no other.
+/// Returns the slopes of x multiplied by `factor`, leaving out one direction; nullptr if no other
+/// direction has a slope.
 const SlopeBlock* without(const DualNumber& x, int direction, double factor);
 
 /// Returns f(x) with its slope f'(x).
@@ -144,8 +146,8 @@ inline DualNumber pow(const DualNumber& x, const DualNumber& y) {
   return with_slopes(f, x, y.v * f / x.v, y, f * std::log(x.v));
 }
 
-/// True if a number may differ from 0. A term with a coefficient of 0 must not be skipped if its
-/// slope is wanted.
+/// True if a number or one of its slopes differs from 0. A term whose coefficient is 0 must be kept
+/// if the slope of the coefficient is wanted.
 inline bool matters(double x) { return x != 0.0; }
 inline bool matters(const DualNumber& x) { return x.v != 0.0 || x.slopes != nullptr; }
 inline double value(double x) { return x; }

@@ -17,11 +17,11 @@
 //   }
 //   }
 //
-// The whole file may use the set's instructions. Code that is no kernel therefore belongs
-// elsewhere, and other headers that the file needs are included before, in the .cpp file: a
-// function of theirs that is not inlined must not be compiled with instructions that another
-// processor lacks. Headers made for kernels are included once per set; kernel_lanes.h shows how
-// they guard themselves. The options of the .cpp file (-O2, -O3) hold for all sets.
+// The whole file may use the instructions of the set. Code that is not a kernel therefore belongs
+// elsewhere, and other headers that the file needs must be included before, in the .cpp file: their
+// functions must not be compiled with instructions that another processor lacks, and they would be
+// if they are not inlined. Headers made for kernels are included once per set; kernel_lanes.h shows
+// their include guards. The options of the .cpp file (-O2, -O3) hold for all sets.
 #ifdef LATSCH_KERNEL_FILE_READ
 #error "one file of kernels a .cpp file"
 #endif

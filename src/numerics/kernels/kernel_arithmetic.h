@@ -19,7 +19,7 @@ struct Product {
   T a, b;
 };
 
-/// Sign operations of lanes on their bits.
+/// Operations on the sign bits of lanes.
 template <class T>
 struct SignBits {
   LATSCH_INLINE static T negated(const T& x) { return T::bit_xor(x, T(-0.0)); }
@@ -86,9 +86,10 @@ struct Arithmetic : SignBits<T> {
   LATSCH_INLINE friend T abs(const T& x) { return T::absolute(x); }
   /// Returns |x| with the sign of `sign`, for x >= 0.
   LATSCH_INLINE friend T with_sign(const T& x, const T& sign) { return T::with_sign_of(x, sign); }
-  /// Returns -1 or 1; it is 1 also at 0, because the sum drops the sign of zero.
+  /// Returns the sign of x, -1 or 1. At 0 it is 1 also for -0, because the sum x + 0 drops the sign
+  /// of zero.
   LATSCH_INLINE friend T sign_or_one(const T& x) { return with_sign(T(1.0), x + T(0.0)); }
-  /// Returns -1, 0 or 1.
+  /// Returns the sign of x: -1, 0 or 1.
   LATSCH_INLINE friend T sign(const T& x) { return T::choose(x == T(0.0), T(0.0), sign_or_one(x)); }
   /// Returns `yes` where the mask is true, and `no` elsewhere.
   template <class Mask>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight floats side by side, with the operators of lanes (kernel_lanes.h) but no comparisons, for
-// results of low accuracy in half the instructions and memory of eight doubles. They are one
-// register of AVX2, on AVX-512 too, so that both have the same bits, and two registers of the
-// baseline.
+// Eight floats side by side, with the operators of lanes (kernel_lanes.h) but without comparisons.
+// They give results of low accuracy with half the instructions and memory of eight doubles. They
+// occupy one AVX2 register, also in the AVX-512 set, so that both sets give the same bits, and two
+// registers in the baseline set.
 //
-// Included once per kernel set, by for_each_kernel_set.h only.
+// This file is included once per kernel set, by for_each_kernel_set.h only.
 #if defined(LATSCH_KERNEL_FLOATS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_KERNEL_FLOATS
 #undef LATSCH_KERNEL_FLOATS

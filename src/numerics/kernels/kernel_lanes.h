@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Doubles side by side in the registers of the kernel set being compiled:
+// Types that hold several doubles side by side in the registers of the kernel set being compiled:
 //
-//   Lanes    eight: one register of AVX-512, two of AVX2, four of the baseline
-//   Lanes4   four
-//   Lane     one, with the same rules
+//   Lanes    eight doubles: one register of AVX-512, two of AVX2, four of the baseline
+//   Lanes4   four doubles
+//   Lane     one double, with the same rules
 //
 // A product that is directly added or subtracted is fused: a * b + c rounds once, with any compiler
 // and options; x = a * b; x + c rounds twice. So every set with a fused multiply-add gives the same
@@ -11,11 +11,11 @@
 // and always rounds twice.
 //
 // A double converts implicitly to equal lanes. Comparisons give masks for select(), any(), every().
-// sum() adds in one order: ((0+4) + (2+6)) + ((1+5) + (3+7)). v.at(i) is one lane, if i is known to
-// the compiler or the loop is unrolled; otherwise store() and read. Lanes are for registers: data
-// is kept in arrays of doubles and read by lanes(), lanes4().
+// sum() adds in one order: ((0+4) + (2+6)) + ((1+5) + (3+7)). v.at(i) returns one lane, if i is
+// known to the compiler or the loop is unrolled; otherwise use store() and read the array. Lanes
+// are for registers: data is kept in arrays of doubles and read by lanes(), lanes4().
 //
-// Included once per kernel set, by for_each_kernel_set.h only.
+// This file is included once per kernel set, by for_each_kernel_set.h only.
 #if defined(LATSCH_KERNEL_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_KERNEL_LANES
 #undef LATSCH_KERNEL_LANES
@@ -31,7 +31,7 @@
 
 namespace latsch::LATSCH_KERNELS {
 
-/// Combines two T to one of twice the width.
+/// Masks and registers of twice the width of T, made of two T each.
 template <class T>
 struct TwiceMask {
   T lo, hi;
@@ -173,7 +173,7 @@ LATSCH_INLINE void store(const Lanes4& v, double* p) { v.save(p); }
 LATSCH_INLINE Lanes4 four(double a, double b, double c, double d) {
   return {Doubles2{a, b}, Doubles2{c, d}};
 }
-/// Returns (0 + 2) + (1 + 3).
+/// Returns the sum of four lanes in the order (x0 + x2) + (x1 + x3).
 LATSCH_INLINE double sum_of_four(const Lanes4& x) {
   const Doubles2 two = x.lo.v + x.hi.v;
   return two[0] + two[1];

@@ -28,7 +28,8 @@ LATSCH_INLINE T of_bits(std::uint64_t x) {
 /// Returns atan(y/x) for x >= 0, not both 0.
 template <class T>
 LATSCH_INLINE T atan_of_quotient(const T& y, const T& x) {
-  // The ranges |y|/x <= tan(pi/8), up to tan(3 pi/8), and beyond use atan about 0, 1 and infinity.
+  // atan is computed by series about 0, 1 and infinity in the ranges |y|/x <= tan(pi/8), up to
+  // tan(3 pi/8), and beyond.
   constexpr double kNear = 0.41421356237309503, kFar = 2.414213562373095;
   constexpr double kPi4 = 0.78539816339744831, kPi4Low = 3.061616997868383e-17;
   const T a = abs(y);
@@ -58,7 +59,8 @@ struct SinCos {
   T sin, cos;
 };
 
-/// Adding this rounds to an integer, which is then in the low bits.
+/// Adding this number to a double rounds it to an integer, which then stands in the low bits of the
+/// sum.
 inline constexpr double kRounder = 6755399441055744.0;  // 1.5 * 2^52
 
 template <class T>
@@ -116,7 +118,7 @@ LATSCH_INLINE T log(const T& x) {
   // Reduction x = 2^e m with m in [sqrt(1/2), sqrt 2) and log m = 2 artanh((m - 1)/(m + 1)).
   constexpr std::uint64_t kRootHalf = 0x3fe6a09e667f3bcd, kOne = 0x3ff0000000000000;
   constexpr double kBias = 1023.0;
-  // e + 1023 is in the low bits.
+  // The low bits of `biased` hold e + 1023.
   const T biased = T::template shift_right<52>(T::int_add(x, of_bits<T>(kOne - kRootHalf)));
   const T m = T::int_add(T::int_sub(x, T::template shift_left<52>(biased)), of_bits<T>(kOne));
   const T e = T::int_add(biased, T(kRounder)) - (kRounder + kBias);
@@ -143,7 +145,7 @@ LATSCH_INLINE T cbrt(const T& x) {
   return y - (y * y2 - x) / (3.0 * y2);
 }
 
-// A product is rounded before it becomes an argument.
+// These overloads round a product before they use it as an argument.
 template <class T>
 LATSCH_INLINE T atan(const Product<T>& x) {
   return atan(T(x));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kernels of kernel_math_test.cpp. Each evaluates a function for n numbers (a multiple of eight),
-// eight, four and one at a time.
+// in blocks of eight, of four and one at a time.
 #include "numerics/kernels/kernel_math.h"
 
 namespace latsch::kernel_math_testing::LATSCH_KERNELS {

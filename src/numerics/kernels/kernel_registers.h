@@ -27,7 +27,7 @@
 
 namespace latsch::LATSCH_KERNELS {
 
-/// One double.
+/// One double, with the operations of a register.
 struct Register1 : Arithmetic<Register1> {
   using Self = Register1;
   using Mask = bool;
@@ -99,8 +99,8 @@ LATSCH_INLINE Mask4 operator|(Mask4 a, Mask4 b) { return {static_cast<__mmask8>(
 LATSCH_INLINE bool any(Mask4 m) { return (m.v & 0xF) != 0; }
 LATSCH_INLINE bool every(Mask4 m) { return (m.v & 0xF) == 0xF; }
 #else
-// The comparison is a builtin of the compiler, which can see through it: if it knows that the mask
-// comes from a comparison, select() needs no second comparison with zero.
+// The comparison is a builtin of the compiler. If the compiler knows that the mask comes from a
+// comparison, select() needs no second comparison with zero.
 using Ints4 = std::int64_t __attribute__((vector_size(32)));
 struct Mask4 {
   Ints4 v;
@@ -112,7 +112,7 @@ LATSCH_INLINE bool any(const Mask4& m) { return signs(m) != 0; }
 LATSCH_INLINE bool every(const Mask4& m) { return signs(m) == 0xF; }
 #endif
 
-/// Four doubles of AVX2.
+/// Four doubles in a register of AVX2.
 struct Register4 : Arithmetic<Register4> {
   using Self = Register4;
   using Mask = Mask4;
@@ -175,7 +175,7 @@ struct Register4 : Arithmetic<Register4> {
 LATSCH_INLINE Register4 four(double a, double b, double c, double d) {
   return _mm256_set_pd(d, c, b, a);
 }
-/// Returns (0 + 2) + (1 + 3).
+/// Returns the sum of the four doubles in the order (x0 + x2) + (x1 + x3).
 LATSCH_INLINE double sum_of_four(const Register4& x) {
   const __m128d two = _mm_add_pd(_mm256_castpd256_pd128(x.v), _mm256_extractf128_pd(x.v, 1));
   return _mm_cvtsd_f64(_mm_add_sd(two, _mm_unpackhi_pd(two, two)));
@@ -192,8 +192,8 @@ LATSCH_INLINE Mask8 operator|(Mask8 a, Mask8 b) { return {static_cast<__mmask8>(
 LATSCH_INLINE bool any(Mask8 m) { return m.v != 0; }
 LATSCH_INLINE bool every(Mask8 m) { return m.v == 0xFF; }
 
-/// Eight doubles of AVX-512. The intrinsics have masks because GCC 12 warns of its own undefined
-/// operands otherwise.
+/// Eight doubles in a register of AVX-512. The intrinsics with masks are used because GCC 12 warns
+/// of undefined operands in those without.
 struct Register8 : Arithmetic<Register8> {
   using Self = Register8;
   using Mask = Mask8;

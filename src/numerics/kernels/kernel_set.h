@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choice of the kernels' instructions. Time-critical loops are compiled once for each set
+// Choice of the instruction set for kernels. Time-critical loops are compiled once for each set
 // (for_each_kernel_set.h), and the best set that the processor supports is chosen when the first of
 // them is called:
 //
 //   avx512    eight doubles in a register, 32 registers (AVX-512 F, VL, DQ)
 //   avx2      four doubles, 16 registers, fused multiply-add (2013 and later)
-//   baseline  what every processor of the architecture has; no fused multiply-add on x86-64
+//   baseline  instructions that every processor of the architecture has; on x86-64 without fused
+//             multiply-add
 //
 // avx2 and avx512 give the same bits: the same operations in the same order. baseline rounds the
 // product of a multiply-add before it adds, so its results differ in the last digits. The
@@ -51,8 +52,8 @@ inline KernelSet kernel_set() {
   return set == detail::kNotChosen ? detail::choose_kernel_set() : static_cast<KernelSet>(set);
 }
 
-/// Uses another set of kernel_sets() during its lifetime, so that tests and benchmarks can run all
-/// of them.
+/// Selects another set of kernel_sets() while the object lives, so that tests and benchmarks can
+/// run all of them.
 class WithKernelSet {
  public:
   explicit WithKernelSet(KernelSet set);
@@ -67,7 +68,8 @@ class WithKernelSet {
 }  // namespace latsch
 
 /// Selects the function of the set in use: LATSCH_KERNEL(add)(x, y) calls avx512::add, avx2::add or
-/// baseline::add, made by for_each_kernel_set.h and seen from the surrounding namespace.
+/// baseline::add, which for_each_kernel_set.h compiles. It must be used in the namespace that
+/// contains these namespaces.
 #if LATSCH_X86_KERNELS
 #define LATSCH_KERNEL(function)                                              \
   (::latsch::kernel_set() == ::latsch::KernelSet::avx512 ? &avx512::function \

@@ -26,11 +26,12 @@ class Autoregression {
   int order() const { return static_cast<int>(partial_.size()); }
   const std::vector<double>& partial() const { return partial_; }
 
-  /// Returns L^-1 X, column by column. A column of such noise becomes white noise of variance 1.
+  /// Returns L^-1 X, column by column. A column of noise that follows the model becomes white noise
+  /// of variance 1.
   Eigen::MatrixXd whitened(const Eigen::MatrixXd& X) const;
   /// Returns L' X. The squared norm of the result for a column x is x' R x.
   Eigen::MatrixXd colored(const Eigen::MatrixXd& X) const;
-  /// Returns ln det R of this number of samples.
+  /// Returns ln det R for the given number of samples.
   double log_determinant(Eigen::Index samples) const;
   /// Returns 1 + 2 sum of the autocorrelations: the number of samples that determine a mean as well
   /// as one independent sample.
@@ -38,8 +39,9 @@ class Autoregression {
 
  private:
   std::vector<double> partial_;
-  std::vector<std::vector<double>> predictors_;  // phi of every order 0 ... p
-  std::vector<double> variances_;                // v_0 ... v_p
+  /// Coefficients phi of the predictors of the orders 0 ... p.
+  std::vector<std::vector<double>> predictors_;
+  std::vector<double> variances_;  // v_0 ... v_p
 };
 
 }  // namespace latsch::numerics

@@ -8,7 +8,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// Returns p(q) times (1 + sign q).
+/// Returns the polynomial p(q) multiplied by (1 + sign q).
 std::vector<double> times(const std::vector<double>& p, double sign) {
   std::vector<double> product(p.size() + 1, 0.0);
   for (std::size_t i = 0; i < p.size(); ++i) {

@@ -20,7 +20,8 @@ struct ContinuousFilter {
   std::vector<double> b, a;
 };
 
-/// `exact_at`: rad/s, 0 or a frequency below pi rate at which the response is exact.
+/// Returns the filter for samples at `rate`, Hz. `exact_at` is the frequency at which its response
+/// is exact, rad/s: 0, or a frequency below pi rate.
 RationalFilter bilinear(const ContinuousFilter& filter, double rate, double exact_at = 0.0);
 
 }  // namespace latsch::numerics

@@ -107,10 +107,11 @@ std::vector<double> polynomial(const Roots& roots) {
 /// Two roots whose polynomial is real, or a single real root.
 using RootPair = std::vector<Complex>;
 
-/// Returns conjugate pairs first, then pairs of real roots, the least with the greatest; a single
-/// root comes last.
+/// Returns the conjugate pairs first, then pairs of real roots, each of the smallest and the
+/// largest one left; a single root comes last.
 std::vector<RootPair> pairs_of(const Roots& roots) {
-  constexpr double kReal = 1e-12;  // imaginary part of a real root with rounding
+  // Largest imaginary part of a real root, which is due to rounding.
+  constexpr double kReal = 1e-12;
   std::vector<RootPair> pairs;
   std::vector<double> real;
   for (const Complex& root : roots) {

@@ -20,8 +20,9 @@ struct ZerosAndPoles {
   double gain = 1.0;
 };
 
-/// `edges`: one frequency for low and high pass, two rising ones for the bands; Hz, between 0 and
-/// rate / 2. `order` is at least 1; bands have twice as many poles.
+/// Designs a filter. `edges` has one frequency for low and high pass and two rising ones for band
+/// pass and band stop, Hz, between 0 and rate / 2. `order` is at least 1; the band filters have
+/// twice as many poles.
 ZerosAndPoles butterworth(int order,
                           FilterBand band,
                           const std::vector<double>& edges,

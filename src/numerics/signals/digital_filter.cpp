@@ -65,7 +65,8 @@ void run_from_steady_state(const std::vector<FilterSection>& sections, std::vect
   }
 }
 
-/// Returns x with 2 x_0 - x_k in front and 2 x_N - x_(N-k) behind, `count` samples each.
+/// Returns x extended at both ends by `count` samples of its point reflection: 2 x_0 - x_k before x
+/// and 2 x_N - x_(N-k) after it.
 std::vector<double> extended(std::span<const double> x, int count) {
   assert(static_cast<int>(x.size()) > count);
   std::vector<double> y;

@@ -28,7 +28,8 @@ struct FilterSection {
   double b0 = 1.0, b1 = 0.0, b2 = 0.0, a1 = 0.0, a2 = 0.0;
 };
 
-/// Filters from rest, or from `state`: the max(a, b) - 1 delays before the first sample.
+/// Filters x from a state of rest, or from `state`, which holds the max(a.size(), b.size()) - 1
+/// delay values before the first sample.
 std::vector<double> filter(const RationalFilter& filter, std::span<const double> x);
 std::vector<double> filter(const RationalFilter& filter,
                            std::span<const double> x,

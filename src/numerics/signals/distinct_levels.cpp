@@ -7,19 +7,24 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr double kLeastShare = 0.015;    // share of the samples; a smaller one is a transition
-                                         // between levels
-constexpr double kValley = 0.35;         // share of the lower peak; a density above it separates no
-                                         // levels
-constexpr double kStep = 0.25;           // share of the kernel's width: spacing of the points of
-                                         // the density
-constexpr double kReach = 4.0;           // kernel widths beyond which a sample adds nothing
-constexpr double kMostKernels = 50'000;  // kernel widths in the span of the values; finer is not
-                                         // resolved
-constexpr double kTail = 0.02;           // share of a level's samples on either side that may be
-                                         // outliers
+// Smallest share of the samples that makes a level; a peak with fewer is a transition between
+// levels.
+constexpr double kLeastShare = 0.015;
+// Ratio of the density in a valley to that of the lower peak beside it, above which the valley does
+// not separate two levels.
+constexpr double kValley = 0.35;
+// Spacing of the points of the density, as a share of the kernel's width.
+constexpr double kStep = 0.25;
+// Distance, in kernel widths, beyond which a sample adds nothing to the density.
+constexpr double kReach = 4.0;
+// Largest number of kernel widths in the span of the values. A wider span is not resolved more
+// finely.
+constexpr double kMostKernels = 50'000;
+// Share of a level's samples on either side that may be outliers.
+constexpr double kTail = 0.02;
 
-/// Returns the density of ascending values at `points` values `step` apart from `first` on.
+/// Returns the density of the ascending `values` at `points` positions: `first`, first + step, ....
+/// `h` is the width of the kernel.
 std::vector<double> density(
     const std::vector<double>& values, double first, double step, std::size_t points, double h) {
   std::vector<double> sum(points, 0.0);
@@ -38,7 +43,7 @@ std::vector<double> density(
 /// Returns the positions of the valleys that separate two levels.
 std::vector<std::size_t> valleys(const std::vector<double>& f) {
   std::vector<std::size_t> found;
-  std::size_t lowest = 0;  // lowest point since the peak of this level
+  std::size_t lowest = 0;  // index of the lowest density since the peak of this level
   double peak = 0.0;
   for (std::size_t k = 0; k < f.size(); ++k) {
     if (f[k] < f[lowest]) lowest = k;

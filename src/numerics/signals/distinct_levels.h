@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels at which a rig held a condition: loads, cambers, pressures, speeds of a recording.
+// Levels at which a test rig held a condition during a recording: loads, cambers, pressures,
+// speeds.
 //
 // A rig holds a set point with noise, changes from one to the next, and drifts. The density of the
 // values, smoothed by a Gaussian kernel of the condition's resolution h, has a peak at each level:
-//   a peak counts      if it has at least 1.5 % of the samples; a transition has less
+//   a peak counts      if it has at least 1.5 % of the samples; a transition has fewer
 //   two peaks are one  if the density between them stays above 0.35 of the lower peak
 // A swept condition has no separate peaks: its values between two gaps extend over more than the
 // noise of a set point. It counts as having any number of levels.
@@ -17,13 +18,15 @@
 namespace latsch::numerics {
 
 struct LevelResolution {
-  double kernel = 0.0;  // h, in the unit of the values: smaller differences are not resolved
-  double swept = 0.0;   // values of one level that extend over more than this were swept
+  /// Width h of the kernel, in the unit of the values; smaller differences are not resolved.
+  double kernel = 0.0;
+  double swept = 0.0;  // span of the values of one level above which it counts as swept
 };
 
 struct DistinctLevels {
   std::vector<double> values;  // median of each level, ascending
-  bool is_swept = false;       // a level is a sweep, which supports a polynomial of any degree
+  /// True if a level is a sweep, which supports a polynomial of any degree.
+  bool is_swept = false;
 
   /// Number of levels available to determine a polynomial.
   int count() const {

@@ -11,7 +11,8 @@ namespace {
 
 constexpr LevelResolution kPressure{1.5e3, 20e3};  // Pa
 
-/// Returns set points with noise of a deviation, and a slow transition from each to the next.
+/// Returns a signal that rests at each of the set points, with noise of the given standard
+/// deviation, and moves slowly from each to the next.
 std::vector<double> held(const std::vector<double>& points, double deviation, int samples) {
   std::mt19937 chance(3);
   std::normal_distribution<double> noise(0.0, deviation);
@@ -58,7 +59,8 @@ TEST(DistinctLevels, WhatIsNotFiniteOrNotThereHasNone) {
   EXPECT_EQ(distinct_levels({}, kPressure).count(), 0);
   EXPECT_EQ(distinct_levels({NAN, INFINITY}, kPressure).count(), 0);
   EXPECT_EQ(distinct_levels({83e3, NAN, 83e3}, kPressure).count(), 1);
-  EXPECT_EQ(distinct_levels({0.0, 1e12}, kPressure).count(), 2);  // far beyond the resolution
+  // The values are far beyond the range that can be resolved.
+  EXPECT_EQ(distinct_levels({0.0, 1e12}, kPressure).count(), 2);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace latsch::numerics {
 
 using Spectrum = std::vector<std::complex<double>>;
 
-/// Returns bins 0 .. length/2 of the samples, followed by zeros up to `length` >= x.size().
+/// Returns the bins 0 .. length/2 of the transform of x, which is padded with zeros to `length` >=
+/// x.size().
 Spectrum real_fft(std::span<const double> x, int length);
 
 /// Returns the `length` samples of a half spectrum of length/2 + 1 bins, with the factor 1/length.

@@ -15,8 +15,8 @@ namespace latsch::numerics {
 
 namespace {
 
-/// Returns the transform of the differences between successive samples; they are zero where the
-/// signal is constant, before and behind the record.
+/// Returns the transform of the differences between successive samples. Before and after the record
+/// the signal counts as constant, so these differences are zero.
 Spectrum transform_of_steps(std::span<const double> x, int length) {
   std::vector<double> steps(x.size(), 0.0);
   for (std::size_t i = 1; i < x.size(); ++i) steps[i] = x[i] - x[i - 1];
@@ -37,8 +37,9 @@ double power_of(const Spectrum& B, std::size_t first, Eigen::Index count) {
   return power;
 }
 
-/// Fits the polynomial at the lines from `first` on of the three transforms; r are their
-/// frequencies relative to the requested one. The delay turns a response by `angle` at r = 1.
+/// Fits the polynomial to the lines `first`, first + 1, ... of the three transforms. r holds the
+/// frequencies of these lines relative to the requested one. The delay rotates the phase of the
+/// response by -angle * r, rad.
 Fitted fit(const Spectrum& U,
            const Spectrum& Y,
            const Spectrum& B,
@@ -88,7 +89,8 @@ LocalResponse local_response(std::span<const double> x,
   const Spectrum U = transform_of_steps(x, length), Y = transform_of_steps(y, length);
   const Spectrum B = beside.empty() ? Spectrum() : transform_of_steps(beside, length);
   const double spacing = rate / length;
-  // Zeros added behind the record move lines closer together but add no information.
+  // Zeros appended to the record move the lines of its transform closer together but add no
+  // information, so the spacing of lines is that of the record without them.
   const double apart = rate / static_cast<double>(x.size());
   const double width = std::max(settings.width, settings.lines * apart);
   const long last = std::ssize(U) - 1;

@@ -21,20 +21,20 @@
 namespace latsch::numerics {
 
 struct LocalSettings {
-  int lines = 5;       // n, lines to either side, at least
-  double width = 0.0;  // Hz, to either side, at least
+  int lines = 5;       // least number n of lines to either side
+  double width = 0.0;  // least width to either side, Hz
   int order = 4;       // p
   double delay = 0.0;  // τ, s
 };
 
 struct LocalResponse {
-  std::vector<std::complex<double>> response;  // H, at the given frequencies
+  std::vector<std::complex<double>> response;  // frequency response H at the given frequencies
   std::vector<double> coherence;               // γ²; 0 if x or y is zero at that frequency
 };
 
-/// Requires two records of one length, sampled at `rate`, Hz, and frequencies in Hz below half of
-/// it. A record needs at least 2 n + 2 lines. `beside`: the signal of B, as long as the records, or
-/// empty.
+/// Requires two records of equal length, sampled at `rate`, Hz, and frequencies below rate / 2, Hz.
+/// The transform of a record must have at least 2 n + 2 lines. `beside` is the signal of B; it is
+/// as long as the records, or empty.
 LocalResponse local_response(std::span<const double> x,
                              std::span<const double> y,
                              double rate,

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRate = 1000.0, kPi = std::numbers::pi;
 
-/// Returns 20 s from 0.5 to 30 Hz, faded in and out over 1 s, and 3 s of zeros.
+/// Returns a sweep of 20 s from 0.5 to 30 Hz, faded in and out over 1 s, followed by 3 s of zeros.
 std::vector<double> sweep() {
   std::vector<double> x;
   const double grows = std::log(60.0) / 20.0;
@@ -73,7 +73,8 @@ TEST(LocalResponse, OfAnOscillatorItIsItsClosedForm) {
   }
 }
 
-// The record has another mean at its start, and another at its end.
+// The record rests at one level at its start and at another level at its end. Neither level may
+// change the response.
 TEST(LocalResponse, WhereARecordRestsDoesNotCount) {
   std::vector<double> x = sweep(), y(x.size());
   const std::vector<double> f = lines();
@@ -85,8 +86,8 @@ TEST(LocalResponse, WhereARecordRestsDoesNotCount) {
   for (const std::complex<double>& h : found.response) EXPECT_LT(std::abs(h + 3.0), 1e-9);
 }
 
-// A body that oscillates for a long time: a fit of the same order without a delay represents it
-// less well.
+// The response of a body that oscillates for a long time is represented less well by a fit of the
+// same order without a delay.
 TEST(LocalResponse, ADelayFollowsWhatRingsLonger) {
   const std::vector<double> x = sweep(), f = lines();
   const double frequency = 1.25, zeta = 0.1;
@@ -106,8 +107,9 @@ TEST(LocalResponse, ADelayFollowsWhatRingsLonger) {
   EXPECT_LT(delayed, at_once);
 }
 
-// The square of a sweep is no linear response to it. Narrow bands of lines appear coherent with it
-// all the same, unless it is known beside the record.
+// The square of a sweep is not a linear response to the sweep. In narrow bands of frequency it
+// nevertheless appears coherent with it, unless the fit is told that the square has no linear
+// relation to the sweep.
 TEST(LocalResponse, WhatIsKnownNotToFollowLowersTheCoherence) {
   const std::vector<double> x = sweep();
   std::vector<double> squares(x.size());
@@ -126,7 +128,7 @@ TEST(LocalResponse, CoherenceIsTheShareThatFollows) {
   std::vector<double> x(40000), y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     x[i] = normal(random);
-    y[i] = 2.0 * x[i] + 2.0 * normal(random);  // half of its power is coherent with x
+    y[i] = 2.0 * x[i] + 2.0 * normal(random);  // half of the power of y is coherent with x
   }
   const LocalResponse found = local_response(x, y, kRate, lines(), {.width = 0.5});
   double mean = 0.0;

@@ -7,12 +7,14 @@
 
 namespace latsch::numerics {
 
-/// Larger than the samples of any record; sums of four such counts are still integers.
+/// A number of samples larger than that of any record. Sums of four such counts still fit into an
+/// int.
 inline constexpr int kMostSampleCount = 500'000'000;
 
-/// Returns the samples in `seconds`, rounded, at `rate` samples a second; at most
-/// kMostSampleCount. So a time longer than any record stays longer than each, and is refused where
-/// the count is compared with the samples of a record. `seconds` and `rate` are at least 0.
+/// Returns the rounded number of samples in `seconds` at `rate` samples per second, at most
+/// kMostSampleCount. A time longer than any record thus stays longer than any record, and the
+/// caller that compares the count with the samples of a record refuses it. `seconds` and `rate` are
+/// at least 0.
 inline int sample_count(double seconds, double rate) {
   return static_cast<int>(
       std::lround(std::min(seconds * rate, static_cast<double>(kMostSampleCount))));

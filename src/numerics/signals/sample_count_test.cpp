@@ -15,7 +15,8 @@ TEST(SampleCount, IsRounded) {
   EXPECT_EQ(sample_count(0.0, 1000.0), 0);
 }
 
-// 4294968 s at 1000 samples a second are 704 samples more than 2^32: an int holds only those.
+// 4294968 s at 1000 samples per second are 2^32 + 704 samples; a conversion to a 32-bit integer
+// would keep only the 704.
 TEST(SampleCount, IsLargeForATimeThatNoIntegerHolds) {
   for (const double seconds : {1e6, 2147484.0, 4294968.0, 1e16, 1e300})
     EXPECT_EQ(sample_count(seconds, 1000.0), kMostSampleCount) << seconds;

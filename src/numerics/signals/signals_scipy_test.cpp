@@ -174,11 +174,11 @@ TEST_F(SciPySignal, WelchIsTheSameInEveryConvention) {
              x_, kRate, {301, 100, 512, SpectralWindow::hamming_periodic, Detrend::segment_line})
              .value);
   const auto octave = welch_settings(Convention::octave, kSamples);
-  EXPECT_EQ(octave.segment, 64);  // next power of two above sqrt(1600) = 40
+  EXPECT_EQ(octave.segment, 64);  // the next power of two above sqrt(1600) = 40
   agrees("octave", power_density(x_, kRate, octave).value);
   const auto matlab = welch_settings(Convention::matlab, kSamples);
-  EXPECT_EQ(segment_count(kSamples, matlab),
-            7);  // at most eight; 355 of 1600 samples fit seven times
+  // At most eight segments are used; 355 of 1600 samples fit seven times.
+  EXPECT_EQ(segment_count(kSamples, matlab), 7);
   agrees("matlab", power_density(x_, kRate, matlab).value);
 }
 

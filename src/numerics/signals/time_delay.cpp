@@ -15,10 +15,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// R_xy from the transforms of both signals, padded with zeros so that nothing wraps around.
+/// The cross-correlation R_xy, computed from the transforms of both signals. They are padded with
+/// zeros, so that the correlation is not periodic.
 struct Correlation {
   Spectrum spectrum;           // conj(X) Y
-  std::vector<double> values;  // R at lag l at index l, negative lags from the end
+  std::vector<double> values;  // R(l) has the index l; negative lags are at the end
   int length = 0;
 
   Correlation(std::span<const double> x, std::span<const double> y)
@@ -41,8 +42,9 @@ struct Correlation {
     const int half = length / 2;
     const std::complex<double> turn = std::polar(1.0, 2.0 * kPi * lag / length);
     std::complex<double> e = 1.0;
-    constexpr int kRenew = 64;  // powers of `turn` accumulate rounding, so the power is recomputed
-                                // after this many
+    // Number of successive multiplications by `turn` after which the power is computed anew,
+    // because the products accumulate rounding errors.
+    constexpr int kRenew = 64;
     for (int k = 1; k <= half; ++k) {
       e = k % kRenew == 0 ? std::polar(1.0, 2.0 * kPi * k * lag / length) : e * turn;
       const double omega = 2.0 * kPi * k / length, weight = k == half ? 1.0 : 2.0;
@@ -55,7 +57,8 @@ struct Correlation {
   }
 };
 
-/// Finds a maximum by Newton's method from the greatest lag, never more than a sample away from it.
+/// Finds the maximum of R by Newton's method, starting at the lag of the greatest sample of R. The
+/// result is at most one sample away from this lag.
 double maximum_near(const Correlation& r, int lag) {
   constexpr int kSteps = 20;
   constexpr double kEnough = 1e-10;  // samples
@@ -87,10 +90,11 @@ double bessel_i0(double x) {
 
 constexpr int kTaps = 2 * kInterpolationReach;
 
-/// Returns weights of the samples -reach + 1 .. reach for a point `share` of a sample behind sample
-/// 0.
+/// Returns interpolation weights of the samples -reach + 1 .. reach for a point that lies `share`
+/// of a sample spacing after sample 0.
 std::array<double, kTaps> interpolation_weights(double share) {
-  constexpr double kBeta = 12.0;  // Kaiser window: side lobes of 1e-6 (118 dB)
+  // Parameter of the Kaiser window, with side lobes of 1e-6 (118 dB).
+  constexpr double kBeta = 12.0;
   static const double whole = bessel_i0(kBeta);
   std::array<double, kTaps> weights{};
   for (int i = 0; i < kTaps; ++i) {
@@ -113,7 +117,8 @@ double weighted(std::span<const double> x, long first, const std::array<double, 
   return sum;
 }
 
-/// Table of weights at evenly spaced shares of a sample, with linear interpolation.
+/// Table of interpolation weights at evenly spaced positions between two samples; weights between
+/// the rows are interpolated linearly.
 class WeightTable {
  public:
   WeightTable() : rows_(kRows + 1) {
@@ -132,7 +137,9 @@ class WeightTable {
   }
 
  private:
-  static constexpr int kRows = 4096;  // second difference of sinc / 8: below 3e-8
+  // Number of rows. The error of linear interpolation, an eighth of the second difference of sinc,
+  // is below 3e-8.
+  static constexpr int kRows = 4096;
   std::vector<std::array<double, kTaps>> rows_;
 };
 
@@ -169,7 +176,7 @@ std::vector<double> shifted(std::span<const double> x, double samples) {
   Spectrum X = real_fft(x, length);
   for (int k = 0; k < static_cast<int>(X.size()); ++k) {
     const double angle = -2.0 * kPi * k * samples / length;
-    // At half the rate only the real part of the turn gives a real signal.
+    // At half the sampling rate only the real part of the phase rotation gives a real signal.
     X[k] *= 2 * k == length ? std::complex<double>(std::cos(angle)) : std::polar(1.0, angle);
   }
   return inverse_real_fft(X, length);

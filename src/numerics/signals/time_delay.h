@@ -3,9 +3,10 @@
 //
 //   R_xy(l) = sum_n x_n y_(n+l)
 //
-// Between the lags R is the trigonometric polynomial through them, so the position of its maximum
-// is exact for signals below half the sampling rate. It is found by Newton's method from the
-// greatest lag. (A parabola through three lags errs by up to some hundredths of a sample.)
+// Between whole lags, R is the trigonometric polynomial through its values at these, so the
+// position of its maximum is exact for signals below half the sampling rate. The maximum is found
+// by Newton's method from the whole lag with the greatest R. (A parabola through three lags has an
+// error of up to some hundredths of a sample.)
 #pragma once
 
 #include <span>
@@ -19,7 +20,7 @@ std::vector<double> autocorrelation(std::span<const double> x, int lags);
 /// Delay of y after x, lower <= delay <= upper: the maximum of R_xy.
 struct Delay {
   double samples = 0.0;
-  double likeness = 0.0;  // R_xy there over the root of R_xx(0) R_yy(0): 1 for equal shapes
+  double likeness = 0.0;  // R_xy at the delay divided by sqrt(R_xx(0) R_yy(0)); 1 for equal shapes
 };
 Delay delay_between(std::span<const double> x, std::span<const double> y, int lower, int upper);
 

@@ -42,7 +42,7 @@ TEST(TimeDelay, ShiftMovesAPulseAsItsFormulaDoes) {
 }
 
 TEST(TimeDelay, ValuesBetweenSamplesAreThoseOfTheSine) {
-  const double omega = 0.7 * std::numbers::pi;  // 0.7 of half the rate
+  const double omega = 0.7 * std::numbers::pi;  // 0.7 of half the sampling rate
   std::vector<double> x(400), places;
   for (int i = 0; i < 400; ++i) x[i] = std::sin(omega * i);
   const auto between = values_between(x, 100.321, 50);
@@ -55,11 +55,11 @@ TEST(TimeDelay, ValuesBetweenSamplesAreThoseOfTheSine) {
   EXPECT_NEAR(values_between(x, 100.0, 1)[0], x[100], 1e-13);
 }
 
-// H1 of a noise-free delay has its response, |z| on the unit circle. The transient of a segment
-// leaks, so the tolerance is a percent.
+// The estimate H1 of a noise-free delay is exp(-i omega delay), so its magnitude is 1. Each segment
+// is cut from a transient, which causes leakage, so the tolerance is one percent.
 TEST(Welch, ResponseOfAPureDelayHasItsPhase) {
   std::vector<double> x(20000), y(20000, 0.0);
-  for (int i = 0; i < 20000; ++i) x[i] = std::sin(0.001 * i * i);  // sweeps over all frequencies
+  for (int i = 0; i < 20000; ++i) x[i] = std::sin(0.001 * i * i);  // x sweeps over all frequencies
   for (int i = 3; i < 20000; ++i) y[i] = 2.0 * x[i - 3];
   const auto s = densities(x, y, 1.0, welch_settings(Convention::scipy, 20000, 512));
   const auto H = response_h1(s);

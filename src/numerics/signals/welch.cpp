@@ -80,7 +80,8 @@ std::vector<double> frequencies(double rate, int length) {
   return f;
 }
 
-/// Converts sums to the mean over the segments, per Hz, with both halves of the spectrum in one.
+/// Divides sums over the segments by their number and converts them to one-sided densities per Hz:
+/// the power of negative frequencies is added to that of positive ones.
 template <class T>
 void scale(std::vector<T>& sums, double rate, double window_power, int segments, int length) {
   const double factor = 1.0 / (rate * window_power);
@@ -106,7 +107,7 @@ std::vector<double> window_values(SpectralWindow window, int count) {
 }
 
 WelchSettings welch_settings(Convention convention, int samples, std::optional<int> segment) {
-  constexpr double kMatlabSegments = 4.5;  // lengths of eight half-overlapping segments: 1 + 7/2
+  constexpr double kMatlabSegments = 4.5;  // eight half-overlapping segments cover 1 + 7/2 lengths
   constexpr int kMatlabLeastLength = 256;
   WelchSettings s;
   int own = 256;

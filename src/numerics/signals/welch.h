@@ -37,17 +37,18 @@ enum class Detrend { none, segment_mean, segment_line, record_mean };
 std::vector<double> window_values(SpectralWindow window, int count);
 
 struct WelchSettings {
-  int segment = 256;  // samples, at least 2 and at most those of the record
-  int overlap = 128;  // samples, fewer than the segment
-  int length = 256;   // transform's length: the segment and zeros
+  int segment = 256;  // samples of a segment, from 2 to those of the record
+  int overlap = 128;  // samples by which segments overlap, fewer than a segment has
+  int length = 256;   // length of the transform: a segment and zeros
   SpectralWindow window = SpectralWindow::hann_periodic;
   Detrend detrend = Detrend::segment_mean;
 };
 
 enum class Convention { scipy, octave, matlab };
 
-/// Returns the settings that the program uses for a record of `samples` if only the segment is
-/// given, or not even that. A segment longer than the record becomes the record.
+/// Returns the settings that the named program uses by default for a record of `samples`, with the
+/// given length of segments or, if none is given, with its own. A segment longer than the record is
+/// shortened to the record.
 WelchSettings welch_settings(Convention convention,
                              int samples,
                              std::optional<int> segment = std::nullopt);
@@ -55,7 +56,7 @@ WelchSettings welch_settings(Convention convention,
 /// One-sided density at frequency[k] = k rate / length.
 struct Density {
   std::vector<double> frequency;  // Hz
-  std::vector<double> value;      // unit of x squared, per Hz
+  std::vector<double> value;      // density, in the unit of x squared per Hz
 };
 
 Density power_density(std::span<const double> x, double rate, const WelchSettings& settings);

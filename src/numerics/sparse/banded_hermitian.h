@@ -18,7 +18,7 @@ class BandedHermitian {
   int size() const { return static_cast<int>(lower_.cols()); }
   int bandwidth() const { return static_cast<int>(lower_.rows()) - 1; }
 
-  /// Entry of the lower triangle, row >= column.
+  /// Returns an entry of the lower triangle, row >= column.
   Complex& operator()(int row, int column) { return lower_(row - column, column); }
   Complex operator()(int row, int column) const { return lower_(row - column, column); }
   void set_zero() { lower_.setZero(); }
@@ -45,8 +45,9 @@ class BandedCholesky {
   Eigen::MatrixXcd factor_;
 };
 
-/// Hermitian matrix [A B; B* C] of a banded part A and a few last rows and columns that are full,
-/// for unknowns that touch many others, such as the motions of a rim. The border may be empty.
+/// Hermitian matrix [A B; B* C] of a banded part A and a few full rows and columns at the end, for
+/// unknowns that are coupled to many others, such as the motions of a rim. The border B, C may be
+/// empty.
 struct BorderedHermitian {
   BandedHermitian banded;   // A, m x m
   Eigen::MatrixXcd border;  // B, m x b
@@ -60,7 +61,7 @@ struct BorderedHermitian {
   int size() const { return banded.size() + static_cast<int>(corner.rows()); }
   /// Adds `factor` times a matrix of the same shape.
   void add(double factor, const BorderedHermitian& other);
-  /// Computes Y = this X.
+  /// Computes Y = A X, where A is this matrix.
   void multiply(const Eigen::Ref<const Eigen::MatrixXcd>& X, Eigen::Ref<Eigen::MatrixXcd> Y) const;
 };
 

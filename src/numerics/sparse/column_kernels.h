@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels for eight right-hand sides side by side, one register of single precision for every
-// unknown. A number of the factor is read once for all of them, and no sum runs across them.
-// Included once per kernel set, by columns_together.cpp.
+// Kernels for eight right-hand sides side by side: one register of single precision holds the eight
+// values of an unknown. Each number of the factor is read once for all of them, and right-hand
+// sides are never added to each other. Included once per kernel set, by columns_together.cpp.
 #include "numerics/sparse/eight_floats.h"
 
 namespace latsch::numerics::LATSCH_KERNELS {
@@ -135,7 +135,7 @@ inline __attribute__((always_inline)) void eliminate_one(
   }
 }
 
-/// Substitutes with one right-hand side; the spare numbers after v must be zero.
+/// Computes x <- L^-T (x - B' b) for one right-hand side; the spare numbers after v must be zero.
 template <int width>
 inline __attribute__((always_inline)) void substitute_one(
     const float* L, int ld, int j, int rows, float* v) {
@@ -217,7 +217,8 @@ void multiply(int block_rows,
         y[j + c] = mul_add(sum, b[3 * c + 2], x2);
       }
     }
-    y[3 * i] = y0;  // Rows below add to it later.
+    /// Later rows of the loop add to this result.
+    y[3 * i] = y0;
     y[3 * i + 1] = y1;
     y[3 * i + 2] = y2;
   }

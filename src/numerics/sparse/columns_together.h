@@ -11,14 +11,15 @@ namespace latsch::numerics {
 
 constexpr int kSolvedTogether = 8, kMultipliedTogether = 4, kRoom = 8;
 
-/// Computes v <- (L^-1 x, b - B L^-1 x) for v = (x, b), eight columns: a front's pivots and its
-/// rows below them. `panel` [rows x pivots] is as in front_algebra.h.
+/// Computes v <- (L^-1 x, b - B L^-1 x) for v = (x, b) with eight columns, where x are the pivots
+/// of a front and b the rows below them. `panel` [rows x pivots] is stored as in front_algebra.h.
 void eliminate_columns(int pivots, int rows, const float* panel, float* v);
 /// Computes x <- L^-T (x - B' b).
 void substitute_columns(int pivots, int rows, const float* panel, float* v);
 
-/// Work as the functions above for one column. kRoom numbers after v are overwritten (the second
-/// function sets them to zero). As many are read after the panel; they must be finite.
+/// Work as the functions above for one column. The kRoom numbers after v are overwritten (the
+/// second function sets them to zero). kRoom numbers after the panel are read, so they must exist
+/// and be finite.
 void eliminate_column(int pivots, int rows, const float* panel, float* v);
 void substitute_column(int pivots, int rows, const float* panel, float* v);
 

@@ -36,7 +36,7 @@ Eigen::MatrixXd substituted(const Panel& panel, Eigen::MatrixXd v) {
   return v;
 }
 
-// Rounding of sums of up to 60 numbers of order one: at most about 60 x 6e-8.
+// Bound on the rounding error of sums of up to 60 numbers of order one, about 60 x 6e-8.
 constexpr double kRounding = 4e-6;
 
 TEST(ColumnsTogether, PanelsOfAnyShapeAreSolvedAsDefined) {

@@ -15,8 +15,8 @@ CgOutcome ConjugateGradients::solve(const Operator& A,
                                     Eigen::VectorXd& x,
                                     bool foresees) {
   constexpr int kAFew = 5;
-  constexpr double kAsFast = 2.0 / 3.0;  // share of max_iterations that the forecast may
-                                         // reach
+  // Share of max_iterations that the forecast number of iterations may reach.
+  constexpr double kAsFast = 2.0 / 3.0;
   CgOutcome outcome;
   const double b_norm = b.norm();
   x.setZero(b.size());

@@ -12,7 +12,7 @@ struct CgOutcome {
   enum class End { converged, iterations_spent, negative_curvature };
   End end = End::converged;
   int iterations = 0;     // number of products with A
-  double residual = 0.0;  // norm of b - A x relative to that of b
+  double residual = 0.0;  // norm of b - A x divided by that of b
 };
 
 class ConjugateGradients {
@@ -22,11 +22,12 @@ class ConjugateGradients {
 
   explicit ConjugateGradients(int size);
 
-  /// Starts from x = 0 and stops at |b - A x| <= tolerance |b|. On negative curvature (p' A p <= 0)
-  /// x is the last iterate before it, or the preconditioned gradient C^-1 b in the first iteration,
-  /// and thus always a descent direction. If `foresees`, the solve also ends early, as if
-  /// iterations were spent, when after a few of them their convergence suggests that
-  /// `max_iterations` will not suffice; later convergence is usually slower still.
+  /// Starts from x = 0 and stops at |b - A x| <= tolerance |b|. If it meets negative curvature (p'
+  /// A p <= 0), x is the last iterate before it or, in the first iteration, the preconditioned
+  /// gradient C^-1 b; x is thus always a descent direction. If `foresees` is true, the solve also
+  /// ends early when the convergence of its first iterations suggests that `max_iterations` will
+  /// not suffice (later convergence is usually slower still); the outcome is then the same as if
+  /// the iterations were spent.
   CgOutcome solve(const Operator& A,
                   const Preconditioner& C,
                   const Eigen::VectorXd& b,

@@ -14,8 +14,8 @@ ConjugateGradients::Operator times(const Eigen::MatrixXd& A) {
 }
 void none(Eigen::VectorXd&) {}
 
-TEST(ConjugateGradients,
-     NeedsAsManyIterationsAsThereAreDistinctEigenvalues) {  // Nocedal & Wright, theorem 5.4
+// The claim is theorem 5.4 of Nocedal & Wright.
+TEST(ConjugateGradients, NeedsAsManyIterationsAsThereAreDistinctEigenvalues) {
   Eigen::VectorXd lambda(60);
   for (int k = 0; k < 60; ++k) lambda[k] = 1.0 + k % 4;
   const Eigen::MatrixXd Q = HouseholderQr(Eigen::MatrixXd::Random(60, 60)).Q();

@@ -18,12 +18,14 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr int kMostSteps = 30;
-constexpr double kDependent = 1e-8;  // relative length below which a direction is already in the
-                                     // space
-// Ratio of squared lengths. Below it, columns scaled up are no longer orthogonal to the space.
+// Relative length below which a direction counts as linearly dependent on the others.
+constexpr double kDependent = 1e-8;
+// Ratio of the squared lengths of the shortest and the longest new direction. Below it, one pass of
+// orthogonalization leaves errors that scaling to unit length would magnify, so another pass
+// follows.
 constexpr double kNearlyDependent = 1e-6;
-// Least assumed share of a pair's error that the next correction leaves. For tires it leaves 0.1 to
-// 0.2.
+// Smallest factor by which the next correction is assumed to reduce the error of a pair. For tires
+// the factor is 0.1 to 0.2.
 constexpr double kFastest = 0.1;
 
 using Columns = Eigen::Ref<const MatrixXd>;
@@ -40,8 +42,9 @@ MatrixXd times(const SymmetricMatrix& A, const Columns& X) {
   return AX;
 }
 
-/// Makes the columns of D orthonormal in M (MD = M D) and drops columns that are nearly sums of the
-/// others. Returns the smallest squared independent length relative to the largest.
+/// Makes the columns of D orthonormal in M (MD = M D) and drops columns that are nearly linear
+/// combinations of the others. Returns the ratio of the smallest squared length of a kept direction
+/// to the largest.
 double make_orthonormal(MatrixXd& D, MatrixXd& MD) {
   const auto [square, U] = self_adjoint_eigen(overlaps<double>(D, MD));
   const double largest = square.size() > 0 ? square[square.size() - 1] : 0.0;
@@ -55,8 +58,8 @@ double make_orthonormal(MatrixXd& D, MatrixXd& MD) {
   return kept > 0 ? square[first] / largest : 1.0;
 }
 
-/// Returns the pairs whose errors are above the tolerance; if there are more than can be solved for
-/// at the cost of one, those with the largest errors.
+/// Returns the pairs whose errors are above the tolerance. If there are more than fit into one
+/// solution with several right-hand sides, returns those with the largest errors.
 std::vector<Eigen::Index> worst(const Eigen::VectorXd& errors, double tolerance) {
   std::vector<Eigen::Index> erring;
   for (Eigen::Index i = 0; i < errors.size(); ++i)
@@ -77,8 +80,8 @@ Davidson::Davidson(const SymmetricMatrix& K,
   extend(vectors);
 }
 
-/// Adds the new part of the directions D to the space. Little of D may remain, so M D is computed
-/// again rather than updated by the second pass.
+/// Adds the part of D that is orthogonal to the search space to it. This part may be small, so M D
+/// is computed again rather than updated in the second pass.
 void Davidson::extend(MatrixXd D) {
   MatrixXd MD;
   for (int pass = 0; pass < 2; ++pass) {
@@ -93,8 +96,9 @@ void Davidson::extend(MatrixXd D) {
   append(D, MD);
 }
 
-/// Adds directions whose M D is known. Corrections of pairs with small errors are nearly orthogonal
-/// to the space, so one pass suffices unless they are nearly equal to each other.
+/// Adds directions D whose product M D is known to the search space. Corrections of pairs with
+/// small errors are nearly orthogonal to the space, so one pass of orthogonalization suffices
+/// unless the corrections are nearly equal to each other.
 void Davidson::extend(MatrixXd D, MatrixXd MD) {
   for (int pass = 0; pass < 2; ++pass) {
     const MatrixXd old = overlaps<double>(MV(), D);
@@ -135,8 +139,8 @@ EigenPairs<double> Davidson::find(Eigen::Index wanted, double tolerance) {
     pairs.solves += static_cast<int>(D.cols());
     const Eigen::RowVectorXd errors = D.cwiseProduct(times(M_, D)).colwise().sum().cwiseSqrt();
     std::vector<Eigen::Index> still, columns;
-    // The first corrections are all known. If one is needed, all are used, because they improve the
-    // other pairs at no cost.
+    // In the first step the corrections of all pairs are known. If one pair needs its correction,
+    // all corrections are used, because they improve the other pairs at no cost.
     const bool takes_all = step == 0 && (errors.array() > tolerance).any();
     for (std::size_t i = 0; i < erring.size(); ++i) {
       if (!takes_all && errors[static_cast<Eigen::Index>(i)] <= tolerance) continue;
@@ -155,8 +159,8 @@ EigenPairs<double> Davidson::find(Eigen::Index wanted, double tolerance) {
   return pairs;
 }
 
-/// Reduces the space to its lowest Ritz vectors, half as many again as are sought. Others hardly
-/// help, and cost as much in every product.
+/// Reduces the search space to its lowest Ritz vectors, one and a half times as many as the wanted
+/// pairs. Further vectors hardly speed up convergence but cost as much in every product.
 Eigen::VectorXd Davidson::compress() {
   const auto [lambda, S] = self_adjoint_eigen(overlaps<double>(V(), KV()));
   const Eigen::Index kept = std::min(count_ + count_ / 2, lambda.size());
@@ -169,7 +173,7 @@ Eigen::VectorXd Davidson::compress() {
 EigenPairs<double> Davidson::sharpen(Eigen::Index wanted, double tolerance) {
   EigenPairs<double> pairs;
   MatrixXd T = compress().asDiagonal();
-  // The last error of every pair, and the estimate of the next one.
+  // The errors of all pairs in the last step, and their estimates for the next one.
   Eigen::VectorXd last = Eigen::VectorXd::Zero(wanted), next = Eigen::VectorXd::Ones(wanted);
   for (int step = 0; step < kMostSteps; ++step) {
     const auto [lambda, S] = self_adjoint_eigen(T);

@@ -31,13 +31,14 @@ class Davidson {
            Solve solve,
            const Eigen::MatrixXd& vectors);
 
-  /// Finds the lowest `wanted` pairs, at most as many as vectors; converged if every |d| is below
-  /// the tolerance. Some more vectors than wanted pairs make it fast.
+  /// Finds the lowest `wanted` pairs, at most as many as there are vectors. The result is converged
+  /// if every |d| is below the tolerance. A few more vectors than wanted pairs make the method
+  /// fast.
   EigenPairs<double> find(Eigen::Index wanted, double tolerance);
-  /// Call after find(): improves the lowest `wanted` of these pairs to a finer tolerance, in the
-  /// space that find() left. Each step corrects as many pairs as can be solved for at the cost of
-  /// one. The last correction of a pair is not checked by another one: its remaining error is
-  /// estimated from the previous reduction.
+  /// Call after find(): improves the lowest `wanted` of the found pairs to a finer tolerance, in
+  /// the search space that find() left. Each step corrects as many pairs as one solution with
+  /// several right-hand sides can hold. The last correction of a pair is not checked by another
+  /// one: its remaining error is estimated from the reduction by the correction before.
   EigenPairs<double> sharpen(Eigen::Index wanted, double tolerance);
 
   Eigen::Index count() const { return count_; }

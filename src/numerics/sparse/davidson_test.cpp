@@ -29,13 +29,14 @@ struct Ring {
     lattice.assemble_equal(M, 8);
     factor.factorize(K);
     exact = generalized_eigenvalues(dense(K), dense(M));
-    // The number of vectors ends at a gap of the eigenvalues, so that the remaining ones are far
-    // away.
+    // The number of vectors is chosen at the largest gap between eigenvalues, so that the
+    // eigenvalues left out are far from those included.
     int count = kWanted;
     for (int k = kWanted; k < 2 * kWanted; ++k) {
       if (exact[k] / exact[k - 1] > exact[count] / exact[count - 1]) count = k;
     }
-    // Repeated multiplication by K^-1 M leaves combinations of the lowest eigenvectors.
+    // Repeated multiplication of random vectors by K^-1 M leaves combinations of the lowest
+    // eigenvectors.
     Eigen::MatrixXd X = Eigen::MatrixXd::Random(K.size(), count);
     const Eigen::MatrixXd op = dense(K).inverse() * dense(M);
     for (int i = 0; i < 300; ++i) {

@@ -13,8 +13,8 @@ namespace {
 
 using Lists = std::vector<std::vector<int>>;
 
-/// Returns the position of every block row by nested dissection of the graph of those that `number`
-/// counts (-1: left out).
+/// Returns the position of every block row by nested dissection (METIS) of the graph of the block
+/// rows. Rows whose `number` is -1 are left out.
 std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>& number, int n) {
   Lists neighbors(n);
   for (int i = 0; i < pattern.block_rows(); ++i) {
@@ -36,8 +36,8 @@ std::vector<int> dissect(const SymmetricPattern& pattern, const std::vector<int>
     idx_t options[METIS_NOPTIONS];
     METIS_SetDefaultOptions(options);
     idx_t vertices = n;
-    // METIS draws from the process' only random sequence, which it restarts. Two threads in METIS
-    // at the same time would disturb each other's numbers.
+    // METIS draws from the one random sequence of the process, which it restarts in each call. Two
+    // threads in METIS at the same time would change each other's numbers.
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
     METIS_NodeND(
@@ -95,8 +95,8 @@ Lists lower_columns(const SymmetricPattern& pattern,
   return columns;
 }
 
-/// Adds the fill of the elimination to the columns. Returns the parent of every column: its first
-/// row below the diagonal.
+/// Adds to the columns the entries that the elimination fills. Returns the parent of every column:
+/// its first row below the diagonal.
 std::vector<int> fill(Lists& columns) {
   const int n = static_cast<int>(columns.size());
   std::vector<int> parent(n, -1), seen(n, -1);
@@ -179,7 +179,7 @@ std::vector<Front> fundamental_fronts(const std::vector<int>& parent,
   return fronts;
 }
 
-/// True if a front `columns` unknowns wide may hold this share of zeros.
+/// True if a front that is `columns` unknowns wide may store this share of zeros.
 bool may_store(double zeros, int columns) {
   if (columns <= 16) return true;
   if (columns <= 48) return zeros < 0.25;

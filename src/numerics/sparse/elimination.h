@@ -19,23 +19,27 @@ namespace latsch::numerics {
 /// order of elimination.
 struct Front {
   int first = 0, columns = 0;  // pivots
-  std::vector<int> below;      // rows under the pivots, ascending
-  int parent = -1;             // front that holds the first row below; -1: there is none
+  std::vector<int> below;      // block rows below the pivots, ascending
+  /// Index of the front that holds the first row below the pivots; -1: none.
+  int parent = -1;
 
   int rows() const { return columns + static_cast<int>(below.size()); }
 };
 
 struct Elimination {
-  std::vector<int> position;  // position in the order of every block row of the pattern
-  std::vector<Front> fronts;  // children before their parents, the last child right before
-  int interface = 0;          // block rows at the end that form the last front alone; 0: none
+  /// Position of every block row of the pattern in the order of elimination.
+  std::vector<int> position;
+  std::vector<Front> fronts;  // children precede their parents; the last child directly
+  /// Number of block rows at the end that form the last front alone; 0: none.
+  int interface = 0;
 };
 
 Elimination eliminate(const SymmetricPattern& pattern);
 /// `interface`: block rows that are eliminated last, together, in this order.
 Elimination eliminate(const SymmetricPattern& pattern, const std::vector<int>& interface);
-/// Takes the order of all other rows from `whole`, of the same pattern without an interface. Its
-/// separators also separate the remaining rows, if not as well, and the dissection is saved.
+/// Takes the order of all other rows from `whole`, the elimination of the same pattern without an
+/// interface. The separators of `whole` also separate the remaining rows, though less well, and no
+/// new dissection has to be computed.
 Elimination eliminate(const SymmetricPattern& pattern,
                       const std::vector<int>& interface,
                       const Elimination& whole);

@@ -51,8 +51,8 @@ class Refined final : public Factorization::Impl {
       if ((norm.array() <= wanted.array()).all() || (norm.array() >= before.array()).all()) return;
       single_->solve(left, 0.0);
       X += left;
-      // The residual falls by nearly the same factor every time, so the last residual is not
-      // computed.
+      // The residual falls by nearly the same factor in every step, so the last residual is
+      // predicted instead of computed.
       const Eigen::RowVectorXd next = norm.cwiseAbs2().cwiseQuotient(before);
       if (i > 0 && (kSurely * next.array() <= wanted.array()).all()) return;
       before = norm;

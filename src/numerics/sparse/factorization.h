@@ -31,22 +31,24 @@ struct Elimination;  // elimination.h
 struct FactorStatus {
   enum class Outcome {
     definite,
-    not_positive,  // a pivot is zero or negative: the matrix is indefinite or, to rounding,
-                   // singular
-    failed,        // values that are not numbers
+    /// A pivot is zero or negative: the matrix is indefinite or, to rounding, singular.
+    not_positive,
+    failed,  // the matrix contains values that are not numbers
   };
   Outcome outcome = Outcome::failed;
-  std::string reason;  // empty if definite
+  std::string reason;  // reason of a failure; empty if definite
 
   bool definite() const { return outcome == Outcome::definite; }
 };
 
 enum class Precision {
   full,  // double
-  /// Float inside, double outside, for a preconditioner. `definite` refers to the rounded matrix.
+  /// The factor is in single precision, right-hand sides and solutions are in double: for a
+  /// preconditioner. `definite` refers to the matrix rounded to single precision.
   single,
-  /// Single, with solutions refined to double by the matrix itself, so that matrix and pattern must
-  /// stay unchanged. If the rounded matrix is not definite, full is used.
+  /// The factor is in single precision, and solutions are refined to double by products with the
+  /// matrix itself, so that matrix and pattern must stay unchanged. If the matrix rounded to single
+  /// precision is not definite, a factor in double precision is used.
   refined,
 };
 
@@ -54,8 +56,8 @@ class Factorization {
  public:
   /// Does the symbolic work. The pattern need not outlive the factorization.
   explicit Factorization(const SymmetricPattern& pattern, Precision precision = Precision::full);
-  /// Reuses the order of elimination of another factorization on this pattern, which is most of the
-  /// symbolic work.
+  /// Reuses the order of elimination of another factorization on this pattern, whose computation is
+  /// most of the symbolic work.
   Factorization(const SymmetricPattern& pattern,
                 Precision precision,
                 std::shared_ptr<const Elimination> elimination);
@@ -69,12 +71,13 @@ class Factorization {
 
   /// Computes x <- A^-1 x in place.
   void solve(Eigen::Ref<Eigen::VectorXd> x) const;
-  /// Solves for every column of X in place; many columns together cost less than one by one.
-  /// Refined solutions are iterated until the residual is `enough` of the right-hand side, or
-  /// rounding.
+  /// Solves for every column of X in place; many columns together cost less than one by one. With
+  /// Precision::refined, iterates until the residual of each column, relative to its right-hand
+  /// side, is below `enough` or at the level of rounding errors.
   void solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough = 0.0) const;
 
-  /// Works as solve_columns() without refinement, in the factor's own precision: a preconditioner.
+  /// Works as solve_columns() in the precision of the factor, without refinement: for use as a
+  /// preconditioner.
   void solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) const;
 
   // If the order has an interface of m unknowns (Elimination::interface), A = [A_ii A_ic; A_ci
@@ -83,7 +86,7 @@ class Factorization {
   // is the stiffness of the interface with all others eliminated. A x = b is solved by reduce(b), S
   // x_c = b_c with the reduced b_c, and expand(x). Any matrix on the interface can be added to S.
 
-  /// Factorizes A_ii. Returns definite if A_ii is.
+  /// Factorizes A_ii. The status is `definite` if A_ii is positive definite.
   FactorStatus condense(const SymmetricMatrix& A);
   /// Returns S [m x m] in the order of the interface's block rows.
   Eigen::MatrixXd condensed() const;

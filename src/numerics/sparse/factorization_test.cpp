@@ -30,15 +30,15 @@ TEST(Factorization, SolvesAsADenseSolverDoes) {
   EXPECT_LT((x - X.col(4)).norm(), 1e-12 * x.norm());
 }
 
-TEST(Factorization,
-     InSinglePrecisionIsAPreconditioner) {  // float rounds at 6e-8; two iterations square that away
+// float rounds at 6e-8; two iterations square the error.
+TEST(Factorization, InSinglePrecisionIsAPreconditioner) {
   const Lattice lattice({6, 4, 3}, 3);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix A(pattern);
   lattice.assemble_random(A, 11);
   Factorization factor(pattern, Precision::single);
   ASSERT_TRUE(factor.factorize(A).definite());
-  for (double scale : {1.0, 1e-60, 1e60}) {  // beyond the exponents of float
+  for (double scale : {1.0, 1e-60, 1e60}) {  // scales beyond the exponents of float
     const Eigen::VectorXd b = scale * Eigen::VectorXd::Random(A.size());
     Eigen::VectorXd x = b, residual(A.size());
     factor.solve(x);
@@ -58,7 +58,8 @@ TEST(Factorization,
 }
 
 TEST(Factorization, IsThatOfAPositiveMatrixAndOfNoOther) {
-  // The matrix is shifted to either side of its lowest eigenvalue, and far into the spectrum.
+  // The matrix is shifted so that its lowest eigenvalue is just above or just below zero, or so
+  // that many of its eigenvalues are negative.
   const Lattice lattice({4, 3, 3}, 3);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix A(pattern);
@@ -93,7 +94,8 @@ TEST(Factorization, SaysThatAMatrixIsSingular) {
 }
 
 TEST(Factorization, SolvesWhereUnknownsStandAloneOrInParts) {
-  // The cases are: no couplings at all; two bodies that do not touch; one unknown per node.
+  // Tests three cases: no couplings at all, two bodies that are not connected, and one unknown per
+  // node.
   const SymmetricPattern alone(7, {});
   SymmetricMatrix D(alone);
   D.add_to_diagonal(4.0);
@@ -121,15 +123,16 @@ TEST(Factorization, SolvesWhereUnknownsStandAloneOrInParts) {
     }
     Factorization factor(pattern);
     ASSERT_TRUE(factor.factorize(A).definite());
-    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.size(), 70);  // more than one group
+    // More columns than are solved for together.
+    const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.size(), 70);
     Eigen::MatrixXd X = B;
     factor.solve_columns(X);
     EXPECT_LT((dense(A) * X - B).norm(), 1e-11 * B.norm());
   }
 }
 
-TEST(Factorization,
-     KeepsItsAccuracyBesideAStiffPenalty) {  // contact: one node a million times stiffer
+// A contact makes one node a million times stiffer than the others.
+TEST(Factorization, KeepsItsAccuracyBesideAStiffPenalty) {
   const Lattice lattice({6, 4, 3}, 3);
   auto elements = lattice.elements();
   elements.push_back({0, 1, 2});
@@ -175,7 +178,7 @@ TEST(Factorization, MayShareTheOrderOfElimination) {
   EXPECT_EQ(x, y);
 }
 
-/// A lattice with an interface of some of its nodes, neither first nor adjacent.
+/// A lattice some of whose nodes form an interface. They are neither the first nodes nor adjacent.
 struct WithInterface {
   Lattice lattice{{6, 5, 4}, 3};
   SymmetricPattern pattern{lattice.size(), lattice.elements()};
@@ -187,7 +190,8 @@ struct WithInterface {
       std::make_shared<const Elimination>(eliminate(pattern, block_rows, eliminate(pattern)))};
 
   WithInterface() { lattice.assemble_random(A, 5); }
-  /// Returns the order with the interface's unknowns first, in their order, then all others.
+  /// Returns the order in which the unknowns of the interface come first, in their own order, and
+  /// all others follow.
   Eigen::PermutationMatrix<Eigen::Dynamic> order() const {
     std::vector<int> unknowns;
     for (int row : block_rows) {
@@ -263,7 +267,7 @@ TEST(Factorization, GivesTheSameBitsTwice) {
   Factorization first(pattern), second(pattern);
   ASSERT_TRUE(first.factorize(A).definite() && second.factorize(A).definite());
   first.solve(once);
-  second.factorize(A);  // a second time in the same object
+  second.factorize(A);  // factorizes a second time in the same object
   second.solve(again);
   EXPECT_EQ(once, again);
 }

@@ -14,16 +14,16 @@
 namespace latsch::numerics {
 namespace {
 
-/// Largest numbers of columns of a triangle, and of rows of a product, for which the own kernels
-/// are faster than BLAS.
+/// Largest number of columns of a triangle, and of rows of a product, for which the kernels of
+/// front_kernels.h are faster than BLAS.
 constexpr int kFewColumns = 96, kFewRows = 512;
 
-/// Returns the column at which a larger triangle is divided; the kernels work on six columns at a
-/// time.
+/// Returns the column at which a large triangle is divided into two. It is a multiple of six,
+/// because the kernels work on six columns at a time.
 int half(int n) { return (n / 2 + 5) / 6 * 6; }
 
-/// Computes C <- C - A B', C [rows x columns], A [rows x n], all with one column every `ld`
-/// numbers.
+/// Computes C <- C - A B' for C [rows x columns] and A [rows x n]. Successive columns of every
+/// matrix are `ld` numbers apart.
 void subtract_product(
     int rows, int columns, int n, const float* A, const float* B, int ld, float* C) {
   const BlasTurn turn;
@@ -61,7 +61,8 @@ bool cholesky(int n, Real* A, int ld) {
   return info == 0;
 }
 
-/// Factorizes by halves: BLAS computes the products, and triangles are short.
+/// Factorizes by recursive halving: BLAS computes the products, and only short triangles are left
+/// for the kernels.
 template <>
 bool cholesky(int n, float* A, int ld) {
   if (n <= kFewColumns) {

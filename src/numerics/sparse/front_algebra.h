@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dense products and solutions on a front of a sparse factor, in float and double, by BLAS and
-// LAPACK, and by own kernels for small ones in float. Matrices are column-major. L is the panel's
-// pivot block (lower triangle), one column every `ld` numbers. One right-hand side uses
-// matrix-vector functions, several use matrix products.
+// LAPACK, and by the kernels of front_kernels.h for small matrices in float. Matrices are
+// column-major. L is the pivot block of the front's panel (a lower triangle), whose columns are
+// `ld` numbers apart. One right-hand side uses matrix-vector functions, several use matrix
+// products.
 #pragma once
 
 namespace latsch::numerics {
@@ -12,8 +13,8 @@ namespace latsch::numerics {
 template <class Real>
 bool cholesky(int n, Real* A, int ld);
 
-/// Compute P A = L U in place [n x n] by partial pivoting, and x <- A^-1 x by it. `rows` holds the
-/// n rows of P.
+/// Compute P A = L U in place [n x n] by partial pivoting, and x <- A^-1 x by this factorization.
+/// `rows` holds the permutation P, n numbers.
 void factorize_lu(int n, float* A, int* rows);
 void solve_lu(int n, const float* LU, const int* rows, float* x);
 
@@ -25,7 +26,7 @@ void solve_right_transposed(int rows, int n, const Real* L, int ld, Real* B);
 template <class Real>
 void negative_square(int rows, int n, const Real* B, int ld, Real* C);
 
-// Specializations for float, with own kernels that are faster for few pivots.
+// Specializations for float, which use the kernels of front_kernels.h where they are faster.
 template <>
 bool cholesky(int n, float* A, int ld);
 template <>
@@ -33,7 +34,7 @@ void solve_right_transposed(int rows, int n, const float* L, int ld, float* B);
 template <>
 void negative_square(int rows, int n, const float* B, int ld, float* C);
 
-/// Compute X <- L^-1 X and X <- L^-T X; X [n x columns], one column every `ldx` numbers.
+/// Compute X <- L^-1 X and X <- L^-T X for X [n x columns], whose columns are `ldx` numbers apart.
 template <class Real>
 void solve_lower(int n, int columns, const Real* L, int ld, Real* X, int ldx);
 template <class Real>

@@ -46,7 +46,8 @@ Front eliminated(MatrixXf A, int below) {
   return front;
 }
 
-/// Sizes for the own kernels, for BLAS, and on both sides of the limits between them.
+/// Sizes of fronts for which the kernels of front_kernels.h are used, for which BLAS is used, and
+/// on both sides of the limits between them.
 const std::vector<std::pair<int, int>> kSizes = {{1, 1},
                                                  {2, 7},
                                                  {3, 40},
@@ -67,8 +68,9 @@ TEST(FrontAlgebra, IsThatOfDoublePrecision) {
       const MatrixXd L = panel.cast<double>();
       MatrixXd square = L * L.topRows(pivots).transpose() - A.cast<double>();
       square.topRows(pivots).triangularView<Eigen::StrictlyUpper>().setZero();
-      // The bound is (n + 1) eps |L| |L'| [Higham, Accuracy and Stability of Numerical Algorithms,
-      // theorem 10.3]; no row of L is longer than the root of the diagonal entry.
+      // The bound on the error is (n + 1) eps |L| |L'| [Higham, Accuracy and Stability of Numerical
+      // Algorithms, theorem 10.3]; no row of L is longer than the square root of its diagonal entry
+      // of A.
       const double rounding = (pivots + 1) * 6e-8 * pivots;
       EXPECT_LT(square.cwiseAbs().maxCoeff(), rounding) << pivots << " " << below;
       MatrixXd left = update.cast<double>() + L.bottomRows(below) * L.bottomRows(below).transpose();

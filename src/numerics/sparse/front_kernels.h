@@ -18,7 +18,7 @@ inline __attribute__((always_inline)) EightFloats less_product(EightFloats a,
 #endif
 }
 
-/// The first n of eight rows, or all. Numbers beyond them are neither read nor written.
+/// Access to the first `count` of eight rows. Numbers beyond them are neither read nor written.
 struct Rows {
   int count;
 #if LATSCH_KERNEL_WIDTH > 2
@@ -47,7 +47,7 @@ struct Rows {
   }
 };
 
-/// All eight rows.
+/// Access to all eight rows.
 struct EightRows {
   inline __attribute__((always_inline)) EightFloats load(const float* from) const {
     return *reinterpret_cast<const EightFloats*>(from);
@@ -58,7 +58,7 @@ struct EightRows {
 };
 
 /// Computes sum <- sum - B_r L_c' over the first n columns, for `registers` times eight rows of B
-/// and `width` rows of L, both with one column every ld numbers.
+/// and `width` rows of L. Successive columns of B and of L are `ld` numbers apart.
 template <int width, int registers, class Some>
 inline __attribute__((always_inline)) void subtract_products(int n,
                                                              const float* L,
@@ -75,7 +75,7 @@ inline __attribute__((always_inline)) void subtract_products(int n,
   }
 }
 
-/// Computes columns j ... j + width - 1 of B <- B L^-T from the columns before.
+/// Computes the columns j ... j + width - 1 of B <- B L^-T from the preceding columns.
 template <int width, int registers, class Some>
 inline __attribute__((always_inline)) void solve_columns(
     int j, const float* L, const float* inverse, int ld, float* B, Some rows) {
@@ -114,8 +114,8 @@ void solve_right(int rows, int n, const float* L, const float* inverse, int ld, 
   for (; i < rows; i += 8) solve_rows<1>(n, L, inverse, ld, B + i, Rows(rows - i));
 }
 
-/// Computes columns j ... j + width - 1 of the triangle from the columns before. Returns false if a
-/// pivot is not positive.
+/// Computes the columns j ... j + width - 1 of the factor's triangle from the preceding columns.
+/// Returns false if a pivot is not positive.
 template <int width>
 inline __attribute__((always_inline)) bool factorize_columns(
     int j, int n, float* A, float* inverse, int ld) {
@@ -155,7 +155,7 @@ bool factorize(int n, float* A, float* inverse, int ld) {
   return true;
 }
 
-/// Computes columns j ... j + width - 1 of C <- -B B', from their own rows on.
+/// Computes the columns j ... j + width - 1 of the lower triangle of C <- -B B'.
 template <int width, int registers, class Some>
 inline __attribute__((always_inline)) void square_columns(
     int j, int n, const float* B, int ld, int i, Some rows, float* C, int ldc) {

@@ -50,7 +50,7 @@ CgOutcome gmres(const ConjugateGradients::Operator& A,
     if (R(j + 1, j) > 0.0) V.col(j + 1) = w / R(j + 1, j);
     for (int i = 0; i < j; ++i) rotations[i].turn(R(i, j), R(i + 1, j));
     const double length = std::hypot(R(j, j), R(j + 1, j));
-    if (!(length > 0.0)) break;  // A z has no new direction
+    if (!(length > 0.0)) break;  // A z lies in the space already
     rotations.push_back({R(j, j) / length, R(j + 1, j) / length});
     rotations.back().turn(R(j, j), R(j + 1, j));
     rotations.back().turn(g[j], g[j + 1]);

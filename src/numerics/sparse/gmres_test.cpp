@@ -13,7 +13,8 @@ ConjugateGradients::Operator times(const Eigen::MatrixXd& A) {
 }
 void none(Eigen::VectorXd&) {}
 
-// The matrix differs from its preconditioner by rank two: three distinct eigenvalues.
+// The preconditioned matrix is the identity plus a matrix of rank two, so it has three distinct
+// eigenvalues.
 TEST(Gmres, NeedsOneIterationMoreThanTheRankItsPreconditionerIsOff) {
   const Eigen::MatrixXd M =
       Eigen::MatrixXd::Random(50, 50) + 10.0 * Eigen::MatrixXd::Identity(50, 50);

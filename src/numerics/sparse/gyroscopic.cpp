@@ -20,7 +20,8 @@ GyroscopicModes gyroscopic_modes(const GyroscopicProblem& problem,
     problem.K.multiply(X.topRows(m), Y.topRows(m));
     problem.M.multiply(X.bottomRows(m), Y.bottomRows(m));
   };
-  // X holds A z. A^-1 B A^-1 (A z) = (K^-1 (M z_2 - G z_1), z_1), and X contains M z_2.
+  // The matrix X holds A z on entry. A^-1 B A^-1 (A z) = (K^-1 (M z_2 - G z_1), z_1), and X
+  // contains M z_2.
   Eigen::MatrixXcd upper, product;
   linear.solve = [&](Eigen::Ref<Eigen::MatrixXcd> X) {
     upper = X.topRows(m);

@@ -22,14 +22,14 @@ struct GyroscopicProblem {
 };
 
 struct GyroscopicModes {
-  Eigen::VectorXd omega;  // rad/s, ascending magnitude, all of the sign asked for
+  Eigen::VectorXd omega;  // rad/s, ascending magnitude, all of the requested sign
   Eigen::MatrixXcd phi;   // columns with phi* K phi + omega^2 phi* M phi = 1
   bool converged = false;
   int solves = 0;
 };
 
-/// Finds the `count` lowest omega that are positive (sign = 1) or negative (sign = -1). `K_factor`
-/// factorizes K. `tolerance` as in LanczosSettings.
+/// Finds the `count` omega of least magnitude that are positive (sign = 1) or negative (sign = -1).
+/// `K_factor` factorizes K. `tolerance` is that of LanczosSettings.
 GyroscopicModes gyroscopic_modes(const GyroscopicProblem& problem,
                                  const BorderedCholesky& K_factor,
                                  int sign,

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The textbook recurrence is not used: the basis (tens of vectors) costs little beside the
-// factorization, so every new direction is made orthogonal to all others. This leaves the
+// The textbook recurrence is not used: the basis (tens of vectors) costs little compared with the
+// factorization, so every new direction is made orthogonal to all others. This gives the
 // decomposition
 //     Op V = V T + Q B,    Op = (K - sigma M)^-1 M,    V, Q orthonormal in M,
-// with a pool Q of directions not yet multiplied. A step takes from the pool the directions in
-// which the wanted Ritz vectors have the largest errors (singular vectors of B S), multiplies them,
-// and puts the new part of the products into the pool. With one start vector this is Lanczos'
-// method, with a good start block it needs few steps, and a thick restart is a rotation of V and B.
-// The residual of the Ritz pair (theta, V s) is |B s|, so convergence is judged without vector
-// operations.
+// with a pool Q of directions that have not been multiplied by the operator yet. A step takes from
+// the pool the directions in which the wanted Ritz vectors have the largest errors (singular
+// vectors of B S), multiplies them, and puts the new part of the products into the pool. With one
+// start vector this is Lanczos' method, with a good start block it needs few steps, and a thick
+// restart is a rotation of V and B. The residual of the Ritz pair (theta, V s) is |B s|, so
+// convergence is judged without vector operations.
 #include "numerics/sparse/lanczos.h"
 
 #include <algorithm>
@@ -22,16 +22,17 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr double kDependent =
-    1e-12;  // relative length below which a direction is rounding, not new
-// Largest overlap accepted after normalizing; if it is larger, another pass follows. The second
-// constant is relative to the tolerance.
+constexpr double kDependent = 1e-12;  // relative length below which a direction is only rounding
+// Largest inner product of two directions that is accepted after normalizing; if it is larger,
+// another pass of orthogonalization follows. The second constant is a multiple of the tolerance.
 constexpr double kOrthogonal = 1e-10, kOrthogonalOfTolerance = 1e-5;
 constexpr double kNearEigenvector = 0.02;  // largest residual of a start vector that is kept
-constexpr int kSpareDirections = 20;       // basis beyond twice the wanted pairs before a restart
-constexpr int kKeptBeyondWanted = 6;       // Ritz vectors kept at a restart beyond the wanted ones
-constexpr int kStepsBetweenChecks =
-    3;  // for narrow blocks, because the small problem has a cost too
+// Vectors of the basis beyond twice the wanted pairs before a restart.
+constexpr int kSpareDirections = 20;
+constexpr int kKeptBeyondWanted = 6;  // Ritz vectors kept at a restart beyond the wanted ones
+// Steps between two checks of convergence if the block is narrow; each check costs the solution of
+// a projected eigenproblem.
+constexpr int kStepsBetweenChecks = 3;
 
 /// Returns a number in (-1, 1) that depends only on the index. [Steele, Lea & Flood, SplitMix64,
 /// OOPSLA 2014]
@@ -85,9 +86,9 @@ class Lanczos {
   const EigenProblem<Scalar>& problem_;
   const LanczosSettings& settings_;
   int n_, wanted_, capacity_;
-  Matrix V_, MV_;  // columns 0..done_-1 are V, then the pool Q; M times both
+  Matrix V_, MV_;  // columns 0..done_-1 are V, all others the pool Q; MV_ is M times both
   int done_ = 0, pool_ = 0;
-  Matrix T_, B_;           // done_ x done_, pool_ x done_
+  Matrix T_, B_;           // T is done_ x done_, B is pool_ x done_
   Eigen::VectorXd theta_;  // ascending
   Matrix S_;
   std::uint64_t random_index_ = 0;
@@ -101,8 +102,8 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::scattered_block(int columns) {
   return X;
 }
 
-/// Appends to the pool the part of W outside the basis. Returns C with W = (basis part) + (new
-/// directions) C.
+/// Appends to the pool the part of W that is orthogonal to the basis. Returns C in the
+/// decomposition W = (part in the basis) + (new directions) C.
 template <class Scalar>
 typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
   Matrix C = Matrix::Identity(W.cols(), W.cols());
@@ -135,7 +136,7 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
         condition < 1e4) {
       break;
     }
-    smallest = 0.25;  // W is normalized now: parts that vanish in the second pass were rounding
+    smallest = 0.25;  // W is normalized now: what vanishes in the second pass was rounding
   }
   const auto needed = before + W.cols();
   if (V_.cols() < needed) {
@@ -147,8 +148,8 @@ typename Lanczos<Scalar>::Matrix Lanczos<Scalar>::new_directions(Matrix W) {
   return C;
 }
 
-/// Adds directions to the pool that are not products of multiplied ones. The old residuals have no
-/// components along them.
+/// Adds to the pool directions that are not products with the operator. The residuals so far have
+/// no components along them.
 template <class Scalar>
 void Lanczos<Scalar>::add_to_pool(Matrix X) {
   const auto fresh = new_directions(std::move(X)).rows();
@@ -157,9 +158,9 @@ void Lanczos<Scalar>::add_to_pool(Matrix X) {
   pool_ += static_cast<int>(fresh);
 }
 
-/// True if start vectors are near eigenvectors, judged by the first of them. Start vectors of a
-/// more distant problem err in as many directions as there are vectors, and to follow all of these
-/// costs more than one Krylov sequence from scratch.
+/// True if the start vectors are close to eigenvectors, judged by the first of them. Start vectors
+/// from a problem that differs more have errors in as many directions as there are vectors.
+/// Correcting all of these costs more than a Krylov sequence from random vectors.
 template <class Scalar>
 bool Lanczos<Scalar>::good(const Matrix& start) {
   if (start.cols() == 0) return false;
@@ -179,9 +180,9 @@ void Lanczos<Scalar>::begin(const Matrix& start) {
   V_.resize(n_, capacity_ + settings_.block);
   MV_.resize(n_, V_.cols());
   if (good(start)) {
-    add_to_pool(
-        start);  // the new part of `start`, then random directions, because all columns of `start`
-                 // may have one symmetry
+    // Adds the new part of `start` and then random directions, because all columns of `start` may
+    // have one symmetry.
+    add_to_pool(start);
     add_to_pool(scattered_block(settings_.block));
     step(pool_);
   } else {
@@ -191,8 +192,8 @@ void Lanczos<Scalar>::begin(const Matrix& start) {
   }
 }
 
-/// Rotates the pool so that its first columns are the directions in which the wanted Ritz vectors
-/// have the largest errors.
+/// Rotates the pool by an orthogonal matrix so that its first columns are the directions in which
+/// the wanted Ritz vectors have the largest errors.
 template <class Scalar>
 void Lanczos<Scalar>::rotate_pool(int width) {
   if (pool_ <= width || done_ == 0) return;
@@ -255,7 +256,7 @@ template <class Scalar>
 bool Lanczos<Scalar>::converged() const {
   if (done_ < wanted_) return false;
   for (int k = done_ - wanted_; k < done_; ++k) {
-    if (!(theta_[k] > 0.0)) return false;  // true for NaN, too
+    if (!(theta_[k] > 0.0)) return false;  // also returns for NaN
     const double tolerance = tolerance_of(done_ - 1 - k);
     if (pool_ > 0 && !((B_ * S_.col(k)).norm() <= tolerance * theta_[k])) return false;
   }
@@ -293,7 +294,8 @@ EigenPairs<Scalar> Lanczos<Scalar>::run(const Matrix& start) {
   begin(start);
   int since_check = 0;
   for (int steps = 0; steps < settings_.max_steps; ++steps) {
-    // The pool is empty at the start, and if an invariant subspace is complete but too small.
+    // The pool is empty at the start. It becomes empty again if the basis spans an invariant
+    // subspace, which may have too few vectors.
     if (pool_ == 0 && done_ < n_) add_to_pool(scattered_block(settings_.block));
     if (pool_ == 0) break;
     const int width = std::min(pool_, settings_.block);
@@ -306,7 +308,8 @@ EigenPairs<Scalar> Lanczos<Scalar>::run(const Matrix& start) {
     if (converged()) break;
     if (done_ + settings_.block > capacity_ && done_ < n_) restart();
   }
-  if (done_ == 0) return {{}, Matrix(n_, 0), false, solves_};  // M is zero, or not a number
+  // M is zero or contains values that are not numbers.
+  if (done_ == 0) return {{}, Matrix(n_, 0), false, solves_};
   solve_small_problem();
   return result();
 }

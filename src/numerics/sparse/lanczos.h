@@ -23,23 +23,24 @@ template <class Scalar>
 struct EigenProblem {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   int size = 0;
-  double shift = 0.0;                               // sigma, below the wanted eigenvalues
+  double shift = 0.0;                               // shift sigma, below the wanted eigenvalues
   std::function<void(Eigen::Ref<Matrix> X)> solve;  // X <- (K - sigma M)^-1 X
   std::function<void(const Eigen::Ref<const Matrix>& X, Eigen::Ref<Matrix> Y)> mass;  // Y = M X
 };
 
 struct LanczosSettings {
   int count = 20;  // number of wanted eigenpairs
-  /// Residual of the inverted problem relative to theta. The relative error of theta is its square
-  /// over the relative gap to the next theta.
+  /// Residual of the inverted problem relative to theta. The relative error of theta is the square
+  /// of this residual divided by the relative gap to the next theta.
   double tolerance = 1e-8;
   /// Number of last wanted pairs to which spare_tolerance applies.
   int spare = 0;
   double spare_tolerance = 0.0;
-  /// Vectors per step: 1 for simple spectra; 2 finds both members of a pair; with a sparse factor 3
-  /// to 5 are fastest, because right-hand sides cost less together.
+  /// Number of vectors multiplied per step. 1 suits simple spectra, and 2 finds both members of a
+  /// pair of equal eigenvalues. With a sparse factor 3 to 5 are fastest, because several right-hand
+  /// sides are solved together at less cost.
   int block = 2;
-  int max_steps = 600;  // total of block steps
+  int max_steps = 600;  // largest number of block steps
 };
 
 template <class Scalar>
@@ -50,9 +51,10 @@ struct EigenPairs {
   int solves = 0;  // number of right-hand sides solved
 };
 
-/// Finds the eigenvalues nearest above the shift. `start` holds approximate eigenvectors of a
-/// neighboring problem (any number of columns, the lowest first, also none): good ones save most of
-/// the steps, bad ones are recognized and dropped. Deterministic.
+/// Finds the eigenvalues nearest above the shift. `start` holds approximate eigenvectors, for
+/// example of a similar problem, the lowest first; it may have any number of columns, also none.
+/// Good ones save most of the steps, bad ones are recognized and dropped. The result is
+/// deterministic.
 template <class Scalar>
 EigenPairs<Scalar> lanczos(const EigenProblem<Scalar>& problem,
                            const LanczosSettings& settings,

@@ -129,7 +129,7 @@ TYPED_TEST(LanczosOf, StartsFromANeighborAndStillFindsWhatItLacks) {
   const auto problem = dense_problem<TypeParam>(K, M, 0.0);
   const auto cold = lanczos(problem, {.count = 10, .block = 2});
   Dense<TypeParam> start = cold.vectors;
-  start.col(3) = start.col(4);  // a dependent column, and the fourth mode missing altogether
+  start.col(3) = start.col(4);  // a dependent column; the fourth mode is missing
   start += 1e-4 * start.norm() * Dense<TypeParam>::Random(100, 10);
   const auto warm = lanczos(problem, {.count = 10, .block = 2}, start);
   expect_pairs<TypeParam>(warm, K, M, lambda.head(10));
@@ -145,8 +145,8 @@ TYPED_TEST(LanczosOf, EndsWithAllPairsOfASmallProblem) {
       lanczos(dense_problem<TypeParam>(K, M, 0.0), {.count = 9, .block = 3}), K, M, all);
 }
 
-TYPED_TEST(LanczosOf,
-           LeavesAnInvariantSubspace) {  // the start vectors span eigenvectors that are not wanted
+// The start vectors span eigenvectors that are not wanted.
+TYPED_TEST(LanczosOf, LeavesAnInvariantSubspace) {
   Eigen::VectorXd lambda = Eigen::VectorXd::LinSpaced(40, 1.0, 40.0);
   const Dense<TypeParam> M = Dense<TypeParam>::Identity(40, 40);
   const Dense<TypeParam> K = lambda.cast<TypeParam>().asDiagonal();
@@ -166,7 +166,8 @@ TEST(Lanczos, GivesTheSameBitsTwice) {
   EXPECT_EQ(once.vectors, again.vectors);
 }
 
-TEST(Lanczos, MissesNoneBelowTheLastByInertia) {  // sparse ring: pairs everywhere
+// In a ring all eigenvalues are double.
+TEST(Lanczos, MissesNoneBelowTheLastByInertia) {
   const Lattice lattice({12, 4, 2}, 3, /*ring=*/true, /*held_ends=*/true);
   const SymmetricPattern pattern(lattice.size(), lattice.elements());
   SymmetricMatrix K(pattern), M(pattern);
@@ -195,7 +196,9 @@ TEST(Lanczos, MissesNoneBelowTheLastByInertia) {  // sparse ring: pairs everywhe
   }
 }
 
-TEST(Lanczos, FindsMoreCopiesThanTheBlockIsWide) {  // rounding brings the third and fourth
+// A block of two vectors finds two copies of an eigenvalue; rounding errors bring the third and the
+// fourth.
+TEST(Lanczos, FindsMoreCopiesThanTheBlockIsWide) {
   Eigen::VectorXd lambda(80);
   for (int k = 0; k < 80; ++k) lambda[k] = 1.0 + 0.5 * (k / 4);
   const auto [K, M] = with_spectrum<double>(lambda);
@@ -233,8 +236,8 @@ TEST(Lanczos, EigenvalueErrorGoesWithTheSquareOfTheResidual) {
     const auto pairs =
         lanczos(dense_problem<double>(K, M, 0.0), {.count = 4, .tolerance = tolerance, .block = 1});
     ASSERT_TRUE(pairs.converged);
-    // The bound is |theta error| <= (tolerance theta)^2 / gap, and the gap to the next theta is at
-    // least theta / (k + 2).
+    // The error of the eigenvalue theta of the inverted problem is at most (tolerance theta)^2 /
+    // gap, and the gap to the next theta is at least theta / (k + 2).
     for (int k = 0; k < 4; ++k) {
       EXPECT_NEAR(pairs.values[k], lambda[k], (k + 2) * tolerance * tolerance * lambda[k] + 1e-12);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Structure for tests: a block of HEX8-like elements, optionally closed to a ring along its first
-// direction.
+// Structure for tests: a block of hexahedral elements with eight nodes, optionally closed to a ring
+// along its first direction.
 #pragma once
 
 #include <Eigen/Core>
@@ -67,7 +67,7 @@ class Lattice {
     for (int e = 0; e < element_count(); ++e) A.add_element(e, random_element(random).data());
   }
 
-  /// Assembles one random positive definite matrix for every element. A ring then has double
+  /// Assembles the same random positive definite matrix for every element. A ring then has double
   /// eigenvalues.
   void assemble_equal(SymmetricMatrix& A, unsigned seed) const {
     std::mt19937 random(seed);

@@ -17,25 +17,28 @@ namespace {
 
 constexpr int kColumnsTogether = 32;  // right-hand sides
 
-/// Successive rows of a front's update that also have successive target rows.
+/// Successive rows of a front's update matrix that are added to successive rows of the target.
 struct Run {
   int start, target, length;
 };
 
-/// Sizes and positions of a front, in unknowns, known before the numbers.
+/// Sizes and positions of a front, in unknowns. They follow from the pattern alone, before the
+/// matrix has values.
 struct FrontPlan {
   int first, pivots, rows;
   int parent;
-  size_t panel;                // start of its columns of the factor
-  size_t first_entry;          // first entry of the matrix, see Entry; the next front's is the end
-  int stack;                   // index of the stack on which its update waits
+  size_t panel;  // start of the front's columns in the array of the factor
+  // Index of its first entry of the matrix; entries end at that of the next front.
+  size_t first_entry;
+  int stack;                   // index of the stack that holds its update matrix
   std::vector<Run> in_vector;  // rows below the pivots, in the order of elimination
   std::vector<Run> in_parent;  // rows below the pivots, in the parent's front
 
   int below() const { return rows - pivots; }
 };
 
-/// A block of the matrix, column-major, and the index of its first number in the panel.
+/// A block of the matrix (column-major) and the index of its first number in the panel of the
+/// front.
 struct Entry {
   int source;
   bool transposed;
@@ -82,7 +85,7 @@ class Multifrontal final : public Factorization::Impl {
   void solve_together(Eigen::Ref<Eigen::MatrixXd> X);
   double take(const Eigen::Ref<const Eigen::VectorXd>& x, int column);
   void give(int column, double scale, Eigen::Ref<Eigen::VectorXd> x) const;
-  /// Number of fronts without the interface.
+  /// Returns the number of fronts without that of the interface.
   size_t inside() const { return fronts_.size() - (elimination->interface > 0 ? 1 : 0); }
 
   Real* panel(const FrontPlan& front) { return factor_.get() + front.panel; }
@@ -95,17 +98,18 @@ class Multifrontal final : public Factorization::Impl {
   std::vector<FrontPlan> fronts_;
   std::vector<std::vector<int>> children_;
   std::vector<Entry> entries_;
-  size_t panels_ = 0;  // count of the factor's numbers
+  size_t panels_ = 0;  // number of values of the factor
   LargeArray<Real> factor_;
-  // Updates that wait for their parents, the last on top. One stack holds updates of fronts an even
-  // number of steps from the last front, the other stack all others. So an update is stored on one
-  // stack while the updates of its children are read from the other. The stacks exist only during
-  // factorization.
+  // Update matrices that have not been added to their parents yet, the last on top. One stack holds
+  // the updates of fronts at an even distance from the root of the elimination tree, the other
+  // stack those at an odd distance, so that a front's update is written to one stack while its
+  // children's updates are read from the other. The stacks exist only during factorization.
   std::array<LargeArray<Real>, 2> stacks_;
   std::array<size_t, 2> highest_{};
   std::array<size_t, 2> top_{};
-  std::vector<size_t> stacked_;       // start of each front's update on its stack
-  std::vector<Real> vector_, below_;  // right-hand sides, and their rows below one front
+  std::vector<size_t> stacked_;  // start of each front's update on its stack
+  // Right-hand sides, and their rows below the pivots of one front.
+  std::vector<Real> vector_, below_;
 };
 
 template <class Real>
@@ -217,8 +221,8 @@ void Multifrontal<Real>::enter(const SymmetricMatrix& A, int front) {
   }
 }
 
-/// Adds the columns of a child's update that belong to pivots of its parent to the parent's panel,
-/// or the other columns to the parent's own update.
+/// Adds those columns of a child's update that belong to pivots of its parent to the parent's
+/// panel, and the other columns to the parent's own update.
 template <class Real>
 void Multifrontal<Real>::add_update(const FrontPlan& child,
                                     const Real* update,
@@ -448,7 +452,7 @@ void Multifrontal<Real>::make_room(int columns) {
 }
 
 /// Stores a right-hand side in the order of elimination, scaled to the middle of the exponent
-/// range, because float has no 1e-40. Returns the scale.
+/// range, because float cannot represent 1e-40. Returns the scale.
 template <class Real>
 double Multifrontal<Real>::take(const Eigen::Ref<const Eigen::VectorXd>& x, int column) {
   const double largest = x.cwiseAbs().maxCoeff();

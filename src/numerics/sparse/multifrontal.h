@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The factor by fronts in one precision, and the interface of any factor behind Factorization.
+// The multifrontal factor in one precision, and the interface through which Factorization uses a
+// factor.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +15,8 @@ struct Factorization::Impl {
   bool ready = false;
   virtual ~Impl() = default;
   virtual FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) = 0;
-  /// `enough`: relative residual of each column, if solutions are refined.
+  /// Solves for every column of X in place. `enough` is the relative residual to reach, if
+  /// solutions are refined.
   virtual void solve(Eigen::Ref<Eigen::MatrixXd> X, double enough) = 0;
   virtual Eigen::MatrixXd condensed() const = 0;
   virtual void reduce(Eigen::Ref<Eigen::VectorXd> x) = 0;
@@ -24,7 +26,7 @@ struct Factorization::Impl {
   std::shared_ptr<const Elimination> elimination;
 };
 
-/// Real: float or double.
+/// Creates a factorization in the precision Real, float or double.
 template <class Real>
 std::unique_ptr<Factorization::Impl> multifrontal(const SymmetricPattern& pattern,
                                                   std::shared_ptr<const Elimination> order);

@@ -26,7 +26,8 @@ void multiply_nodes(const SymmetricPattern& pattern,
       const double* b = values + 9 * k;
       const double* x_j = x + 3 * column[k];
       double* y_j = y + 3 * column[k];
-      // Column c of the block is used for row i, and as a row of its transpose for row j.
+      // Column c of the block is used twice: in the product for row i, and as a row of the
+      // transposed block in the product for row j.
       for (int c = 0; c < 3; ++c) {
         y_i[0] += b[3 * c] * x_j[c];
         y_i[1] += b[3 * c + 1] * x_j[c];
@@ -35,7 +36,8 @@ void multiply_nodes(const SymmetricPattern& pattern,
       }
     }
     y_i += Eigen::Map<const Block>(values + 9 * diagonal) * x_i;
-    Eigen::Map<BlockVector>(y + 3 * i) = y_i;  // Rows below add to it later.
+    // Later block rows add to this result.
+    Eigen::Map<BlockVector>(y + 3 * i) = y_i;
   }
 }
 

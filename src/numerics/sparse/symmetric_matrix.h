@@ -32,7 +32,8 @@ class SymmetricMatrix {
   /// Computes Y = A X, column by column.
   void multiply(const Eigen::Ref<const Eigen::MatrixXd>& X, Eigen::Ref<Eigen::MatrixXd> Y) const;
 
-  double coefficient(int row, int column) const;  // searches: for tests and messages
+  /// Slow, because it searches: for tests and messages.
+  double coefficient(int row, int column) const;
   Eigen::VectorXd diagonal() const;
 
   std::span<const double> values() const { return values_; }

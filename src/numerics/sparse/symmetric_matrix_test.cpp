@@ -10,7 +10,7 @@
 namespace latsch::numerics {
 namespace {
 
-/// Assembles entry by entry in a dense matrix.
+/// Returns the sum of the element matrices as a dense matrix, assembled entry by entry.
 Eigen::MatrixXd assemble_dense(int size,
                                const std::vector<std::vector<int>>& elements,
                                const std::vector<Eigen::MatrixXd>& K) {
@@ -64,8 +64,8 @@ TEST(SymmetricMatrix, HoldsSingleDirectionsOfANode) {
   expect_dense_equivalent(5, {{0, 1, -1, 2, 3, 4}, {3, -1, 0}}, 1);
 }
 
-TEST(SymmetricMatrix,
-     ElementMeetingItselfAroundATwoSectorRing) {  // one node twice in an element
+// In a ring of two sectors a node appears twice in one element.
+TEST(SymmetricMatrix, ElementMeetingItselfAroundATwoSectorRing) {
   expect_dense_equivalent(6, {{0, 1, 2, 3, 4, 5, 0, 1, 2}}, 3);
 }
 

@@ -7,9 +7,10 @@
 namespace latsch::numerics {
 namespace {
 
-constexpr int kNodeBlock = 3;  // unknowns of a node in space
+constexpr int kNodeBlock = 3;  // number of unknowns of a node in space
 
-/// True if all unknowns come as whole nodes: (3 n, 3 n + 1, 3 n + 2), or all three held.
+/// True if the unknowns of every element come as whole nodes: (3 n, 3 n + 1, 3 n + 2), or all three
+/// held.
 bool whole_nodes(int size, const std::vector<std::vector<int>>& elements) {
   if (size % kNodeBlock != 0) return false;
   for (const auto& unknowns : elements) {

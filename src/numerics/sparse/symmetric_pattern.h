@@ -15,14 +15,15 @@ namespace latsch::numerics {
 
 class SymmetricPattern {
  public:
-  /// elements[e] lists the unknowns (0 ... size-1) that element e couples, -1 for a held one, in
-  /// the order of the rows of its matrix. An unknown that no element names still gets its diagonal.
+  /// elements[e] lists the unknowns (0 ... size-1) that element e couples, in the order of the rows
+  /// of its matrix, with -1 for a held one. The pattern has a diagonal entry also for an unknown
+  /// that belongs to no element.
   SymmetricPattern(int size, const std::vector<std::vector<int>>& elements);
 
   int size() const { return size_; }
   int block_size() const { return block_size_; }
   int block_rows() const { return size_ / block_size_; }
-  /// Length of a matrix' array of values.
+  /// Returns the number of values that a matrix on this pattern stores.
   int value_count() const { return static_cast<int>(column_.size()) * block_size_ * block_size_; }
 
   /// Blocks of block row i are row_start()[i] ... row_start()[i+1]-1, with columns ascending and

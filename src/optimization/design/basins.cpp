@@ -13,14 +13,17 @@
 namespace latsch {
 namespace {
 
-constexpr int kFewestLevels = 5;  // least number of levels with a fourth difference
-// Largest number of variables with diagonal neighbors, 3^6 in all; with more variables only
-// neighbors along the axes are used.
+// Least number of levels along a line that has a fourth difference.
+constexpr int kFewestLevels = 5;
+// Largest number of variables for which diagonal neighbors count, so that a point has up to 3^6 - 1
+// of them. With more variables only the neighbors along the axes count.
 constexpr int kMostDiagonals = 6;
-// Least explained share of the variance, for points left out.
+// Smallest share of the variance that a plane must explain at points that were left out of its fit.
+// Below it, a scattered design is too thin.
 constexpr double kLeastExplained = 0.5;
 
-/// Returns index steps along a grid whose points are numbered with the last variable fastest.
+/// Returns, for each variable, the difference of the indices of adjacent grid points, if the points
+/// are numbered with the last variable changing fastest.
 std::vector<int> strides(const std::vector<int>& levels) {
   std::vector<int> stride(levels.size(), 1);
   for (int i = static_cast<int>(levels.size()) - 2; i >= 0; --i)
@@ -32,8 +35,9 @@ int level_at(int place, int i, const std::vector<int>& stride, const std::vector
   return place / stride[i] % levels[i];
 }
 
-/// Returns |delta^4 f| / 96 around the cell from index `place` to place + stride; 0 if no five
-/// points are known.
+/// Returns the possible error of interpolation, |delta^4 f| / 96, for the cell between the points
+/// `place` and place + stride: the larger of the values centered at these two points. It is 0 if no
+/// fourth difference can be computed.
 double missed_by_interpolation(
     const std::vector<double>& f, int place, int level, int count, int stride) {
   double missed = 0.0;
@@ -47,13 +51,13 @@ double missed_by_interpolation(
   return missed;
 }
 
-/// True if the point is an extremum of its line.
+/// True if the point is an extremum along its grid line.
 bool is_extremum(const std::vector<double>& f, int place, int level, int count, int stride) {
   if (level == 0 || level + 1 == count) return true;
   return (f[place] - f[place - stride]) * (f[place] - f[place + stride]) >= 0.0;
 }
 
-/// Counts the cells along variable i between whose ends a minimum can hide.
+/// Counts the cells along variable i that may hide a minimum between their two points.
 int hiding_cells(const std::vector<double>& f, const std::vector<int>& levels, int i) {
   const auto stride = strides(levels);
   int cells = 0;
@@ -69,7 +73,7 @@ int hiding_cells(const std::vector<double>& f, const std::vector<int>& levels, i
   return cells;
 }
 
-/// The grid without every other level of the variables that have an odd number of levels.
+/// The grid without every second level of the variables that have an odd number of levels.
 struct Thinned {
   std::vector<int> levels;
   std::vector<double> values;
@@ -99,7 +103,7 @@ Neighbors grid_neighbors(const std::vector<int>& levels) {
     if (levels[i] > 1) varied.push_back(static_cast<int>(i));
   }
   const bool diagonals = std::ssize(varied) <= kMostDiagonals;
-  int around = 1;  // number of combinations of -1, 0, +1 level
+  int around = 1;  // number of combinations of the offsets -1, 0, +1 of all levels
   for (size_t i = 0; diagonals && i < varied.size(); ++i) around *= 3;
 
   Neighbors neighbors(points);
@@ -152,7 +156,8 @@ Neighbors nearest_neighbors(const std::vector<Eigen::VectorXd>& points, int coun
 
 std::vector<Basin> find_basins(const std::vector<double>& values, const Neighbors& neighbors) {
   assert(values.size() == neighbors.size());
-  const auto lower = [&](int a, int b) {  // the first of equal values, so a plateau has one end
+  // The first of several equal values counts as the lowest, so that a plateau leads to one minimum.
+  const auto lower = [&](int a, int b) {
     return values[a] < values[b] || (values[a] == values[b] && a < b);
   };
   const auto downhill = [&](int place) {
@@ -219,7 +224,8 @@ std::string scatter_doubt(const std::vector<double>& values,
   }
   if (u.empty()) return "no point succeeded";
   const auto n = u.front().size();
-  const auto count = static_cast<int>(2 * n + 2);  // twice what a plane needs
+  // Twice the number of points that determine a plane.
+  const auto count = static_cast<int>(2 * n + 2);
   if (std::ssize(u) <= count) return "there are too few points to leave one out";
   const double mean = std::accumulate(f.begin(), f.end(), 0.0) / static_cast<double>(f.size());
   const Neighbors neighbors = nearest_neighbors(u, count);

@@ -44,7 +44,8 @@ TEST(Basins, OfThePapersFigureOne17x17ShowsTwoAndDoesNotWarn) {
   const auto values = values_at(points, two_basins);
   const auto basins = find_basins(values, grid_neighbors({17, 17}));
   ASSERT_EQ(basins.size(), 2u);
-  // The basins are within a step of 0.25 of the minima; the global one comes first.
+  // The lowest points are within half the grid spacing of 0.25 of the minima; the global minimum
+  // comes first.
   EXPECT_NEAR(points[basins[0].lowest].values[1], -1.15, 0.125);
   EXPECT_NEAR(points[basins[1].lowest].values[1], 0.79, 0.125);
   EXPECT_EQ(basins[0].points + basins[1].points, 17 * 17);
@@ -71,13 +72,15 @@ TEST(Basins, FailedPointsAreHolesThatHaveNoBasin) {
   EXPECT_EQ(basins[0].points, 24);
 }
 
-// 2^16 points of 16 variables have 16 neighbors each; 3^16 neighbors would take too long.
+// In a grid of 2^16 points in 16 variables only the 16 neighbors along the axes count; 3^16
+// diagonal neighbors would take too long.
 TEST(Basins, OfManyVariablesNeighborsLieOnTheAxes) {
   const std::vector<int> levels(16, 2);
   const Neighbors neighbors = grid_neighbors(levels);
   EXPECT_EQ(neighbors.size(), 65536u);
   EXPECT_EQ(neighbors[12345].size(), 16u);
-  EXPECT_EQ(grid_neighbors({3, 1, 3})[4].size(), 8u);  // the middle; one variable is not varied
+  // The point in the middle of a grid in which one variable is not varied.
+  EXPECT_EQ(grid_neighbors({3, 1, 3})[4].size(), 8u);
 }
 
 struct Scattered {

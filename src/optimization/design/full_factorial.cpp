@@ -8,7 +8,8 @@
 namespace latsch {
 namespace {
 
-constexpr long kMostPoints = 1'000'000;  // a plan is held in memory and drawn as a whole
+// Largest number of points of a design, which is held in memory and drawn as a whole.
+constexpr long kMostPoints = 1'000'000;
 
 long count_points(const DesignSpace& space, const std::vector<int>& levels) {
   if (static_cast<int>(levels.size()) != space.size()) {

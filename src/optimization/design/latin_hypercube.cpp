@@ -23,8 +23,8 @@ double term(int squared) {
   return 1.0 / (d8 * d8 * d4);
 }
 
-/// Assigns each point a share of each variable. Distances are exact, because they are sums of
-/// squares of whole numbers.
+/// Assignment of the shares of every variable to the points. Squared distances, in units of a
+/// share, are sums of squares of whole numbers and therefore exact.
 class Shares {
  public:
   Shares(int points, int variables, std::uint64_t seed, int start)
@@ -44,7 +44,8 @@ class Shares {
   int share(int variable, int point) const { return share_[variable][point]; }
   int squared_distance(int i, int j) const { return squared_[i][j]; }
 
-  /// Returns the growth of sum d^-p if points i and j exchange variable v.
+  /// Returns the change of the sum of d^-p if points i and j exchange their coordinates of variable
+  /// v.
   double change(int i, int j, int v) const {
     const std::vector<int>& share = share_[v];
     double change = 0.0;
@@ -75,8 +76,8 @@ class Shares {
   }
 
   int points_, variables_;
-  std::vector<std::vector<int>> share_;    // index: variable, point
-  std::vector<std::vector<int>> squared_;  // distances in shares
+  std::vector<std::vector<int>> share_;    // share_[variable][point]
+  std::vector<std::vector<int>> squared_;  // squared distances, in units of a share
 };
 
 struct Pair {
@@ -100,8 +101,8 @@ struct Exchange {
 /// Returns the exchange that lowers phi_p the most; nullopt if none does.
 std::optional<Exchange> best_exchange(const Shares& shares, Pair pair) {
   std::optional<Exchange> best;
-  // A gain below the rounding of the sum does not count: the next exchange could undo it, without
-  // end.
+  // A gain below the rounding error of the sum does not count: otherwise two exchanges could undo
+  // each other forever.
   double least = -1e-9 * term(shares.squared_distance(pair.i, pair.j));
   for (int i : {pair.i, pair.j}) {
     for (int j = 0; j < shares.points(); ++j) {

@@ -40,16 +40,17 @@ TEST(LatinHypercube, HoldsEveryShareOfEveryVariableOnce) {
   }
 }
 
-// The largest least distances possible, squared and in shares, for 5 and 10 points in two variables
-// [van Dam, Husslage, den Hertog, Melissen, Operations Research 55 (2007) 158].
+// The largest possible distances of the closest pair, squared and in units of a share, for 5 and 10
+// points in two variables [van Dam, Husslage, den Hertog, Melissen, Operations Research 55 (2007)
+// 158].
 TEST(LatinHypercube, FindsTheKnownMaximinDesignsInThePlane) {
   EXPECT_NEAR(least_distance(latin_hypercube(cube(2), 5)), std::sqrt(5.0) / 5, 1e-12);
   EXPECT_NEAR(least_distance(latin_hypercube(cube(2), 10)), std::sqrt(10.0) / 10, 1e-12);
 }
 
-// Around 30 points of a unit cube, balls whose diameter is the points' least distance d fit into a
-// cube of edge 1 + d. At the densest packing, pi / sqrt(18) of space, d is at most 0.56. Random
-// Latin hypercubes reach about 0.1.
+// If the closest pair of 30 points of a unit cube has the distance d, balls of diameter d around
+// the points fit into a cube of edge 1 + d without overlap. At the densest packing, which fills pi
+// / sqrt(18) of the space, d is at most 0.56. Random Latin hypercubes reach about 0.1.
 TEST(LatinHypercube, KeepsPointsApart) {
   for (std::uint64_t seed : {0, 1, 2}) {
     EXPECT_GT(least_distance(latin_hypercube(cube(3), 30, seed)), 0.5 * 0.56);

@@ -18,9 +18,9 @@ namespace {
 constexpr int kMostTrajectories = 10'000;
 constexpr int kMostLevels = 100;
 
-/// Starts at a random point of the grid, in whole multiples of 1 / (levels - 1). Delta is levels /
-/// 2 of these, upward from the lower half of the grid and downward from the upper one, so it always
-/// fits.
+/// Returns a trajectory that starts at a random point of the grid. Coordinates are whole multiples
+/// of 1 / (levels - 1). A step is levels / 2 of these, upward from the lower half of the grid and
+/// downward from the upper half, so that it always stays in the grid.
 std::vector<DesignPoint> trajectory(const DesignSpace& space, int levels, RandomStream random) {
   const int n = space.size();
   std::vector<std::uint64_t> step(n);
@@ -106,7 +106,8 @@ std::vector<ElementaryEffects> elementary_effects(
       if (!values[t][k] || !values[t][k + 1]) continue;
       const int i = changed(points[k], points[k + 1]);
       const double delta = space.to_unit(points[k + 1])[i] - space.to_unit(points[k])[i];
-      d[i].push_back((*values[t][k + 1] - *values[t][k]) / delta);  // (2.1)
+      // Equation (2.1) of Morris.
+      d[i].push_back((*values[t][k + 1] - *values[t][k]) / delta);
     }
   }
   std::vector<ElementaryEffects> effects;

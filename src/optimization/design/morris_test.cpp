@@ -71,7 +71,8 @@ TEST(Morris, AnEffectIsTheChangeOverTheWholeRangeOfALogarithmicVariable) {
 
 TEST(Morris, AFailedEvaluationTakesItsTwoEffectsAlong) {
   const MorrisDesign design = morris(cube(2), 3);
-  const std::vector<double> failed = design.trajectories[0][1].values;  // in the middle
+  // A point in the middle of a trajectory.
+  const std::vector<double> failed = design.trajectories[0][1].values;
   const auto found =
       effects(cube(2), design, [&](const auto& x) { return x == failed ? NAN : x[0] + x[1]; });
   EXPECT_LE(found[0].effects, 2);
@@ -86,7 +87,8 @@ TEST(Morris, StepsStayInsideAndThePlanHoldsEachPointOnce) {
     EXPECT_EQ(trajectory.size(), 3u);
     for (const DesignPoint& point : trajectory) EXPECT_TRUE(space.contains(point));
   }
-  EXPECT_LE(design.plan().points.size(), 16u);  // 4 levels for each of 2 variables
+  // Two variables with 4 levels each have 16 different points.
+  EXPECT_LE(design.plan().points.size(), 16u);
 }
 
 }  // namespace

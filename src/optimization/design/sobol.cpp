@@ -23,8 +23,8 @@ struct Generator {
   std::array<std::uint32_t, 7> m;
 };
 
-// Table new-joe-kuo-6.21201, dimensions 2 to 21; dimension 1 is van der Corput's sequence, all m_k
-// = 1.
+// Table new-joe-kuo-6.21201, dimensions 2 to 21. Dimension 1, van der Corput's sequence, has all
+// m_k = 1.
 constexpr std::array<Generator, 20> kJoeKuo{{
     {1, 0, {1}},
     {2, 1, {1, 3}},
@@ -49,7 +49,7 @@ constexpr std::array<Generator, 20> kJoeKuo{{
 }};
 static_assert(kJoeKuo.size() + 1 == kMostSobolVariables);
 
-/// Returns v_1 .. v_32 as multiples of 2^-32.
+/// Returns the direction numbers v_1 .. v_32 of a dimension as multiples of 2^-32.
 std::array<std::uint32_t, kBits> direction_numbers(int dimension) {
   std::array<std::uint32_t, kBits> m{};
   m.fill(1);

@@ -56,8 +56,8 @@ TEST(Sobol, BeginsAsPublished) {
   EXPECT_EQ(points[4].values, (std::vector{0.375, 0.375, 0.625}));
 }
 
-// The defining property is that the 2^k equal shares of every variable hold one of 2^k points each.
-// A digital shift preserves it.
+// The defining property of the sequence: if the range of a variable is divided into 2^k equal
+// shares, each share holds one of the first 2^k points. A digital shift preserves this property.
 TEST(Sobol, HoldsEveryShareOfEveryVariableOnceAlsoShifted) {
   for (std::uint64_t seed : {0, 3}) {
     const auto points = sobol(cube(kMostSobolVariables), 64, seed).points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nelder-Mead, the genetic algorithm and the choice of a method.
+// Tests of Nelder-Mead, of the genetic algorithm and of the choice of a method.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -50,7 +50,8 @@ double rosenbrock(const std::vector<double>& x) {
   return 100.0 * std::pow(x[1] - x[0] * x[0], 2) + std::pow(1.0 - x[0], 2);
 }
 
-/// A function with n^2 basins in two variables, the deepest at 0.3: [Rastrigin 1974], shifted.
+/// Rastrigin's function of n variables, which has many local minima; the global one is shifted to
+/// 0.3 [Rastrigin 1974].
 double rastrigin(const std::vector<double>& x) {
   double f = 0.0;
   for (const double c : x) {
@@ -83,7 +84,8 @@ TEST(Genetic, FindsTheDeepestOfManyBasins) {
   const DesignSpace space = box({4.0, -4.0}, -5.0, 5.0);
   Genetic method(space, {.population = 60});
   const Found found = minimize(method, space, rastrigin);
-  EXPECT_LT(found.f, 0.5);  // the next basin has a depth of 1
+  // The value at the next local minimum is about 1.
+  EXPECT_LT(found.f, 0.5);
 }
 
 TEST(Genetic, IsTheSameRunTwiceAndAnotherWithAnotherSeed) {
@@ -148,8 +150,8 @@ TEST(MethodChoice, KnowsWhoKnowsConstraints) {
 }
 
 TEST(DirectMethods, KeepToLinearConstraints) {
-  // The nearest point to (1, 1) in x + y <= 1.2 is (0.6, 0.6), the minimum of (x - 1)^2 + (y -
-  // 1)^2. With x - y = 0.2 in addition it is (0.7, 0.5).
+  // The point of x + y <= 1.2 nearest to (1, 1) is (0.6, 0.6), which is the minimum of (x - 1)^2 +
+  // (y - 1)^2. If x - y = 0.2 is required in addition, it is (0.7, 0.5).
   const LinearConstraint sum{.name = "sum", .coefficients = {1, 1}, .upper = 1.2};
   const LinearConstraint gap{.name = "gap", .coefficients = {1, -1}, .lower = 0.2, .upper = 0.2};
   const auto f = [](const auto& x) { return std::pow(x[0] - 1.0, 2) + std::pow(x[1] - 1.0, 2); };

@@ -22,7 +22,7 @@ struct Individual {
   double f = kInfinity;
 };
 
-/// Returns b of the crossover.
+/// Returns the spread factor b of the crossover for a random number q.
 double spread(double q, double eta) {
   return q <= 0.5 ? std::pow(2.0 * q, 1.0 / (eta + 1.0))
                   : std::pow(1.0 / (2.0 - 2.0 * q), 1.0 / (eta + 1.0));
@@ -59,7 +59,7 @@ struct Genetic::State {
   GeneticOptions options;
   int population;
   int generation = 1;
-  std::uint64_t drawn = 0;           // number of random streams so far
+  std::uint64_t drawn = 0;           // number of random streams used so far
   std::vector<Individual> parents;   // best first
   std::vector<Individual> children;  // known children of this generation
   PendingPoints<Individual> wanted;
@@ -75,7 +75,7 @@ struct Genetic::State {
     }
   }
 
-  /// Returns the nearest point inside bounds and constraints.
+  /// Returns the individual at the point inside bounds and constraints that is nearest to u.
   Individual at(const std::vector<double>& u) const {
     const Eigen::VectorXd near = region.nearest(to_vector(u));
     const std::vector<double> inside(near.begin(), near.end());

@@ -19,13 +19,14 @@
 namespace latsch {
 namespace {
 
-// Range of the model, as a share of the step. A larger value trusts the model farther away.
+// Radius within which the quadratic model is minimized, as a share of the step. A larger value
+// trusts the model farther away.
 constexpr double kReach = 0.8;
-// Points nearer to a known point than this share of the step give no information and are not
-// proposed.
+// Smallest distance of a proposed point to all known points, as a share of the step. A nearer point
+// would give no information.
 constexpr double kNew = 0.05;
 constexpr double kLongestStep = 0.25;  // longest step, as a share of every variable's range
-// Factor of the step after more than kSuccessesToExpand successes in a row.
+// Factor by which the step grows after more than kSuccessesToExpand successes in a row.
 constexpr double kExpansion = 2.0;
 constexpr int kSuccessesToExpand = 4;
 
@@ -40,12 +41,13 @@ struct Direction {
   double step;
 };
 
-/// A point whose outcome the method waits for.
+/// A point that the search has proposed and whose outcome it does not know yet.
 struct Proposal {
   Eigen::VectorXd u;
   DesignPoint point;
-  double step;                   // step for the sufficient decrease
-  int direction = kNoDirection;  // index in set number `set`; none for the start and a model step
+  double step;  // length of the step, from which the required decrease follows
+  // Index in the set of directions `set`; kNoDirection for the start and a model step.
+  int direction = kNoDirection;
   int set = 0;
 };
 
@@ -80,16 +82,16 @@ struct Gss::State {
   Eigen::VectorXd x;     // the best point, in the unit cube
   double f = kInfinity;  // its value
   std::vector<Direction> directions;
-  double length;  // longest step, at which directions are being polled
+  double length;  // the longest step of the present set of directions
   int set = 0;    // number of the present set of directions
   int turn = 0;
   Eigen::VectorXd last_move;
-  int successes = 0;  // number in a row
+  int successes = 0;  // number of successes in a row
 
-  SharedHistory<Sample> samples;   // with finite values
+  SharedHistory<Sample> samples;   // evaluated points whose value is finite
   SharedTable values;              // values of all points
   bool model_is_new = false;       // an outcome arrived since the last model step
-  PendingPoints<Proposal> wanted;  // in the order proposed; empty: converged
+  PendingPoints<Proposal> wanted;  // in the order proposed; empty once the search has converged
 
   State(const DesignSpace& s, const GssOptions& o)
       : space(s),
@@ -107,7 +109,8 @@ struct Gss::State {
     return value < f - options.sufficient_decrease * step * step;
   }
 
-  /// Starts a fresh set of directions around x, with the one nearest to the last success first.
+  /// Begins a new set of directions around x, ordered so that the one nearest to the last move
+  /// comes first.
   void start_poll() {
     ++set;
     directions.clear();
@@ -138,7 +141,7 @@ struct Gss::State {
     start_poll();
   }
 
-  /// Uses the outcome of `tried`.
+  /// Processes the value of the point `tried`.
   void take(const Proposal& tried, double value) {
     if (is_better(value, tried.step) && region.contains(tried.u)) {
       move_to(tried.u, value);
@@ -150,7 +153,8 @@ struct Gss::State {
     }
   }
 
-  /// Proposes a point on the line from x to u, as far as the constraints allow.
+  /// Proposes the point u or, if a constraint lies between x and u, the point of the line from x to
+  /// u on that constraint.
   Proposal toward(const Eigen::VectorXd& u, double step) const {
     const Eigen::VectorXd inside =
         region.snapped(region.cut_off(x, u), kSnap * options.step_tolerance);
@@ -171,8 +175,8 @@ struct Gss::State {
     return step;
   }
 
-  /// Returns the direction with the longest step that is not being tried; nullopt if there is none
-  /// or its step is below the tolerance.
+  /// Returns a point in the direction with the longest step among those not being tried; nullopt if
+  /// there is none or if this step is below the tolerance.
   std::optional<Proposal> poll_step() const {
     int longest = kNoDirection;
     for (int i = 0; i < std::ssize(directions); ++i) {
@@ -195,7 +199,8 @@ struct Gss::State {
       if (auto step = model_step()) return step;
     }
     while (auto step = poll_step()) {
-      const bool is_cut_off = (step->u - x).norm() < 0.5 * options.step_tolerance;  // at a bound
+      // True if a bound leaves almost no room for the step.
+      const bool is_cut_off = (step->u - x).norm() < 0.5 * options.step_tolerance;
       if (is_cut_off || wanted.contains(step->point)) {
         contract(directions[step->direction]);
         continue;
@@ -217,7 +222,8 @@ struct Gss::State {
 
   void observe(const DesignPoint& point, double value) {
     const std::optional<Proposal> own = wanted.take(point);
-    // A point from another source outside of the bounds has no value for a search inside them.
+    // An outside source may report points outside of the bounds; they have no value for a search
+    // inside them.
     if (!own && !has_place_inside(space, point)) return;
     const Proposal tried = own ? *own : Proposal{to_vector(space.to_unit(point)), point, length};
     values.set(point.bits(), value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Generating-set search with linear constraints.
+// Tests of generating-set search with linear constraints.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ struct Found {
   int evaluations = 0;
 };
 
-/// Runs until converged and checks that every proposed point lies inside.
+/// Runs the search until it converges and checks that every proposed point lies inside the region.
 Found minimize(const ConstrainedProblem& problem, const GssOptions& options = {}) {
   Gss gss(problem.space, options);
   Found found;
@@ -40,7 +40,8 @@ TEST(GssAmongConstraints, SolvesProblemsOfHockAndSchittkowski) {
     EXPECT_NEAR(found.f, problem.least, 1e-4 * std::max(1.0, std::abs(problem.least)))
         << problem.name;
     for (size_t i = 0; i < found.x.size(); ++i) {
-      // x of a target that is flat at its minimum is accurate to the root of the target's accuracy.
+      // A target that is flat at its minimum determines x only to the square root of the target's
+      // accuracy.
       EXPECT_NEAR(found.x[i], problem.x[i], 0.02 * std::max(1.0, std::abs(problem.x[i])))
           << problem.name << " x" << i + 1;
     }
@@ -64,7 +65,8 @@ TEST(GssAmongConstraints, FindsACornerWhereManyPlanesMeet) {
                                    [](const auto& x) { return x[0] + 1.2 * x[1] + x[2] + x[3]; },
                                    {0, -1, 0, 0},
                                    -1.2};
-  EXPECT_NEAR(minimize(problem).f, -1.2, 1e-9);  // exact: nearby points are moved onto it
+  // Exact, because nearby points are moved onto the constraint.
+  EXPECT_NEAR(minimize(problem).f, -1.2, 1e-9);
 }
 
 TEST(GssAmongConstraints, GoesAroundPointsThatFailAndKinksOnAConstraint) {
@@ -74,7 +76,8 @@ TEST(GssAmongConstraints, GoesAroundPointsThatFailAndKinksOnAConstraint) {
     if (std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1) return std::nan("");
     return std::abs(x[0] - 0.9) + 2 * std::abs(x[1] - 0.8) + std::abs(x[2] - 0.4);
   };
-  const Found found = minimize(problem);  // (0.4, 0.8, 0.4): moving along x1 + x2 costs more
+  // The solution is (0.4, 0.8, 0.4): moving along x1 + x2 costs more.
+  const Found found = minimize(problem);
   EXPECT_NEAR(found.x[0], 0.4, 5e-3);
   EXPECT_NEAR(found.x[1], 0.8, 5e-3);
   EXPECT_NEAR(found.x[2], 0.4, 5e-3);
@@ -115,7 +118,7 @@ TEST(GssAmongConstraints, DoesNotMoveToAForeignPointOutside) {
     least = std::min(least, f(point.values));
     gss.observe(point, Score{f(point.values)});
   }
-  EXPECT_NEAR(least, -2.0, 1e-9);  // the minimum at (0, 1)
+  EXPECT_NEAR(least, -2.0, 1e-9);  // the value at the minimum (0, 1)
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kRhoGrowth = 10.0;
 constexpr double kAlphaDecay = 0.1;
-constexpr double kLeastAlpha = 1e-5;  // less than the violation that counts as fulfilled
+// Smallest smoothing width alpha; it is less than the violation that still counts as fulfilled.
+constexpr double kLeastAlpha = 1e-5;
 constexpr double kDeltaDecay = 0.25;
 constexpr double kNextStep = 4.0;  // first step of the next search, as a multiple of delta
 
@@ -68,7 +69,8 @@ void GssNlc::begin_search(double initial_step) {
   options.initial_step = initial_step;
   options.step_tolerance = std::min(delta_, 0.5 * initial_step);
   search_ = std::make_unique<Gss>(start ? space_.starting_at(start->point) : space_, options);
-  // The best point is observed first; otherwise the search would follow the others to it.
+  // The best point is observed first. Otherwise the search would move from one known point to a
+  // better one until it reached the best.
   if (start) search_->observe(start->point, penalized(start->outcome));
   for (const Known& known : known_) {
     if (&known != start) search_->observe(known.point, penalized(known.outcome));
@@ -94,7 +96,7 @@ std::vector<DesignPoint> GssNlc::propose(int count) const { return search_->prop
 void GssNlc::observe(const DesignPoint& point, const Result<Score>& outcome) {
   known_.push_back({point, outcome});
   search_->observe(point, penalized(outcome));
-  // A search may end at once, because of the known points.
+  // A new search may converge at once, because it observes the points known from earlier searches.
   double rho = 0.0, delta = 0.0, alpha = 0.0;
   while (search_->converged() && (rho != rho_ || delta != delta_ || alpha != alpha_)) {
     rho = rho_, delta = delta_, alpha = alpha_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Penalties, and generating-set search with nonlinear constraints.
+// Tests of penalties, and of generating-set search with nonlinear constraints.
 #include "optimization/direct_search/gss_nlc.h"
 
 #include <gtest/gtest.h>
@@ -54,8 +54,8 @@ TEST(Penalty, IsTheNormItIsCalledAfter) {
 }
 
 TEST(Penalty, SmoothedOnesAreAboveTheExactOnesByNoMoreThanTheirBound) {
-  // The bounds are ln 2 for each term of the sum, ln(1 + terms) for the largest, and 1 for the
-  // root.
+  // A smoothed penalty exceeds the exact one by at most ln 2 for each term of the sum (l1), ln(1 +
+  // number of terms) for the largest violation (linf), and 1 for the norm (l2), times alpha.
   const std::vector<std::pair<Penalty, Penalty>> pairs{{Penalty::l1, Penalty::l1_smoothed},
                                                        {Penalty::l2, Penalty::l2_smoothed},
                                                        {Penalty::linf, Penalty::linf_smoothed}};
@@ -83,7 +83,8 @@ TEST(GssNlc, SolvesProblemsOfHockAndSchittkowski) {
   for (const ConstrainedProblem& problem : nonlinearly_constrained_problems()) {
     const Found found = minimize(problem, as_shipped(1e-4));
     EXPECT_LE(violation(found.score), kFulfilled) << problem.name;
-    // Directions that meet curved walls stop short of the solution by half a percent.
+    // A search whose directions meet curved constraints stops up to half a percent above the
+    // minimum.
     EXPECT_NEAR(found.score.value, problem.least, 5e-3 * std::abs(problem.least)) << problem.name;
     EXPECT_LT(found.evaluations, 2500) << problem.name;
     RecordProperty(problem.name, found.evaluations);
@@ -105,7 +106,8 @@ TEST(GssNlc, EndsInTheFeasibleRegionWithEveryPenalty) {
 }
 
 TEST(GssNlc, WithoutConstraintsIsTheSearchItself) {
-  ConstrainedProblem problem = linearly_constrained_problems()[3];  // HS35, with a linear row
+  // Problem HS35, which has a linear constraint.
+  ConstrainedProblem problem = linearly_constrained_problems()[3];
   const Found found = minimize(problem, as_shipped(1e-4));
   EXPECT_NEAR(found.score.value, problem.least, 1e-4);
 }

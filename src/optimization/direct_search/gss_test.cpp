@@ -31,7 +31,7 @@ struct Found {
   int evaluations = 0;
 };
 
-/// Runs until converged. A value that is not finite is a failed trial.
+/// Runs the search until it converges. A value that is not finite counts as a failed trial.
 Found minimize(const DesignSpace& space, const Function& function, const GssOptions& options = {}) {
   Gss gss(space, options);
   Found found;
@@ -47,8 +47,8 @@ Found minimize(const DesignSpace& space, const Function& function, const GssOpti
   return found;
 }
 
-/// Two basins in y: the function of Fig. 1 of Hempel and Oertel, KGK 04/2016, with a local minimum
-/// at (-0.15, 0.79) and the global one at (-0.15, -1.15).
+/// The function of Fig. 1 of Hempel and Oertel, KGK 04/2016. Along y it has a local minimum at
+/// (-0.15, 0.79) and the global one at (-0.15, -1.15).
 double two_basins(const std::vector<double>& x) {
   const double a = 0.79, b = -1.15, s = 0.0;  // df/dy = (y - a) (y - b) (y - s)
   const double y = x[1];
@@ -56,8 +56,9 @@ double two_basins(const std::vector<double>& x) {
          (a * b + a * s + b * s) * y * y / 2 - a * b * s * y;
 }
 
-/// A target like those of the tire studies: mean relative errors, without squares, of eight
-/// frequencies  sqrt(c + sum w_k E_k)  and three forces  d + sum v_k E_k^0.8.  It is zero at E = 1.
+/// A target like those of the tire studies: the sum of mean relative errors, without squares, of
+/// eight frequencies  sqrt(c + sum w_k E_k)  and of three forces  d + sum v_k E_k^0.8.  It is zero
+/// if all stiffnesses E_k are 1.
 double twin_target(const std::vector<double>& E) {
   constexpr std::array<std::array<double, 3>, 8> w{{{.5, .1, .1},
                                                     {.3, .1, .3},
@@ -96,7 +97,8 @@ double rosenbrock(const std::vector<double>& x) {
 }
 
 TEST(GeneratingSet, HasADirectionDownhillForEveryGradient) {
-  // The cosine between any vector and the nearest corner of a regular simplex is at least 1/n.
+  // The cosine between any vector and the nearest direction to a vertex of a regular simplex in n
+  // dimensions is at least 1/n.
   for (const int turn : {0, 1, 2, 17, 400}) {
     const auto directions = generating_set(std::vector<Bound>(3, Bound::none), turn);
     ASSERT_EQ(directions.size(), 4u);
@@ -124,8 +126,8 @@ TEST(Gss, FindsTheMinimumOfAQuadratic) {
     const double a = x[0] - 1.0, b = x[1] - 0.5, c = x[2] + 2.0;
     return a * a + 10.0 * b * b + 100.0 * c * c + 3.0 * a * b;
   });
-  // A model step on a quadratic is exact; the step tolerance 1e-3 of a range of 10 limits the
-  // accuracy.
+  // The quadratic model is exact for a quadratic target. The step tolerance of 1e-3 of the range of
+  // 10 limits the accuracy to 0.01.
   EXPECT_NEAR(found.x[0], 1.0, 0.01);
   EXPECT_NEAR(found.x[1], 0.5, 0.01);
   EXPECT_NEAR(found.x[2], -2.0, 0.01);
@@ -136,7 +138,7 @@ TEST(Gss, FollowsRosenbrocksValley) {
   GssOptions options;
   options.step_tolerance = 1e-4;
   const Found found = minimize(box({-1.2, 1.0}, -2.0, 2.0), rosenbrock, options);
-  EXPECT_LT(found.f, 1e-4);  // the start has 24.2
+  EXPECT_LT(found.f, 1e-4);  // the value at the start is 24.2
   EXPECT_LT(found.evaluations, 300);
 }
 
@@ -167,11 +169,12 @@ TEST(Gss, AFullFactorialDesignLeadsToTheGlobalBasin) {
 }
 
 TEST(Gss, DoesNotStopAtKinks) {
-  // At (t, t, t) all six coordinate directions point uphill, but the minimum is at the origin.
+  // At points (t, t, t) the target rises in all six coordinate directions, although the minimum is
+  // at the origin.
   const Found found = minimize(box({3.0, 2.0, 1.5}, -4.0, 5.0), [](const auto& x) {
     return 10.0 * (std::abs(x[0] - x[1]) + std::abs(x[1] - x[2])) + std::abs(x[0] + x[1] + x[2]);
   });
-  for (const double x : found.x) EXPECT_NEAR(x, 0.0, 0.05);  // 0.5 % of the range
+  for (const double x : found.x) EXPECT_NEAR(x, 0.0, 0.05);  // 0.5 % of the range of each variable
 }
 
 TEST(Gss, RecoversModuliOfATwinWithinOnePercent) {
@@ -210,7 +213,7 @@ TEST(Gss, FindsAMinimumAtABoundAndInACorner) {
     return std::pow(x[0] - 2.0, 2) + std::pow(x[1] - 0.3, 2) + 0.5 * x[0] * x[1];
   };
   const Found face = minimize(box({0.2, 0.8}, 0.0, 1.0), pulled);
-  EXPECT_EQ(face.x[0], 1.0);  // exactly the bound
+  EXPECT_EQ(face.x[0], 1.0);  // the solution is on the bound with exactly its bits
   EXPECT_NEAR(face.x[1], 0.05, 2e-3);
   const Found corner = minimize(box({0.5, 0.5, 0.5}, 0.0, 1.0),
                                 [](const auto& x) { return x[0] - 2.0 * x[1] + x[2]; });
@@ -218,7 +221,7 @@ TEST(Gss, FindsAMinimumAtABoundAndInACorner) {
 }
 
 TEST(Gss, GoesAroundPointsThatFail) {
-  // Points with x0 > 0.62 and in a ball on the path to the minimum fail.
+  // The model fails at points with x0 > 0.62 and in a ball on the path to the minimum.
   const Found found = minimize(box({0.1, 0.1, 0.9}, 0.0, 1.0), [](const auto& x) {
     const bool in_ball = std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1;
     if (x[0] > 0.62 || in_ball) return std::nan("");

@@ -9,9 +9,9 @@
 namespace latsch {
 namespace {
 
-// Share of the other model's misfit below which a model counts as clearly better.
+// A model counts as clearly better if its misfit is below this share of the other model's misfit.
 constexpr double kClearlyBetter = 0.1;
-// Least curvature in a quadratic program, as a share of the largest one.
+// Smallest curvature in the quadratic program, as a share of the largest one.
 constexpr double kConvex = 1e-8;
 
 std::optional<QuadraticModel> model(const SharedHistory<Sample>& samples,

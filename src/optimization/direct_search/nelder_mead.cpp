@@ -37,7 +37,7 @@ struct NelderMead::State {
 
   SimplexPhase phase = SimplexPhase::simplex;
   std::vector<Vertex> known;     // vertices, best first once all are known
-  PendingPoints<Vertex> wanted;  // vertices of the simplex or the trial point
+  PendingPoints<Vertex> wanted;  // vertices of the simplex, or the one trial point
   Eigen::VectorXd centroid;
   Vertex reflected;
 
@@ -52,14 +52,15 @@ struct NelderMead::State {
     for (const auto& direction : all.colwise()) wanted.push_back(beside(start, direction));
   }
 
-  /// Returns one direction for each other vertex of the first simplex: all that equations among the
-  /// constraints leave.
+  /// Returns the directions from the first vertex of the initial simplex to all others: the
+  /// coordinate axes or, with equality constraints, a basis of the directions along these.
   Eigen::MatrixXd directions() const {
     if (region.E().rows() == 0) return Eigen::MatrixXd::Identity(space.size(), space.size());
     return tangent_cone(Eigen::MatrixXd(space.size(), 0), region.E().transpose()).lines;
   }
 
-  /// Returns the vertex on the side with more room.
+  /// Returns the vertex on that side of `start`, along the direction, where the constraints leave
+  /// more room.
   Vertex beside(const Eigen::VectorXd& start, const Eigen::VectorXd& direction) const {
     const Vertex up = at(start + options.initial_step * direction);
     const Vertex down = at(start - options.initial_step * direction);
@@ -75,7 +76,7 @@ struct NelderMead::State {
   Vertex& worst() { return known.back(); }
   double second_worst() const { return known.size() > 1 ? known[known.size() - 2].f : best().f; }
 
-  /// Chooses the next reflection, or ends the search. All vertices are known.
+  /// Chooses the next reflection, or ends the search. The values of all vertices are known then.
   void reflect() {
     const auto less = [](const Vertex& a, const Vertex& b) { return a.f < b.f; };
     std::stable_sort(known.begin(), known.end(), less);

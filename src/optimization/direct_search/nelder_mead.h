@@ -25,7 +25,7 @@
 
 namespace latsch {
 
-/// Lengths are in the unit cube.
+/// Options of the search. Lengths are in the unit cube.
 struct NelderMeadOptions {
   double initial_step = 0.1;     // distance from the start to every other vertex
   double step_tolerance = 1e-3;  // the search ends when all vertices are this close to the best
@@ -40,7 +40,7 @@ class NelderMead : public Optimizer {
   /// The start, a shrinkage and an expansion propose several points at once; all other steps
   /// propose one point at a time.
   std::vector<DesignPoint> propose(int count) const override;
-  /// Points that the search did not propose do not become vertices.
+  /// Observes an outcome. A point that the search did not propose does not become a vertex.
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
 

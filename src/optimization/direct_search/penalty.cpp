@@ -30,7 +30,8 @@ std::vector<double> violations(const Score& score) {
   return v;
 }
 
-/// Returns alpha ln(sum e^(x/alpha)), computed relative to the largest term so that none overflows.
+/// Returns alpha ln(sum e^(x/alpha)), computed relative to the largest term so that no term
+/// overflows.
 double soft_max(const std::vector<double>& x, double alpha) {
   const double largest = *std::max_element(x.begin(), x.end());
   double sum = 0.0;

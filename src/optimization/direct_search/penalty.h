@@ -30,17 +30,17 @@ namespace latsch {
 /// Kinds of penalties, by the norm of the violations.
 enum class Penalty { l2_squared, l1, l2, linf, l1_smoothed, l2_smoothed, linf_smoothed };
 
-/// Returns "l2_squared" and so on.
+/// Returns the name of a kind, for example "l2_squared".
 std::string_view name(Penalty penalty);
 /// Returns the names of all kinds.
 const std::vector<std::string>& penalty_names();
-/// `name` is one of penalty_names().
+/// Returns the kind with the given name, which must be one of penalty_names().
 Penalty penalty_of(std::string_view name);
 
 /// True if the penalty is differentiable where a constraint becomes violated.
 bool is_smoothed(Penalty penalty);
 
-/// Returns p of the constraints of a score, without the factor rho.
+/// Returns the penalty p of the constraints of a score, without the factor rho.
 double penalty(Penalty kind, const Score& score, double alpha);
 
 }  // namespace latsch

@@ -10,14 +10,18 @@
 namespace latsch {
 namespace {
 
-// Number of samples beyond the number of coefficients: more samples smooth kinks, fewer samples
-// make the model more local.
+// Number of samples beyond the number of coefficients. More samples average over kinks; fewer
+// samples make the model more local.
 constexpr int kSpareSamples = 4;
-// Largest number of samples, or twice the number of variables plus two if that is larger: many more
-// would be far away, and slow.
+// Largest number of samples of a model (or 2 n + 2 for n variables, if that is larger). Further
+// samples would be far away and would make the fit slow.
 constexpr int kMostSamples = 100;
-constexpr double kNearest = 1.0 / 32.0;  // share of the scale; nearer points have equal weights
-constexpr double kRidge = 1e-3;          // prefers a small H if samples leave it open
+// Distance, as a share of the larger of the radius and the median distance of the samples, below
+// which samples have equal weights.
+constexpr double kNearest = 1.0 / 32.0;
+// Weight of the terms that make H small. They decide about H only if the samples do not determine
+// it.
+constexpr double kRidge = 1e-3;
 
 int coefficients(int n) { return (n + 1) * (n + 2) / 2; }
 
@@ -34,8 +38,8 @@ Eigen::VectorXd monomials(const Eigen::VectorXd& z) {
   return row;
 }
 
-/// Returns the weighted residual sum of squares over that of a constant; the first column of A has
-/// the weights.
+/// Returns the ratio of the weighted sum of squared residuals to that of the best constant. The
+/// first column of A holds the weights.
 double unexplained(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& x) {
   const Eigen::VectorXd weights = A.col(0);
   const double mean = weights.dot(b) / weights.squaredNorm();
@@ -45,12 +49,12 @@ double unexplained(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eig
 
 /// Samples in coordinates z = (u - center) / scale with their weights.
 struct Weighted {
-  Eigen::MatrixXd Z;  // one sample a row
+  Eigen::MatrixXd Z;  // sample points, one in each row
   Eigen::VectorXd w, y;
 };
 
-/// Finds all coefficients by linear least squares with one row for each sample and one for each
-/// curvature.
+/// Finds all coefficients by linear least squares, with one equation for each sample and one for
+/// each coefficient of H, which is to be small.
 QuadraticModel by_coefficients(const Weighted& data) {
   const auto n = static_cast<int>(data.Z.cols()), rows = static_cast<int>(data.Z.rows());
   const int count = coefficients(n), ridge_rows = count - n - 1;
@@ -69,9 +73,9 @@ QuadraticModel by_coefficients(const Weighted& data) {
   return model;
 }
 
-/// Solves the least squares of by_coefficients with fewer samples than coefficients. It has one
-/// unknown for each sample instead of one for each curvature. With Q and P the weighted monomials
-/// of order two and below,
+/// Solves the same least-squares problem as by_coefficients() if there are fewer samples than
+/// coefficients, with one unknown for each sample instead of one for each coefficient of H. With
+/// the weighted monomials Q of order two and P of order zero and one,
 ///   (Q Q' + ridge^2 I) alpha + P p = W y,   P' alpha = 0,   h = Q' alpha
 /// Q Q' is w w' (1/2 (z'z)^2 - 1/4 sum z_i^2 z_i^2).
 QuadraticModel by_samples(const Weighted& data) {
@@ -102,7 +106,7 @@ std::vector<Sample> nearest_samples(const SharedHistory<Sample>& samples,
                                     const Eigen::VectorXd& center) {
   const int n = static_cast<int>(center.size());
   const int most = std::max(kMostSamples, 2 * (n + 1));
-  std::vector<std::pair<double, int>> order;  // equal distances ordered by age
+  std::vector<std::pair<double, int>> order;  // points at equal distances are ordered by age
   order.reserve(static_cast<std::size_t>(samples.size()));
   for (int i = 0; i < samples.size(); ++i) {
     order.emplace_back((samples[i].u - center).squaredNorm(), i);
@@ -153,9 +157,9 @@ BallStep minimize_in_ball(const QuadraticModel& model, double radius) {
   const double smallest = lambda[0];
   const bool convex = smallest > 1e-12 * scale;
   if (convex && step(0.0).norm() <= radius) return {eigen.vectors * step(0.0), 0.0};
-  // |s(mu)| falls on this interval from infinity, or from too large a value, to below the radius.
-  // In the hard case, g orthogonal to the lowest eigenvector, the step stays short but still points
-  // downhill.
+  // On this interval of mu, the length |s(mu)| falls from infinity, or from a value above the
+  // radius, to a value below the radius. In the hard case (g orthogonal to the lowest eigenvector)
+  // the step remains shorter than the radius but still leads downhill.
   double low = std::max(0.0, -smallest) + 1e-12 * scale;
   double high = low + 2.0 * scale;
   for (int i = 0; i < 60; ++i) {

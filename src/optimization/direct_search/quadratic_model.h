@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A quadratic through the evaluated points nearest to a center, and its minimum in a ball.
+// A quadratic model of the evaluated points nearest to a center, and its minimum in a ball.
 //
 //   m(s) = c + g' s + 1/2 s' H s
 //
 // The model is fitted by weighted linear least squares, in which near points count most. If there
-// are fewer points than coefficients, the smallest H that fits is chosen.
+// are fewer points than coefficients, the model with the smallest H is chosen.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ struct QuadraticModel {
   double misfit;
 };
 
-/// Returns the samples nearest to `center`, as many as one model uses.
+/// Returns the samples nearest to `center`, as many as a model uses.
 std::vector<Sample> nearest_samples(const SharedHistory<Sample>& samples,
                                     const Eigen::VectorXd& center);
 
@@ -43,9 +43,8 @@ struct BallStep {
   double mu;
 };
 
-/// Returns the step s, |s| <= radius, with the least m(s): More and Sorensen's  (H + mu I) s = -g,
-/// mu >= 0, solved in the eigenvectors of H. [More, Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983)
-/// 553]
+/// Returns the step s, |s| <= radius, with the least m(s). It solves  (H + mu I) s = -g, mu >= 0,
+/// with the eigenvectors of H. [Moré, Sorensen, SIAM J. Sci. Stat. Comput. 4 (1983) 553]
 BallStep minimize_in_ball(const QuadraticModel& model, double radius);
 
 }  // namespace latsch

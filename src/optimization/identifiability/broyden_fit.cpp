@@ -13,19 +13,21 @@
 namespace latsch {
 namespace {
 
-constexpr double kDifference = 1e-3;    // share of the range, if no length is given
-constexpr double kShortestStep = 1e-9;  // share of the range
-// Longest step of one variable, as a share of its range, because J holds nearby only.
+// Length of a difference, as a share of the range, if none is given.
+constexpr double kDifference = 1e-3;
+constexpr double kShortestStep = 1e-9;  // shortest step that is evaluated, as a share of the range
+// Longest step of one variable, as a share of its range, because J is accurate only nearby.
 constexpr double kLongestRefitStep = 0.25;
-constexpr int kFailedSteps = 2;        // number in a row before J is recomputed
-constexpr double kFirstLambda = 1e-3;  // relative to the largest entry of J'J
+constexpr int kFailedSteps = 2;        // number of failed steps in a row before J is recomputed
+constexpr double kFirstLambda = 1e-3;  // first lambda, relative to the largest entry of J'J
 constexpr double kLambdaFactor = 10.0;
-// Least curvature relative to the largest. A quadratic program needs a positive one. Without it, a
-// step in directions that the data do not determine would follow rounding errors far off.
+// Smallest curvature relative to the largest. A quadratic program needs positive curvature in all
+// directions. Without this addition, a step in directions that the data do not determine would
+// follow rounding errors over a long distance.
 constexpr double kLeastCurvature = 1e-12;
 
-/// Returns the d in the variables `free` that minimizes |r + J d|^2 + lambda |d|^2, with u + d in
-/// the unit cube and not far away.
+/// Returns the step d in the variables `free` that minimizes |r + J d|^2 + lambda |d|^2, subject to
+/// u + d in the unit cube and to the longest step of each variable.
 Eigen::VectorXd bounded_step(const Linearization& at, const std::vector<int>& free, double lambda) {
   const auto step = [&](const Eigen::VectorXd& d, const std::vector<int>& columns) {
     const auto k = static_cast<Eigen::Index>(columns.size());
@@ -44,7 +46,8 @@ Eigen::VectorXd bounded_step(const Linearization& at, const std::vector<int>& fr
                      step);
 }
 
-/// Returns such a step with u + d inside a region; nullopt if there is none.
+/// Returns the step d in the variables `free` that minimizes |r + J d|^2 + lambda |d|^2, subject to
+/// u + d in the region; nullopt if there is none.
 std::optional<Eigen::VectorXd> constrained_step(const Eigen::MatrixXd& J,
                                                 const Eigen::VectorXd& u,
                                                 const Eigen::VectorXd& r,
@@ -187,7 +190,8 @@ void BroydenFit::plan_step() {
   wanted_.reset();
   converged_ = free_.empty();
   if (converged_) return;
-  // A step shortened by lambda always predicts little gain, so the full step decides.
+  // A large lambda shortens the step and hence its predicted gain, so convergence is judged by the
+  // step with lambda = 0.
   const auto full = step_from(best_.u, best_.r, 0.0);
   if (!full) return;
   const bool has_enough = !promises(*full);

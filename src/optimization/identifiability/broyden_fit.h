@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Broyden's fit minimizes the sum of squares S = r' r over some of the variables, starting at a
-// nearby point at which the residuals and their derivatives are known. It needs a few evaluations
-// only and serves the steps of a profile or a cross-validation.
+// nearby point at which the residuals and their derivatives are known. It needs only a few
+// evaluations and is used for the steps of a profile or a cross-validation.
 //
 // The steps are those of Gauss and Newton: the free variables move by the d that minimizes |r + J
 // d|^2 + lambda |d|^2  inside the unit cube, each by at most a quarter of its range. lambda is 0
@@ -9,14 +9,14 @@
 // the smallest change that explains it,
 //   J <- J + (r(u + d) - r(u) - J d) d' / d'd          [Broyden, Math. Comp. 19 (1965) 577]
 // so no derivatives are evaluated until two steps in a row fail. Then J is recomputed by
-// differences with the lengths `differences`. The corrections know J only along the path taken, so
-// `refresh` names the variables whose columns are recomputed once before the fit may converge away
-// from the start. The fit has converged if the predicted gain of a step is less than `tolerance` of
-// S. It ends without convergence after `most_evaluations`, or if evaluations fail whatever the
-// step. With linear constraints the step is a quadratic program, and a difference for which neither
-// side has room leaves its column of J to the corrections. If the evaluations bring the model's own
-// slopes, J is that of the best point: nothing is corrected or recomputed, and the steps are
-// Levenberg's.
+// differences with the step lengths `differences`. The corrections improve J only along the path
+// taken. The fit may therefore converge away from its start only after the columns of J for the
+// variables in `refresh` have been recomputed once. The fit has converged if the predicted gain of
+// a step is less than `tolerance` times S. It ends without convergence after `most_evaluations`, or
+// if evaluations fail whatever the step. With linear constraints the step is the solution of a
+// quadratic program; if a variable has room for a difference on neither side, its column of J is
+// left to the corrections. If the evaluations return the model's own derivatives, J is that of the
+// best point: nothing is corrected or recomputed, and the steps are Levenberg's.
 //
 // Ask and tell: evaluate wanted() and pass the outcome to observe(), until wanted() is empty.
 #pragma once
@@ -32,18 +32,21 @@ namespace latsch {
 struct BroydenFitOptions {
   double tolerance = 0.0;  // relative to S
   int most_evaluations = 20;
-  std::vector<int> refresh = {};     // free variables whose columns of J are recomputed once
-  Eigen::VectorXd differences = {};  // shares of the range, one for each variable; empty: 0.001
-  std::optional<FeasibleRegion> region = std::nullopt;  // without one: the unit cube
+  std::vector<int> refresh = {};  // free variables whose columns of J are recomputed once
+  /// Lengths of the differences, as shares of the ranges; empty: 0.001 for all.
+  Eigen::VectorXd differences = {};
+  /// Region of feasible points; nullopt: the unit cube.
+  std::optional<FeasibleRegion> region = std::nullopt;
 };
 
 class BroydenFit {
  public:
-  /// `free` lists the variables that may move, in ascending order.
+  /// Begins a fit of the variables `free`, whose indices are in ascending order.
   BroydenFit(const Linearization& start, std::vector<int> free, const BroydenFitOptions& options);
 
-  /// Moves variable `i`, which is not free, to `value` first, and the free variables with it as J
-  /// predicts. The fit wants no point if none inside the constraints has that value.
+  /// First moves variable `i`, which is not free, to `value`, and the free variables with it as J
+  /// predicts. If no point inside the constraints has this value of the variable, the fit requests
+  /// no evaluation.
   BroydenFit(const Linearization& start,
              std::vector<int> free,
              const BroydenFitOptions& options,
@@ -52,14 +55,16 @@ class BroydenFit {
 
   /// Returns the next point of the unit cube to evaluate; nullopt when the fit is done.
   const std::optional<Eigen::VectorXd>& wanted() const { return wanted_; }
-  /// `evaluated` is nullopt if the evaluation failed.
+  /// Receives the outcome of the wanted point; nullopt if the evaluation failed.
   void observe(const std::optional<Evaluated>& evaluated);
 
-  /// False if the first point with the moved variable failed, so there is no fit at its value.
+  /// False if the evaluation of the first point with the moved variable failed, so that there is no
+  /// fit at its value.
   bool fitted() const { return !moving_; }
-  /// True if no step predicts an improvement; false while the fit wants a point or if it gave up.
+  /// True if no step predicts an improvement; false while the fit requests a point or if it ended
+  /// without convergence.
   bool converged() const { return converged_; }
-  /// Returns the point with the least S so far, and J as far as it is known there.
+  /// Returns the point with the least S so far, and the present approximation of J there.
   const Linearization& best() const { return best_; }
   int evaluations() const { return evaluations_; }
 
@@ -80,10 +85,11 @@ class BroydenFit {
   std::vector<int> free_;
   BroydenFitOptions options_;
   std::optional<Eigen::VectorXd> wanted_;
-  bool moving_ = false;  // the first point is being evaluated, which is accepted with any S
+  /// True while the first point is being evaluated, which is accepted whatever its S.
+  bool moving_ = false;
   double lambda_ = 0.0;
   bool converged_ = false, verified_ = false;
-  int failed_steps_ = 0;      // number in a row
+  int failed_steps_ = 0;      // number of failed steps in a row
   std::vector<int> columns_;  // columns of J being recomputed
   int difference_ = 0;        // index in columns_ of the derivative being evaluated
   int evaluations_ = 0;

@@ -15,22 +15,26 @@
 namespace latsch {
 namespace {
 
-// Share of the range: a variable this near is on its bound.
+// Distance to a bound, as a share of the range, within which a variable may count as on the bound.
 constexpr double kNearBound = 1e-6;
-constexpr double kResolved = 4e-16;  // share of the range: distance of neighboring numbers
-// A variable counts as on its bound if the motion to it changes the residuals by less than this
-// share of their noise.
+// Spacing of neighboring floating-point numbers, as a share of the range.
+constexpr double kResolved = 4e-16;
+// A variable counts as on its bound only if moving it onto the bound changes the residuals by less
+// than this share of their noise.
 constexpr double kNearInNoise = 0.1;
-constexpr double kRoundingOfValues = 1e-13;  // share of the largest singular value: less is zero
-/// Share of the stated noise: residuals with less spread contain no noise. An autoregression with
-/// kappa = 0.99975, the strongest looked for, still leaves 0.03 beside a constant in 20 values.
+// Share of the largest singular value below which a singular value counts as zero.
+constexpr double kRoundingOfValues = 1e-13;
+/// Residuals whose spread is below this share of the stated noise contain no noise. An
+/// autoregression with kappa = 0.99975, the largest that the estimation considers, still leaves
+/// 0.03 beside a constant in 20 values.
 constexpr double kNoNoise = 1e-3;
-/// Share of the root mean square of psi: if a few values beyond their corner pull the fit off exact
-/// ones, a curved model leaves this much of a smooth pattern in these, which is no noise that
-/// neighbors share. A larger share misses weak noise that they do share.
+/// Share of the root mean square of psi below which the residuals count as free of noise if some
+/// values lie beyond the corner of their loss. A few wrong values pull the fit of a curved model
+/// off exact values, which leaves a smooth pattern of this size in the exact ones; this pattern is
+/// not noise that neighbors share. A larger share would miss weak noise that they do share.
 constexpr double kPulled = 0.05;
-/// Share of a variable's deviation: a bound does not hold a variable that would leave it by less.
-/// In a fit without noise, rounding decides whether it does.
+/// A bound holds a variable only if the variable would leave the bound by more than this share of
+/// its standard deviation. In a fit without noise, rounding errors decide about smaller distances.
 constexpr double kHeldBy = 1e-3;
 
 struct Spectrum {
@@ -38,7 +42,7 @@ struct Spectrum {
   Eigen::MatrixXd directions;
 };
 
-/// Returns n singular values, even if there are fewer rows than columns.
+/// Returns n singular values, with zeros if there are fewer rows than columns.
 Spectrum spectrum(const Eigen::MatrixXd& J) {
   const Eigen::Index n = J.cols();
   const auto [values, V] = numerics::singular_values(J);
@@ -47,7 +51,8 @@ Spectrum spectrum(const Eigen::MatrixXd& J) {
   return s;
 }
 
-/// Returns (J' J)^-1. Directions without effect in J get the largest width that rounding allows.
+/// Returns (J' J)^-1. A direction in which J is zero gets the largest variance that rounding
+/// allows.
 Eigen::MatrixXd inverse_normal_matrix(const Eigen::MatrixXd& J) {
   if (J.cols() == 0) return {};
   const Spectrum s = spectrum(J);
@@ -58,26 +63,26 @@ Eigen::MatrixXd inverse_normal_matrix(const Eigen::MatrixXd& J) {
   return W * W.transpose();
 }
 
-/// Returns the combination of the columns of A that represents column j best.
+/// Returns the coefficients of the combination of the columns of A that is nearest to column j.
 Eigen::VectorXd represented(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
   return inverse_normal_matrix(A) * (A.transpose() * j);
 }
 
-/// Returns the part of column j that the columns of A cannot represent.
+/// Returns the part of column j that is orthogonal to the columns of A.
 Eigen::VectorXd beside(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
   if (A.cols() == 0) return j;
   return j - A * represented(A, j);
 }
 
-/// Returns the bound a variable is on if S grows inward by its slope. `way` is a distance in the
-/// unit cube short enough to count as none.
+/// Returns the bound that a variable is on, if S grows from this bound inward. `way` is the
+/// distance, in the unit cube, within which a variable counts as on a bound.
 Bound bound_at(double u, double gradient, double way) {
   if (u <= way && gradient > 0.0) return Bound::lower;
   if (u >= 1.0 - way && gradient < 0.0) return Bound::upper;
   return Bound::none;
 }
 
-/// Returns the variables whose bound prevents a better fit by more than rounding.
+/// Returns for each variable the bound that prevents a better fit by more than rounding errors.
 std::vector<Bound> held_variables(const Eigen::VectorXd& u,
                                   const Eigen::MatrixXd& H,
                                   const Eigen::VectorXd& gradient,
@@ -102,18 +107,19 @@ std::vector<Bound> held_variables(const Eigen::VectorXd& u,
   return bounds;
 }
 
-/// Returns the distance inward from a bound, where S grows as 2 g d + h d^2, up to which S stays
-/// below the threshold.
+/// Returns the distance from a bound inward at which the growth of S, 2 g d + h d^2, reaches the
+/// threshold.
 double reach(double g, double h, double threshold) {
   const double root = std::sqrt(g * g + h * threshold);
-  const double d = threshold / (g + root);  // formula without cancellation
+  const double d = threshold / (g + root);  // this form of the solution avoids cancellation
   return std::isfinite(d) ? d : kInfinity;
 }
 
 }  // namespace
 
 double rare_ratio(double nu) {
-  constexpr double kNormal = 3.090232;  // exceeded with a chance of one in a thousand
+  // Value that a standard normal number exceeds with a chance of one in a thousand.
+  constexpr double kNormal = 3.090232;
   const double k = 2.0 / (9.0 * nu);
   return std::pow(1.0 - k + kNormal * std::sqrt(k), 3.0);
 }
@@ -139,7 +145,8 @@ void take_spread(const ResidualNoise& noise,
   c.sigma = seen;
 }
 
-/// Returns each direction's deviation caused by noise: that of J v_k over its length.
+/// Returns the standard deviation along each direction that noise causes, by the projection of the
+/// noise onto J v_k.
 Eigen::VectorXd along_directions(const Eigen::MatrixXd& J,
                                  const ResidualNoise& noise,
                                  const Confidence& c) {
@@ -160,26 +167,30 @@ Eigen::VectorXd along_directions(const Eigen::MatrixXd& J,
 
 namespace {
 
-/// The variables as sums of psi, direction by direction:  u = -V scale felt' psi.
+/// The estimated variables as linear functions of psi, by direction:  u = -V scale felt' psi.
 struct Estimates {
   Eigen::MatrixXd V;      // n x n: directions
   Eigen::VectorXd scale;  // n: 1 / singular value
   Eigen::MatrixXd W;      // n x n: V scale
-  Eigen::MatrixXd felt;   // m x n: X W, with orthonormal columns without a loss; 0 if flat
-  Eigen::MatrixXd bent;   // H W; 0 if flat
+  // The product X W, m x n. Columns of flat directions are 0; without a loss, all others are
+  // orthonormal.
+  Eigen::MatrixXd felt;
+  Eigen::MatrixXd bent;  // H W; 0 if flat
   std::vector<Eigen::Index> flat;
 
-  /// Returns the shift of the least S along each direction for these psi.
+  /// Returns, for these psi, the shift of the minimum of S along each direction.
   Eigen::MatrixXd answer(const Eigen::MatrixXd& psi) const {
     return -(scale.asDiagonal() * (felt.transpose() * psi));
   }
-  /// Returns the motion along each direction per motion of another variable with the column h of H.
+  /// Returns the motion along each direction for a unit motion of another variable, whose column of
+  /// H is h.
   Eigen::VectorXd following(const Eigen::VectorXd& h) const {
     return -(scale.asDiagonal() * (bent.transpose() * h));
   }
 };
 
-/// Takes the derivatives X before a loss, and rows H with H'H = A.
+/// Returns the estimates for the derivatives X of the residuals before a loss is applied, and for
+/// rows H with H'H = A.
 Estimates estimates_of(const Eigen::MatrixXd& X, const Eigen::MatrixXd& H) {
   if (X.cols() == 0) return {};
   const Spectrum s = spectrum(H);
@@ -198,7 +209,7 @@ Estimates estimates_of(const Eigen::MatrixXd& X, const Eigen::MatrixXd& H) {
   return estimates;
 }
 
-/// The noise as it moves the variables of a fit with or without robust losses.
+/// The effect of the noise on the variables of a fit with or without robust losses.
 class MovingNoise {
  public:
   MovingNoise(const RobustRows& rows,
@@ -219,7 +230,7 @@ class MovingNoise {
     common_ = weighted_rows(rows.X(), rows.common_weights());
   }
 
-  /// Returns the covariance of the coordinates along the directions, of these variables.
+  /// Returns the covariance of the coordinates along the directions of the given variables.
   Eigen::MatrixXd covariance(const Estimates& estimates, const std::vector<int>& variables) const {
     Eigen::MatrixXd K = gram(estimates.felt, rows_.is_limited() ? &spreads_.own : nullptr);
     if (rows_.is_limited()) {
@@ -236,8 +247,9 @@ class MovingNoise {
     return rows_.is_limited() ? scaled : Eigen::MatrixXd(sigma_ * sigma_ * scaled);
   }
 
-  /// Returns the variance by which the noise moves  y' psi  over the curvature of S that goes
-  /// with it, without a loss in units of sigma^2. `common` is the curvature with the common psi'.
+  /// Returns the variance that the noise causes in y' psi divided by the curvature of S that
+  /// belongs to y; without a loss, in units of sigma^2. `common` is the curvature computed with the
+  /// same psi' for all residuals.
   double share(const Eigen::VectorXd& y, double curvature, const Eigen::VectorXd& common) const {
     if (!rows_.is_limited()) return noise_.colored(y).squaredNorm() / y.squaredNorm();
     const double of_common = common.squaredNorm();
@@ -245,7 +257,7 @@ class MovingNoise {
                     gram(y, &spreads_.common)(0, 0) * curvature / (of_common * of_common));
   }
 
-  /// Returns the deviation of every residual as it acts on the variables.
+  /// Returns the standard deviation of every residual as it acts on the variables.
   Eigen::VectorXd effective_deviations() const {
     const Eigen::VectorXd shared = noise_.effective_deviations();
     if (!rows_.is_limited()) return sigma_ * shared;
@@ -253,17 +265,20 @@ class MovingNoise {
            rows_.common_weights().array().max(0.0);
   }
 
-  /// Rows with the common psi'; those of the own ones without a loss.
+  /// Returns the rows weighted by the psi' that is common to all residuals; without a loss, the
+  /// unweighted rows.
   const Eigen::MatrixXd& common() const { return rows_.is_limited() ? common_ : rows_.X(); }
 
  private:
-  /// Returns Y' D R D Y; without D in units of sigma^2.
+  /// Returns Y' D R D Y, where R is the correlation of the residuals. Without D, the result is Y' R
+  /// Y in units of sigma^2.
   Eigen::MatrixXd gram(const Eigen::MatrixXd& Y, const Eigen::VectorXd* D) const {
     const Eigen::MatrixXd colored =
         D ? noise_.colored(D->cwiseQuotient(deviations_).asDiagonal() * Y) : noise_.colored(Y);
     return colored.transpose() * colored;
   }
-  /// Replaces K by the larger of both, without the flat directions.
+  /// Replaces K by the larger of K and `other`, except in flat directions, on which no residual
+  /// depends.
   static void take_larger(const Eigen::MatrixXd& other,
                           const std::vector<Eigen::Index>& flat,
                           Eigen::MatrixXd& K) {
@@ -306,7 +321,8 @@ FreeDirections free_directions(const Linearization& at,
   return directions;
 }
 
-/// Sets directions of all variables with their deviations.
+/// Computes directions and singular values for all variables, and the standard deviation along
+/// each.
 void take_directions(const Eigen::MatrixXd& H,
                      const RobustRows& rows,
                      const ResidualNoise& noise,
@@ -335,8 +351,8 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   const Eigen::VectorXd gradient = at.J.transpose() * at.r;
   const RobustRows rows(at.r, at.J, options.traits);
   const Eigen::MatrixXd H = rows.is_limited() ? weighted_rows(rows.X(), rows.own_weights()) : at.J;
-  // The noise is estimated with all variables: residuals that a held variable could explain are not
-  // noise.
+  // The noise is estimated with all variables free: the part of the residuals that a held variable
+  // could explain is not noise.
   double rounding = options.sigma ? kNoNoise * *options.sigma : options.least_noise;
   if (rows.beyond() > 0)
     rounding = std::max(rounding, kPulled * rows.psi().norm() / std::sqrt(at.r.size()));
@@ -357,12 +373,13 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
                         common_free = moving.common()(Eigen::all, free);
   const Eigen::MatrixXd inverse = inverse_normal_matrix(H_free);
   const Estimates estimates = estimates_of(X_free, H_free);
-  Eigen::VectorXd left = -inverse * gradient(free);  // distance to the least S
-  if (!estimates.flat.empty()) left = estimates.V * estimates.answer(rows.psi());  // 0 there
+  Eigen::VectorXd left = -inverse * gradient(free);  // distance to the minimum of S
+  // The distance along flat directions, on which no residual depends, is set to 0.
+  if (!estimates.flat.empty()) left = estimates.V * estimates.answer(rows.psi());
   c.left_to_gain = free.empty() ? 0.0 : std::max(0.0, -gradient(free).dot(left));
   c.free = free_directions(at, H, free, estimates, moving, rows, c);
   const Eigen::MatrixXd C = estimates.V * c.free.covariance * estimates.V.transpose();
-  /// Returns t of the interval of a variable that is the sum y' psi.
+  /// Returns Student's quantile t for the interval of a variable whose estimate is y' psi.
   const auto t_of = [&](const Eigen::VectorXd& y) {
     const double freedom = std::min(nu > 0.0 ? nu : kInfinity, noise.freedom_of(y, stated));
     const double t =
@@ -371,7 +388,8 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
     c.free.t = std::max(c.free.t, t);
     return t;
   };
-  /// Returns the rise of S at the ends of an interval: t^2 times a variance over a curvature.
+  /// Returns the growth of S at the ends of an interval: t^2 times `share`, the ratio of a variance
+  /// to a curvature.
   const double unit = rows.is_limited() ? 1.0 : c.sigma * c.sigma;
   const auto threshold_of = [&](double t, double share) {
     return std::isfinite(share) ? unit * t * t * share : c.threshold();
@@ -411,7 +429,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
 
 namespace {
 
-/// Returns n rows with the rows of the variables at their indices and 0 elsewhere.
+/// Returns a matrix with n rows: the rows of `part` at the indices `places`, and 0 elsewhere.
 Eigen::MatrixXd spread_rows(const Eigen::MatrixXd& part,
                             const std::vector<int>& places,
                             Eigen::Index n) {
@@ -476,7 +494,7 @@ std::vector<DesignPoint> difference_points(const DesignSpace& space,
     const auto stepped = [&](double side) {
       std::vector<double> moved = u;
       moved[i] += side;
-      DesignPoint point = center;  // keeps the exact bits of the other variables
+      DesignPoint point = center;  // a copy, which keeps the exact bits of the other variables
       point.values[i] = space.from_unit(moved).values[i];
       return point;
     };

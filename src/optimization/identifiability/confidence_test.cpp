@@ -12,7 +12,7 @@
 namespace latsch {
 namespace {
 
-/// The straight line y = a + b x at x = 0 .. m - 1, fitted to y; u = (a, b).
+/// Returns the straight line y = a + b x at x = 0 .. m - 1, fitted to y by u = (a, b).
 Linearization line(const Eigen::VectorXd& y) {
   Linearization at;
   at.J.resize(y.size(), 2);
@@ -35,11 +35,11 @@ TEST(Confidence, AStraightLineHasItsTextbookIntervals) {
   EXPECT_NEAR(c.covariance(0, 0), s2 * (1.0 / 5 + 4.0 / 10), 1e-12);
   EXPECT_NEAR(c.correlation(0, 1), -0.2 / std::sqrt(0.6 * 0.1), 1e-12);
   EXPECT_NEAR(c.intervals[1].upper - at.u[1], c.t * std::sqrt(s2 / 10), 1e-12);
-  // sigma_1^2 sigma_2^2 = det J'J = m Sxx
+  // The product of the squared singular values is det J'J = m Sxx.
   EXPECT_NEAR(std::pow(c.singular_values.prod(), 2), 50.0, 1e-10);
 }
 
-// In a linear model d leads to the textbook's solution, wherever the search stopped.
+// In a linear model the distance d leads to the textbook's solution, wherever the search stopped.
 TEST(Confidence, WhatTheSearchLeftOfTheWayWidensTheInterval) {
   const Linearization least = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
   const Eigen::Vector2d left(0.3, -0.2);
@@ -101,7 +101,7 @@ TEST(Confidence, AsManyResidualsAsVariablesLeaveNothingToEstimateTheirSpreadFrom
   EXPECT_TRUE(std::isinf(confidence(at).intervals[0].upper));
 }
 
-/// Noise of variance 1 that neighbors share: an autoregression of order 1.
+/// Returns noise of variance 1 that neighbors share: an autoregression of order 1.
 Eigen::VectorXd colored_noise(int count, double kappa, RandomStream random) {
   Eigen::VectorXd e(count);
   e[0] = random.normal();
@@ -111,8 +111,9 @@ Eigen::VectorXd colored_noise(int count, double kappa, RandomStream random) {
   return e;
 }
 
-// The test estimates the level and slope of a line under noise that neighbors share. With 300 data
-// sets a share of 0.95 has a standard error of 0.0126.
+// The level and the slope of a line are estimated from 300 data sets whose noise is shared by
+// neighbors. The observed share of intervals that contain the true value, 0.95, has a standard
+// error of 0.0126.
 TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
   constexpr int kSets = 300, kSamples = 200;
   int held[2] = {};
@@ -130,9 +131,10 @@ TEST(Confidence, NeighborsThatShareNoiseAreNotIndependent) {
   for (const int count : held) EXPECT_NEAR(static_cast<double>(count) / kSets, 0.95, 0.025);
 }
 
-// A robust loss takes the derivatives of wrong values away. The others are exact, so the values
-// share no noise, and the intervals are those of independent residuals of spread s, where s^2 =
-// sum r^2 / (m - n). The rows of J are those of a straight line, 0 at the wrong values.
+// A few values are wrong, and all others are exact. A robust loss makes the derivatives of the
+// wrong values zero, so the values share no noise, and the intervals are those of independent
+// residuals of spread s, where s^2 = sum r^2 / (m - n). The rows of J are those of a straight line,
+// and 0 at the wrong values.
 TEST(Confidence, ExactValuesBesideAFewFarOffShareNoNoise) {
   constexpr int m = 21;
   for (const std::vector<int>& wrong : {std::vector{10}, std::vector{3}, std::vector{4, 15}}) {
@@ -156,7 +158,7 @@ TEST(Confidence, ExactValuesBesideAFewFarOffShareNoNoise) {
   }
 }
 
-// With noise that neighbors share, values far off do not make the others exact.
+// If neighbors share noise, a few wrong values must not make the others count as exact.
 TEST(Confidence, NoiseBesideAValueFarOffIsStillShared) {
   constexpr int m = 200;
   const Eigen::VectorXd y =
@@ -168,11 +170,11 @@ TEST(Confidence, NoiseBesideAValueFarOffIsStillShared) {
   EXPECT_TRUE(c.is_colored);
 }
 
-// Twice the stated noise in 100 values cannot be chance, so the interval follows from the observed
-// spread.
+// Residuals that are twice as large as the stated noise in 100 values are not due to chance, so the
+// interval follows from the observed spread.
 TEST(Confidence, ResidualsLargerThanTheirStatedNoiseWidenTheIntervals) {
   Linearization at = line(2.0 * colored_noise(100, 0.0, RandomStream(3, 1)));
-  at.u.setConstant(0.5);  // inside the bounds
+  at.u.setConstant(0.5);  // a point that is not on a bound
   const Confidence stated = confidence(at, {.sigma = 1.0}), seen = confidence(at);
   EXPECT_NEAR(stated.excess, 2.0, 0.3);
   EXPECT_NEAR(stated.intervals[1].upper, seen.intervals[1].upper, 1e-12);
@@ -189,8 +191,8 @@ TEST(Confidence, AWeightIsNotTakenForExactness) {
   EXPECT_NEAR(c.covariance(0, 0), 17.0 / 25.0, 1e-12);
 }
 
-// If the model computes values too large by 0.3 - 0.02 x, the least squares are lower by this line.
-// If the slope is held, the level takes the mean, 0.3 - 0.02 * 2.
+// If the model's values are too large by 0.3 - 0.02 x, the fitted line is lower by 0.3 - 0.02 x. If
+// the slope is held, the level is lower by the mean of this error, 0.3 - 0.02 * 2.
 TEST(Confidence, ALinearModelsBiasShiftsTheLeastSquaresByIt) {
   const Linearization at = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
   const Eigen::VectorXd change = at.J * Eigen::Vector2d(-0.3, 0.02) * -1.0;
@@ -202,7 +204,7 @@ TEST(Confidence, ALinearModelsBiasShiftsTheLeastSquaresByIt) {
   EXPECT_EQ(held[1], 0.0);
 }
 
-// A direction without effect on the residuals is not shifted.
+// The result is not shifted along a direction on which no residual depends.
 TEST(Confidence, NothingIsShiftedAlongAFlatDirection) {
   Linearization at{Eigen::VectorXd::Constant(2, 0.5), Eigen::Vector3d::Zero(), {}};
   at.J = Eigen::MatrixXd{{1, 1}, {2, 2}, {3, 3}};

@@ -10,9 +10,11 @@
 namespace latsch {
 namespace {
 
-constexpr int kEvaluationsOfARefit = 30;  // plus two for each variable
+// Largest number of evaluations of a refit, to which two for each variable are added.
+constexpr int kEvaluationsOfARefit = 30;
 
-// Evaluations that a fold usually takes: with slopes; without, plus one for each variable.
+// Number of evaluations that a fold usually takes. The first holds if the model computes its
+// derivatives; the second, plus one for each variable, if it does not.
 constexpr double kUsualEvaluations = 6.0, kUsualEvaluationsWithoutSlopes = 10.0;
 
 double root_mean_square(const Eigen::VectorXd& r, double values) {
@@ -73,7 +75,7 @@ void CrossValidation::observe(const std::vector<Result<Evaluated>>& evaluated) {
 }
 
 double CrossValidation::share_done() const {
-  constexpr double kMostUnderWay = 0.9;  // largest share of a fold that has not ended
+  constexpr double kMostUnderWay = 0.9;  // largest share done of a fold that has not ended
   double sum = 0.0;
   for (const Fold& fold : folds_) {
     const auto variables = static_cast<double>(space_.size());

@@ -8,7 +8,8 @@
 // converge, because its evaluations fail or run out, predicts nothing. [Stone, J. R. Statist. Soc.
 // B 36 (1974) 111]
 //
-// Ask and tell in rounds, as in Identification: the groups are evaluated side by side.
+// Ask and tell in rounds, as in Identification: each round contains one point of every unfinished
+// group.
 #pragma once
 
 #include <map>
@@ -22,19 +23,20 @@ namespace latsch {
 
 /// Result for one group of residuals.
 struct LeftOut {
-  int group = 0;           // the group that the refit did not use
-  Eigen::VectorXd u;       // refitted without the group
-  double fitted = 0.0;     // root mean square of the group's residuals in the common fit
-  double predicted = 0.0;  // and without the group; NaN if the refit did not converge
+  int group = 0;        // the group that the refit did not use
+  Eigen::VectorXd u;    // the point refitted without the group
+  double fitted = 0.0;  // root mean square of the group's residuals in the common fit
+  /// Root mean square of the group's residuals after the refit; NaN if it did not converge.
+  double predicted = 0.0;
 };
 
 class CrossValidation {
  public:
-  /// `group`: the group of every residual of the common fit `best`, < 0 for residuals that are
-  /// never left out; at least two groups are required. `tolerance` as in BroydenFitOptions; `free`:
-  /// the variables that may move, ascending; empty: all. `values`: number of residuals of each
-  /// group, if the rows of `best` and of the observed outcomes are reduced (reduced_rows.h); empty:
-  /// one per row.
+  /// `group` holds the group of every residual of the common fit `best`, or a negative number if
+  /// the residual is never left out; at least two groups are required. `tolerance` is that of
+  /// BroydenFitOptions. `free` lists the variables that may move, in ascending order; empty: all.
+  /// `values` holds the number of residuals of each group, if the rows of `best` and of the
+  /// observed outcomes are reduced (reduced_rows.h); empty: one per row.
   CrossValidation(const DesignSpace& space,
                   const Linearization& best,
                   const std::vector<int>& group,
@@ -56,7 +58,7 @@ class CrossValidation {
  private:
   struct Fold {
     std::vector<Eigen::Index> rest, out;  // rows
-    double values;                        // residuals of the group
+    double values;                        // number of residuals of the group
     BroydenFit refit;
     LeftOut result;
   };

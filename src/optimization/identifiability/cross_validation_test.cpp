@@ -11,8 +11,9 @@ namespace {
 
 using Model = std::function<Result<Evaluated>(double)>;
 
-/// Two groups of residuals of one number x: x - 0.4 twice, x - 0.6 twice. The common best x is 0.5
-/// with errors of 0.1; after a fit to one group, the other is off by 0.2.
+/// Residuals in two groups that depend on one number x: x - 0.4 twice, and x - 0.6 twice. The
+/// common fit is x = 0.5 with residuals of 0.1; after a fit to one group, the residuals of the
+/// other are 0.2.
 Evaluated two_groups(double x) { return Eigen::VectorXd{{x - 0.4, x - 0.4, x - 0.6, x - 0.6}}; }
 
 std::vector<LeftOut> validate(const Model& model) {
@@ -39,8 +40,8 @@ TEST(CrossValidation, PredictsAGroupFromTheOthers) {
   EXPECT_NEAR(folds[0].u[0], 0.6, 1e-9);
 }
 
-// The model fails above 0.5, so without group 0 the rest cannot be fitted. Such a refit must not
-// count as a prediction as good as the fit.
+// The model fails above x = 0.5, so the fit without group 0 fails. It must not count as a good
+// prediction.
 TEST(CrossValidation, ARefitThatFailsPredictsNothing) {
   const auto folds = validate([](double x) -> Result<Evaluated> {
     if (x > 0.5) return Failure{"no solution"};

@@ -6,8 +6,8 @@
 // it will measure [Fedorov, Theory of Optimal Experiments, 1972, ch. 2]. In the unit cube
 //   M = J'J / s^2 + 12 I
 // The term 12 I is the information of the bounds, the inverse of the variance 1/12 of a number
-// anywhere between them. So a direction that the data leave flat counts as wide as its range, not
-// infinitely wide.
+// anywhere between them. So a direction that the data do not determine counts as wide as its range,
+// not infinitely wide.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,18 +20,20 @@ namespace latsch {
 /// divided by its noise.
 struct Candidate {
   std::string name;   // for people
-  Eigen::MatrixXd J;  // rows x variables, of the unit cube
+  Eigen::MatrixXd J;  // one row for each residual, one column for each variable of the unit cube
 };
 
 struct DOptimality {
-  int candidate = 0;       // index in the list
-  double shrinkage = 1.0;  // volume of the ellipsoid before over after, >= 1
+  int candidate = 0;  // index of the candidate in the list
+  /// Volume of the ellipsoid before the measurement divided by that after it, >= 1.
+  double shrinkage = 1.0;
   double widest_before = 0.0, widest_after = 0.0;  // standard deviation of the widest direction
-  Eigen::VectorXd deviations;                      // with the measurement, by variable; in ranges
+  /// Standard deviation of each variable after the measurement, as a share of its range.
+  Eigen::VectorXd deviations;
 };
 
-/// Returns the candidates, most useful first. `J` belongs to the present data, each row divided by
-/// its noise.
+/// Returns the candidates, the most useful first. `J` belongs to the present data; each row is
+/// divided by its noise.
 std::vector<DOptimality> d_optimality(const Eigen::MatrixXd& J,
                                       const std::vector<Candidate>& candidates);
 

@@ -8,8 +8,9 @@
 namespace latsch {
 namespace {
 
-// The data determine u0 + u1 only. A measurement of this sum adds little; one of the difference
-// determines the flat direction. With M = 12 I + a a' / s^2, all determinants are products.
+// The data determine only the sum u0 + u1. A measurement of this sum adds little; one of the
+// difference determines the direction that was unknown. With M = 12 I + a a' / s^2, all
+// determinants are products.
 TEST(DOptimality, RanksFirstWhatRepairsTheFlatDirection) {
   const double s = 0.01;
   const Eigen::MatrixXd J = Eigen::MatrixXd{{1, 1}} / s;
@@ -19,7 +20,8 @@ TEST(DOptimality, RanksFirstWhatRepairsTheFlatDirection) {
   EXPECT_EQ(gains[0].candidate, 1);
   EXPECT_NEAR(gains[0].shrinkage, std::sqrt((12 + 2e4) / 12), 1e-9 * gains[0].shrinkage);
   EXPECT_NEAR(gains[1].shrinkage, std::sqrt((12 + 4e4) / (12 + 2e4)), 1e-9);
-  EXPECT_NEAR(gains[0].widest_before, std::sqrt(1.0 / 12), 1e-9);  // only the bounds
+  // Only the bounds limit this direction.
+  EXPECT_NEAR(gains[0].widest_before, std::sqrt(1.0 / 12), 1e-9);
   EXPECT_NEAR(gains[0].widest_after, 1 / std::sqrt(12 + 2e4), 1e-9);
   EXPECT_NEAR(gains[1].widest_after, gains[1].widest_before, 1e-9);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fits without noise, of a model to itself, from the search to the intervals: the results have to
-// follow from the model and not from rounding errors. The model is y = a exp(b t) + c at 21 times
-// with the truth 2, -1.3, 0.5, scaled by 2.5, its largest value.
+// Tests fits of a model to its own results, which contain no noise, from the search to the
+// intervals: the intervals have to follow from the model and not from rounding errors. The model is
+// y = a exp(b t) + c at 21 times t with the true values a = 2, b = -1.3, c = 0.5. Residuals are
+// divided by 2.5, the largest value of y.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -90,8 +91,8 @@ Answered answer(const std::vector<DesignVariable>& variables,
   return found;
 }
 
-/// Returns half the width of the interval from the design matrix at the truth in closed form, for
-/// the spread least_sigma.
+/// Returns half the width of the interval of variable i, computed from the closed-form derivatives
+/// at the true values, for noise of the size least_sigma.
 double half_width(int i, const Confidence& c) {
   Eigen::MatrixXd J(kSamples, 3);
   for (int k = 0; k < kSamples; ++k) {
@@ -121,7 +122,7 @@ TEST_P(FromAnyStart, AllThreeNumbersAreDeterminedAsTheDesignMatrixSays) {
     const double half = half_width(i, found.confidence);
     const double own = 0.5 * (found.values[k].upper - found.values[k].lower);
     EXPECT_GE(own, 0.9 * half) << GetParam().name << " " << i;
-    // |d|, the remaining distance to the least squares, is added.
+    // The interval also contains |d|, the remaining distance to the least squares.
     EXPECT_LE(own, 6.0 * half) << GetParam().name << " " << i;
     EXPECT_EQ(found.confidence.held[k], Bound::none);
   }
@@ -171,7 +172,8 @@ TEST(ExactFit, NumbersOfAnyMagnitudeAreDeterminedAlike) {
   }
 }
 
-// Rounding decides whether the bound holds this variable; the others are determined as without it.
+// The true value of a variable is its bound, so only rounding errors decide if the bound holds it.
+// The other variables must be determined as well as without a bound.
 TEST(ExactFit, AVariableWhoseTruthIsItsBoundIsNotHeldByRounding) {
   for (const double start : {0.6, 1.0, 1.9}) {
     const Answered found =
@@ -217,9 +219,9 @@ double printed(double value, int digits) {
   return std::atof(text);
 }
 
-// Only the product of two variables, or the cube of one times the other, is determined. J along
-// this direction then contains only curvature and rounding of the differences, whatever digits are
-// printed.
+// Only the product of two variables, or the cube of one times the other, is determined. Along the
+// undetermined direction, J contains only errors of the differences, due to curvature and rounding,
+// however many digits the program prints.
 TEST(ExactFit, TiedVariablesMayBeAnywhereAndTheOthersNot) {
   const std::vector<DesignVariable> variables{variable("a1", 0.1, 10, 1),
                                               variable("a2", 0.1, 10, 1.5),
@@ -265,8 +267,8 @@ TEST(ExactFit, TiedVariablesMayBeAnywhereAndTheOthersNot) {
   }
 }
 
-// x^3 has no slope at 0. The slope of symmetric differences is their length squared, and they look
-// straight. The interval has to contain the truth.
+// x^3 has the slope 0 at x = 0. The slope of symmetric differences is the square of their length,
+// and they show no curvature. The interval must nevertheless contain the true value.
 TEST(ExactFit, AVariableThatIsFlatAtItsTruthIsNotFalselyKnown) {
   const Answered found =
       answer({variable("p", -3, 3, 1), variable("q", 0, 1, 0)}, [](const Values& v) {
@@ -289,8 +291,9 @@ TEST(ExactFit, AStartWithoutSlopeDoesNotHoldTheSearch) {
   EXPECT_LE(found.values[0].upper - found.values[0].lower, 1e-7);
 }
 
-// The ranges are so wide that the search's shortest moves change the residuals by far. The truth is
-// found, but no more accurately than neighboring numbers of the range.
+// The ranges are so wide that the shortest steps of the search change the residuals by a large
+// amount. The true value is found only as accurately as neighboring floating-point numbers of the
+// range allow.
 TEST(ExactFit, ARangeOfAnyWidthIsResolved) {
   for (const double wide : {1e3, 1e5, 1e7, 1e9, 1e10, 1e12}) {
     const Answered found =
@@ -312,7 +315,7 @@ TEST(ExactFit, ARangeOfAnyWidthIsResolved) {
   EXPECT_LT(two.trials, 150);
 }
 
-// Every trial beside the start fails in x, so nothing shows that the start is a minimum in x.
+// All trials beside the start fail in x, so nothing proves that the start is a minimum in x.
 TEST(ExactFit, ASearchThatSawNoSlopeDoesNotCallItsEndAMinimum) {
   const DesignSpace space({variable("x", -1e9, 1e9, 3.0), variable("y", 0, 1, 0.2)});
   ResidualTrustRegion search(space);

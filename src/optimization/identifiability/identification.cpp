@@ -13,13 +13,14 @@
 namespace latsch {
 namespace {
 
-// Tolerance of refits and rungs, as a share of the threshold.
+// Tolerance of the refits and of the steps of a profile, as a share of the threshold.
 constexpr double kTolerance = 0.02;
-constexpr int kEvaluationsOfTheRefit = 30;  // plus two for each variable
+// Largest number of evaluations of the refit, to which two for each variable are added.
+constexpr int kEvaluationsOfTheRefit = 30;
 constexpr int kEvaluationsOfAShortRefit = 5;
 constexpr int kMostWeakRounds = 3;
-// Improvement worth a new center, as a share of a threshold. A smaller improvement moves an
-// interval by at most a sixth of its width.
+// Smallest improvement for which all rounds start again at the better point, as a share of the
+// threshold. A smaller improvement moves an interval by at most a sixth of its width.
 constexpr double kWorthwhile = 0.1;
 
 std::vector<double> numbers(const Eigen::VectorXd& u) { return {u.begin(), u.end()}; }
@@ -37,7 +38,8 @@ Identification::Identification(const DesignSpace& space,
   begin_at(point);
 }
 
-/// Returns a point of the unit cube with the exact bits of the variables that may not move.
+/// Returns the point u of the unit cube, in which the variables that may not move have exactly the
+/// bits of the center.
 DesignPoint Identification::held_at_center(const Eigen::VectorXd& u) const {
   DesignPoint point = center_;
   const DesignPoint moved = space_.from_unit(numbers(u));
@@ -52,7 +54,7 @@ Confidence Identification::confidence_of_free(const Linearization& at) const {
   return of_all_variables(latsch::confidence(part, options_.confidence), free_, at.u);
 }
 
-/// Returns the center with a step in one variable and the exact bits of the others.
+/// Returns the center moved by `offset` in one variable; all other variables keep their exact bits.
 DesignPoint Identification::moved(int variable, double offset) const {
   std::vector<double> u = space_.to_unit(center_);
   u[static_cast<size_t>(variable)] += offset;
@@ -143,8 +145,8 @@ void Identification::look_for_better(const std::vector<Result<Evaluated>>& evalu
   }
 }
 
-/// Selects the residuals used: those known at the center and at all points beside it at which the
-/// model does not fail. A later center uses the same residuals.
+/// Selects the residuals used: those known at the center and at all points beside it whose
+/// evaluation succeeded. Later centers use the same residuals.
 Status Identification::center_observed(const std::vector<Result<Evaluated>>& evaluated) {
   if (!evaluated.front())
     return Failure{"at the point the evaluation failed: " + evaluated.front().failure().reason};
@@ -163,19 +165,19 @@ Status Identification::center_observed(const std::vector<Result<Evaluated>>& eva
     }
   }
   const auto rows = used(evaluated.front());
-  assert(rows);  // every center but the first was evaluated as a trial point
+  assert(rows);  // never fails: a later center was evaluated as a trial before
   r_ = rows->r;
   least_ = r_->squaredNorm();
   least_point_ = center_;
   return {};
 }
 
-/// Returns the change of the residuals at the ends of an interval of one variable with the others
-/// held.
+/// Returns by how much the residuals change in total at the ends of the interval of a variable, if
+/// all other variables are held.
 double Identification::felt() const {
   constexpr double kAsAtTheEnds = 2.0;  // standard deviations
   if (options_.confidence.sigma) return kAsAtTheEnds * *options_.confidence.sigma;
-  // A value far off moves the ends by no more than its psi.
+  // A value with a large residual moves the ends no more than its psi does.
   const RobustRows rows(*r_, Eigen::MatrixXd(r_->size(), 0), options_.confidence.traits);
   const Eigen::VectorXd x = rows.psi().cwiseQuotient(scale_);
   const double freedom = static_cast<double>(x.size()) - static_cast<double>(free_.size());
@@ -237,7 +239,8 @@ void Identification::take_slopes() {
     }
     at.J.col(i) = scale_.cwiseProduct(search.slope());
     lengths_[i] = search.length();
-    const bool is_straight = search.quality() == SlopeQuality::straight;  // others are reported
+    // Derivatives of other qualities are reported.
+    const bool is_straight = search.quality() == SlopeQuality::straight;
     made_.curvature[i] = is_straight ? search.bend() * search.bend() * at.J.col(i).norm() : 0.0;
     qualities_.push_back(search.quality());
   }
@@ -245,7 +248,7 @@ void Identification::take_slopes() {
   linearized(std::move(at));
 }
 
-/// Completes round 1 except for weak directions.
+/// Completes round 1 with derivatives `at`, apart from the check of weak directions.
 void Identification::linearized(Linearization at) {
   wanted_.clear();
   at_ = std::move(at);
@@ -275,13 +278,14 @@ void Identification::weak_directions_observed(const std::vector<Result<Evaluated
   at_->J = std::move(J);
   wanted_.clear();
   if (is_other) confidence_ = latsch::confidence(*at_, options_.confidence);
-  // Because of wrong slopes other directions than the weak ones were checked.
+  // Wrong derivatives may have led to a check of other directions than the weak ones, so the check
+  // is repeated.
   if (is_other && ++weak_rounds_ < kMostWeakRounds && ask_weak_directions()) return;
   weak_.reset();
   after_slopes();
 }
 
-/// Continues after round 1 with the weak directions checked.
+/// Continues after round 1, when weak directions have been checked.
 void Identification::after_slopes() {
   const double promised = confidence_->left_to_gain;
   const bool stays =
@@ -316,7 +320,7 @@ void Identification::refit_observed(const std::optional<Evaluated>& evaluated) {
   ask_for_refit();
 }
 
-/// Proposes the next point of the refit, or begins the profiles if the refit has ended.
+/// Requests the next point of the refit, or begins the profiles if the refit has ended.
 void Identification::ask_for_refit() {
   if (refit_->wanted()) {
     wanted_ = {held_at_center(*refit_->wanted())};

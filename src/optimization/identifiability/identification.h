@@ -3,22 +3,22 @@
 // and a profile with a verdict for every variable.
 //
 // Ask and tell, like an optimizer, but in rounds: all points of wanted() may be evaluated at once.
-//   1. the center and a step to both sides in each variable for the derivatives (slope_search.h),
-//      2n + 1 points, and more if these suggest a better step length; the center alone if the model
-//      computes its slopes there; moves along directions with little effect, whose derivatives
-//      may be errors of the differences (weak_directions.h)
-//   2. a refit of all variables (broyden_fit.h), because the fit may have ended early or have
-//      minimized another target over the same residuals; without profiles only if the derivatives
-//      promise an improvement, and then only a few steps
-//   3. the profiles, two branches a variable side by side (profile.h)
-// If any round finds a point better than the center by more than kWorthwhile of the threshold of an
-// interval, all rounds start again there, at most most_centers - 1 times: intervals and profiles
+//   1. The derivatives: the center and a step to both sides in each variable (slope_search.h),
+//      2n + 1 points, and more if these suggest a better step length. If the model computes its
+//      derivatives at the center, the center alone suffices. Then steps along directions with
+//      little effect, whose derivatives may be errors of the differences (weak_directions.h).
+//   2. A refit of all variables (broyden_fit.h), because the fit may have ended early or may have
+//      minimized another target over the same residuals. Without profiles, the refit is made only
+//      if the derivatives promise an improvement, and then only for a few steps.
+//   3. The profiles, two branches for each variable in parallel (profile.h).
+// If any round finds a point better than the center by more than kWorthwhile times the threshold of
+// an interval, all rounds start again there, at most most_centers - 1 times: intervals and profiles
 // belong to the best point known.
 //
 //   Identification identification(space, best_point);
 //   while (!identification.wanted().empty()) identification.observe(evaluate(wanted()));
 //
-// If evaluations bring slopes, these are used, also in the refits.
+// If evaluations return derivatives, these are used, also in the refits.
 //
 // A residual that is NaN in round 1 is not known, for example an unpaired mode, and is left out.
 #pragma once
@@ -34,12 +34,13 @@
 
 namespace latsch {
 
-/// Noise, differences and extent of an identification.
+/// Options of an identification: noise, differences, and the number of rounds.
 struct IdentificationOptions {
-  ConfidenceOptions confidence = {};  // noise and level
-  bool profiles = true;               // false: no round 3
+  ConfidenceOptions confidence = {};  // noise of the residuals and level of the intervals
+  bool profiles = true;               // if false, round 3 is left out
   double step = 0.01;                 // first length of the differences, in the unit cube
-  int most_centers = 4;               // 1: the center stays at the point
+  /// Largest number of centers; 1: the given point stays the center.
+  int most_centers = 4;
   /// The variables that may move, ascending; empty means all. The others keep their exact values at
   /// every wanted point and have an interval of no width and no profile.
   std::vector<int> free = {};
@@ -53,54 +54,56 @@ class Identification {
                  const DesignPoint& point,
                  const IdentificationOptions& options = {});
 
-  /// Empty when done.
+  /// Returns the points to be evaluated next; empty if the identification has ended.
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
-  /// Records the outcomes of the wanted points, in their order; a Failure if the evaluation failed.
-  /// `evaluated` may hold only the first if is_enough() is true for it.
+  /// Records the outcomes of the wanted points, in their order; a Failure if an evaluation failed.
+  /// `evaluated` may hold only the first outcome if is_enough() is true for it.
   void observe(const std::vector<Result<Evaluated>>& evaluated);
-  /// True if the first of the wanted points makes the others needless: the center with its slopes.
+  /// True if the outcome of the first wanted point makes the others needless: it is the center and
+  /// contains the model's derivatives.
   bool is_enough(const Result<Evaluated>& first) const {
     return !r_ && first && first->has_slopes();
   }
 
-  /// Returns the Failure that made round 1 impossible, if there is one.
+  /// Returns the reason if round 1 was impossible.
   const Status& status() const { return status_; }
-  /// Returns the point that linearization, confidence and profiles belong to: the given point, or a
-  /// better one found since.
+  /// Returns the point to which linearization, confidence and profiles belong: the given point, or
+  /// a better one found since then.
   const DesignPoint& center() const { return center_; }
   /// Returns the quality of the derivatives, one entry for each variable.
   const std::vector<SlopeQuality>& slopes() const { return qualities_; }
-  /// Returns directions of the unit cube along which the differences contain only their own errors.
+  /// Returns directions of the unit cube along which the differences contain nothing but their own
+  /// errors.
   const std::vector<Eigen::VectorXd>& unknown_directions() const { return unknown_; }
-  /// Returns the lengths of the differences, one for each variable, in the unit cube.
+  /// Returns the step lengths of the differences, one for each variable, in the unit cube.
   const Eigen::VectorXd& lengths() const { return lengths_; }
-  /// One term of a derivative in a variable, which is the sum of weight * value over the trials.
-  /// The same sum gives the derivative of any other quantity. The list is empty if the model
-  /// computed its slopes.
+  /// One term of the derivative with respect to a variable, which is the sum of weight * value over
+  /// trials. The same sum gives the derivative of any other quantity of the trials. The list of
+  /// terms is empty if the model computed its derivatives.
   struct Term {
     DesignPoint point;  // point of a trial
     double weight;      // factor of the trial's value
   };
-  /// Returns the terms of the derivative in this variable, of the unit cube.
+  /// Returns the terms of the derivative with respect to this variable of the unit cube.
   std::vector<Term> derivative(int variable) const;
   /// True if linearization and confidence exist: not before round 1 is done, nor while it is
   /// repeated at a better point.
   bool is_linearized() const { return at_.has_value(); }
-  /// True if the wanted points are those of profiles. If refitted() is exact, their outcomes may be
-  /// reduced to reduced_rows() of one group, that of the used residuals.
+  /// True if the wanted points are those of profiles. If refitted() is exact, their outcomes may
+  /// then be passed as reduced_rows() with all used residuals in one group.
   bool is_profiling() const { return !branches_.empty() && !wanted_.empty(); }
-  /// Returns the share of the rungs of all profiles that is done, estimated from the lengths of the
-  /// remaining ladders; rungs that are halved or refitted from behind are not included.
+  /// Returns the share of the steps of all profiles that is done, estimated from the remaining
+  /// length of each profile. Steps that are halved or repeated are not included.
   double share_done() const;
-  /// At the center.
+  /// Residuals and derivatives at the center.
   const Linearization& linearization() const { return *at_; }
   /// Intervals, correlations and directions, from the linearization.
   const Confidence& confidence() const { return *confidence_; }
-  /// Indices of the residuals used.
+  /// Returns the indices of the residuals that are used.
   const std::vector<Eigen::Index>& residuals_used() const { return rows_; }
   /// Returns the linearization at the least sum of squares, after round 2.
   const Linearization& refitted() const { return *best_; }
-  /// One profile for each variable that may move, when done and requested.
+  /// Returns one profile for each variable that may move, if profiles are requested and complete.
   const std::vector<TargetProfile>& profiles() const { return profiles_; }
 
  private:
@@ -127,29 +130,31 @@ class Identification {
 
   DesignSpace space_;
   IdentificationOptions options_;
-  std::vector<int> free_;  // the variables that may move
+  std::vector<int> free_;  // indices of the variables that may move
   DesignPoint center_;
   int centers_ = 1;
   std::vector<DesignPoint> wanted_;
   Status status_;
   std::vector<SlopeSearch> searches_;  // one a variable
-  std::vector<int> owners_;            // for wanted_ without the center: indices in searches_
-  std::optional<Eigen::VectorXd> r_;   // at the center, rows used
-  Eigen::VectorXd scale_;              // deviations of the rows used
+  /// Index in searches_ of each point of wanted_ except the center.
+  std::vector<int> owners_;
+  std::optional<Eigen::VectorXd> r_;  // the used residuals at the center
+  Eigen::VectorXd scale_;             // standard deviations of the used residuals
   std::vector<SlopeQuality> qualities_;
   Eigen::VectorXd lengths_;
-  double least_ = 0.0;  // S of the best point evaluated
+  double least_ = 0.0;  // sum of squares of the best point evaluated
   DesignPoint least_point_;
   std::vector<Eigen::Index> rows_;
   std::optional<Linearization> at_, best_;
   std::optional<Confidence> confidence_;
-  Differences made_;  // differences from which J was computed
+  Differences made_;  // lengths and errors of the differences from which J was computed
   std::optional<WeakDirections> weak_;
   int weak_rounds_ = 0;
   std::vector<Eigen::VectorXd> unknown_;
   std::optional<BroydenFit> refit_;
-  std::vector<ProfileBranch> branches_;  // down and up, variable by variable
-  std::vector<int> asked_;               // branches that `wanted_` belongs to
+  std::vector<ProfileBranch> branches_;  // downward and upward branch of each variable
+  /// Indices of the branches that requested the points of wanted_.
+  std::vector<int> asked_;
   std::vector<TargetProfile> profiles_;
   std::vector<double> thresholds_;  // one a variable
 };

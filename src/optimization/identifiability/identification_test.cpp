@@ -47,8 +47,8 @@ Analyzed analyze(const DesignSpace& space, const Model& model, IdentificationOpt
 
 const IdentificationOptions kNoise{.confidence = {.sigma = 0.01}};
 
-// Differences are of second order inside, at a bound and beside a failure, so they are exact for
-// squares.
+// Differences are of second order at inner points, at a bound and beside a failed point, so they
+// are exact for squares.
 TEST(Identification, ItsDifferencesTellTheDerivativesOfAnyOtherQuantity) {
   const DesignSpace space = box({0.5, 1.0}, 0, 1);
   const auto a = analyze(space,
@@ -84,9 +84,9 @@ TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {
   }
 }
 
-// The residuals are r = (a - 0.5, b - 0.5) with a + b <= 1.02. Below 0.52, b is free and S = (a -
-// 0.5)^2. Above, b has to decrease, and  S = x^2 + (x - 0.02)^2,  x = a - 0.5, which is t^2 s^2 at
-// the root below. No proposed point lies outside.
+// The residuals are r = (a - 0.5, b - 0.5) with a + b <= 1.02. Below a = 0.52, b is free and S = (a
+// - 0.5)^2. Above it, b has to decrease, and  S = x^2 + (x - 0.02)^2  with  x = a - 0.5. The
+// interval ends where S equals t^2 s^2, at the root computed below. No proposed point lies outside.
 TEST(Identification, ProfilesKeepToLinearConstraints) {
   LinearConstraint sum;
   sum.name = "sum";
@@ -102,19 +102,21 @@ TEST(Identification, ProfilesKeepToLinearConstraints) {
   for (const TargetProfile& p : a.identification.profiles()) {
     EXPECT_NEAR(p.interval.lower, 0.5 - std::sqrt(t2s2), 1e-3);
     EXPECT_NEAR(p.interval.upper, 0.5 + 0.01 + std::sqrt(0.5 * t2s2 - 0.0001), 1e-3);
-    EXPECT_NEAR(p.points.back().u[p.variable], 1.0, 2e-3);  // the other variable at 0.02 or less
+    // The other variable may be 0.02 or less.
+    EXPECT_NEAR(p.points.back().u[p.variable], 1.0, 2e-3);
   }
 }
 
-// The vertical stiffness k of two springs in series, 1 / (1 / x0 + 1 / x1), alone leaves a valley.
+// The vertical stiffness k = 1 / (1 / x0 + 1 / x1) of two springs in series does not determine x0
+// and x1: all points of a curve explain it equally.
 TEST(Identification, TwoSpringsInSeriesAreFlatUntilOneIsMeasuredAlone) {
   const auto stiffness = [](double a, double b) { return a * b / (a + b); };
   const auto alone = analyze(
       box({4, 4}, 1, 100),
       [&](const auto& x) { return Eigen::VectorXd{{stiffness(x[0], x[1]) / 2 - 1}}; },
       kNoise);
-  // One spring can grow without limit only while the other stays above 2, so each has a limit but
-  // no value.
+  // The stiffness x0 of one spring can grow without limit, while that of the other must stay above
+  // 2. So each stiffness has a lower limit but no value.
   for (const TargetProfile& p : alone.identification.profiles()) {
     EXPECT_EQ(p.verdict, Verdict::one_sided);
     EXPECT_TRUE(std::isfinite(p.interval.lower));
@@ -138,7 +140,7 @@ TEST(Identification, AProductAloneLeavesBothFactorsFlat) {
   EXPECT_GT(a.identification.confidence().deviation(1), 1.0);
 }
 
-// x^2 is measured, so +1 and -1 explain it equally.
+// Only x^2 is measured, so x = +1 and x = -1 explain the data equally.
 TEST(Identification, ASignThatCannotBeSeenMakesTwoMinima) {
   const auto a = analyze(
       box({1.0, 0.3}, -1.6, 1.6),
@@ -149,14 +151,15 @@ TEST(Identification, ASignThatCannotBeSeenMakesTwoMinima) {
   const TargetProfile& p = a.identification.profiles()[0];
   EXPECT_EQ(p.verdict, Verdict::several_minima);
   ASSERT_EQ(p.other_minima.size(), 1u);
-  EXPECT_NEAR(-1.6 + 3.2 * p.points[p.other_minima[0]].u[0], -1.0, 0.16);  // half a rung
+  // The tolerance is half a step of the profile.
+  EXPECT_NEAR(-1.6 + 3.2 * p.points[p.other_minima[0]].u[0], -1.0, 0.16);
   EXPECT_EQ(a.identification.profiles()[1].verdict, Verdict::identifiable);
 }
 
-// y has a well at -1 and one at +1, which is worse by 4 / 100. Away from x = 0 the first well rises
-// by 16 x^2 until it vanishes, the second one by x^2. The least S over y is  0.04 + x^2  outside
-// |x| = 0.05 and rises once on each side, though refits that start in the first well climb it and
-// then fall.
+// The sum of squares S as a function of y has a minimum near -1 and one near +1, which is higher
+// by 4 / 100. With the distance of x from 0, the first minimum rises by 16 x^2 until it vanishes,
+// the second one by x^2. The least S over y is therefore 0.04 + x^2 outside |x| = 0.05 and rises on
+// both sides, although refits that start in the first minimum first rise and then fall.
 TEST(Identification, ARiseThatGoesAwayFromBehindIsNoOtherMinimum) {
   const DesignSpace space({{.name = "x", .lower = -1, .upper = 1, .initial = 0},
                            {.name = "y", .lower = -2, .upper = 2, .initial = -1}});
@@ -174,8 +177,8 @@ TEST(Identification, ARiseThatGoesAwayFromBehindIsNoOtherMinimum) {
   EXPECT_NEAR(p.interval.upper, 0.5 + 0.5 * end, 0.01);
 }
 
-/// A drum passage in formulas: two parameters of a decaying oscillation, with a ripple as of a
-/// mesh, and 120 samples with noise of 20.
+/// The response of a model like that of a drum test: two parameters of a decaying oscillation, a
+/// ripple as a finite-element mesh causes it, and 120 samples with noise of 20.
 Eigen::VectorXd passage(const std::vector<double>& x, int samples) {
   Eigen::VectorXd force(samples);
   for (int j = 0; j < samples; ++j) {
@@ -186,9 +189,9 @@ Eigen::VectorXd passage(const std::vector<double>& x, int samples) {
   return force;
 }
 
-// There are 100 sets of noise, and each search has ended at one of the wells of the ripple near the
-// best point. The 95 % intervals contain the truth of both parameters in 95 of 100 sets, within two
-// standard errors.
+// There are 100 sets of noise, and each search has ended in one of the local minima of the ripple
+// near the best point. The 95 % intervals contain the true values of both parameters in 95 of 100
+// sets, within two standard errors.
 TEST(Identification, IntervalsHoldTheTruthUnderRippleAndNoise) {
   constexpr int kSets = 100, kSamples = 120;
   const std::vector<double> truth{55.0, 180.0};
@@ -215,7 +218,7 @@ TEST(Identification, IntervalsHoldTheTruthUnderRippleAndNoise) {
   for (const int count : held) EXPECT_GE(count, 90);
 }
 
-// A fit that ended early is continued: intervals and profiles belong to the least squares.
+// A fit that ended early is continued: intervals and profiles belong to the minimum of the squares.
 TEST(Identification, GoesOnToABetterPoint) {
   const DesignSpace space = box({0.2, 0.8}, 0, 1);
   const auto a = analyze(
@@ -225,7 +228,8 @@ TEST(Identification, GoesOnToABetterPoint) {
       },
       kNoise);
   const double least[2] = {0.5, 0.6};
-  for (int i = 0; i < 2; ++i) {  // a tenth of a threshold is a third of half an interval
+  // A tenth of the threshold changes an interval by a third of half its width.
+  for (int i = 0; i < 2; ++i) {
     const Interval& interval = a.identification.confidence().intervals[i];
     EXPECT_NEAR(a.identification.center().values[i],
                 least[i],
@@ -236,8 +240,8 @@ TEST(Identification, GoesOnToABetterPoint) {
   EXPECT_GT(p.interval.upper, a.identification.center().values[0]);
 }
 
-// Rosenbrock's valley as residuals, 10 (x1 - x0^2) and 1 - x0, is curved, so nuisance variables
-// have to be refitted along it. On the profile of x0, x1 is x0^2 everywhere, so S = (1 - x0)^2.
+// Rosenbrock's valley as residuals, 10 (x1 - x0^2) and 1 - x0, is curved, so the other variable has
+// to be refitted along it. On the profile of x0, x1 is x0^2 everywhere, so S = (1 - x0)^2.
 TEST(Identification, FollowsACurvedValley) {
   const auto a = analyze(box({1, 1}, -2, 2),
                          [](const auto& x) {
@@ -246,7 +250,7 @@ TEST(Identification, FollowsACurvedValley) {
                          {.confidence = {.sigma = 0.1}});
   for (const ProfilePoint& p : a.identification.profiles()[0].points) {
     const double x0 = -2 + 4 * p.u[0];
-    if (x0 * x0 > 2.0) continue;  // x1 is at its bound
+    if (x0 * x0 > 2.0) continue;  // beyond this x0, x1 is at its bound
     EXPECT_NEAR(p.S, (1 - x0) * (1 - x0), 0.02 * 0.04 + 0.01 * p.S);
   }
   EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::identifiable);
@@ -264,8 +268,8 @@ TEST(Identification, RefitsAPointThatIsNotTheLeast) {
   EXPECT_NEAR(a.identification.refitted().u[1], 0.6, 1e-3);
 }
 
-// The data determine x weakly, and the model fails from 0.7 on, so nothing shows that values there
-// would fit.
+// The data determine x only weakly, and the model fails from x = 0.7 on, so nothing proves that
+// larger values of x would fit.
 TEST(Identification, WhereTheModelFailsAProfileIsNotEvaluableRatherThanFlat) {
   const auto a = analyze(
       box({0.5}, 0, 1),
@@ -276,7 +280,7 @@ TEST(Identification, WhereTheModelFailsAProfileIsNotEvaluableRatherThanFlat) {
       kNoise);
   const TargetProfile& p = a.identification.profiles()[0];
   EXPECT_EQ(p.verdict, Verdict::not_evaluable);
-  EXPECT_GT(p.points.back().u[0], 0.68);  // the edge is searched for
+  EXPECT_GT(p.points.back().u[0], 0.68);  // the limit at which the model fails is located
 }
 
 // A failure beyond the end of the interval changes nothing.
@@ -293,8 +297,8 @@ TEST(Identification, AFailureBeyondTheIntervalLeavesItIdentifiable) {
   EXPECT_NEAR(p.interval.upper, 0.5 + 1.959964 * 0.01, 1e-4);
 }
 
-// r = (exp(20 (x - 0.5)) - 1) / 100 with noise 1: S stays below t^2 up to x = 0.5 + ln(100 t + 1) /
-// 20 and jumps above it within a rung of a tenth of the range.
+// The residual is r = (exp(20 (x - 0.5)) - 1) / 100 with noise 1. S stays below t^2 up to x = 0.5 +
+// ln(100 t + 1) / 20 and jumps far above it within one step of the profile, a tenth of the range.
 TEST(Identification, FindsTheEndOfAnIntervalBehindWhichSLeaps) {
   const auto a = analyze(
       box({0.5}, 0, 1),
@@ -305,7 +309,8 @@ TEST(Identification, FindsTheEndOfAnIntervalBehindWhichSLeaps) {
   EXPECT_EQ(a.identification.profiles()[0].verdict, Verdict::one_sided);
 }
 
-// A twin, the model fitted to itself, leaves only zero residuals to estimate a spread from.
+// If the model is fitted to its own results, all residuals are zero, and no spread can be estimated
+// from them.
 TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
   const auto a = analyze(box({0.5, 0.5}, 0, 1), [](const auto& x) {
     return Eigen::VectorXd{{x[0] - 0.5, x[1] - 0.5, x[0] * x[1] - 0.25}};
@@ -317,9 +322,9 @@ TEST(Identification, OfAPerfectFitIsIdentifiableWithAWidthOfRounding) {
   }
 }
 
-// The start is in a valley along x0 + x1 + x2, 30 deviations away from its minimum. No step in one
-// variable leads along the valley. The derivatives do, with one more trial and two for each
-// variable.
+// The start lies in a valley along x0 + x1 + x2, 30 standard deviations away from its minimum. No
+// step in a single variable leads along the valley. A step computed from the derivatives does; it
+// needs one more trial and two for each variable.
 TEST(Identification, TheShortFormGoesWhereItsDerivativesPromiseMore) {
   const auto a = analyze(box({0.5, 0.5, 0.5}, 0, 1),
                          [](const auto& x) {

@@ -8,7 +8,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kLeastShare = 0.1;  // share of a band's width: less is not reported
+// Smallest share of a band's width for which its cause is reported.
+constexpr double kLeastShare = 0.1;
 
 }  // namespace
 
@@ -52,7 +53,8 @@ PredictionBand PredictionBands::of(const Eigen::VectorXd& g) const {
   const double half =
       free_.t * std::sqrt(std::max(0.0, a.dot(free_.covariance * a))) + std::abs(a.dot(free_.left));
   Reach band{-half, half};
-  std::vector<double> open, held;  // parts of the width
+  // Contributions of open directions and of held variables to the width.
+  std::vector<double> open, held;
   for (size_t k = 0; k < open_.size(); ++k) {
     const Reach moved = open_[k].times(a[static_cast<Eigen::Index>(k)]);
     open.push_back(moved.width());

@@ -22,7 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-/// The linear model y = X u, fitted to values around it.
+/// Returns the linear model y = X u with variables fitted to the given values.
 Linearization fitted(const MatrixXd& X, const VectorXd& values) {
   Linearization at;
   at.u = X.householderQr().solve(values);
@@ -37,8 +37,8 @@ MatrixXd line_through(const VectorXd& x) {
   return X;
 }
 
-// The standard error of a straight line at x is s sqrt(1 / m + (x - mean)^2 / Sxx). Here m = 5, Sxx
-// = 10 / 4^2, the mean is 1/2 and s^2 = S / 3; it grows under extrapolation.
+// The standard error of a straight line at x is s sqrt(1 / m + (x - mean)^2 / Sxx), so it grows
+// under extrapolation. Here m = 5, Sxx = 10 / 4^2, the mean is 1/2 and s^2 = S / 3.
 TEST(PredictionBand, OfAStraightLineIsTheTextbooks) {
   const VectorXd x = VectorXd::LinSpaced(5, 0.0, 1.0);
   const Linearization at = fitted(line_through(x), VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
@@ -53,8 +53,9 @@ TEST(PredictionBand, OfAStraightLineIsTheTextbooks) {
   }
 }
 
-// This holds for any data: with a search that ended before the minimum, a variable held at its
-// bound, a prior, or noise that neighbors share. Values beyond the cube do not count.
+// The band of the value y = u_i is the interval of u_i for any data: if the search ended before the
+// minimum, if a variable is held at its bound, with a prior, and with noise that neighbors share.
+// Values outside of the cube do not count.
 TEST(PredictionBand, OfAVariableIsItsInterval) {
   RandomStream random(3, 7);
   for (const bool colored : {false, true}) {
@@ -69,7 +70,8 @@ TEST(PredictionBand, OfAVariableIsItsInterval) {
       value = before;
     }
     at.J.row(0) = Eigen::RowVector3d(0.0, 10.0, 0.0);  // a prior
-    at.r -= at.J.col(2) * 0.5;                         // held: S falls beyond the upper bound
+    // This holds a variable: S falls beyond its upper bound.
+    at.r -= at.J.col(2) * 0.5;
     ConfidenceOptions options;
     if (colored) options.traits = {std::vector<double>(60, 1.0), std::vector<int>(60, 0)};
     const Confidence c = confidence(at, options);
@@ -80,8 +82,8 @@ TEST(PredictionBand, OfAVariableIsItsInterval) {
       const PredictionBand band = bands.of(VectorXd::Unit(3, i));
       const double lower = std::max(0.0, c.intervals[i].lower) - at.u[i],
                    upper = std::min(1.0, c.intervals[i].upper) - at.u[i];
-      // t is the largest of all variables, and a band includes the contribution of the held
-      // variable.
+      // The band is wider than the interval, because it uses the largest t of all variables and
+      // contains the contribution of the held variable.
       const double more = colored ? 1.1 : 1.01;
       EXPECT_LE(band.lower, lower * (1 - 1e-9));
       EXPECT_GE(band.lower, lower * more - 1e-12);
@@ -114,12 +116,14 @@ TEST(PredictionBand, AlongADirectionThatTheDataLeaveOpenReachesToTheBounds) {
   EXPECT_GT(one.upper, 0.3);
   EXPECT_LT(one.upper, 0.4);
   EXPECT_NEAR(one.lower, -0.6, 1e-9);
-  // Derivatives by differences contain a small effect of any direction.
+  // Derivatives computed by differences contain a small error in the open direction, which must not
+  // change the band.
   EXPECT_NEAR(bands.of(Vector2d(1.0, 1.0 + 1e-9)).upper, sum.upper, 1e-8);
 }
 
 // S = (u1 + 0.3)^2 + (u1 + 2 u2 - 0.8)^2 in u >= 0 has its minimum at (0, 0.4), with u1 held. All
-// values of y on a grid where S has risen by no more than the threshold lie inside the band.
+// values that y takes at points of a grid where S exceeds the minimum by no more than the threshold
+// lie inside the band.
 TEST(PredictionBand, ReachesToOneSideWhereAVariableIsHeldAtItsBound) {
   Linearization at{Vector2d(0.0, 0.4), Vector2d(0.3, 0.0), MatrixXd{{1.0, 0.0}, {1.0, 2.0}}};
   const Confidence c = confidence(at, {.sigma = 0.1});
@@ -163,7 +167,7 @@ half = t.ppf(0.975, len(x) - 3) * np.sqrt(np.einsum("ij,ik,kj->j", g, C, g))
 np.savetxt("found", np.concatenate([p, half]), fmt="%.17g")
 )py";
 
-// y = a + b exp(-k x) is fitted and extrapolated by SciPy's curve_fit and its covariance.
+// The curve y = a + b exp(-k x) is fitted and extrapolated by SciPy's curve_fit and its covariance.
 TEST(PredictionBand, OfANonlinearCurveIsThatOfSciPy) {
   const ScratchFolder folder;
   RandomStream random(5, 1);

@@ -12,28 +12,34 @@
 namespace latsch {
 namespace {
 
-constexpr double kShortestRung = 0.005;  // share of the range
+constexpr double kShortestRung = 0.005;  // shortest step of a profile, as a share of the range
 constexpr double kLongestRung = 0.1;
-constexpr double kFirstRung = 0.5;  // share of the linear interval's half width
-constexpr double kLonger = 1.6;     // growth of steps from rung to rung
-// Tolerance of a refit, as a share of the threshold; the shift of an interval's end is half of it.
-// Far out, where only the shape matters, it is a share of the rise of S.
+// First step, as a share of half the width of the linear interval.
+constexpr double kFirstRung = 0.5;
+constexpr double kLonger = 1.6;  // factor by which each step is longer than the one before
+// Tolerance of a refit, as a share of the threshold; an end of the interval shifts by half of this
+// share. Far out, where only the shape of the profile matters, it is a share of the growth of S.
 constexpr double kProfileTolerance = 0.02;
-constexpr int kEvaluationsOfARung = 30;  // plus two for each variable
-// Difference in thresholds from which on the root of S is not linear between two rungs.
+// Largest number of evaluations of a refit, to which two for each variable are added.
+constexpr int kEvaluationsOfARung = 30;
+// Difference of S between two steps of a profile, in thresholds, above which the root of S does not
+// count as linear between them.
 constexpr double kLeap = 4.0;
 constexpr int kHalvings = 3;
-constexpr int kStepsToTheEdge = 5;     // halvings toward a value at which the model fails
-constexpr size_t kRungsToRefresh = 4;  // number of rungs until all derivatives are recomputed
-// Largest number of rungs of a branch refitted from the outer side.
+constexpr int kStepsToTheEdge = 5;  // number of halvings toward a value at which the model fails
+// Number of steps after which all derivatives have been recomputed.
+constexpr size_t kRungsToRefresh = 4;
+// Largest number of steps of a branch that are repeated from the outer side.
 constexpr int kMostReturns = 12;
-// In ranges; limits the accuracy of the furthest point to 1 / kFarOut.
+// Distance, in ranges, of the point outside of the region whose nearest point of the region is used
+// as its furthest point; the error of that point is at most 1 / kFarOut.
 constexpr double kFarOut = 1e3;
-// Fall of the profile that shows another minimum, as a share of its height there. Refits that ended
-// early leave smaller ripples.
+// Fall of S along the profile that proves another minimum, as a share of the height of S above its
+// minimum. Refits that ended early cause smaller falls.
 constexpr double kFall = 0.1;
 
-/// Returns all variables but one, from the n variables or from `some` if that is not empty.
+/// Returns the indices of all variables except one: of the n variables, or of `some` if it is not
+/// empty.
 std::vector<int> all_but(int variable, Eigen::Index n, const std::vector<int>& some) {
   std::vector<int> free = some;
   for (int i = 0; some.empty() && i < n; ++i) free.push_back(i);
@@ -42,8 +48,8 @@ std::vector<int> all_but(int variable, Eigen::Index n, const std::vector<int>& s
 }
 
 /// Returns the furthest value of a variable inside a region: a bound, or the value at which
-/// constraints leave no room for the others. The region's point nearest to one far out is the
-/// furthest in that direction.
+/// constraints leave no room for the others. It is found as the point of the region that is nearest
+/// to a point far outside in this direction.
 double last_value(const FeasibleRegion& region,
                   const Eigen::VectorXd& u,
                   int variable,
@@ -55,8 +61,8 @@ double last_value(const FeasibleRegion& region,
   return direction > 0 ? std::max(last, u[variable]) : std::min(last, u[variable]);
 }
 
-/// Returns the variable's value where S first exceeds the threshold, outward from `start`. The root
-/// of S is nearly linear there.
+/// Returns the variable's value where S first exceeds the threshold, outward from `start`, by
+/// linear interpolation of the root of S.
 double crossing(const TargetProfile& p, int start, int direction) {
   const auto rise = [&](int k) { return std::max(0.0, p.points[k].S - p.least); };
   const auto at = [&](int k) { return p.points[k].u[p.variable]; };
@@ -70,11 +76,12 @@ double crossing(const TargetProfile& p, int start, int direction) {
   return direction * kInfinity;
 }
 
-/// Finds the values at which S falls again behind a rise, on one side of the start.
+/// Finds further minima of S on one side of the start: values at which S falls again after it has
+/// risen.
 void find_minima(TargetProfile& p, int start, int direction) {
   const int end = direction > 0 ? static_cast<int>(p.points.size()) : -1;
   double barrier = p.points[start].S;
-  int lowest = -1;  // index behind the barrier
+  int lowest = -1;  // index of the lowest point beyond the rise
   for (int k = start + direction; k != end; k += direction) {
     const double S = p.points[k].S;
     if (lowest < 0 && S >= barrier) {
@@ -164,7 +171,8 @@ void ProfileBranch::rung_reached(const Linearization& reached) {
   next_rung(reached);
 }
 
-/// Refits the first rung above the threshold with derivatives of its own; false for other rungs.
+/// Begins to refit the first point above the threshold with derivatives computed anew at this
+/// point. Returns false for all other points of the profile.
 bool ProfileBranch::verifies(const Linearization& reached) {
   if (bracket_ || !within(last_) || within(reached) || free_.empty()) return false;
   const BroydenFitOptions options = rung_options(reached.sum_of_squares(), free_);
@@ -179,8 +187,8 @@ void ProfileBranch::rung_failed(double at) {
   if (within(last_)) next_rung(last_);
 }
 
-/// Refits the rung at `place` from the outer side if S there is higher than at `reached`; false if
-/// not.
+/// Begins to refit the point at index `place` from the outer side, if S there is higher than at
+/// `reached`, the next point outward. Returns false if it is not.
 bool ProfileBranch::returns_from(const Linearization& reached, int place) {
   const double S = reached.sum_of_squares();
   if (place < 0 || returns_ >= kMostReturns || points_[place].S <= S + tolerance(S)) return false;
@@ -210,7 +218,7 @@ bool ProfileBranch::leaps(const Linearization& from, const Linearization& to) co
   return within(from) && to.sum_of_squares() - least_ > kLeap * threshold_;
 }
 
-/// Inserts a point and returns its index.
+/// Inserts a point into the profile and returns its index.
 int ProfileBranch::insert(const Linearization& reached, bool converged) {
   const auto further = [&](const ProfilePoint& point) {
     return direction_ * (point.u[variable_] - reached.u[variable_]) > 0.0;
@@ -220,7 +228,8 @@ int ProfileBranch::insert(const Linearization& reached, bool converged) {
   return static_cast<int>(at - points_.begin());
 }
 
-/// Adds another rung inside the bracket, or continues the ladder.
+/// Adds another point halfway inside the bracket, or continues outward if the bracket is narrow
+/// enough.
 void ProfileBranch::halve() {
   const double inner = bracket_->inner.u[variable_];
   if (bracket_->halvings++ < kHalvings && std::abs(bracket_->upper - inner) > kShortestRung) {
@@ -234,7 +243,8 @@ void ProfileBranch::halve() {
 
 void ProfileBranch::next_rung(const Linearization& from) {
   const double at = from.u[variable_];
-  if (failed_at_) {  // the model begins to fail between `at` and failed_at_
+  // The model begins to fail at a value between `at` and failed_at_.
+  if (failed_at_) {
     if (!within(from) || steps_to_the_edge_++ >= kStepsToTheEdge) return;
     if (std::abs(*failed_at_ - at) > kShortestRung) climb(from, 0.5 * (at + *failed_at_));
     return;
@@ -244,7 +254,8 @@ void ProfileBranch::next_rung(const Linearization& from) {
   climb(from, rung_after(at, length_));
 }
 
-/// A last rung of less than half a step joins the one before it.
+/// Returns the next value of the variable. If less than half a step would remain to the end, the
+/// step is extended to the end.
 double ProfileBranch::rung_after(double at, double length) const {
   const bool last = std::abs(end_ - at) < 1.5 * length;
   return last ? end_ : at + direction_ * length;
@@ -253,7 +264,7 @@ double ProfileBranch::rung_after(double at, double length) const {
 int ProfileBranch::rungs_left() const {
   if (!refit_) return 0;
   if (failed_at_) return 1;
-  int rungs = 1;  // the rung being refitted
+  int rungs = 1;  // begins at 1 for the step being refitted
   double at = bracket_ || return_ ? last_.u[variable_] : to_, length = length_;
   while (direction_ * (end_ - at) > 0.0) {
     length = std::min(kLonger * length, kLongestRung);
@@ -267,7 +278,8 @@ double ProfileBranch::tolerance(double S) const {
   return kProfileTolerance * std::max(threshold_, S - least_);
 }
 
-/// Returns a share of the free variables, a different one at each rung.
+/// Returns the free variables whose derivatives are recomputed at this step, different ones at each
+/// step.
 std::vector<int> ProfileBranch::next_columns() {
   std::vector<int> columns;
   const size_t count = (free_.size() + kRungsToRefresh - 1) / kRungsToRefresh;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residuals and their derivatives, reduced to what a refit by Gauss-Newton steps needs of them.
+// Residuals and their derivatives, reduced to the data that a refit by Gauss-Newton steps needs.
 //
 // Such a refit needs only J'J, J'r and r'r of the residuals r of a group and their derivatives J.
 // The triangular factor R of
 //   [J r] = Q R,     R: (n + 1) x (n + 1)
 // has the same three products, to rounding, because Q is orthogonal. So thousands of rows become n
-// + 1 for each group, and n + 1 new residuals stand for those of the group. A correction of J by
-// Broyden's formula needs the residuals themselves: reduced rows are usable only if every
-// evaluation brings its derivatives.
+// + 1 for each group: n + 1 new residuals replace those of the group. A correction of J by
+// Broyden's formula needs the residuals themselves, so reduced rows can be used only if every
+// evaluation returns derivatives.
 #pragma once
 
 #include <Eigen/Core>

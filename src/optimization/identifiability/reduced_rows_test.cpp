@@ -42,13 +42,15 @@ TEST(ReducedRows, HaveTheProductsOfTheirGroup) {
   }
 }
 
-/// a exp(b t) at nine times against itself at (2, -1.3) with a wave added to it.
+/// Returns the residuals of a exp(b t) at nine times against its values at (2, -1.3) with a wave
+/// added.
 Evaluated exponential(const DesignPoint& p) {
   Evaluated one(Eigen::VectorXd(9), Eigen::MatrixXd(9, 2));
   for (int i = 0; i < 9; ++i) {
     const double t = 0.3 * i, e = std::exp(p.values[1] * t);
     one.r[i] = p.values[0] * e - 2.0 * std::exp(-1.3 * t) + 0.05 * std::sin(7.0 * t);
-    one.J.row(i) << 4.0 * e, 3.0 * p.values[0] * t * e;  // derivatives by the unit cube
+    // The derivatives are those with respect to the unit cube.
+    one.J.row(i) << 4.0 * e, 3.0 * p.values[0] * t * e;
   }
   return one;
 }
@@ -58,7 +60,8 @@ DesignSpace space_of_exponential() {
                       {.name = "b", .lower = -3.0, .upper = 0.0, .initial = -1.3}});
 }
 
-/// The profiles come from reduced rows alone if requested, everything else from whole rows.
+/// Identifies the variables of the exponential. If `reduced` is true, the profiles are computed
+/// from reduced rows, everything else from whole rows.
 Identification identification_of_exponential(bool reduced, const std::vector<int>& free) {
   const DesignSpace space = space_of_exponential();
   Identification identification(
@@ -99,7 +102,7 @@ TEST(ReducedRows, GiveTheSameProfiles) {
   }
 }
 
-/// Each group is left out three times, by reduced rows or by whole ones.
+/// Leaves out each of the three groups in turn, with reduced rows or with whole ones.
 std::vector<LeftOut> left_out_of_exponential(bool reduced) {
   const DesignSpace space = space_of_exponential();
   const Identification identification = identification_of_exponential(false, {});

@@ -17,17 +17,20 @@ namespace {
 
 using numerics::Autoregression;
 
-constexpr size_t kMostOrder = 8;             // largest order of the autoregression
-constexpr Eigen::Index kFewestSamples = 12;  // samples of a curve beyond the number of variables
-constexpr Eigen::Index kSamplesAnOrder = 6;  // least number of samples for each order
-// Without improvement, before the search for a higher order ends.
+constexpr size_t kMostOrder = 8;  // largest order of the autoregression
+// Least number of samples of a curve in addition to the number of variables.
+constexpr Eigen::Index kFewestSamples = 12;
+// Least number of samples for each order of the autoregression.
+constexpr Eigen::Index kSamplesAnOrder = 6;
+// Number of higher orders without improvement after which the search for the order ends.
 constexpr size_t kOrdersInVain = 2;
-constexpr double kMostZ = 4.5;  // atanh(kappa): |kappa| up to 0.99975
-/// Share of the spread of all rows: if a few rows are far off and the others differ by less, the
-/// few make the spread. A noise of a thousandth of it tells nothing of how they came about.
+constexpr double kMostZ = 4.5;  // largest z = atanh(kappa): |kappa| is at most 0.99975
+/// Share of the spread of all residuals below which noise cannot be recognized. If a few residuals
+/// are far larger than all others, they determine the spread, and noise of a thousandth of it does
+/// not influence them.
 constexpr double kFarOff = 1e-3;
 constexpr double kGolden = 0.6180339887498949;
-constexpr int kFirstCuts = 16, kLaterCuts = 9;  // numbers of golden sections
+constexpr int kFirstCuts = 16, kLaterCuts = 9;  // numbers of steps of the golden-section search
 constexpr double kDerivative = 0.05;            // step in z of numerical derivatives
 
 Autoregression process_of(const std::vector<double>& z) {
@@ -36,7 +39,7 @@ Autoregression process_of(const std::vector<double>& z) {
   return Autoregression(kappa);
 }
 
-/// Golden section: returns the position of a minimum between a and b.
+/// Returns the position of a minimum between a and b by golden-section search.
 template <class Function>
 double least_between(double a, double b, int cuts, const Function& f) {
   double x = b - kGolden * (b - a), y = a + kGolden * (b - a), fx = f(x), fy = f(y);
@@ -58,10 +61,11 @@ double least_between(double a, double b, int cuts, const Function& f) {
   return fx < fy ? x : y;
 }
 
-/// True if a few rows are far off and the fit of all others, anew, leaves no more than `least` of
-/// them: exact values beside a few wrong ones. The wrong ones say nothing of what neighbors share.
-/// A robust loss takes their derivatives away, so that a variable which moves all other rows alike
-/// could be taken for the noise of these, and the wrong row for the only one that shows it.
+/// True if, after a few of the largest residuals are removed, a new fit of all others leaves a
+/// spread of no more than `least`: these are exact values beside a few wrong ones. The wrong ones
+/// contain no information on noise that neighbors share. A robust loss removes the derivatives of
+/// wrong values. A variable that changes all other residuals alike could then be taken for noise
+/// shared by these, and a wrong value for the only one that determines the variable.
 bool is_exact_but_for_few(const Eigen::VectorXd& x, const Eigen::MatrixXd& Q, double least) {
   constexpr Eigen::Index kMostFar = 5;
   std::vector<Eigen::Index> rows(static_cast<size_t>(x.size()));
@@ -184,7 +188,8 @@ double ResidualNoise::deviance_with(const Sums& rest,
   return deviance(all);
 }
 
-/// Fits order by order, each new partial correlation first alone, then with those before it.
+/// Fits orders one after the other: each new partial correlation first alone, then together with
+/// the lower ones.
 void ResidualNoise::fit(Curve& curve, const Sums& rest) const {
   const size_t longest =
       std::min(kMostOrder, static_cast<size_t>(std::ssize(curve.rows) / kSamplesAnOrder));
@@ -213,7 +218,7 @@ void ResidualNoise::fit(Curve& curve, const Sums& rest) const {
   }
   curve.process = process_of(best);
   const auto p = static_cast<Eigen::Index>(best.size());
-  Eigen::MatrixXd H(p, p);  // Hessian of -2 l, twice the information
+  Eigen::MatrixXd H(p, p);  // Hessian of -2 l, which is twice the information matrix
   const auto at = [&](Eigen::Index i, double di, Eigen::Index j, double dj) {
     std::vector<double> moved = best;
     moved[static_cast<size_t>(i)] += di;
@@ -229,7 +234,9 @@ void ResidualNoise::fit(Curve& curve, const Sums& rest) const {
   }
   if (p == 0) return;
   const auto [values, vectors] = numerics::self_adjoint_eigen(H);
-  constexpr double kLeast = 1e-3;  // a direction with less curvature is not bounded by the data
+  // Smallest curvature of a direction. Less curvature means that the data do not bound the
+  // direction.
+  constexpr double kLeast = 1e-3;
   curve.variance =
       2.0 * vectors * values.cwiseMax(kLeast).cwiseInverse().asDiagonal() * vectors.transpose();
 }

@@ -5,15 +5,16 @@
 // A curve sampled twice as densely has twice as many samples but almost no more information if its
 // noise is slow. The residuals of one curve, in the order of its samples, are modeled as an
 // autoregression (numerics/signals/autoregression.h) of an order up to kMostOrder; residuals
-// without a curve are independent. D holds the stated deviations of the residuals in units of each
+// without a curve are independent. D holds the stated deviations of the residuals relative to each
 // other, R is the correlation matrix, r = D x and J = D G. The correlations maximize the likelihood
-// of the part of r that the fit cannot reach,
+// of the part of r that the fit cannot change,
 //   -2 l = ln|R| + ln|G' R^-1 G| + (m - n) ln(x' P x),   P = R^-1 - R^-1 G (G' R^-1 G)^-1 G' R^-1
 // This is the restricted likelihood [Patterson, Thompson, Biometrika 58 (1971) 545]. It accounts
-// for the fit bending toward its noise, which would otherwise look like whiteness. The order is the
-// one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19 (1974) 716].
+// for the fact that a fit follows its noise, so that the residuals look less correlated than the
+// noise is. The order is the one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19
+// (1974) 716].
 //
-// Exact values beside a few that are far off, as after a fit with a robust loss, are white as well.
+// Exact values beside a few wrong ones, as after a fit with a robust loss, count as white, too.
 //
 // Limits: neighbors count as equally far apart, and a curve with fewer than kFewestSamples samples
 // beyond the number of variables counts as white. Deviations that a model cannot reproduce look
@@ -28,12 +29,13 @@
 
 namespace latsch {
 
-/// Deviation of every residual in units of sigma, the curve it is a sample of, with neighbors side
-/// by side, and its loss. Empty: all deviations are 1, all residuals independent, no loss.
+/// Traits of the residuals: the standard deviation of each in units of sigma; the curve of which it
+/// is a sample, with neighboring samples in successive rows; and its robust loss. Empty lists mean
+/// that all deviations are 1, all residuals are independent and none has a loss.
 struct ResidualTraits {
   std::vector<double> deviations = {};
   std::vector<int> curves = {};         // < 0: independent
-  std::vector<RobustLoss> losses = {};  // scales in the unit of the residuals
+  std::vector<RobustLoss> losses = {};  // scales of the losses are in the unit of the residuals
 
   /// Returns the traits of some of the residuals.
   ResidualTraits of(const std::vector<Eigen::Index>& rows) const;
@@ -41,40 +43,43 @@ struct ResidualTraits {
 
 class ResidualNoise {
  public:
-  /// Takes the residuals r at a fit and the derivatives J in all variables that might explain them.
-  /// A spread of the residuals at or below `least_seen` is rounding of the simulations and not
-  /// noise, so no correlation is looked for in it. Rounding has no pattern from sample to sample:
-  /// an autoregression of it may be as good as a constant, which would leave nothing known.
+  /// Takes the residuals r at a fit and their derivatives J with respect to all variables that
+  /// might explain them. A spread at or below `least_seen` counts as rounding errors of the
+  /// simulations and not as noise, so no correlation is estimated. Rounding errors have no pattern
+  /// from sample to sample: an autoregression may fit them as well as a constant does, which would
+  /// leave no independent sample.
   ResidualNoise(const Eigen::VectorXd& r,
                 const Eigen::MatrixXd& J,
                 const ResidualTraits& traits,
                 double least_seen = 0.0);
 
-  /// Standard deviation of a residual of deviation 1; NaN if nothing is left to estimate it from.
+  /// Standard deviation of a residual whose own deviation is 1; NaN if no residual is left to
+  /// estimate it from.
   double sigma() const { return sigma_; }
   /// Number of residuals minus the number of variables they determine.
   double freedom() const { return freedom_; }
   bool is_white() const;
 
-  /// Scales the columns of Y: the squared norm of a column y becomes  y' D R D y,  the variance of
-  /// y' r in units of sigma^2.
+  /// Scales the columns of Y so that the squared norm of a column y becomes  y' D R D y,  the
+  /// variance of y' r in units of sigma^2.
   Eigen::MatrixXd colored(const Eigen::MatrixXd& Y) const;
-  /// Returns for every residual, in units of sigma, its deviation times the root of the number of
-  /// its neighbors that together hold as much information as one independent residual.
+  /// Returns for every residual its deviation, in units of sigma, times the square root of the
+  /// number of neighboring samples that together hold as much information as one independent
+  /// sample.
   Eigen::VectorXd effective_deviations() const;
 
-  /// Degrees of freedom of an estimated variance  c sigma^2 |colored(Y)|^2,  [Satterthwaite,
-  /// Biometrics Bulletin 2 (1946) 110]: fewer if the correlations are uncertain too. `known` is
-  /// true if sigma is known.
+  /// Returns the degrees of freedom of an estimated variance  c sigma^2 |colored(Y)|^2
+  /// [Satterthwaite, Biometrics Bulletin 2 (1946) 110]. There are fewer if the correlations are
+  /// uncertain, too. `known` is true if sigma is known.
   double freedom_of(const Eigen::VectorXd& y, bool known) const;
 
  private:
   struct Curve {
     std::vector<Eigen::Index> rows;
     numerics::Autoregression process;
-    Eigen::MatrixXd variance;  // variance of atanh(kappa)
+    Eigen::MatrixXd variance;  // covariance of the z = atanh(kappa)
   };
-  struct Sums {  // sums over the rows of a curve, whitened
+  struct Sums {  // sums over the whitened rows of a curve
     Eigen::MatrixXd A;
     Eigen::VectorXd b;
     double c = 0.0, log_determinant = 0.0;
@@ -94,7 +99,7 @@ class ResidualNoise {
   Eigen::VectorXd deviations_, x_;
   Eigen::MatrixXd Q_;  // orthonormal columns that span G
   double freedom_ = 0.0, sigma_ = 0.0;
-  std::vector<Curve> curves_;  // includes curves that turn out white
+  std::vector<Curve> curves_;  // all curves, including those whose noise turns out to be white
   std::vector<Eigen::Index> alone_;
   Sums alone_sums_;
   std::vector<Sums> curve_sums_;

@@ -12,7 +12,8 @@ namespace {
 /// Returns the integral of f from a to b by Simpson's rule.
 template <class Function>
 double integral(double a, double b, const Function& f) {
-  constexpr int kPanels = 400;  // more panels are more exact and slower
+  // Number of intervals of Simpson's rule; more are more exact and slower.
+  constexpr int kPanels = 400;
   const double h = (b - a) / kPanels;
   double sum = f(a) + f(b);
   for (int k = 1; k < kPanels; ++k) sum += (k % 2 == 1 ? 4.0 : 2.0) * f(a + k * h);
@@ -58,7 +59,8 @@ LimitedResidual RobustLoss::at(double r) const {
 
 GaussianLoss RobustLoss::expected(double sigma) const {
   if (loss == Loss::squares) return {};
-  constexpr double kFar = 9.0;  // standard deviations beyond which no Gaussian value lies
+  // Standard deviations beyond which the Gaussian density is negligible.
+  constexpr double kFar = 9.0;
   const double c = std::min(scale / sigma, kFar);
   const double inside = std::erf(c / std::numbers::sqrt2);
   if (loss == Loss::huber)
@@ -71,7 +73,7 @@ GaussianLoss RobustLoss::expected(double sigma) const {
   const auto slope = [own](double x) {
     return cauchy_psi_slope(x * x / (own * own)) * normal_density(x);
   };
-  double mean = 0.0;  // psi' changes most near the corner
+  double mean = 0.0;  // psi' changes most near the corner, so the integral is split there
   for (const auto& [from, to] :
        {std::pair(0.0, c), {c, std::min(10.0 * c, kFar)}, {10.0 * c, kFar}})
     if (from < to) mean += 2.0 * integral(from, to, slope);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robust losses: a value that is far off counts less in a fit.
+// Robust losses reduce the weight of values with large errors in a fit.
 //
 // With x the error of a value, c the scale of the loss and z = (x / c)^2, the residual of a
 // least-squares method is
@@ -18,15 +18,15 @@ namespace latsch {
 
 enum class Loss { squares, huber, cauchy };
 
-/// The part of one residual in M-estimation.
+/// The quantities of M-estimation for one residual.
 struct LimitedResidual {
-  double psi = 0.0;        // in the unit of the residual
-  double slope = 1.0;      // dr/dx, in (0, 1]
+  double psi = 0.0;        // psi, in the unit of the residual
+  double slope = 1.0;      // slope dr/dx of the loss, in (0, 1]
   double psi_slope = 1.0;  // psi'
   bool is_beyond = false;  // |x| > c
 };
 
-/// Expectations for Gaussian x.
+/// Expected values of the quantities of M-estimation for Gaussian errors x.
 struct GaussianLoss {
   double inside = 1.0;     // mean psi^2 of the values inside the corner
   double psi_slope = 1.0;  // mean psi' of all values
@@ -35,7 +35,7 @@ struct GaussianLoss {
 
 struct RobustLoss {
   Loss loss = Loss::squares;
-  double scale = 1.0;  // c, in the unit of x
+  double scale = 1.0;  // scale c of the loss, in the unit of x
 
   bool operator==(const RobustLoss&) const = default;
 
@@ -43,10 +43,10 @@ struct RobustLoss {
   double operator()(double x) const;
   /// Returns dr/dx.
   double slope(double x) const;
-  /// Returns the part of the residual r, whose error x follows from r.
+  /// Returns the quantities of M-estimation for the residual r, from which its error x follows.
   LimitedResidual at(double r) const;
-  /// Returns the expectations for Gaussian x of mean 0 and standard deviation sigma, psi^2 in units
-  /// of sigma^2.
+  /// Returns the expected values for Gaussian x of mean 0 and standard deviation sigma; psi^2 is in
+  /// units of sigma^2.
   GaussianLoss expected(double sigma) const;
 };
 

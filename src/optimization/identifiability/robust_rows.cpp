@@ -14,11 +14,15 @@
 namespace latsch {
 namespace {
 
-constexpr double kLeastSlope = 1e-6;      // dr/dx: division by a smaller one leaves rounding errors
-constexpr double kLeastCurvature = 1e-2;  // share of the positive part: less is no minimum
-constexpr double kRoundingOfRows = 1e-13;  // share of the largest singular value: less is zero
+// Smallest slope dr/dx by which derivatives are divided. Division by a smaller one would leave
+// rounding errors.
+constexpr double kLeastSlope = 1e-6;
+// Smallest curvature as a share of its positive part. A point with less curvature is no minimum.
+constexpr double kLeastCurvature = 1e-2;
+// Share of the largest singular value below which a singular value counts as zero.
+constexpr double kRoundingOfRows = 1e-13;
 
-/// Returns the part of x that the columns of A do not reach.
+/// Returns the part of x that is orthogonal to the columns of A.
 Eigen::VectorXd beside_columns(const Eigen::MatrixXd& A, const Eigen::VectorXd& x) {
   if (A.cols() == 0 || A.rows() == 0) return x;
   const Eigen::MatrixXd Q = numerics::range_basis(A);
@@ -99,7 +103,8 @@ Eigen::VectorXd RobustRows::common_weights() const {
   return weights;
 }
 
-/// Returns how much a loss is seen to limit its values, from 0 to 1: as Gaussian noise lets it.
+/// Returns the degree to which the loss of a group limits its values, from 0 (not at all) to 1 (as
+/// much as it would limit Gaussian noise, or more).
 double RobustRows::limited_share(int group, double sigma) const {
   const double expected = 1.0 - losses_[static_cast<size_t>(group)].expected(sigma).psi_slope;
   const double seen = 1.0 - mean_over(group, psi_slopes_);

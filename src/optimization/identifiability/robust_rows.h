@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Residuals of a fit with robust losses, prepared for the covariance of M-estimation.
 //
-// The fit minimizes S = r'r, the residuals r and their derivatives J being those after the loss
+// The fit minimizes S = r'r, where the residuals r and their derivatives J are those after the loss
 // (robust_loss.h). With psi and psi' of every residual and X = J / (dr/dx), the derivatives before
 // the loss, the gradient of S / 2 is X' psi = J'r, its Hessian is A = X' diag(psi') X, and
 //   C = A^-1 X' D R D X A^-1,    D: deviations of psi, R: correlations of neighbors
@@ -10,18 +10,20 @@
 //   common:  psi' of every value is the mean psi' of its group (the values of one loss and scale),
 //            D^2 is the group's sum of psi^2 / (N - n), and C is multiplied by K^2,
 //            K = 1 + (n / N) var(psi') / mean(psi')^2, the small-sample factor: for one group this
-//            is (6.5) of Huber's section 7.6. It is right if any value may be the one far off, and
-//            covers with few values and with a corner below the noise.
-//   own:     psi' is that of the value, D is the deviation of the values inside the corner, and
-//            |psi| itself for a value beyond it. It is right if few values lie beyond a corner that
-//            all others stay far below, as exact values beside a wrong one, which may be the value
-//            that alone determines a variable.
-// The covariance is the larger of the two along every direction (`larger`). Without values for
-// which psi' differs from 1 both are those of least squares.
+//            is (6.5) of Huber's section 7.6. This choice is right if each of the values is equally
+//            likely to be a wrong one. Its intervals also contain the true value often enough if
+//            values are few or if the corner lies below the noise.
+//   own:     psi' is that of the value itself. D is the deviation of the values inside the corner,
+//            and |psi| itself for a value beyond it. This choice is right if all values but a few
+//            are far inside the corner, for example if they are exact and one is wrong; the wrong
+//            one may be the only value that determines a variable.
+// The covariance is the larger of the two along every direction (`larger`). If psi' is 1 for all
+// values, both are those of least squares.
 //
-// If the noise is stated, psi^2 inside the corner is between that of all noise, if nothing is
-// limited, and that of Gaussian noise inside the corner, if the mean psi' is as low as Gaussian
-// noise makes it, or lower.
+// If the noise is stated, the expected psi^2 inside the corner depends on how much the loss limits
+// the values: it is that of all noise if no value is limited, and that of Gaussian noise inside the
+// corner if the mean psi' is at most the one expected for Gaussian noise; it is interpolated
+// between these.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,35 +36,39 @@ namespace latsch {
 
 class RobustRows {
  public:
-  /// Takes m residuals and their m x n derivatives, both after the loss.
+  /// Prepares m residuals and their m x n derivatives, both after the loss.
   RobustRows(const Eigen::VectorXd& r, const Eigen::MatrixXd& J, const ResidualTraits& traits);
 
   /// True if some psi' differs from 1. Otherwise psi = r and X = J.
   bool is_limited() const { return is_limited_; }
-  /// Returns psi, m, in the unit of the residuals.
+  /// Returns psi of the m residuals, in the unit of the residuals.
   const Eigen::VectorXd& psi() const { return psi_; }
-  /// Returns the derivatives before the loss, m x n. A row whose loss leaves less than a millionth
-  /// of its slope is 0.
+  /// Returns the derivatives before the loss, m x n. The row of a residual is 0 if the slope dr/dx
+  /// of its loss is less than a millionth.
   const Eigen::MatrixXd& X() const { return X_; }
-  /// Returns dr/dx, m.
+  /// Returns the slope dr/dx of the loss of each of the m residuals.
   const Eigen::VectorXd& slopes() const { return slopes_; }
-  /// Returns the share of a change of every residual that moves the least S: psi' / (dr/dx)^2, m.
+  /// Returns, for each of the m residuals, the share of a change of it that moves the minimum of S:
+  /// psi' / (dr/dx)^2.
   Eigen::VectorXd felt_changes() const;
   /// Returns the number of residuals with a loss, and how many of these lie beyond the corner.
   int with_loss() const { return with_loss_; }
   int beyond() const { return beyond_; }
-  /// Returns the share beyond the corner that Gaussian noise of deviation sigma leaves.
+  /// Returns the expected share of values beyond the corner for Gaussian noise of standard
+  /// deviation sigma.
   double expected_beyond(double sigma) const;
 
-  /// Returns psi' of every value, m; and the mean psi' of its group over K.
+  /// These return the weights psi' of A, m: own_weights() that of every value, common_weights() the
+  /// mean of its group divided by K.
   const Eigen::VectorXd& own_weights() const { return psi_slopes_; }
   Eigen::VectorXd common_weights() const;
 
-  /// Deviations of psi, m each.
+  /// Standard deviations of psi in the two versions of the covariance, m each.
   struct Spreads {
     Eigen::VectorXd common, own;
   };
-  /// Returns the deviations, for noise of the stated deviation, or estimated.
+  /// Returns the deviations of psi, for noise of the stated standard deviation or, if none is
+  /// stated, estimated from the residuals but at least `least`.
   Spreads spreads(const std::optional<double>& stated, double least) const;
 
  private:
@@ -73,16 +79,16 @@ class RobustRows {
   Eigen::VectorXd psi_, slopes_, psi_slopes_, deviations_;
   std::vector<bool> is_beyond_;
   std::vector<int> groups_;         // one a residual
-  std::vector<RobustLoss> losses_;  // one a group, for residuals of deviation 1
+  std::vector<RobustLoss> losses_;  // loss of each group, for residuals of standard deviation 1
   int with_loss_ = 0, beyond_ = 0;
   bool is_limited_ = false;
 };
 
-/// Returns rows H with H'H = J' diag(w) J. Along a direction where the negative weights outweigh
-/// the others, H'H keeps a hundredth of the positive part.
+/// Returns rows H with H'H = J' diag(w) J. If the negative weights w outweigh the positive ones
+/// along a direction, H'H is a hundredth of the positive part there.
 Eigen::MatrixXd weighted_rows(const Eigen::MatrixXd& J, const Eigen::VectorXd& w);
 
-/// Returns the matrix that is the larger of two positive semidefinite ones along every direction in
+/// Returns the larger of two positive semidefinite matrices along every direction in a basis in
 /// which both are diagonal. `a` must be positive definite.
 Eigen::MatrixXd larger(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 

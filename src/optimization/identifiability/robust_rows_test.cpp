@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formulas of M-estimation on data in numbers; coverage of the intervals is tested with NumPy in
-// apps/python/tests/robust_intervals_test.py.
+// Tests the formulas of M-estimation on small data sets. The coverage of the intervals is tested
+// with NumPy in apps/python/tests/robust_intervals_test.py.
 #include "optimization/identifiability/robust_rows.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kHuberCorner = 1.345;  // keeps 95 % of the efficiency of least squares
+constexpr double kHuberCorner = 1.345;  // corner with 95 % of the efficiency of least squares
 
 TEST(RobustLoss, TheErrorFollowsFromItsResidual) {
   for (const Loss loss : {Loss::huber, Loss::cauchy}) {
@@ -30,11 +30,12 @@ TEST(RobustLoss, TheErrorFollowsFromItsResidual) {
       EXPECT_EQ(one.is_beyond, std::abs(x) > 0.5) << x;
     }
   }
-  EXPECT_EQ(RobustLoss(Loss::cauchy, 1.0).at(40.0).psi, 0.0);  // the error is beyond all numbers
+  // The corresponding error exceeds the largest double.
+  EXPECT_EQ(RobustLoss(Loss::cauchy, 1.0).at(40.0).psi, 0.0);
 }
 
-// The efficiency with Gaussian noise is (E psi')^2 / E psi^2 = 0.95 for both default corners; psi^2
-// beyond Huber's corner is that of the corner.
+// The efficiency with Gaussian noise, (E psi')^2 / E psi^2, is 0.95 for the default corners of both
+// losses. For Huber's loss, psi^2 beyond the corner equals that at the corner.
 TEST(RobustLoss, ExpectationsAreThoseOfGaussianNoise) {
   const GaussianLoss huber = RobustLoss{Loss::huber, kHuberCorner}.expected(1.0);
   const double square =
@@ -54,7 +55,7 @@ TEST(RobustLoss, ExpectationsAreThoseOfGaussianNoise) {
   }
   EXPECT_NEAR(cauchy.expected(1.0).psi_slope, slopes / kDraws, 0.003);
   EXPECT_NEAR(cauchy.expected(1.0).inside, squares / inside, 0.005);
-  // Both corners in the unit of the noise, whatever that is.
+  // Expectations depend only on the ratio of the corner to the standard deviation of the noise.
   const RobustLoss small{Loss::cauchy, 2.385e-3};
   EXPECT_NEAR(small.expected(1e-3).psi_slope, cauchy.expected(1.0).psi_slope, 1e-12);
 }
@@ -80,8 +81,8 @@ TEST(RobustRows, TheLargerOfTwoIsNoSmallerAlongAnyDirection) {
   EXPECT_TRUE(larger(a, 0.5 * a).isApprox(a, 1e-12));
 }
 
-/// A line through 40 values with Gaussian noise of 0.1 and three values far off. u = (a, b),
-/// y = a + b x; the residuals are those after Huber's loss with a corner of 0.15.
+/// A line fitted to 40 values with Gaussian noise of 0.1, of which three are wrong by far. u = (a,
+/// b), y = a + b x; the residuals are those after Huber's loss with a corner of 0.15.
 struct RobustLine {
   static constexpr int kValues = 40;
   RobustLoss loss{Loss::huber, 0.15};
@@ -101,7 +102,7 @@ struct RobustLine {
     }
     return one;
   }
-  /// Returns the least of S by Newton's steps.
+  /// Returns the minimum of S by Newton's method.
   Eigen::Vector2d least() const {
     Eigen::Vector2d u(0.4, 0.3);
     for (int k = 0; k < 200; ++k) {
@@ -138,12 +139,12 @@ TEST(RobustRows, ProfilesEndWhereTheIntervalsDo) {
       EXPECT_EQ(profile.verdict, Verdict::identifiable);
       const double width = own.upper - own.lower;
       EXPECT_NEAR(profile.interval.upper - profile.interval.lower, width, 0.1 * width);
-      EXPECT_LT(width, 0.6);  // width by 40 values with a noise of 0.1
+      EXPECT_LT(width, 0.6);  // expected half width: 40 values with a noise of 0.1
     }
   }
 }
 
-// Neighbors that share noise tell less, with a loss as without one.
+// Values whose neighbors share their noise contain less information, with a loss as without one.
 TEST(RobustRows, SharedNoiseWidensTheIntervals) {
   RobustLine line;
   RandomStream random(9, 0);
@@ -167,8 +168,9 @@ TEST(RobustRows, SharedNoiseWidensTheIntervals) {
   }
 }
 
-// Exact values of a curve, y = 2 exp(-1.3 t) + 0.5, with one wrong value. A wrong value at an end
-// pulls the fit so far that the other residuals have a smooth pattern, which is no shared noise.
+// The exact values of a curve, y = 2 exp(-1.3 t) + 0.5, one of which is replaced by a wrong value.
+// If the wrong value is at an end, it pulls the fit so far that the other residuals have a smooth
+// pattern, which must not be taken for shared noise.
 TEST(RobustRows, OneWrongValueOfAnExactCurveLeavesNarrowIntervalsWhereverItIs) {
   constexpr int m = 21;
   constexpr double kScale = 2.5;
@@ -201,7 +203,8 @@ TEST(RobustRows, OneWrongValueOfAnExactCurveLeavesNarrowIntervalsWhereverItIs) {
           {.least_noise = 1e-5,
            .traits = {.curves = std::vector(m, 0), .losses = std::vector<RobustLoss>(m, loss)}});
       EXPECT_FALSE(c.is_colored) << wrong;
-      // A value beyond the corner counts as one at it. They move the fit by their leverage q.
+      // A value beyond the corner contributes like one at the corner. Both move the fit by their
+      // leverage q.
       Eigen::Matrix3d inside = Eigen::Matrix3d::Zero(), beyond = inside;
       for (int i = 0; i < m; ++i) {
         const double e = std::exp(truth[1] * 0.2 * i);
@@ -217,7 +220,7 @@ TEST(RobustRows, OneWrongValueOfAnExactCurveLeavesNarrowIntervalsWhereverItIs) {
         const double exact = truth[k] / ranges[k] + (k == 1 ? 1.0 : 0.0);
         EXPECT_LE(own.lower, exact) << wrong << " " << k;
         EXPECT_GE(own.upper, exact) << wrong << " " << k;
-        // 1.5: the model is curved, and the factor K.
+        // The factor 1.5 allows for the curvature of the model and for the factor K.
         EXPECT_LT(0.5 * (own.upper - own.lower),
                   1.5 * c.t * loss.scale * felt * std::sqrt(others(k, k)))
             << wrong << " " << k;
@@ -226,8 +229,8 @@ TEST(RobustRows, OneWrongValueOfAnExactCurveLeavesNarrowIntervalsWhereverItIs) {
   }
 }
 
-// A variable that only a value beyond the corner shows is not determined: S does not curve along
-// it.
+// If only a value beyond the corner depends on a variable, the variable is not determined: S has no
+// curvature along it.
 TEST(RobustRows, WhatOnlyAValueBeyondTheCornerShowsIsOpen) {
   Linearization at{Eigen::Vector3d::Constant(0.5), Eigen::VectorXd::Zero(8), {}};
   at.J = Eigen::MatrixXd::Zero(8, 3);
@@ -248,8 +251,8 @@ TEST(RobustRows, WhatOnlyAValueBeyondTheCornerShowsIsOpen) {
   EXPECT_TRUE(std::isinf(c.deviation(2)));
 }
 
-// Groups with their own corners keep their own psi': values without a loss are not loosened by
-// values of another experiment far beyond their corner.
+// Groups of values with different corners have separate mean psi': many values beyond the corner in
+// one experiment must not widen the intervals of variables that another experiment determines.
 TEST(RobustRows, ALossOfOneExperimentLeavesTheOthersAsExact) {
   constexpr int m = 600;
   RandomStream random(12, 0);
@@ -266,7 +269,8 @@ TEST(RobustRows, ALossOfOneExperimentLeavesTheOthersAsExact) {
   }
   const Confidence c = confidence(at, {.sigma = 1.0, .traits = {.losses = losses}});
   EXPECT_NEAR(std::sqrt(c.covariance(0, 0)), 1.0 / std::sqrt(m / 2.0), 0.05 / std::sqrt(m / 2.0));
-  // The other variable, by hand: N values, of which `inside` lie inside the corner.
+  // The expected variance of the other variable, from N values, of which `inside` lie inside the
+  // corner.
   const GaussianLoss expected = RobustLoss{Loss::huber, 0.3}.expected(1.0);
   const double N = m / 2.0, inside = N - c.beyond, mean = inside / N;
   const double limited = std::min(1.0, (1.0 - mean) / (1.0 - expected.psi_slope));
@@ -277,7 +281,8 @@ TEST(RobustRows, ALossOfOneExperimentLeavesTheOthersAsExact) {
   EXPECT_NEAR(c.covariance(1, 1), std::max(common, own), 1e-9);
 }
 
-// Mesh and step: a change of values beyond the corner does not move the least S.
+// If values beyond the corner change, as they may by a finer mesh or step, the minimum of S does
+// not shift.
 TEST(RobustRows, AChangeBeyondTheCornerDoesNotShiftTheFit) {
   const RobustLine line;
   const Eigen::Vector2d u = line.least();
@@ -287,7 +292,7 @@ TEST(RobustRows, AChangeBeyondTheCornerDoesNotShiftTheFit) {
   Eigen::VectorXd change = Eigen::VectorXd::Zero(RobustLine::kValues);
   for (const int i : {3, 20, 31}) change[i] = 0.1;
   EXPECT_LT(shift_of(at, c.held, change, c.felt_changes).norm(), 1e-12);
-  // A model that computes everything too large by 0.02 has its level lower by it.
+  // If all results of the model are too large by 0.02, the fitted level is lower by 0.02.
   for (int i = 0; i < RobustLine::kValues; ++i) change[i] = line.loss.at(one.r[i]).slope * 0.02;
   const Eigen::VectorXd shift = shift_of(at, c.held, change, c.felt_changes);
   EXPECT_NEAR(shift[0], -0.02, 1e-10);

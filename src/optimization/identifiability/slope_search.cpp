@@ -8,15 +8,21 @@
 namespace latsch {
 namespace {
 
-constexpr double kStraight = 0.25;            // largest bend of a straight line
-constexpr double kLengthFactor = 4.0;         // ratio of two lengths
-constexpr double kLongestDifference = 0.25;   // share of the range
-constexpr double kShortestDifference = 1e-4;  // share of the range
-constexpr double kMostLengthening = 16.0;     // factor in one step
-constexpr size_t kMostLengths = 5;            // more lengths cost evaluations
-constexpr int kMostShortened = 2;             // number of shorter lengths if all sides fail
-constexpr double kRoughness = 0.25;  // share of the second difference that curvature would cause
-constexpr double kUnfelt = 1e-12;    // share of the residuals: counts as no change
+// Largest ratio `bend` for which three points count as lying on a straight line.
+constexpr double kStraight = 0.25;
+constexpr double kLengthFactor = 4.0;         // ratio of successive lengths
+constexpr double kLongestDifference = 0.25;   // longest difference, as a share of the range
+constexpr double kShortestDifference = 1e-4;  // shortest difference, as a share of the range
+// Largest factor by which the length of a difference is increased in one step.
+constexpr double kMostLengthening = 16.0;
+constexpr size_t kMostLengths = 5;  // largest number of lengths tried
+// Largest number of shorter lengths tried if the evaluation fails on all sides.
+constexpr int kMostShortened = 2;
+// If a length is divided by four, curvature reduces the second difference to a sixteenth. A second
+// difference above this share of the former one counts as roughness.
+constexpr double kRoughness = 0.25;
+// Change of the residuals, as a share of their size, that counts as no change.
+constexpr double kUnfelt = 1e-12;
 
 }  // namespace
 
@@ -31,7 +37,8 @@ bool SlopeSearch::is_open(double offset) const {
   return has_room_(offset) && std::none_of(points_.begin(), points_.end(), failed);
 }
 
-/// Requests the missing points of a stencil of that length; returns false if none has room.
+/// Requests the points of a difference of the given length that are not known yet. Returns false if
+/// there is no room for them on any side.
 bool SlopeSearch::plan(double length) {
   for (const auto& [a, b] : {std::pair(1.0, -1.0), std::pair(1.0, 2.0), std::pair(-1.0, -2.0)}) {
     if (!is_open(a * length) || !is_open(b * length)) continue;
@@ -88,7 +95,7 @@ void SlopeSearch::observe(const Eigen::VectorXd& center,
       const auto next = next_length(felt);
       if (!next || !plan(*next)) break;
       length = *next;
-    } else if (!plan(length)) {  // other sides at this length have failed as well
+    } else if (!plan(length)) {  // all other sides at this length have failed, too
       if (shortened_++ >= kMostShortened || !tried_.empty()) break;
       length /= kLengthFactor;
       if (!plan(length)) break;
@@ -106,7 +113,8 @@ const SlopeSearch::Tried* SlopeSearch::at_length(double length) const {
   return nullptr;
 }
 
-/// Returns nullopt if the last length is good enough or nothing else is to be tried.
+/// Returns the length to try next; nullopt if the last one is good enough or no other one is to be
+/// tried.
 std::optional<double> SlopeSearch::next_length(double felt) const {
   if (tried_.size() >= kMostLengths) return std::nullopt;
   const Tried& last = tried_.back();
@@ -137,7 +145,8 @@ std::optional<double> SlopeSearch::next_length(double felt) const {
 
 void SlopeSearch::finish(const Eigen::VectorXd& center) {
   if (!tried_.empty()) {
-    // The last length is chosen if it is straight, because it was selected to suit the use best.
+    // The last length tried is used if its three points are straight, because it was chosen to
+    // match the length of the confidence interval.
     const Tried* best = &tried_.back();
     if (best->bend > kStraight) {
       for (const Tried& t : tried_) {

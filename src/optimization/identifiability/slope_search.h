@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes the derivative of residuals in one variable by differences whose length is chosen for
-// the use of the derivative.
+// Computes the derivative of residuals with respect to one variable by differences whose length is
+// chosen for the use of the derivative.
 //
 // Three points have a spacing h, with the center in their middle if there is room on both sides:
 //   J = (r+ - r-) / 2h      change = |r+ - r-| / 2      bend = |r+ - 2 r0 + r-| / 2 change
-// (one-sided: J = (4 r1 - r2 - 3 r0) / 2h). Measurement noise is the same at all three and cancels.
-// J is spoiled by roughness of the model (solver tolerance, ripple over meshes and steps), whose
-// error goes as 1 / h, and by curvature, whose error goes as h^2. A slope over much less than the
-// confidence interval it will be used for is also a poor guide. So
+// (one-sided: J = (4 r1 - r2 - 3 r0) / 2h). Measurement noise is the same at all three points and
+// cancels. J has errors by roughness of the model (solver tolerance, ripple from meshes and steps),
+// proportional to 1 / h, and by curvature, proportional to h^2. A slope over much less than the
+// confidence interval it will be used for is also a poor guide. Therefore
 //   - if the residuals change by less than `felt`, the change at the ends of a confidence interval,
 //     the step is lengthened to reach that change;
-//   - if the three points are not on a line, bend > kStraight, a quarter of the length decides: if
-//     the second difference falls sixteenfold, it is curvature and the shorter step is better;
-//     otherwise it is roughness and a longer one is better;
+//   - if the three points do not lie on a line (bend > kStraight), a quarter of the length is
+//     tried: if the second difference falls sixteenfold, it is due to curvature, and the shorter
+//     step is better; otherwise it is due to roughness, and a longer step is better;
 //   - of all lengths tried, at most kMostLengths, the straightest is used, and reported as rough if
 //     even that is not straight.
 // If one side has no room or fails, the other one is used. Usually two points are needed for each
@@ -27,9 +27,10 @@
 namespace latsch {
 
 enum class SlopeQuality {
-  straight,   // three points on a line
-  rough,      // no length is straight: the slope is that of a rough or strongly curved model
-  one_sided,  // only one point beside the center was available: not checked
+  straight,  // the three points lie on a line
+  /// No length is straight: the slope is that of a rough or strongly curved model.
+  rough,
+  one_sided,  // only one point beside the center was available, so straightness was not checked
   unknown,    // every evaluation beside the center failed
 };
 
@@ -39,10 +40,11 @@ class SlopeSearch {
   /// of the range.
   SlopeSearch(std::function<bool(double)> has_room, double first_length);
 
-  /// Returns the offsets to evaluate; empty when done.
+  /// Returns the offsets from the center to evaluate next; empty if the search has ended.
   const std::vector<double>& wanted() const { return wanted_; }
-  /// Receives the residuals at the center and at wanted(), in units of their deviations; nullopt if
-  /// an evaluation failed. `felt` is 0 if nothing is known about the interval.
+  /// Receives the residuals at the center and at wanted(), in units of their standard deviations;
+  /// nullopt if an evaluation failed. `felt` is the change of the residuals at the ends of the
+  /// confidence interval, 0 if it is not known.
   void observe(const Eigen::VectorXd& center,
                double felt,
                const std::vector<std::optional<Eigen::VectorXd>>& residuals);
@@ -50,10 +52,11 @@ class SlopeSearch {
   SlopeQuality quality() const { return quality_; }
   const Eigen::VectorXd& slope() const { return slope_; }
   double length() const { return length_; }
-  /// Second difference over twice the change, for the length used; 0 if it is not known.
+  /// The ratio of the second difference to twice the change, for the length used; 0 if it is not
+  /// known.
   double bend() const { return bend_; }
-  /// One term of the slope, which is the sum of weight * value over the points; one of the terms
-  /// belongs to the center, offset 0. The same sum gives the slope of any other quantity.
+  /// One term of the slope, which is the sum of weight * value over the points, including the
+  /// center with offset 0. The same sum gives the slope of any other quantity.
   struct Term {
     double offset, weight;
   };
@@ -83,7 +86,7 @@ class SlopeSearch {
   std::vector<Point> points_;
   std::vector<Tried> tried_;
   double planned_ = 0.0;
-  int shortened_ = 0;  // number of shortenings because of failures
+  int shortened_ = 0;  // number of times the length was shortened because of failures
   SlopeQuality quality_ = SlopeQuality::unknown;
   Eigen::VectorXd slope_;
   std::vector<Term> terms_;

@@ -36,8 +36,9 @@ TEST(SlopeSearch, OfAParabolaIsItsDerivativeAlsoAtABound) {
   EXPECT_NEAR(slope(parabola, 0.0, -0.5, 0.0).search.slope()[0], 3.0, 1e-10);
 }
 
-// A slope of 1 has a ripple of 0.02 with waves 0.013 long. Over 0.01 the slope is that of the
-// ripple. An interval that ends where the residuals change by 0.2 is 20 times as long.
+// The model is a line of slope 1 with a ripple of amplitude 0.02 and wavelength 0.013. A difference
+// over 0.01 gives the slope of the ripple. An interval that ends where the residuals change by 0.2
+// is 20 times as long.
 TEST(SlopeSearch, GrowsBeyondRippleToTheLengthOfTheInterval) {
   const Model rippled = [](double x) {
     return one(x + 0.02 * std::sin(2 * M_PI * x / 0.013 + 0.4));
@@ -49,7 +50,7 @@ TEST(SlopeSearch, GrowsBeyondRippleToTheLengthOfTheInterval) {
   EXPECT_EQ(found.search.quality(), SlopeQuality::straight);
 }
 
-// The model has such a ripple and the data are exact: the length grows because of the ripple alone.
+// The model has a ripple, and the data are exact: the length grows because of the ripple alone.
 TEST(SlopeSearch, GrowsOutOfRippleThatNoNoiseHides) {
   Eigen::VectorXd waves = Eigen::VectorXd::LinSpaced(40, 0.011, 0.017);
   const Model rippled = [=](double x) -> std::optional<Eigen::VectorXd> {
@@ -61,7 +62,7 @@ TEST(SlopeSearch, GrowsOutOfRippleThatNoNoiseHides) {
   EXPECT_GT(found.search.length(), 0.03);
 }
 
-// sinh(200 x) is curved within 0.01; its slope at 0 is 200.
+// The model sinh(200 x) is strongly curved within the first length of 0.01; its slope at 0 is 200.
 TEST(SlopeSearch, ShrinksWhereTheModelIsCurved) {
   const Model curved = [](double x) { return one(std::exp(400 * x)); };
   const Found found = slope(curved, 1e-3);

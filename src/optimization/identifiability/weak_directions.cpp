@@ -11,22 +11,30 @@
 namespace latsch {
 namespace {
 
-constexpr std::array kMoves{2e-3, 2e-4};  // shares of the range
-// A direction is weak if its effect is less than this multiple of the curvature's errors.
+// Lengths of the moves along a direction, as shares of the range.
+constexpr std::array kMoves{2e-3, 2e-4};
+// A direction is weak if its effect is less than this multiple of the errors caused by curvature.
 constexpr double kBesideCurvature = 2.0;
-// In a fit without noise, a direction is weak below this share of the strongest direction's effect.
+// In a fit without noise, a direction is weak if its effect is below this share of the strongest
+// direction's effect.
 constexpr double kWeak = 1e-2;
-constexpr double kNoNoiseLeft = 1e-4;    // spread of residuals without stated noise
-constexpr double kOfStatedNoise = 1e-2;  // spread of residuals relative to stated noise
-constexpr double kAgree = 0.25;          // share of the smaller slope
-constexpr double kOtherLength = 4.0;     // least ratio of two different lengths
-// Multiple of the error from which on a component is known.
+// Spread of the residuals below which a fit counts as free of noise, if no noise is stated.
+constexpr double kNoNoiseLeft = 1e-4;
+// Spread of the residuals, as a share of the stated noise, below which a fit counts as free of
+// noise.
+constexpr double kOfStatedNoise = 1e-2;
+// Largest difference of two slopes that agree, as a share of the smaller slope.
+constexpr double kAgree = 0.25;
+// Smallest ratio of two lengths whose slopes may be compared.
+constexpr double kOtherLength = 4.0;
+// Multiple of the error above which a component of a direction counts as known.
 constexpr double kOfErrors = 3.0;
-// Share of the error above which an effect counts as a slope.
+// Share of the error above which an effect counts as a slope different from zero.
 constexpr double kFeltBeside = 0.1;
-constexpr double kTakesPart = 0.1;  // least component of a unit vector that takes part
+// Smallest component of a direction of length 1 with which a variable takes part in it.
+constexpr double kTakesPart = 0.1;
 
-/// True if the residuals are smaller than any noise would leave.
+/// True if the residuals are so small that they contain no noise.
 bool fits_without_noise(const Linearization& at,
                         const Confidence& c,
                         const ConfidenceOptions& options) {
@@ -40,15 +48,15 @@ struct SlopeAlong {
   Eigen::VectorXd g;
 };
 
-/// True if two slopes agree and their lengths differ enough: slopes over similar lengths always
-/// agree.
+/// True if two slopes agree and their lengths differ enough. Slopes over similar lengths always
+/// agree, which proves nothing.
 bool agree(const SlopeAlong& a, const SlopeAlong& b) {
   const auto [shorter, longer] = std::minmax(a.length, b.length);
   return longer >= kOtherLength * shorter &&
          (a.g - b.g).norm() <= kAgree * std::min(a.g.norm(), b.g.norm());
 }
 
-/// Returns the shortest of the differences in J v.
+/// Returns the shortest length of the differences that J v is computed from.
 double length_along(const Eigen::VectorXd& v, const Eigen::VectorXd& lengths) {
   double least = 1.0;
   for (Eigen::Index i = 0; i < v.size(); ++i)
@@ -56,8 +64,8 @@ double length_along(const Eigen::VectorXd& v, const Eigen::VectorXd& lengths) {
   return least;
 }
 
-/// Returns v with only the components that exceed the errors of slopes, whose norm is `error`: a
-/// variable without a part in v is not as open as v.
+/// Returns v without the components that do not exceed the errors of the slopes, whose norm is
+/// `error`. A variable without a component in v is not undetermined along v.
 Eigen::VectorXd without_errors(Eigen::VectorXd v, double error, const Eigen::MatrixXd& J) {
   for (Eigen::Index i = 0; i < v.size(); ++i)
     if (std::abs(v[i]) * J.col(i).norm() < kOfErrors * error) v[i] = 0.0;
@@ -121,8 +129,10 @@ Eigen::MatrixXd WeakDirections::checked(
       if (auto g = slope(stencils_[k], at.r, at_place(2 * k), at_place(2 * k + 1)))
         slopes.push_back({stencils_[k].length, std::move(*g)});
     }
-    if (slopes.size() == 1) continue;  // the model fails there: only the differences are left
-    // The shorter length of an agreeing pair is used, or J v itself if it is in the pair.
+    // The model fails at the points along the direction, so only the differences of J are left.
+    if (slopes.size() == 1) continue;
+    // If two slopes agree, the one over the shorter length is used; if one of them is J v, J v is
+    // kept.
     const SlopeAlong* held = nullptr;
     for (size_t a = 0; a < slopes.size() && !held; ++a)
       for (size_t b = a + 1; b < slopes.size() && !held; ++b)

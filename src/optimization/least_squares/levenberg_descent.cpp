@@ -8,9 +8,9 @@ namespace latsch {
 namespace {
 
 constexpr int kMostIterations = 60;
-// Share of the value; less in one iteration ends the descent.
+// Share of the value: the descent ends if an iteration decreases the value by less.
 constexpr double kLeastDecrease = 1e-9;
-constexpr double kFirstDamping = 1e-6;  // mu over the largest diagonal entry of J'J
+constexpr double kFirstDamping = 1e-6;  // first mu divided by the largest diagonal entry of J'J
 constexpr double kLeastDamping = 1e-12;
 constexpr double kMostDamping = 1e12;
 

@@ -4,7 +4,7 @@
 //   |r_hat(z)|^2 + v(z)      from z = 0, by steps p with
 //   (J'J + V + mu I) p = -(J' r_hat + 1/2 grad v)
 //
-// V is the part of the Hessian of v / 2 that is never negative. mu is a share of the largest
+// V is the positive semidefinite part of the Hessian of v / 2. mu is a multiple of the largest
 // diagonal entry. It grows tenfold if p does not descend and falls to a hundredth if it does. Any
 // descent is accepted without a gain ratio, because evaluating the model costs almost nothing. The
 // caller restricts p to bounds or constraints. The result approaches a local minimum of the model
@@ -18,7 +18,7 @@
 
 namespace latsch {
 
-/// Returns the end z + p of the step for the damped matrix H and the slope g.
+/// Returns the end z + p of a step, given the damped matrix H and the gradient g.
 using DampedStep = std::function<Eigen::VectorXd(
     const Eigen::VectorXd& z, const Eigen::MatrixXd& H, const Eigen::VectorXd& g)>;
 

@@ -17,33 +17,49 @@
 namespace latsch {
 namespace {
 
-constexpr double kTaken = 1e-4;             // least gain of an accepted step
-constexpr double kPoorGain = 0.25;          // gain below which the radius is shortened
-constexpr double kGainToExpand = 0.75;      // gain above which the radius is lengthened
-constexpr double kExpansionOfRadius = 2.0;  // radius over the step
-constexpr double kAfterFailure = 0.25;      // radius over the step that failed
-constexpr double kWorthReturning = 0.1;     // share of the gain that the step predicted
-// If a step leaves less than this share of f, the search is not on a valley's floor.
+// A gain is the ratio of the actual decrease of f to that predicted by the linear model. Smallest
+// gain of an accepted step.
+constexpr double kTaken = 1e-4;
+constexpr double kPoorGain = 0.25;      // gain below which the radius is shortened
+constexpr double kGainToExpand = 0.75;  // gain above which the radius is lengthened
+// Multiple of the step that becomes the radius after a large gain.
+constexpr double kExpansionOfRadius = 2.0;
+// Multiple of the step that becomes the radius if the evaluation failed.
+constexpr double kAfterFailure = 0.25;
+// Smallest predicted decrease of a return to the floor of a valley, as a share of that of the step.
+constexpr double kWorthReturning = 0.1;
+// The search follows the floor of a valley if a step leaves more than this share of f.
 constexpr double kSteepDescent = 0.1;
-constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;  // multiples of the step
-// Least cosine between a step and the direction along which the curvature is known.
+// Multiples of the step that become the radius after a return with a large or a medium gain.
+constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;
+// Smallest cosine between a step and the direction along which the curvature of the residuals is
+// known.
 constexpr double kAlong = 0.8;
-// Largest turn of a step by curvature, relative to the step [Transtrum & Sethna, alpha = 0.75].
+// Largest correction of a step for curvature, relative to the step [Transtrum & Sethna, alpha =
+// 0.75].
 constexpr double kMostTurn = 0.375;
-constexpr double kWorthBending = 0.1;              // share of the gain that the straight step
-                                                   // predicts
-constexpr double kLeastCut = 0.1, kMostCut = 0.5;  // limits of the factor that shortens Delta
-constexpr double kPromisesNothing = 1e-10;         // share of f, for a step in the radius
-constexpr double kPromisesMuch = 1e-6;             // share of f
-constexpr double kNothingIsLeft = 1e-20;   // share of the first f: ten digits of the residuals
-constexpr double kRoundingIsLeft = 1e-10;  // share of the first f: five digits, if steps fail
-// Share of the tolerance: so short a radius finds nothing.
+// Smallest predicted decrease of a step corrected for curvature, as a share of that of the straight
+// step.
+constexpr double kWorthBending = 0.1;
+// Limits of the factor by which a poor gain shortens the radius.
+constexpr double kLeastCut = 0.1, kMostCut = 0.5;
+// Predicted decrease of f, as a share of f, below which no step in the radius is worth an
+// evaluation.
+constexpr double kPromisesNothing = 1e-10;
+constexpr double kPromisesMuch = 1e-6;  // share of f
+// Share of the first f below which nothing is left to gain: residuals have decreased by ten digits.
+constexpr double kNothingIsLeft = 1e-20;
+// Share of the first f below which only rounding errors are left, if steps fail to decrease f:
+// residuals have decreased by five digits.
+constexpr double kRoundingIsLeft = 1e-10;
+// Share of the step tolerance below which a radius is too short to find an improvement.
 constexpr double kExhaustedStep = 0.01;
-// A range is too wide for the tolerance if the full step is shorter than the tolerance and yet
-// predicts a gain of kPromisesAllTheSame of f, while f exceeds kMuchIsLeft.
+// The range of a variable is too wide for the tolerance if the full step is shorter than the
+// tolerance and nevertheless predicts a decrease of kPromisesAllTheSame times f, while f exceeds
+// kMuchIsLeft times the first f.
 constexpr double kPromisesAllTheSame = 0.1;  // share of f
 constexpr double kMuchIsLeft = 1e-6;         // share of the first f
-constexpr double kNumbersOfTheCube = 1e-16;  // distance of neighboring numbers in the unit cube
+constexpr double kNumbersOfTheCube = 1e-16;  // spacing of neighboring numbers in the unit cube
 
 enum class LevenbergMarquardtEnding {
   none,
@@ -63,23 +79,26 @@ struct Linear : Slopes {
   double f = 0.0;
 };
 
-/// A point whose outcome the method waits for: a start, with the number of starts before it, or a
-/// step.
+/// A point that the search has proposed and whose outcome it does not know yet: a start, with the
+/// number of starts before it, or a step.
 struct Attempt {
   Eigen::VectorXd u;
   DesignPoint point;
   int starts = 0;
   std::optional<LevenbergMarquardtStep> step = std::nullopt;
-  Eigen::VectorXd goal = {};  // r at the end of the step, by the linear model
-  int returns = 0;            // number of returns since the step that led up the side
-  double f_astray = 0.0;      // f at the end of that step
+  // The residuals at the end of the step as the linear model predicts them.
+  Eigen::VectorXd goal = {};
+  // Number of returns since the step that ended on the side of a valley.
+  int returns = 0;
+  double f_astray = 0.0;  // f at the end of the original step, before all returns
 };
 
 void check(const LevenbergMarquardtOptions& options) {
   OptionCheck("Levenberg-Marquardt").lengths(options.initial_step, options.step_tolerance, 1.0);
 }
 
-/// Returns the share of a step at which the parabola through f, its slope and f_end is least.
+/// Returns the position, as a share of the step, of the minimum of the parabola through f, its
+/// slope at the start, and f_end.
 double least_of_parabola(double f, double slope, double f_end) {
   const double share = -slope / (f_end - f - 2.0 * slope);  // f + 2 slope t + ... t^2
   return std::clamp(std::isfinite(share) ? share : kLeastCut, kLeastCut, kMostCut);
@@ -93,15 +112,16 @@ struct LevenbergMarquardt::State {
   LevenbergMarquardtOptions options;
 
   Linear x;  // the best point
-  // The point before x, or the end of a step from x up the side of a valley.
+  // A second point with known residuals and slopes: the point before x, or the end of a step from x
+  // that led up the side of a valley.
   std::optional<Slopes> along;
   std::optional<Linear> foreign;  // best point from other sources
-  Eigen::VectorXd D;              // empty before the first success
+  Eigen::VectorXd D;              // scales of the variables; empty before the first success
   double radius = 0.0;            // Delta
   double f_first = 0.0;
-  bool has_failed = false;        // the last step failed
+  bool has_failed = false;        // true if the last evaluation failed
   std::vector<double> reached;    // f after every accepted step
-  PendingPoints<Attempt> wanted;  // at most one; empty: converged
+  PendingPoints<Attempt> wanted;  // at most one point; empty once the search has converged
   LevenbergMarquardtEnding end = LevenbergMarquardtEnding::none;
 
   State(const DesignSpace& s, const LevenbergMarquardtOptions& o)
@@ -109,7 +129,7 @@ struct LevenbergMarquardt::State {
     wanted.push_back({to_vector(space.to_unit(space.initial())), space.initial()});
   }
 
-  /// One iteration: uses the outcome of an attempt and chooses the next one.
+  /// One iteration: processes the outcome of an attempt and chooses the next one.
   void take(const Attempt& tried, std::optional<Linear> known) {
     if (tried.step) {
       if (known && returns_from(tried, *known)) return;
@@ -134,7 +154,7 @@ struct LevenbergMarquardt::State {
     }
   }
 
-  /// Starts at the first point, or at one from another source.
+  /// Starts at the first successful point, which may come from another source.
   void begin(Linear known) {
     const bool is_first = D.size() == 0;
     along.reset();
@@ -153,8 +173,8 @@ struct LevenbergMarquardt::State {
     return reached.size() > 1 && x.f > kSteepDescent * reached[reached.size() - 2];
   }
 
-  /// If a step led up the side of a valley, proposes a step down to its floor, from the residuals
-  /// and slopes known on the side, and returns true.
+  /// If a step ended on the side of a valley, proposes a step from there down to its floor,
+  /// computed from the residuals and slopes on the side, and returns true.
   bool returns_from(const Attempt& tried, const Linear& at) {
     const LevenbergMarquardtStep& step = *tried.step;
     if (tried.returns >= options.most_returns || !is_in_valley() || (foreign && foreign->f < x.f) ||
@@ -169,8 +189,9 @@ struct LevenbergMarquardt::State {
     return true;
   }
 
-  /// Returns the step to the residuals that the linear model predicted, and not beyond: a step free
-  /// to continue along the valley would leave its floor again.
+  /// Returns the step from the side of a valley to the point where the residuals are those
+  /// predicted by the linear model for the original step, and no further: a step that continued
+  /// along the valley would leave its floor again.
   LevenbergMarquardtStep return_from(const Linear& at,
                                      const LevenbergMarquardtStep& step,
                                      const Eigen::VectorXd& goal) const {
@@ -179,7 +200,8 @@ struct LevenbergMarquardt::State {
     return back.length > step.length ? steps.within(step.length) : back;
   }
 
-  /// Judges a step together with the returns after it.
+  /// Sets the radius after a step and its returns to the floor of the valley, by the gain of all
+  /// together.
   void judge_returns(const Attempt& tried, double gain) {
     const LevenbergMarquardtStep& step = *tried.step;
     if (gain > kGainToExpand) {
@@ -216,8 +238,9 @@ struct LevenbergMarquardt::State {
     reached.push_back(x.f);
   }
 
-  /// True if recent steps gained little. Along a long valley far from its end steps gain as little,
-  /// but the linear model predicts a large gain.
+  /// True if recent steps decreased f only little and the linear model predicts little more. Far
+  /// from the end of a long valley steps may also decrease f only little, but the linear model
+  /// predicts a large decrease.
   bool is_slow(const LevenbergMarquardtSteps& steps) const {
     constexpr std::size_t kSteps = 3;
     const double little = options.progress_tolerance * x.f;
@@ -225,7 +248,8 @@ struct LevenbergMarquardt::State {
            steps.most_promised() < 0.5 * little;
   }
 
-  /// Returns the step corrected by the curvature of the residuals along it, if that is known.
+  /// Returns the step corrected by the curvature of the residuals along the step, if the curvature
+  /// is known.
   LevenbergMarquardtStep bend(const LevenbergMarquardtStep& step) const {
     if (!along) return step;
     const Eigen::VectorXd s = x.u - along->u;
@@ -320,8 +344,9 @@ std::vector<DesignPoint> LevenbergMarquardt::propose(int count) const {
   assert(count >= 1);
   Plan plan(count);
   plan.add(state_->wanted);
-  // The points after a success depend on its numbers, and no guess of these would be right. The
-  // points after a failure do not, and are worth a worker's time if failures have been seen.
+  // The next point after a successful step depends on the residuals of this step and cannot be
+  // guessed. The next point after a failed evaluation is known and is proposed ahead for idle
+  // workers, if evaluations have failed before.
   for (State future = *state_; state_->has_failed && !plan.is_full() && !future.wanted.empty();) {
     const Attempt first = *future.wanted.take(future.wanted.front().point);
     future.take(first, std::nullopt);

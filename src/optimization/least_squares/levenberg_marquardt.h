@@ -13,38 +13,38 @@
 //   gain      (f(u) - f(u + p)) / (|r|^2 - |r + J p|^2)
 //             A step with a gain above 0.0001 is accepted.
 //   radius    A gain below 1/4 shortens Delta to the minimum of the parabola through f(u), its
-//             slope and f(u + p), within 1/10 to 1/2 of Delta. A gain above 3/4, or that of a full
-//             step, makes Delta twice |p|.
+//             slope and f(u + p), within 1/10 to 1/2 of Delta. If the gain is above 3/4, or if the
+//             step was a full one, Delta becomes twice |p|.
 //   bend      If residuals and slopes at another point on the path are known, so is the curvature
 //             of the residuals along p (residual_curvature.h): p becomes the damped step, with the
 //             same mu, from r and that curvature. This is Transtrum's and Sethna's geodesic
-//             acceleration without an additional evaluation, up to the turn that they allow.
+//             acceleration without an additional evaluation, limited to the correction they allow.
 //   return    In a narrow curved valley a step along its floor ends high on its side, where J is
 //             known as well. A few steps from there, each at most as long as the first, lead to the
 //             residuals that the linear model had at the end of p: back to the floor, across the
-//             valley, and no further along it. Their end counts as u + p, with a radius of 4 or
-//             10 |p| on success. This is a watchdog method [Chamberlain, Powell, Lemaréchal &
+//             valley, and no further along it. Their end counts as u + p; on success the radius
+//             becomes 4 or 10 |p|. This is a watchdog method [Chamberlain, Powell, Lemaréchal &
 //             Pedersen, Math. Program. Study 16 (1982) 1]. It is used only if the step before has
-//             left f above a tenth of its value, and as long as the slopes there promise an end
-//             below f(u) by a tenth of what p had promised.
-//   end       The search ends if the linear model promises less than gain_tolerance of f, if its
-//             full step or the steps in the radius are shorter than the tolerance, or if steps gain
-//             too little. This is checked before a step is evaluated.
+//             left f above a tenth of its value, and as long as the slopes on the side predict a
+//             decrease below f(u) by at least a tenth of the decrease that p predicted.
+//   end       The search ends if the linear model predicts a decrease of less than gain_tolerance
+//             times f, if its full step or the steps in the radius are shorter than the tolerance,
+//             or if steps gain too little. This is checked before a step is evaluated.
 //
-// A variable is held at a bound if the slope pushes it over, and for the rest of a step at the
-// bound that the step would cross: a projected step; Moré has no bounds. With linear constraints
-// every step is a quadratic program. A Failure, a number that is not finite, or a wrong number of
-// residuals shortens Delta to a quarter of the step. A start that fails is moved toward the middle
-// of the region.
+// A variable is held if it is at a bound and the slope pushes it outward. If a step would cross a
+// bound, the variable is held there for the rest of this step: a projected step; Moré's method has
+// no bounds. With linear constraints every step is a quadratic program. A Failure, a number that is
+// not finite, or a wrong number of residuals shortens Delta to a quarter of the step. A start that
+// fails is moved toward the middle of the region.
 //
-// The method needs one point at a time. Once there have been some failures, idle workers get the
-// shorter steps that would follow further failures. A better point from another source is adopted
-// when the next own point is observed; such a point needs its Jacobian.
+// The method needs one point at a time. Once there have been some failures, idle workers evaluate
+// the shorter steps that would follow further failures. If a better point from another source is
+// observed, it is adopted together with the next point of the method; it must have a Jacobian.
 //
 // Convergence is quadratic if the residuals vanish at the end, otherwise linear, and faster if
-// residuals and their curvature are small. The search ends in the minimum downhill of its start.
-// Without derivatives, or with noise, use residual_trust_region.h; for nonlinear constraints,
-// sqp.h.
+// residuals and their curvature are small. The search ends in the local minimum downhill of its
+// start. Without derivatives, or with noise, use residual_trust_region.h; for nonlinear
+// constraints, sqp.h.
 #pragma once
 
 #include <memory>
@@ -56,22 +56,22 @@
 
 namespace latsch {
 
-/// Lengths are in the unit cube: 1 is the whole range of a variable.
+/// Options of the search. Lengths are in the unit cube: 1 is the whole range of a variable.
 struct LevenbergMarquardtOptions {
-  /// First Delta: |p| of a move of all variables by this length. It may be wide, because the slopes
-  /// are exact.
+  /// First radius Delta: the length of a step p in which all variables move by this value. It may
+  /// be large, because the slopes are exact.
   double initial_step = 0.5;
-  /// The search ends if the next step is shorter.
+  /// The search ends if the next step is shorter than this length.
   double step_tolerance = 1e-6;
   /// The search ends if the linear model predicts a gain of less than this share of f for the full
   /// step.
   double gain_tolerance = 1e-10;
-  /// The search ends if three accepted steps together gain less than this share of f and the linear
-  /// model predicts less than half of that for the full step: the path along a curved valley or a
-  /// kink may be long. 0 accepts any gain; a study may set it from its noise
-  /// [optimizer_choice.cpp].
+  /// The search ends if three accepted steps together decrease f by less than this share of f and
+  /// the linear model predicts less than half of that for the full step: the path along a curved
+  /// valley or a kink may be long. The value 0 accepts any decrease; a study may set it from its
+  /// noise [optimizer_choice.cpp].
   double progress_tolerance = 0.0;
-  /// Largest number of steps back to the floor of a valley after one step that led up its side; 0:
+  /// Largest number of steps back to the floor of a valley after a step that ended on its side; 0:
   /// none.
   int most_returns = 6;
 };

@@ -14,16 +14,19 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kRadiusSlack = 0.1;  // share of the radius to which mu is solved for
-// Share of the bracket: a secant nearer to its ends is not trusted.
+// Accuracy to which the step is made as long as the radius, as a share of the radius.
+constexpr double kRadiusSlack = 0.1;
+// Distance from the ends of a bracket, as a share of its width, within which the result of a secant
+// step is not trusted.
 constexpr double kMargin = 1e-3;
-constexpr double kMostDampingOfStep = 1e12;  // multiple of the mu for the radius
-// Largest number of mu tried; each at least halves the bracket.
+// Largest damping mu that is tried if a step gains nothing, as a multiple of the mu for the radius.
+constexpr double kMostDampingOfStep = 1e12;
+// Largest number of values of mu that are tried; each at least halves the bracket.
 constexpr int kMostDampings = 30;
-constexpr double kLeastConvexity =
-    1e-12;  // relative to the largest curvature, for a quadratic program
+// Smallest curvature in a quadratic program relative to the largest one.
+constexpr double kLeastConvexity = 1e-12;
 
-/// Returns the first rows of Q'A, as many as A has columns, with Q from the factors.
+/// Returns the first rows of Q'A, as many as the matrix has columns, with Q from its factors.
 MatrixXd rotated(const numerics::HouseholderQr& factors, const MatrixXd& A, Eigen::Index rows) {
   MatrixXd R(rows, A.cols());
   for (Eigen::Index j = 0; j < A.cols(); ++j) {
@@ -32,7 +35,7 @@ MatrixXd rotated(const numerics::HouseholderQr& factors, const MatrixXd& A, Eige
   return R;
 }
 
-/// Scales the rows to length 1 in the scaled variables.
+/// Scales the constraints as rows of length 1 in the scaled variables D p.
 void scale(MatrixXd& A, VectorXd& b, const VectorXd& D) {
   A = A * D.cwiseInverse().asDiagonal();
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
@@ -119,7 +122,7 @@ VectorXd LevenbergMarquardtSteps::damped_in_polytope(double mu) const {
 LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
   const double longest = (1.0 + kRadiusSlack) * radius, shortest = (1.0 - kRadiusSlack) * radius;
   if (full_.length <= longest && full_.promised > 0.0) return full_;
-  // excess(mu) = 1 / |D p| - 1 / Delta increases from below 0 to above 0.
+  // The function excess(mu) = 1 / |D p| - 1 / Delta increases from a negative to a positive value.
   const auto excess = [&](const LevenbergMarquardtStep& s) {
     return 1.0 / s.length - 1.0 / radius;
   };
@@ -128,7 +131,8 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
   double at_low = excess(full_);
   LevenbergMarquardtStep step = damped(high);
   double at_high = excess(step);
-  const bool is_cut = full_.length <= longest;  // short enough, but without gain
+  // The full step is short enough but was rejected because it predicts no decrease.
+  const bool is_cut = full_.length <= longest;
   for (int k = 0; k < kMostDampings && !is_cut; ++k) {
     if (step.length >= shortest && step.length <= longest) break;
     double mu = low - at_low * (high - low) / (at_high - at_low);
@@ -139,7 +143,8 @@ LevenbergMarquardtStep LevenbergMarquardtSteps::within(double radius) const {
     (step.length > radius ? low : high) = mu;
     (step.length > radius ? at_low : at_high) = excess(step);
   }
-  // Variables held at faces can spoil a step; ever shorter steps go down the slope.
+  // If variables are held at faces of the cube, a step may predict no decrease. Shorter and shorter
+  // steps approach the direction of steepest descent, which does.
   const double most = kMostDampingOfStep * of_radius;
   for (double mu = step.mu; !(step.promised > 0.0) && mu < most; mu *= 10.0) {
     step = damped(10.0 * mu);

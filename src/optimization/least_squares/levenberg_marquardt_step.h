@@ -28,30 +28,31 @@ namespace latsch {
 struct LevenbergMarquardtStep {
   Eigen::VectorXd p;
   double length = 0.0;    // |D p|
-  double mu = 0.0;        // 0: the step of Gauss and Newton
+  double mu = 0.0;        // damping; 0 for the Gauss-Newton step
   double promised = 0.0;  // |r|^2 - |r + J p|^2
   double slope = 0.0;     // r'J p, half the slope of |r|^2 along p
 };
 
 class LevenbergMarquardtSteps {
  public:
-  /// `D` are scales of the variables, above 0. u lies in the region.
+  /// Prepares the steps from u, which lies in the region. `D` are scales of the variables, above 0.
   LevenbergMarquardtSteps(const Eigen::VectorXd& r,
                           const Eigen::MatrixXd& J,
                           const Eigen::VectorXd& D,
                           const Eigen::VectorXd& u,
                           const FeasibleRegion& region);
 
-  /// Returns the longest step, mu = 0.
+  /// Returns the step for mu = 0, which is the longest one.
   const LevenbergMarquardtStep& full() const { return full_; }
   LevenbergMarquardtStep within(double radius) const;
-  /// Returns the solution of (1) for a given mu.
+  /// Returns the damped step (1) for a given mu.
   LevenbergMarquardtStep damped(double mu) const;
-  /// Upper limit of the gain that a step inside the bounds predicts: the value for the variables
-  /// not held, without bounds.
+  /// Returns an upper limit of the decrease predicted for a step inside the bounds: that of the
+  /// step without bounds in the variables that are not held.
   double most_promised() const { return most_promised_; }
-  /// Returns a lower limit of the gain predicted for the best move of a single free variable. If J
-  /// loses rank, joint steps of all variables predict an improvement that no step achieves.
+  /// Returns a lower limit of the decrease: that predicted for the best move of a single free
+  /// variable. If J is nearly singular, joint moves of all variables may predict a decrease that no
+  /// real step achieves.
   double promised_by_one() const { return promised_by_one_; }
 
  private:
@@ -64,10 +65,10 @@ class LevenbergMarquardtSteps {
 
   bool is_cube_;
   Eigen::VectorXd D_;
-  Eigen::MatrixXd R_;              // factor of J D^-1, with as many columns
+  Eigen::MatrixXd R_;              // triangular factor of J D^-1
   Eigen::VectorXd c_;              // Q'r
   Eigen::VectorXd g_;              // D^-1 J'r
-  Eigen::VectorXd lower_, upper_;  // bounds of D p in the cube
+  Eigen::VectorXd lower_, upper_;  // bounds of D p that keep u + p in the cube
   std::vector<int> free_;          // variables that are not held at a bound
   Eigen::MatrixXd E_, A_;          // E_ D p = f_,  A_ D p <= b_  in a polytope
   Eigen::VectorXd f_, b_;

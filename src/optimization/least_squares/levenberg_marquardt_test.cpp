@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Certified problems and SciPy: verification/nist_strd/levenberg_marquardt_test.cpp.
+// Tests of Levenberg-Marquardt. Problems with certified solutions, and the comparison with SciPy,
+// are in verification/nist_strd/levenberg_marquardt_test.cpp.
 #include "optimization/least_squares/levenberg_marquardt.h"
 
 #include <gmock/gmock.h>
@@ -29,7 +30,7 @@ Result<Score> rosenbrock(const Values& x) {
   return score_of({10 * (x[1] - x[0] * x[0]), 1 - x[0]}, {-20 * x[0], 10, -1, 0});
 }
 
-/// r = x - (2, 2)
+/// The residuals are the distance from the point (2, 2), r = x - (2, 2).
 Result<Score> distance(const Values& x) { return score_of({x[0] - 2, x[1] - 2}, {1, 0, 0, 1}); }
 
 struct Search {
@@ -63,7 +64,7 @@ TEST(LevenbergMarquardt, SolvesLinearResidualsInOneStep) {
   EXPECT_NEAR(found.x[1], 2.0, 1e-14);
 }
 
-// r = ln(x / 3) is linear in the logarithm, in which the variable is searched.
+// The residual r = ln(x / 3) is linear in ln x, and x is searched on a logarithmic scale.
 TEST(LevenbergMarquardt, SearchesLogarithmicVariablesInTheirLogarithm) {
   const DesignSpace space(
       {{.name = "x", .lower = 0.01, .upper = 100.0, .initial = 50.0, .scale = Scale::logarithmic}});
@@ -89,16 +90,16 @@ constexpr double kNarrow = 0.01;
 
 double angle(const Values& x) { return std::atan2(x[1], x[0]); }
 
-/// A valley along the circle of radius 1, with the floor phi^2 at the angle phi and the minimum 0
-/// at (1, 0).
+/// The target has a valley along the circle of radius 1. On its floor the value is phi^2 at the
+/// angle phi, with the minimum 0 at (1, 0).
 Result<Score> bent_valley(const Values& x) {
   const double rho = std::hypot(x[0], x[1]), phi = angle(x);
   const double c = x[0] / rho, s = x[1] / rho;
   return score_of({(rho - 1.0) / kNarrow, phi}, {c / kNarrow, s / kNarrow, -s / rho, c / rho});
 }
 
-/// Counts the steps up the side of the valley after which the next step ends still further along
-/// the valley, but ten times nearer to its floor.
+/// Counts the steps that end on the side of the valley and after which the next step ends still
+/// further along the valley, but ten times nearer to its floor.
 int returns(const Search& found) {
   const auto off = [](const Values& x) { return std::abs(std::hypot(x[0], x[1]) - 1.0); };
   int count = 0;
@@ -112,9 +113,10 @@ int returns(const Search& found) {
   return count;
 }
 
-// A step p along the tangent ends p^2/2 off the floor, so it pays only up to p^3 = 8 kNarrow^2 phi:
-// 0.13 at phi = 3, where the end is 3 away. Steps with curvature go further, and returns make still
-// longer ones useful: a quarter fewer evaluations in all.
+// A step p along the tangent of the circle ends p^2/2 away from the floor, so it decreases the
+// target only up to p^3 = 8 kNarrow^2 phi: to p = 0.13 at phi = 3, where the minimum is 3 away.
+// Steps corrected for curvature go further, and returns to the floor make still longer ones useful:
+// a quarter fewer evaluations in all.
 TEST(LevenbergMarquardt, ReturnsToTheFloorOfABentValley) {
   int evaluations[2] = {}, returned[2] = {};
   for (const double start : {1.0, 1.5, 2.0, 2.5, 3.0}) {
@@ -131,7 +133,8 @@ TEST(LevenbergMarquardt, ReturnsToTheFloorOfABentValley) {
   }
   EXPECT_EQ(returned[0], 0);
   EXPECT_GT(returned[1], 0);
-  EXPECT_LT(4 * evaluations[1], 3 * evaluations[0]);  // the evaluations of the returns included
+  // This count includes the evaluations of the returns.
+  EXPECT_LT(4 * evaluations[1], 3 * evaluations[0]);
 }
 
 // Rosenbrock's function with x0 <= 1/2: x1 = x0^2 makes the first residual 0, and 1 - x0 is least
@@ -152,7 +155,7 @@ TEST(LevenbergMarquardt, LeavesBoundsItStartsOn) {
   EXPECT_NEAR(found.x[1], 2.0, 1e-9);
 }
 
-// The solutions are the point of x0 + x1 <= 1 nearest to (2, 2), and that of x0 - x1 = 1.
+// The solutions are the points of x0 + x1 <= 1 and of x0 - x1 = 1 that are nearest to (2, 2).
 TEST(LevenbergMarquardt, KeepsLinearConstraints) {
   const Search below =
       search(LevenbergMarquardt(space_of({-3, 1}, {{-5, 5}}, {at_most({1, 1}, 1)})), distance);
@@ -178,8 +181,8 @@ TEST(LevenbergMarquardt, FindsAMinimumAlongAnEquation) {
   EXPECT_NEAR(found.x[1], 1 - x, 1e-5);
 }
 
-// Trials beyond x0 + x1 = 2.2 fail; the minimum (1, 1) is on the near side, and steps are
-// shortened.
+// Trials beyond x0 + x1 = 2.2 fail. The minimum (1, 1) lies in the part where they succeed, so
+// steps are only shortened.
 TEST(LevenbergMarquardt, GoesAroundFailures) {
   int failures = 0;
   const Search found = search(LevenbergMarquardt(space_of({-1.2, 1}, {{-5, 5}})),
@@ -231,7 +234,7 @@ TEST(LevenbergMarquardt, RefusesScoresWithoutResidualsOrDerivativesInWords) {
   EXPECT_EQ(complaint({1.0, {1.0}, {0.0, 1.0}}), "");
 }
 
-// The derivatives have the wrong sign, so no step down their slope gains anything.
+// The derivatives have the wrong sign, so no step in the direction of descent decreases the target.
 TEST(LevenbergMarquardt, SaysWhereDerivativesAreWrong) {
   const Search found = search(LevenbergMarquardt(space_of({0, 1}, {{-5, 5}})), [](const Values& x) {
     return score_of({x[0] - 2, x[1] - 2}, {-1, 0, 0, -1});
@@ -239,8 +242,8 @@ TEST(LevenbergMarquardt, SaysWhereDerivativesAreWrong) {
   EXPECT_THAT(found.ending, testing::HasSubstr("these are wrong"));
 }
 
-// Trials are solved to 3e-6 only: the search for a target of zero ends in their scatter, which
-// derivatives do not contain.
+// Trials are solved only to 3e-6. The minimum of the target is zero, so the search ends when only
+// this scatter is left, which the derivatives do not contain.
 TEST(LevenbergMarquardt, SaysThatNothingButScatterIsLeft) {
   const LevenbergMarquardtOptions fine{.step_tolerance = 1e-9};
   const Search found =
@@ -260,8 +263,8 @@ TEST(LevenbergMarquardt, GoesTheSameWayWhateverTheLookAhead) {
   EXPECT_EQ(one.path, many.path);
 }
 
-// A guess of the outcome of a success would never be exact to the last bit; the step after a
-// failure is known.
+// The point after a success cannot be guessed exactly to the last bit; the point after a failure is
+// known.
 TEST(LevenbergMarquardt, LooksAheadOfFailuresAloneWithoutChangingItsMind) {
   LevenbergMarquardt method(space_of({-1.2, 1}, {{-5, 5}}), {.initial_step = 0.02});
   method.observe(method.propose(1).front(), rosenbrock({-1.2, 1}));
@@ -292,7 +295,7 @@ TEST(LevenbergMarquardt, RefusesOptionsOutOfRange) {
   EXPECT_THROW(LevenbergMarquardt(space, {.initial_step = 0.1, .step_tolerance = 0.2}), InputError);
 }
 
-// With J = 1 the step is -r, shortened to the radius; mu = |r| / Delta - 1.
+// With J = 1 the step is -r, shortened to the radius Delta by mu = |r| / Delta - 1.
 TEST(LevenbergMarquardtSteps, AreAsLongAsTheRadius) {
   const Eigen::Vector2d r(0.3, -0.4), one = Eigen::Vector2d::Ones();
   const FeasibleRegion cube(space_of({0.5, 0.5}, {{0, 1}}));
@@ -305,8 +308,8 @@ TEST(LevenbergMarquardtSteps, AreAsLongAsTheRadius) {
   EXPECT_NEAR(1.0 + step.mu, r.norm() / step.length, 1e-12);
 }
 
-// A constraint that is not active does not change the steps of the cube, except by the quadratic
-// program's least convexity of 1e-12.
+// A constraint that is not active changes a step inside the bounds only by the curvature of 1e-12
+// that the quadratic program adds.
 TEST(LevenbergMarquardtSteps, AreTheSameAmongConstraintsThatDoNotMatter) {
   const Eigen::MatrixXd J{{3, 1}, {-1, 2}, {0.5, 0.25}};
   const Eigen::Vector3d r(1, -2, 0.5);
@@ -320,9 +323,10 @@ TEST(LevenbergMarquardtSteps, AreTheSameAmongConstraintsThatDoNotMatter) {
   }
 }
 
-// A winding valley, y = sin(6 x) / 2, has a floor that falls by 0.18 in all, below the unexplained
-// noise of 400 values of 1. The search starts high above the floor and ends on it: only the fall of
-// the floor is left, less than half a deviation, and not worth further steps.
+// The target is a winding valley, y = sin(6 x) / 2, whose floor falls by 0.18 in all. The noise of
+// 400 values, standard deviation 1, leaves a much larger uncertainty of the target. The search
+// starts high above the floor and may end on it: the fall that is left is less than half a standard
+// deviation and not worth further steps.
 TEST(LevenbergMarquardt, LeavesAValleyWhoseFloorFallsLessThanNoise) {
   const DesignSpace space({{.name = "x", .lower = -3.0, .upper = 3.0, .initial = -2.2},
                            {.name = "y", .lower = -3.0, .upper = 3.0, .initial = 1.0}});
@@ -355,8 +359,8 @@ TEST(LevenbergMarquardt, LeavesAValleyWhoseFloorFallsLessThanNoise) {
   EXPECT_LT(short_of_noise.second - whole.second, 0.18);
 }
 
-// A Gauss-Newton step cut off by bounds may lead uphill although it is short. A shorter one has to
-// be found, however wide the radius is.
+// A Gauss-Newton step that is cut off by bounds may lead uphill although it is short. A shorter
+// step that decreases the target has to be found, however large the radius is.
 TEST(LevenbergMarquardtSteps, PromiseSomethingWhereverTheSlopeDoes) {
   RandomStream random(11, 0);
   int spoiled = 0;

@@ -7,7 +7,7 @@
 namespace latsch {
 namespace {
 
-// Least curvature relative to the largest eigenvalue, because the quadratic program needs a
+// Smallest curvature relative to the largest eigenvalue, because the quadratic program needs a
 // positive definite matrix.
 constexpr double kLeastPolytopeCurvature = 1e-10;
 

@@ -6,12 +6,13 @@
 //
 // With s = u - u_0, p = a s + q with q perpendicular to s, and T = r''(u):
 //
-//   T[s, s] = 6 (r_0 - r) + 4 J s + 2 J_0 s      the cubic through both ends               (1)
-//   T[s, q] = (J - J_0) q                        a secant
+//   T[s, s] = 6 (r_0 - r) + 4 J s + 2 J_0 s      of the cubic through both points          (1)
+//   T[s, q] = (J - J_0) q                        by a secant of the slopes
 //   c       = 1/2 a^2 T[s, s] + a T[s, q]        without the unknown T[q, q]                (2)
 //
-// (1) is exact for residuals cubic along s, (2) for quadratic ones up to the missing term. The
-// estimate suits steps that continue the path that led to u, or go back.
+// (1) is exact if the residuals are cubic along s; (2) is exact, apart from the missing term, if
+// they are quadratic. The estimate suits steps that continue the path that led to u, or go back
+// along it.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +26,7 @@ struct Slopes {
   Eigen::MatrixXd J;  // dr/du
 };
 
-/// Returns c of the step p from `at`. The two points must differ.
+/// Returns the curvature term c of the step p from `at`. The two points must differ.
 Eigen::VectorXd residual_curvature(const Slopes& at, const Slopes& other, const Eigen::VectorXd& p);
 
 }  // namespace latsch

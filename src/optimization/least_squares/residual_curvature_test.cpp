@@ -8,14 +8,15 @@
 namespace latsch {
 namespace {
 
-/// r = (x^3 - 2 x^2 + y, 3 x^2 + x y)
+/// The residuals are r = (x^3 - 2 x^2 + y, 3 x^2 + x y).
 Slopes cubic_at(double x, double y) {
   return {Eigen::Vector2d(x, y),
           Eigen::Vector2d(x * x * x - 2 * x * x + y, 3 * x * x + x * y),
           Eigen::Matrix2d{{3 * x * x - 4 * x, 1.0}, {6 * x + y, x}}};
 }
 
-// Along x, r'' = (6 x - 4, 6) for any length and sign of the step and from either side.
+// Along x the curvature is r'' = (6 x - 4, 6), for steps of any length and sign and from either
+// point.
 TEST(ResidualCurvature, IsExactAlongTheWayForCubicResiduals) {
   const double x = 0.7;
   for (const double other : {0.2, 1.9}) {
@@ -28,8 +29,8 @@ TEST(ResidualCurvature, IsExactAlongTheWayForCubicResiduals) {
   }
 }
 
-// r = x^2 + 3 x y + 5 y^2 with s along x: the result is 1/2 r''[p, p] without the term 5 q^2
-// across.
+// For r = x^2 + 3 x y + 5 y^2 and s along x, the result is 1/2 r''[p, p] without the term 5 q^2 of
+// the perpendicular part q.
 TEST(ResidualCurvature, LacksOnlyTheTermAcrossForQuadraticResiduals) {
   const auto at = [](double x, double y) {
     return Slopes{Eigen::Vector2d(x, y),
@@ -41,8 +42,8 @@ TEST(ResidualCurvature, LacksOnlyTheTermAcrossForQuadraticResiduals) {
   EXPECT_NEAR(c[0], px * px + 3 * px * py, 1e-13);
 }
 
-// For r = exp(x) the second derivative of the cubic through two points h apart is off by the fourth
-// derivative times h^2 / 12.
+// For r = exp(x) the second derivative of the cubic through two points at a distance h has an error
+// of the fourth derivative times h^2 / 12.
 TEST(ResidualCurvature, ConvergesWithTheSquareOfTheDistance) {
   const auto at = [](double x) {
     const Eigen::VectorXd value = Eigen::VectorXd::Constant(1, std::exp(x));

@@ -13,11 +13,13 @@ namespace {
 
 constexpr double kSlopeVariance = 1e4;   // V_g
 constexpr double kCubicVariance = 1e-4;  // rho
-constexpr double kRounding = 1e-13;      // relative to the diagonal of K
-constexpr double kClear = 3.0;           // gain in log likelihood that indicates noise
-constexpr Eigen::Index kEnough = 128;    // number of residuals that show noise as well as thousands
+// Relative increase of the diagonal of K that keeps K positive definite in spite of rounding.
+constexpr double kRounding = 1e-13;
+constexpr double kClear = 3.0;  // gain in log likelihood from which on noise is assumed
+// Number of residuals from which the noise is estimated; more would not change the result.
+constexpr Eigen::Index kEnough = 128;
 
-/// Returns K with its diagonal of (2).
+/// Returns K with the diagonal terms of equation (2).
 Eigen::MatrixXd covariance(const Eigen::MatrixXd& Z, double V_g, double rho, double noise) {
   const Eigen::ArrayXXd inner = (Z * Z.transpose()).array();
   Eigen::MatrixXd K = (V_g * inner + 0.5 * inner.square() + noise).matrix();  // (1)
@@ -26,14 +28,14 @@ Eigen::MatrixXd covariance(const Eigen::MatrixXd& Z, double V_g, double rho, dou
   return K;
 }
 
-/// Returns the differences that known slopes do not explain.
+/// Returns the differences of the residuals without the part that known slopes explain.
 Eigen::MatrixXd unexplained(const ResidualSamples& samples) {
   if (samples.slopes.size() == 0) return samples.D;
   return samples.D - samples.Z * samples.slopes.transpose();
 }
 
-/// Returns columns evenly spread over D, kEnough of them if D has more, because neighbors have the
-/// same information.
+/// Returns kEnough columns spread evenly over D if D has more, because neighboring residuals
+/// contain the same information.
 Eigen::MatrixXd some_of(const Eigen::MatrixXd& D) {
   const Eigen::Index m = D.cols();
   if (m <= kEnough) return D;
@@ -134,8 +136,9 @@ Eigen::VectorXd ResidualKriging::variance_gradient(const Eigen::VectorXd& z) con
   return amplitude_ * (along * z - kernel_slopes(z).transpose() * factors_.solve(kernel(z)));
 }
 
-// v is |phi(z)|^2 minus its part in the span of the samples; phi has all z_i and z_i z_j with their
-// weights. The returned part is that of Gauss and Newton.
+// v is proportional to |phi(z)|^2 minus its part in the span of the samples, where phi contains all
+// z_i and z_i z_j with their weights. Returns the positive semidefinite (Gauss-Newton) part of the
+// Hessian.
 Eigen::MatrixXd ResidualKriging::variance_hessian(const Eigen::VectorXd& z) const {
   if (amplitude_ == 0.0) return Eigen::MatrixXd::Zero(z.size(), z.size());
   const double zz = z.squaredNorm();
@@ -159,11 +162,12 @@ double likeliest_noise(const ResidualSamples& samples) {
                                                       {kCubicVariance, 1e2},
                                                       {kCubicVariance, 1e4},
                                                       {kCubicVariance, 1e6}}};
-  // So few samples are explained by a quadratic, whatever their values.
+  // A quadratic explains so few samples exactly, whatever their values, so they show no noise.
   if (samples.Z.rows() < samples.Z.cols() + 2) return 0.0;
   const Eigen::MatrixXd D = some_of(unexplained(samples));
-  const double floor = 1e-20 * D.squaredNorm() / kSlopeVariance +
-                       std::numeric_limits<double>::min();  // for a residual that never changes
+  // Prevents a division by zero for a residual that never changes.
+  const double floor =
+      1e-20 * D.squaredNorm() / kSlopeVariance + std::numeric_limits<double>::min();
   double best = -std::numeric_limits<double>::infinity();
   double likeliest = 0.0;
   for (const auto& [rho, noise] : kExplanations) {

@@ -45,25 +45,25 @@
 
 namespace latsch {
 
-/// Variance of the slopes that remains with samples at given points, one in each row of Z:  V_g I -
-/// V_g^2 Z' K^-1 Z.
+/// Variance of the slopes that remains if the residuals are known at sample points, one in each row
+/// of Z:  V_g I - V_g^2 Z' K^-1 Z.
 struct SlopeVariance {
   Eigen::VectorXd share;       // share of V_g, ascending: 0 known, 1 unknown
-  Eigen::MatrixXd directions;  // one a column, of length 1
+  Eigen::MatrixXd directions;  // columns of length 1, in the order of the shares
 };
 
 SlopeVariance slope_variance(const Eigen::MatrixXd& Z);
 
 /// Samples around a center.
 struct ResidualSamples {
-  Eigen::MatrixXd Z;       // sample points, one a row
+  Eigen::MatrixXd Z;       // sample points, one in each row
   Eigen::MatrixXd D;       // r(z_i) - r_c, one a row
   Eigen::VectorXd r_c;     // residuals at the center
   Eigen::MatrixXd slopes;  // Jacobian at the center with respect to z; empty: not known
 };
 
-/// Factors of a matrix K = S A S, where A has ones on its diagonal. The scaling removes the lengths
-/// of samples, which differ by orders of magnitude.
+/// Factors of a matrix K = S A S, where S is diagonal and A has ones on its diagonal. The scaling
+/// removes the effect of the samples' distances, which differ by orders of magnitude.
 class ScaledFactors {
  public:
   ScaledFactors() = default;
@@ -78,28 +78,28 @@ class ScaledFactors {
 
 class ResidualKriging {
  public:
-  /// `noise` is in units of the curvatures' variance.
+  /// `noise` is the variance of the noise in units of the variance of the curvatures.
   ResidualKriging(const ResidualSamples& samples, double noise);
 
   Eigen::VectorXd residuals(const Eigen::VectorXd& z) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& z) const;
 
-  /// Standard deviation of |r|^2 at a point caused by noise; 0 without noise.
+  /// Standard deviation of |r|^2 at a point that is due to noise; 0 without noise.
   double target_deviation() const;
   /// Returns |r_hat|^2 + v.
   double expected(const Eigen::VectorXd& z) const;
-  /// Half the gradient of v, and the part of half its Hessian that is never negative.
+  /// Half the gradient of v, and the positive semidefinite part of half its Hessian.
   Eigen::VectorXd variance_gradient(const Eigen::VectorXd& z) const;
   Eigen::MatrixXd variance_hessian(const Eigen::VectorXd& z) const;
 
  private:
   double variance(const Eigen::VectorXd& z) const;  // v
-  /// k(z_i, z) without noise, and its slopes, one row for each sample.
+  /// The covariances k(z_i, z) without noise, and their gradients, one row for each sample.
   Eigen::VectorXd kernel(const Eigen::VectorXd& z) const;
   Eigen::MatrixXd kernel_slopes(const Eigen::VectorXd& z) const;
 
   ResidualSamples samples_;
-  double slope_prior_;  // V_g; 0 if slopes are known
+  double slope_prior_;  // variance V_g of the slopes; 0 if the slopes are known
   double noise_;
   ScaledFactors factors_;   // factors of K
   Eigen::MatrixXd alpha_;   // a residual a row
@@ -107,8 +107,9 @@ class ResidualKriging {
   double of_target_ = 0.0;  // s^2 of |r|^2 to first order, with 2 r_c'd in place of d
 };
 
-/// Returns the noise for which the samples are most likely, in steps of a factor of a hundred; 0 if
-/// stronger cubic terms, or neither, explain the samples as well.
+/// Returns the noise for which the samples are most likely, chosen from values that differ by
+/// factors of a hundred. Returns 0 if stronger cubic terms, or no noise at all, explain the samples
+/// as well.
 double likeliest_noise(const ResidualSamples& samples);
 
 }  // namespace latsch

@@ -35,7 +35,8 @@ ResidualSamples sample(const Function& function, int count, double noise = 0.0) 
 TEST(ResidualKriging, IsExactForLinearResidualsFromAsManySamplesAsVariables) {
   const ResidualKriging model(sample(linear, 3), 0.0);
   const Eigen::Vector3d z(0.3, -0.7, 0.5);
-  // Slopes have variance 1e4 and curvatures variance 1, so the error is a share of 1e-4.
+  // The prior variance of slopes is 1e4 and that of curvatures 1, so the error of the slopes is
+  // about 1e-4.
   EXPECT_LT((model.residuals(z) - linear(z)).norm(), 1e-2);
 }
 
@@ -52,7 +53,7 @@ TEST(ResidualKriging, JacobianIsTheDerivativeOfItsResiduals) {
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d h = 1e-4 * Eigen::Vector3d::Unit(k);
     const Eigen::VectorXd slope = (model.residuals(z + h) - model.residuals(z - h)) / 2e-4;
-    EXPECT_LT((J.col(k) - slope).norm(), 1e-8);  // central differences are exact for a quadratic
+    EXPECT_LT((J.col(k) - slope).norm(), 1e-8);  // central differences of a quadratic are exact
   }
 }
 
@@ -91,7 +92,7 @@ TEST(ResidualKriging, TakesKnownSlopes) {
   samples.slopes = Eigen::MatrixXd{{2.0, -1.0, 0.0}, {0.0, 0.0, 1.0}};
   const ResidualKriging model(samples, 0.0);
   EXPECT_LT((model.jacobian(Eigen::Vector3d::Zero()) - samples.slopes).norm(), 1e-12);
-  const Eigen::Vector3d z(0.3, -0.7, 0.5);  // six curvature coefficients, six samples
+  const Eigen::Vector3d z(0.3, -0.7, 0.5);  // six samples determine six curvature coefficients
   EXPECT_LT((model.residuals(z) - quadratic(z)).norm(), 1e-2);
 }
 
@@ -121,7 +122,7 @@ TEST(BoxLeastSquares, EndsAtBoundsThatHoldIt) {
   EXPECT_NEAR(z[2], 0.5, 1e-5);
 }
 
-// |r|^2 scatters by 2 s |r| if every residual scatters by s.
+// If every residual scatters by s, |r|^2 scatters by 2 s |r|.
 TEST(ResidualKriging, TellsWhatNoiseMakesOfTheTarget) {
   const Eigen::VectorXd r_c = Eigen::VectorXd::LinSpaced(100, 1.0, 3.0);
   const double s = 0.05;
@@ -134,7 +135,7 @@ TEST(ResidualKriging, TellsWhatNoiseMakesOfTheTarget) {
     samples.D.row(i) = (J * samples.Z.row(i).transpose()).transpose();
   }
   EXPECT_EQ(ResidualKriging(samples, 0.0).target_deviation(), 0.0);
-  Eigen::VectorXd here(100);  // the noise of the center
+  Eigen::VectorXd here(100);  // noise of the residuals at the center
   for (double& value : here) value = s * random.normal();
   for (int i = 0; i < 20; ++i) {
     for (int j = 0; j < 100; ++j) samples.D(i, j) += s * random.normal() - here[j];

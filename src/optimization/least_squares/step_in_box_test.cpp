@@ -8,8 +8,8 @@
 namespace latsch {
 namespace {
 
-// Minimizes 1/2 p'H p + g'p. By hand, the free step is (3, -1); with p0 held at 1, p1 is -(g1 +
-// H10) / H11.
+// The function 1/2 p'H p + g'p. Its minimum without bounds is (3, -1); if p0 is held at 1, the
+// minimum is at p1 = -(g1 + H10) / H11.
 struct Quadratic {
   Eigen::Matrix2d H{{2, 1}, {1, 2}};
   Eigen::Vector2d g{-5, -1};

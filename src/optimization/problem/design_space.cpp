@@ -64,13 +64,16 @@ double from_unit(const DesignVariable& v, double u) {
   return std::clamp(x, v.lower, v.upper);
 }
 
-/// Returns dx/du.
+/// Returns dx/du, the derivative of the value with respect to the unit coordinate.
 double slope(const DesignVariable& v, double x) {
   return v.scale == Scale::logarithmic ? x * std::log(v.upper / v.lower) : v.upper - v.lower;
 }
 
-constexpr double kLastDigits = 1e-6;  // share of the ranges by which typed points are rounded
-constexpr int kOfferedDigits = 9;     // digits of an offered point, enough that it is accepted
+// Distance from a constraint, as a share of the ranges, that is attributed to rounding of typed
+// digits.
+constexpr double kLastDigits = 1e-6;
+// Digits of the feasible point that a message suggests, enough for the point to be accepted.
+constexpr int kOfferedDigits = 9;
 
 void check(const LinearConstraint& c, const std::vector<DesignVariable>& variables) {
   const auto reject = [&](const std::string& message) {
@@ -105,7 +108,7 @@ void check(const LinearConstraint& c, const std::vector<DesignVariable>& variabl
   }
 }
 
-/// Returns the constraint that u violates most, by distance.
+/// Returns the constraint from which u is farthest on the violating side.
 const LinearConstraint& most_violated(const DesignSpace& space, const Eigen::VectorXd& u) {
   const auto distance = [&](const LinearConstraint& constraint) {
     return FeasibleRegion(space, {constraint}).violation(u);
@@ -241,7 +244,8 @@ DesignSpace DesignSpace::tightened(const DesignPoint& point, double factor) cons
   std::vector<DesignVariable> narrow = variables_;
   const std::vector<double> center = to_unit(point);
   for (int i = 0; i < size(); ++i) {
-    // The range is shifted rather than cut at the old bounds, so every stage has the same width.
+    // The narrower range is shifted inside the old bounds rather than cut off, so that every stage
+    // has the same width.
     const double lower = std::clamp(center[i] - 0.5 * factor, 0.0, 1.0 - factor);
     narrow[i].lower = latsch::from_unit(variables_[i], lower);
     narrow[i].upper = latsch::from_unit(variables_[i], lower + factor);

@@ -2,8 +2,8 @@
 // The design variables with their bounds, and their mapping to the unit cube that optimizers use.
 //   linear:       u = (x - lower) / (upper - lower)
 //   logarithmic:  u = ln(x / lower) / ln(upper / lower)
-// Linear constraints may exclude parts of the cube. Choose logarithmic if a factor is as likely up
-// as down, for example for a stiffness known to its order of magnitude.
+// Linear constraints may exclude parts of the cube. Choose the logarithmic scale if twice the value
+// is as likely as half the value, for example for a stiffness known only to its order of magnitude.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,39 +19,41 @@
 
 namespace latsch {
 
-/// A logarithmic variable has equal steps for equal ratios of its values, which must be positive.
+/// Scale of a variable. On a logarithmic one, equal steps are equal ratios of the values, which
+/// must be positive.
 enum class Scale { linear, logarithmic };
 
 /// A number of the model that is a variable's value times a factor.
 struct Follower {
   std::string name;                // for people
-  std::vector<std::string> paths;  // numbers of the model
-  double factor = 1.0;             // on the variable's value
+  std::vector<std::string> paths;  // paths of numbers of the model
+  double factor = 1.0;             // multiplies the variable's value
 };
 
 /// One variable of a search.
 struct DesignVariable {
-  std::string name;                     // unique in its space
+  std::string name;                     // name that is unique in the design space
   std::vector<std::string> paths = {};  // numbers of the model set to its value
-  double lower = 0.0;                   // SI, as upper and initial
+  double lower = 0.0;                   // in SI, as are upper and initial
   double upper = 1.0;                   // SI
   double initial = 0.5;                 // start of a search
   Scale scale = Scale::linear;          // scale of the search and of the intervals
-  std::string unit = "1";  // unit in which a person reads the values; the values above are in SI
-  Place place = {};        // place in the study that declares it
-  std::optional<Prior> prior = {};       // prior knowledge of the value, a further residual
-  std::vector<Follower> followers = {};  // numbers of the model that follow its value
+  std::string unit = "1";               // unit for display; the values above are in SI
+  Place place = {};                     // place in the study that declares the variable
+  std::optional<Prior> prior = {};      // prior knowledge of the value, which adds a residual
+  /// Numbers of the model that are set to multiples of the value.
+  std::vector<Follower> followers = {};
 };
 
 class DesignSpace {
  public:
   /// Throws InputError if bounds are crossed, not finite, or so far apart that their distance or
-  /// ratio is not a number; if the initial value lies outside them; if a logarithmic variable has a
-  /// lower bound that is not positive; if a name comes twice or no variable is given. Throws as
-  /// well if a constraint has no variable, a logarithmic one, crossed bounds or none; if
-  /// constraints contradict each other; and if the initial point violates a constraint, with the
-  /// nearest feasible point in the message. An initial point that violates a constraint only by
-  /// rounding of typed digits, 1e-6 of the ranges, is moved onto the constraint.
+  /// ratio is not finite; if an initial value lies outside its bounds; if a logarithmic variable
+  /// has a lower bound that is not positive; if two variables have the same name; or if no variable
+  /// is given. Also throws if a constraint has no variable, a logarithmic one, crossed bounds or no
+  /// bounds; if constraints contradict each other; or if the initial point violates a constraint,
+  /// with the nearest feasible point in the message. An initial point that violates a constraint
+  /// only by the rounding of typed digits, 1e-6 of the ranges, is moved onto the constraint.
   explicit DesignSpace(std::vector<DesignVariable> variables,
                        std::vector<LinearConstraint> constraints = {});
 
@@ -66,7 +68,7 @@ class DesignSpace {
 
   /// Returns the point of the initial values.
   DesignPoint initial() const;
-  /// True inside the bounds and, up to rounding, the constraints.
+  /// True if the point lies inside the bounds and, up to rounding, fulfills the constraints.
   bool contains(const DesignPoint& point) const;
 
   /// Returns the unit coordinates of any point: outside of 0 ... 1 if a value is outside of its
@@ -80,14 +82,15 @@ class DesignSpace {
   std::vector<double> to_unit(const DesignPoint& point) const;
   /// Converts a point of the unit cube into values in SI.
   DesignPoint from_unit(const std::vector<double>& u) const;
-  /// Returns dr/du = dr/dx dx/du of the residuals of the score at that point, one row for each
-  /// residual. Empty if the score has no Jacobian, one of another size, or one that is not finite.
+  /// Returns the Jacobian of the score's residuals with respect to the unit cube, dr/du = dr/dx
+  /// dx/du, one row for each residual. Empty if the score has no Jacobian, one of another size, or
+  /// one that is not finite.
   Eigen::MatrixXd unit_jacobian(const DesignPoint& point, const Score& score) const;
 
-  /// Returns this space with the start at `point`.
+  /// Returns a copy of this space whose initial point is `point`.
   DesignSpace starting_at(const DesignPoint& point) const;
-  /// Returns this space with the start at `point` and bounds `factor` (0..1) as wide in the unit
-  /// cube, inside the old ones: the next stage of a cascade.
+  /// Returns a space for the next stage of a search: it starts at `point`, and its bounds are
+  /// `factor` (0..1) times as wide in the unit cube and lie inside the old ones.
   DesignSpace tightened(const DesignPoint& point, double factor) const;
 
  private:

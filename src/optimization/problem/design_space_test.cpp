@@ -33,10 +33,10 @@ TEST(DesignSpace, MapsLinearAndLogarithmicScalesToTheUnitCube) {
   const DesignSpace space({linear("angle", -1.0, 3.0, 0.0), logarithmic("E", 1e6, 1e8, 1e7)});
   const std::vector<double> u = space.to_unit(space.initial());
   EXPECT_DOUBLE_EQ(u[0], 0.25);
-  EXPECT_DOUBLE_EQ(u[1], 0.5);  // the geometric mean
+  EXPECT_DOUBLE_EQ(u[1], 0.5);  // the value is the geometric mean of its bounds
   const DesignPoint back = space.from_unit(u);
   EXPECT_DOUBLE_EQ(back.values[0], 0.0);
-  EXPECT_NEAR(back.values[1], 1e7, 1e-8);  // one rounding of pow: 1e-15 relative
+  EXPECT_NEAR(back.values[1], 1e7, 1e-8);  // tolerance for one rounding of pow, 1e-15 relative
 }
 
 TEST(DesignSpace, FacesOfTheCubeGiveTheBitsOfTheBounds) {
@@ -143,7 +143,7 @@ TEST(DesignSpace, SaysWhereForeignPointsLie) {
   EXPECT_THROW(space.place({{1.0}}), InputError);
 }
 
-/// r and dr/dx are written by hand.
+/// Returns a score whose residuals r and derivatives dr/dx are given in closed form.
 Score with_jacobian(const std::vector<double>& x) {
   return {.residuals = {x[0] * x[1], std::sin(x[0]), x[1] * x[1]},
           .jacobian = {x[1], x[0], std::cos(x[0]), 0.0, 0.0, 2.0 * x[1]}};

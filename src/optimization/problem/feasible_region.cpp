@@ -13,9 +13,12 @@
 namespace latsch {
 namespace {
 
-constexpr double kRoundingInCube = 1e-9;  // in the unit cube, after some thousand operations
+// Rounding errors of coordinates in the unit cube after some thousand operations.
+constexpr double kRoundingInCube = 1e-9;
 constexpr double kOnFace = 1e-11;
-constexpr double kParallel = 1e-10;  // share of a step toward a face: less is along the face
+// Smallest component of a step toward a face, as a share of the step. A step with less is parallel
+// to the face.
+constexpr double kParallel = 1e-10;
 
 QuadraticProgram projection(const Eigen::VectorXd& u, const FeasibleRegion& region) {
   const auto n = u.size();
@@ -31,8 +34,8 @@ Eigen::VectorXd on_faces(Eigen::VectorXd u) {
   return u;
 }
 
-/// One row in the unit cube: a'x = a'lower + sum_i a_i (upper_i - lower_i) u_i,  divided by its
-/// length.
+/// One constraint as a row in the unit cube: a'x = a'lower + sum_i a_i (upper_i - lower_i) u_i,
+/// divided by the length of the row.
 struct ScaledRow {
   Eigen::VectorXd a;
   double offset;

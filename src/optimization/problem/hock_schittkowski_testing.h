@@ -2,9 +2,9 @@
 // For tests: problems with constraints whose solutions are published, by their numbers in
 // [Hock & Schittkowski, Test Examples for Nonlinear Programming Codes, Springer 1981].
 //
-// The collection leaves some variables without bounds, but a design space needs bounds. These
-// variables get bounds far from the solution, named "wide" here. A start outside the bounds is
-// moved onto them.
+// Some variables of the collection have no bounds, but a design space needs bounds. These variables
+// get bounds far from the solution, named "wide" here. A start outside the bounds is moved onto
+// them.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ struct ConstrainedProblem {
   using Function = std::function<double(const std::vector<double>&)>;
 
   std::string name;
-  DesignSpace space;  // with the linear constraints
+  DesignSpace space;  // variables with bounds and linear constraints
   Function f;
   std::vector<double> x;                 // the solution
   double least;                          // f there
@@ -148,7 +148,7 @@ struct LeastSquaresProblem {
   DesignSpace space;
   Residuals residuals;
   std::vector<double> x;  // the solution
-  double least;           // the sum of squares there
+  double least;           // the sum of squares at the solution
 };
 
 inline Score sum_of_squares(std::vector<double> residuals) {
@@ -157,14 +157,16 @@ inline Score sum_of_squares(std::vector<double> residuals) {
   return {sum, std::move(residuals)};
 }
 
-/// If f is a quadratic, it is written as squares here, up to a constant: 100 for HS21, 7.5 for
-/// HS76. The bound x2 >= 1.5 of HS2 is a row. HS2 starts on the side of the other of the book's two
-/// minima, because descent from (-2, 1) leads to the minimum of 4.94.
+/// If f is a quadratic, it is written here as a sum of squares, up to a constant: 100 for HS21, 7.5
+/// for HS76. The bound x2 >= 1.5 of HS2 is written as a linear constraint. HS2 has two minima; the
+/// search starts on the side of the lower one, because descent from the book's start (-2, 1) leads
+/// to the minimum of 4.94.
 inline std::vector<LeastSquaresProblem> constrained_least_squares_problems() {
   using Vector = std::vector<double>;
   const double half = std::sqrt(0.5);
   const Box wide{-10.0, 10.0};
-  const auto chain = [](double a) {  // the target of HS51 and HS53 with 1, of HS52 with 4
+  // The target of HS51 and HS53 with a = 1, and of HS52 with a = 4.
+  const auto chain = [](double a) {
     return [a](const Vector& x) {
       return Vector{a * x[0] - x[1], x[1] + x[2] - 2, x[3] - 1, x[4] - 1};
     };

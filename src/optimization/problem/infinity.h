@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bound of a variable without bounds, and the value of a failed evaluation.
+// Infinity, used as the bound of a variable without bounds and as the value of a failed evaluation.
 #pragma once
 
 #include <limits>

@@ -3,9 +3,9 @@
 //
 //   lower <= sum_i a_i x_i <= upper
 //
-// Equal bounds make an equation. Optimizers use the constraints of a space in its unit cube
-// (feasible_region.h). A logarithmic variable would bend the plane there, so rows with one are
-// refused.
+// If the bounds are equal, the constraint is an equation. Optimizers use the constraints of a space
+// in its unit cube (feasible_region.h). A logarithmic variable would make the constraint a curved
+// surface there, so constraints with such a variable are refused.
 #pragma once
 
 #include <limits>
@@ -19,10 +19,13 @@ namespace latsch {
 struct LinearConstraint {
   std::string name;                  // for people
   std::vector<double> coefficients;  // a_i, one for each variable in the order of the space
-  double lower = -std::numeric_limits<double>::infinity();  // bound of the sum; infinite: none
-  double upper = std::numeric_limits<double>::infinity();   // bound of the sum; infinite: none
-  std::string unit = "1";                                   // display unit of the sum
-  Place place = {};                                         // place in the study that declares it
+  /// Lower bound of the sum; infinite: no bound.
+  double lower = -std::numeric_limits<double>::infinity();
+  /// Upper bound of the sum; infinite: no bound.
+  double upper = std::numeric_limits<double>::infinity();
+  std::string unit = "1";  // display unit of the sum
+  /// Place in the study that declares the constraint.
+  Place place = {};
 
   /// True if the bounds are equal.
   bool is_equation() const { return lower == upper; }

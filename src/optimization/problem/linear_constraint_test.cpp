@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear constraints of a design space: refused inputs, projection, and the cones at corners.
+// Tests of linear constraints of a design space: refused inputs, projection onto the constraints,
+// and tangent cones at corners.
 #include "optimization/problem/linear_constraint.h"
 
 #include <fmt/format.h>
@@ -92,7 +93,8 @@ TEST(FeasibleRegion, CutsAWayOffAtTheFirstConstraint) {
   EXPECT_EQ(region.cut_off(x, Eigen::Vector2d(0.3, 0.3)), Eigen::Vector2d(0.3, 0.3));
 }
 
-/// Returns the largest V'd over all generators.
+/// Returns the largest entry of V'd over all generators d of the cone; it is positive if one of
+/// them leads out of the region.
 double leads_out(const ConeGenerators& cone, const Eigen::MatrixXd& V) {
   double most = 0.0;
   if (V.cols() == 0) return most;
@@ -136,7 +138,7 @@ TEST(TangentCone, AtACornerOfTheCrossPolytopeIsThatOfItsEdges) {
 }
 
 TEST(TangentCone, StaysInEquationsAndKnowsOppositePlanes) {
-  // One line is left in x1 + x2 + x3 = const between two parallel planes.
+  // Between the parallel planes, x1 + x2 + x3 = const leaves a single line of directions.
   Eigen::MatrixXd V(3, 2), E(3, 1);
   V << 1, -1,  //
       0, 0,    //
@@ -149,8 +151,8 @@ TEST(TangentCone, StaysInEquationsAndKnowsOppositePlanes) {
 }
 
 TEST(ConformingSet, StaysInsideForAStepOfEpsilonAndPointsDownhillWhereItCan) {
-  // Polytopes around a point are random. The downhill part of -g that the constraints allow is its
-  // projection on the tangent cone; if it is not 0, a core direction is downhill.
+  // The polytopes around a point are random. If the projection of -g on the tangent cone is not 0,
+  // one of the core directions leads downhill.
   RandomStream random(7, 1);
   int corners = 0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -180,7 +182,8 @@ TEST(ConformingSet, StaysInsideForAStepOfEpsilonAndPointsDownhillWhereItCan) {
       EXPECT_NEAR(d.norm(), 1.0, 1e-12);
       if (region.contains(x + epsilon * d)) steepest = std::min(steepest, g.dot(d));
     }
-    // The least g'd over the cone and |d|_inf <= 1 is negative if and only if some ray descends.
+    // The minimum of g'd over the cone with |d|_inf <= 1 is negative if and only if one of the rays
+    // descends.
     Eigen::MatrixXd V(n, 0);
     for (Eigen::Index i = 0; i < distance.size(); ++i) {
       if (distance[i] > epsilon) continue;

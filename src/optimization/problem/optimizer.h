@@ -2,19 +2,20 @@
 // An optimizer proposes points and observes their outcomes; it never evaluates.
 //
 // propose(count) lists the points to evaluate, most urgent first. The first point is the next step
-// of the method. The points behind it are speculative: the method would propose them next if the
+// of the method. All later points are speculative: the method would propose them next if the
 // outstanding outcomes came out as it expects. The caller evaluates as many points at once as it
 // has workers, observes the *first* one, and calls propose again. Points that are no longer listed
 // are withdrawn. So the path is the sequence of first points. It depends on the space, the options
-// and the outcomes, never on the number of workers or their timing, and one worker wastes nothing.
+// and the outcomes, never on the number of workers or their timing, and a single worker evaluates
+// no point in vain.
 //
 //   while (!optimizer.converged()) {
 //     const auto plan = optimizer.propose(look_ahead);
 //     optimizer.observe(plan.front(), evaluate(plan.front()));
 //   }
 //
-// Outcomes of points the optimizer did not propose (a DOE, an earlier run) may be observed at any
-// time.
+// Outcomes of points that the optimizer did not propose (from a design of experiments, or an
+// earlier run) may be observed at any time.
 #pragma once
 
 #include <string>
@@ -37,12 +38,12 @@ class Optimizer {
   /// that succeeded.
   virtual void observe(const DesignPoint& point, const Result<Score>& outcome) = 0;
 
-  /// True if the search has ended: propose() then returns no points, unless a later outcome gives
-  /// reason to go on.
+  /// True if the search has ended: propose() then returns no points. A later outcome of another
+  /// point may make the search continue.
   virtual bool converged() const = 0;
 
-  /// Reason why it converged, in words that continue "the search ended: "; empty before, and if a
-  /// method gives no reason.
+  /// Returns the reason why the search converged, in words that continue "the search ended: ". The
+  /// text is empty before convergence and for methods that give no reason.
   virtual std::string ending() const { return {}; }
 };
 

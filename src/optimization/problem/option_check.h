@@ -10,11 +10,12 @@ class OptionCheck {
  public:
   explicit OptionCheck(std::string_view method) : method_(method) {}
 
-  /// Throws InputError: "GSS: contraction is 2, expected between 0 and 1".
+  /// Throws InputError unless `holds`, with a message such as "GSS: contraction is 2, expected
+  /// between 0 and 1".
   void require(bool holds, std::string_view name, double found, std::string_view expected) const;
 
-  /// Requires 0 < tolerance < initial <= longest, in shares of the range. `first` is the method's
-  /// name for its first length, for example "step".
+  /// Requires 0 < tolerance < initial <= longest, all as shares of the range. `first` is the word
+  /// by which the method calls its initial length, for example "step".
   void lengths(double initial,
                double tolerance,
                double longest,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The points whose outcomes an ask/tell method waits for (optimizer.h), most urgent first, each
-// with the data the method needs when its outcome arrives; and the plan of different points that
-// the method proposes.
+// with the data that the method needs when the outcome arrives. The header also has the plan of
+// different points that a method proposes.
 #pragma once
 
 #include <algorithm>
@@ -54,14 +54,14 @@ class PendingPoints {
   std::vector<Pending> points_;
 };
 
-/// The result of propose(count): at most `count` points, none twice.
+/// The points that propose(count) returns: at most `count`, all different.
 class Plan {
  public:
   explicit Plan(int count) : count_(count) {}
 
   bool is_full() const { return std::ssize(points_) >= count_; }
   bool is_empty() const { return points_.empty(); }
-  /// Adds the point unless the plan is full or has it already.
+  /// Adds the point unless the plan is full or contains it already.
   void add(const DesignPoint& point) {
     const bool is_named = std::find(points_.begin(), points_.end(), point) != points_.end();
     if (!is_full() && !is_named) points_.push_back(point);

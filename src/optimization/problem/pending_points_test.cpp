@@ -23,7 +23,8 @@ TEST(PendingPoints, GivesAPointOnceAndKeepsTheOrderOfTheOthers) {
   EXPECT_EQ(pending.back().label, 3);
 }
 
-// A point may be wanted for two reasons; the older entry is served first.
+// A method may wait for the same point twice, for different reasons. The older entry is returned
+// first.
 TEST(PendingPoints, OfTwoAtOnePointTheFirstIsTaken) {
   PendingPoints<Labeled> pending{{{{1.0}}, 1}, {{{1.0}}, 2}};
   EXPECT_EQ(pending.take({{1.0}})->label, 1);

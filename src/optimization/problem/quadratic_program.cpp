@@ -12,11 +12,13 @@
 namespace latsch {
 namespace {
 
-constexpr double kViolated = 1e-11;   // relative to the size of a row's terms
-constexpr double kDependent = 1e-10;  // share of a normal that the active normals do not span
+// Violation of a constraint that is attributed to rounding, relative to the size of its terms.
+constexpr double kViolated = 1e-11;
+// Smallest share of a normal that must be independent of the active normals.
+constexpr double kDependent = 1e-10;
 
-/// The method with the letters of the paper: constraints n_j'x >= b_j, the active ones in N, their
-/// multipliers u.
+/// The dual active-set method in the notation of the paper: constraints n_j'x >= b_j, the normals
+/// of the active ones in N, their multipliers u.
 class DualActiveSet {
  public:
   explicit DualActiveSet(const QuadraticProgram& qp)
@@ -77,7 +79,8 @@ class DualActiveSet {
     return kViolated * (1.0 + std::abs(bound) + normal(j).cwiseAbs().dot(x_.cwiseAbs()));
   }
 
-  /// Returns equations first; an equation violated upward is reversed.
+  /// Returns the index of the most violated constraint, equations first. If h > 0 for an equation h
+  /// = 0, its sign is reversed.
   int most_violated() {
     int worst = kNone;
     double least = 0.0;
@@ -97,8 +100,8 @@ class DualActiveSet {
     return worst;
   }
 
-  /// Computes z = H n, the motion of x for constraint n in the space of the active ones, and r = N*
-  /// n, the motion of their multipliers.
+  /// Computes z = H n, the motion of x along the active constraints that fulfills constraint n, and
+  /// r = N* n, the motion of their multipliers.
   void directions(const Eigen::VectorXd& n) {
     const Eigen::VectorXd d = cholesky_.solve_lower(n);
     Eigen::VectorXd rest = d;
@@ -148,8 +151,8 @@ class DualActiveSet {
     }
   }
 
-  /// Returns contradictory rows by Farkas' lemma: n_p is a combination of active normals, none of
-  /// which can be released.
+  /// Returns the indices of constraints that contradict each other, by Farkas' lemma: n_p is a
+  /// combination of active normals, none of which can be released.
   std::vector<int> contradiction(int p) const {
     std::vector<int> rows;
     for (size_t k = 0; k < active_.size(); ++k) {
@@ -162,7 +165,7 @@ class DualActiveSet {
 
   const QuadraticProgram& qp_;
   int equations_, count_;
-  std::vector<double> sign_;     // signs of equations
+  std::vector<double> sign_;     // sign of each equation, -1 if it is reversed
   numerics::Cholesky cholesky_;  // G = L L'
   Eigen::VectorXd x_;
   std::vector<int> active_;

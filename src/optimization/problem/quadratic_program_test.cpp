@@ -17,7 +17,7 @@ QuadraticProgram nearest_to(const VectorXd& u) {
 }
 
 TEST(QuadraticProgram, SolvesTheExampleOfTheBook) {
-  // In [Nocedal & Wright, Numerical Optimization, 2006, example 16.4] the solution is x = (1.4,
+  // The solution of example 16.4 in [Nocedal & Wright, Numerical Optimization, 2006] is x = (1.4,
   // 1.7).
   QuadraticProgram qp;
   qp.G = 2.0 * MatrixXd::Identity(2, 2);
@@ -54,7 +54,7 @@ TEST(QuadraticProgram, FulfillsTheConditionsOfKarushKuhnAndTucker) {
     qp.A = draw(inequalities, n);
     const VectorXd inside = draw(n, 1);
     qp.f = qp.E * inside;
-    // In half of the trials all planes meet at the point.
+    // In half of the trials all planes pass through the point.
     qp.b = qp.A * inside + draw(inequalities, 1).cwiseAbs() * (trial % 2);
     const QuadraticSolution s = solve(qp);
     ASSERT_TRUE(s.is_feasible());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outcomes a method has seen, for states that look ahead. A copy shares all outcomes known when
-// it was made and stores its own additions separately, so a copy is cheap however long the history.
+// The outcomes that a method has observed. A method that looks ahead copies its state. A copy
+// shares all outcomes known when it was made and stores later ones separately, so that copying is
+// cheap however long the history is.
 #pragma once
 
 #include <memory>
@@ -35,7 +36,7 @@ class SharedHistory {
 /// A table of values whose keys are the bits of a point.
 class SharedTable {
  public:
-  /// nullptr if the point is not known.
+  /// Returns the value of a point, given by its bits; nullptr if the point is not known.
   const double* find(const std::string& bits) const {
     for (const Table* table : {&own_, static_cast<const Table*>(shared_.get())}) {
       if (const auto found = table->find(bits); found != table->end()) return &found->second;

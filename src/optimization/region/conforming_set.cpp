@@ -7,7 +7,8 @@
 namespace latsch {
 namespace {
 
-// A normal with less than this length after projection lies in the space of the equations.
+// Length below which a projected normal counts as zero: it is a combination of the equations'
+// normals.
 constexpr double kAlong = 1e-9;
 
 std::vector<Eigen::VectorXd> in_cube(const Eigen::VectorXd& x, int turn) {

@@ -2,15 +2,16 @@
 // Poll directions at a point of a polytope. Steps of length epsilon along the core directions stay
 // inside the polytope, and one of them points downhill unless the point is stationary.
 //
-//   core        generators of the tangent cone of the constraints within epsilon: its rays, and a
-//               simplex in the space along all of these constraints, turned as in generating_set.h.
-//               A step of epsilon along any of them stays inside.
+//   core        generators of the tangent cone of the constraints within the distance epsilon: its
+//               rays, and a simplex in the space along all of these constraints, rotated as in
+//               generating_set.h. A step of epsilon along any of them stays inside.
 //   normals     outward normals of these constraints, projected on the equations. They lead onto
 //               the constraints. [Kolda, Lewis, Torczon, SIAM J. Optim. 17 (2006) 943; "projected
 //               normals" of HOPSPACK, Plantenga, SAND2009-6265]
 //
-// In a cube, where bounds are the only constraints, the set is generating_set() of the bounds the
-// point lies on: steps are bent along bounds there and need no epsilon.
+// If bounds are the only constraints, the set is generating_set() of the bounds that the point lies
+// on: a step that crosses a bound is then cut off in this variable alone, so that the bounds nearby
+// need not be considered.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,7 @@
 
 namespace latsch {
 
-/// Unit vectors.
+/// Returns the poll directions at x as unit vectors.
 std::vector<Eigen::VectorXd> conforming_set(const FeasibleRegion& region,
                                             const Eigen::VectorXd& x,
                                             double epsilon,

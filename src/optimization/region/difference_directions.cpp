@@ -7,9 +7,12 @@
 namespace latsch {
 namespace {
 
-constexpr double kIndependent = 1e-3;  // nearly parallel directions carry no separate information
+// Smallest angle between directions (as a sine); more nearly parallel ones give no separate
+// information.
+constexpr double kIndependent = 1e-3;
 
-/// Returns the axes, inward; fewer columns if one does not fit.
+/// Returns the axes as unit columns, each with the sign for which a step stays inside. An axis
+/// along which neither sign has room is left out.
 Eigen::MatrixXd axes(const FeasibleRegion& region, const Eigen::VectorXd& u, double step) {
   const auto n = u.size();
   Eigen::MatrixXd D(n, 0);
@@ -26,7 +29,7 @@ Eigen::MatrixXd axes(const FeasibleRegion& region, const Eigen::VectorXd& u, dou
   return D;
 }
 
-/// Returns lines and rays along the constraints nearer than a step.
+/// Returns the generators of the tangent cone of all constraints that are nearer than `step`.
 Eigen::MatrixXd generators(const FeasibleRegion& region, const Eigen::VectorXd& u, double step) {
   const ConeGenerators cone = tangent_cone(region.normals_within(u, step), region.E().transpose());
   Eigen::MatrixXd all(u.size(), cone.lines.cols() + std::ssize(cone.rays));

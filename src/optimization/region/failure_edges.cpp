@@ -9,14 +9,18 @@
 namespace latsch {
 namespace {
 
-constexpr int kFewest = 3;  // least number of failures for an edge
-// Share of the failures that the plane of the others has to predict.
+constexpr int kFewest = 3;  // smallest number of failures that can form an edge
+// Share of the failures that must be predicted when they are left out of the fit of the plane.
 constexpr double kForetold = 0.7;
 constexpr int kMostEdges = 3;
-constexpr int kMostFailures = 2;  // times n + 1: largest number of failures of an edge, the nearest
-constexpr double kOffset = 1e-6;  // curvature of b, which is free; that of a is 1
+// Largest number of failures of one edge, as a multiple of n + 1; the nearest ones are used.
+constexpr int kMostFailures = 2;
+// Weight of b^2 in the minimization. It is small beside that of |a|^2, which is 1, so that b is
+// nearly free.
+constexpr double kOffset = 1e-6;
 
-/// Returns the plane of the widest gap; nullopt if there is none.
+/// Returns the plane midway in the widest gap between failures and successes; nullopt if no plane
+/// separates them.
 std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
                           const std::vector<Eigen::VectorXd>& successes) {
   const auto n = failures.front().size();
@@ -38,7 +42,7 @@ std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
     program.A.row(row).head(n) = x.transpose() / unit;
     program.A(row++, n) = -1.0;
   }
-  program.A.row(row).setZero();  // the success at 0
+  program.A.row(row).setZero();  // row of the success at the origin
   program.A(row, n) = -1.0;
   const QuadraticSolution found = solve(program);
   const double length = found.x.head(n).norm();
@@ -50,15 +54,16 @@ std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
   return parts ? std::optional(edge) : std::nullopt;
 }
 
-/// True if the plane of the others predicts most failures: each lies farther out than all
-/// successes. (A failure need not be beyond that plane: the innermost one never is, because the
-/// plane is midway.)
+/// True if planes fitted without each failure in turn predict most of the failures left out: the
+/// failure lies farther out than all successes. (It need not lie beyond the plane. The innermost
+/// failure never does, because the plane is midway between successes and the other failures.)
 bool foretells(const std::vector<Eigen::VectorXd>& failures,
                const std::vector<Eigen::VectorXd>& successes) {
   const auto is_foretold = [&](const Eigen::VectorXd& x) {
     std::vector<Eigen::VectorXd> others;
     for (const Eigen::VectorXd& other : failures) {
-      if (&other != &x) others.push_back(other);  // a point that failed twice is in the list twice
+      // A point that failed twice is in the list twice.
+      if (&other != &x) others.push_back(other);
     }
     const std::optional<Edge> edge = plane(others, successes);
     if (!edge) return false;
@@ -79,7 +84,7 @@ std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
   std::vector<Eigen::VectorXd> left = failures;
   while (std::ssize(left) >= kFewest && std::ssize(edges) < kMostEdges) {
     const auto n = static_cast<std::size_t>(left.front().size());
-    std::vector<Eigen::VectorXd> some = left;  // the failures nearest to the first
+    std::vector<Eigen::VectorXd> some = left;  // the failures that are nearest to the first one
     std::stable_sort(some.begin(), some.end(), [&](const auto& x, const auto& y) {
       return (x - left.front()).squaredNorm() < (y - left.front()).squaredNorm();
     });

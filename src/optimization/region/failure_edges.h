@@ -6,14 +6,15 @@
 //
 // This is the plane of the widest gap [Cortes, Vapnik, Machine Learning 20 (1995) 273]. A step that
 // stays on the successful side of the plane follows the edge of a failed region. Its outcome,
-// success or failure, halves the gap and turns the plane.
+// success or failure, halves the gap and rotates the plane.
 //
 // The existence of a plane proves little: among few points in many variables there nearly always is
 // one [Cover, IEEE Trans. Electron. Comput. EC-14 (1965) 326]. So an edge needs at least three
-// failures and a cross-check: each failure in turn is left out, and the plane of the others must
-// predict most of them, so that the failure lies farther out than all successes. One or two
-// failures do not show a region (residual_memory.h has a ball for each), and sporadic failures
-// among successes, of a node of a cluster or of a license, make no edge.
+// failures and a cross-check: each failure in turn is left out, and a plane fitted to the other
+// points must predict it, in that it lies farther out than all successes. Most failures must pass
+// this check. One or two failures do not prove a region (residual_memory.h surrounds each by a
+// ball), and sporadic failures among successes, such as those of a cluster's node or of a license,
+// form no edge.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,14 +22,14 @@
 
 namespace latsch {
 
-/// Points on this side fulfill a'x <= b; a has length 1.
+/// The half space a'x <= b on the successful side of an edge; a has length 1.
 struct Edge {
   Eigen::VectorXd a;
   double b;
 };
 
-/// Returns the edges. Points are relative to a success, which is at 0, in units that are equivalent
-/// along all axes. Failures are ordered nearest first.
+/// Returns the edges of failed regions. Points are given relative to a success at the origin, in
+/// units that make all axes comparable. Failures are ordered nearest first.
 std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
                                 const std::vector<Eigen::VectorXd>& successes);
 

@@ -48,7 +48,8 @@ TEST(FailureEdges, BearAPointThatFailedAgainAndAgain) {
   EXPECT_NEAR(edges[0].b, 1.0, 1e-4);
 }
 
-/// Counts the sets with an edge among 100 sets of failures at random positions among successes.
+/// Returns in how many of 100 random sets an edge is found; the failures lie at random positions
+/// among the successes.
 int sets_with_edge(int n, int failures, int successes) {
   int found = 0;
   for (std::uint64_t set = 0; set < 100; ++set) {
@@ -64,8 +65,8 @@ int sets_with_edge(int n, int failures, int successes) {
   return found;
 }
 
-// A plane separates nearly any few points in many variables, so a method without a cross-check
-// finds an edge in all of these sets.
+// Some plane separates nearly any few points in many variables. Without a cross-check, an edge
+// would be found in all of these sets.
 TEST(FailureEdges, AreSeldomSeenInFailuresByLot) {
   EXPECT_LE(sets_with_edge(3, 4, 16), 20);
   EXPECT_LE(sets_with_edge(8, 4, 16), 20);

@@ -19,8 +19,8 @@ int next_prime(int after) {
   return number;
 }
 
-/// Returns term `index` of the van der Corput sequence: the digits of the index mirrored at the
-/// point.
+/// Returns term `index` of the van der Corput sequence: the digits of the index in reverse order
+/// after the point.
 double mirrored(int index, int base) {
   double value = 0.0;
   double digit = 1.0 / base;
@@ -38,16 +38,17 @@ Eigen::VectorXd quasi_random_direction(int size, int index) {
   return length > 1e-3 ? Eigen::VectorXd(v / length) : Eigen::VectorXd::Unit(size, 0);
 }
 
-/// Returns orthonormal columns that differ for every turn.
+/// Returns orthonormal columns that are different for every value of `turn`.
 Eigen::MatrixXd turned_axes(int size, int turn) {
   const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(size, size);
   if (turn == 0 || size < 2) return I;
-  // Halton's first terms lie on a line, so they are left out.
+  // The first terms of Halton's sequence lie on a line, so they are left out.
   const Eigen::VectorXd v = quasi_random_direction(size, turn + next_prime(size + 1));
   return I - 2.0 * v * v.transpose();
 }
 
-/// Returns the corners of a regular simplex as columns.
+/// Returns the unit vectors to the vertices of a regular simplex, as columns, in the space spanned
+/// by the columns of Q.
 Eigen::MatrixXd simplex(const Eigen::MatrixXd& Q) {
   const int size = static_cast<int>(Q.cols());
   const double n = size;

@@ -9,12 +9,14 @@
 namespace latsch {
 namespace {
 
-constexpr double kZero = 1e-9;  // for unit vectors: less counts as in the plane
+// Product of two unit vectors below which they count as orthogonal, so that a direction lies in a
+// plane.
+constexpr double kZero = 1e-9;
 constexpr int kMostRays = 2000;
 
 struct Basis {
   Eigen::MatrixXd range, rest;   // orthonormal columns
-  std::vector<int> independent;  // columns that span the range
+  std::vector<int> independent;  // indices of independent columns that span the range
 };
 
 Basis split(const Eigen::MatrixXd& M) {
@@ -30,10 +32,11 @@ struct Ray {
   std::vector<int> planes;  // ascending
 };
 
-/// The rays of { d : c_j'd <= 0 }, computed plane after plane.
+/// The rays of the cone { d : c_j'd <= 0 }, computed by adding one plane after the other.
 class DoubleDescription {
  public:
-  /// Starts from as many independent planes as dimensions: ray k lies in all of them but one.
+  /// Starts from as many independent planes as there are dimensions. Ray k lies in all of these
+  /// planes except plane k.
   DoubleDescription(const Eigen::MatrixXd& C, const std::vector<int>& independent) : C_(C) {
     Eigen::MatrixXd first(C.rows(), C.rows());
     for (size_t k = 0; k < independent.size(); ++k) first.col(k) = C.col(independent[k]);
@@ -71,8 +74,8 @@ class DoubleDescription {
   const std::vector<Ray>& rays() const { return rays_; }
 
  private:
-  /// Returns the ray in the plane and in the face that two neighbors span; it has no planes if the
-  /// rays are not neighbors.
+  /// Returns the ray in which `plane` intersects the face spanned by two neighboring rays. If the
+  /// two rays are not neighbors, the result has no planes.
   Ray between(const Ray& in, const Ray& out, int plane) const {
     std::vector<int> common;
     std::set_intersection(in.planes.begin(),
@@ -100,11 +103,11 @@ class DoubleDescription {
 }  // namespace
 
 ConeGenerators tangent_cone(const Eigen::MatrixXd& V, const Eigen::MatrixXd& E) {
-  const Eigen::MatrixXd S = split(E).rest;  // d = S y fulfills the equations
+  const Eigen::MatrixXd S = split(E).rest;  // d = S y fulfills the equations for every y
   Eigen::MatrixXd M(S.cols(), 0);
   for (Eigen::Index j = 0; j < V.cols(); ++j) {
     const Eigen::VectorXd along = S.transpose() * V.col(j);
-    if (along.norm() <= kZero) continue;  // the equations imply it
+    if (along.norm() <= kZero) continue;  // the constraint follows from the equations
     M.conservativeResize(Eigen::NoChange, M.cols() + 1);
     M.col(M.cols() - 1) = along.normalized();
   }

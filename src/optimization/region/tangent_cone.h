@@ -4,9 +4,9 @@
 //   T = { d : V'd <= 0, E'd = 0 } = { lines * any numbers + rays * numbers >= 0 }
 //
 // The columns of V are outward normals of inequalities, those of E normals of equations. `lines` is
-// an orthonormal basis of the directions along all of them. If the normals are linearly
+// an orthonormal basis of the directions parallel to all of them. If the normals are linearly
 // independent, the rays are the columns of -V (V'V)^-1 [Lewis, Shepherd, Torczon, SIAM J. Sci.
-// Comput. 29 (2007) 2507]. If more planes meet in a corner than its dimension needs, the rays are
+// Comput. 29 (2007) 2507]. If more planes meet in a corner than there are dimensions, the rays are
 // enumerated by the double-description method [Motzkin et al. 1953; Fukuda & Prodon 1996], one
 // plane after the other.
 //

@@ -4,8 +4,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kDamped = 0.2;     // least share of the curvature along s that B keeps
-constexpr double kNothing = 1e-14;  // a shorter step carries no information
+constexpr double kDamped = 0.2;     // smallest share of the curvature along s that B keeps
+constexpr double kNothing = 1e-14;  // length below which a step carries no information
 
 }  // namespace
 

@@ -8,9 +8,9 @@
 
 namespace latsch {
 
-/// s = u+ - u;  y is the gradient of L at u+ minus that at u, with the same multipliers. Before the
-/// first update, B is replaced by  s'y / s's  times the unit matrix, because the initial size of B
-/// is arbitrary.
+/// Returns B updated by the step s = u+ - u and by y, the change of the gradient of the Lagrangian
+/// L from u to u+ with the same multipliers. If `is_first` is true, B is replaced by  s'y / s's
+/// times the unit matrix before the update, because the initial size of B is arbitrary.
 Eigen::MatrixXd damped_bfgs(Eigen::MatrixXd B,
                             const Eigen::VectorXd& s,
                             const Eigen::VectorXd& y,

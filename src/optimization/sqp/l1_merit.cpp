@@ -4,7 +4,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kAbove = 1.5;  // multiple of the multiplier
+constexpr double kAbove = 1.5;  // ratio of mu to its multiplier when mu is raised
 
 void raise(Eigen::VectorXd& mu, const Eigen::VectorXd& multipliers) {
   const Eigen::VectorXd least = kAbove * multipliers.cwiseAbs();

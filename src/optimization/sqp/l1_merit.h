@@ -24,7 +24,7 @@ class L1Merit {
 
  private:
   double penalty(const Eigen::VectorXd& c, const Eigen::VectorXd& h) const;
-  Eigen::VectorXd mu_, lambda_;  // for c and for h
+  Eigen::VectorXd mu_, lambda_;  // penalty factors of c and of h
 };
 
 }  // namespace latsch

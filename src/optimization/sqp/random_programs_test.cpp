@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Searches with linear constraints are compared with the active-set solution of random programs:
-// linear and convex quadratic, with rows of small whole numbers or of any numbers, planes around
-// the start or all through it, with and without an equation.
+// Compares searches with linear constraints with the active-set solution of random programs: linear
+// and convex quadratic ones; with integer or real coefficients of the constraints; with planes
+// around the start or all through it; with and without an equation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ struct RandomProgram {
       rows.push_back(k < equations ? equal(row, sum) : at_most(row, sum + room));
     }
     const MatrixXd R = draw(n, n);
-    // A tiny curvature makes the solution of a linear program that of a quadratic one.
+    // If the curvature is tiny, a quadratic program has the solution of a linear one.
     const double least = number % 4 == 0 ? 1e-7 : 0.1;
     G = (number % 4 == 0 ? 0.0 : 1.0) * R.transpose() * R + least * MatrixXd::Identity(n, n);
     g = 3.0 * draw(n, 1);
@@ -81,7 +81,8 @@ TEST(RandomPrograms, AreSolvedByEveryMethodAlikeWithoutLeavingTheRegion) {
         solve({program.G, program.g, region.E(), region.f(), region.A(), region.b()});
     ASSERT_TRUE(solution.is_feasible()) << number;
     const double expected = program(solution.x);
-    // Slopes are of size 1 to 10, so a search down to a step of 1e-4 ends within about 1e-3.
+    // The slopes are between 1 and 10, so a search down to a step of 1e-4 ends within about 1e-3 of
+    // the minimum.
     EXPECT_NEAR(least_found(Gss(space, {.step_tolerance = 1e-4}), space, program), expected, 2e-3)
         << number;
     EXPECT_NEAR(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quadratic programs, and generating-set search and SQP on them, are compared with an independent
-// program: SciPy's SLSQP.
+// Compares the solver of quadratic programs, and generating-set search and SQP on such programs,
+// with an independent program: SciPy's SLSQP.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -76,7 +76,7 @@ class SciPyOptimize : public testing::TestWithParam<int> {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// Returns nullopt without SciPy.
+  /// Returns SciPy's solution; nullopt if SciPy is not installed.
   std::optional<VectorXd> scipy(const QuadraticProgram& qp) const {
     write(qp.G, folder_ / "G");
     write(qp.g, folder_ / "g");
@@ -139,7 +139,8 @@ TEST_P(SciPyOptimize, FindsTheSameSolution) {
   in_cube.A << qp.A, MatrixXd::Identity(n, n), -MatrixXd::Identity(n, n);
   in_cube.b.resize(3 * n);
   in_cube.b << qp.b, VectorXd::Ones(n), VectorXd::Zero(n);
-  // SLSQP ends if the target changes by less than 1e-15, so x is accurate to the root of that.
+  // SLSQP ends if the target changes by less than 1e-15, so x is accurate to about the square root
+  // of that.
   EXPECT_LT((solve(in_cube).x - expected).norm(), 1e-6);
   const ConstrainedProblem problem = as_problem(qp);
   EXPECT_LT((found_by(Sqp(problem.space, {.step_tolerance = 1e-5, .difference = 1e-7}), problem) -

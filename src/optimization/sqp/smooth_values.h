@@ -19,19 +19,19 @@ namespace latsch {
 
 struct SmoothValues {
   double f = 0.0;
-  Eigen::VectorXd r;  // empty: not known
+  Eigen::VectorXd r;  // residuals; empty: not known
   Eigen::VectorXd c, h;
 
   double violation() const;
 };
 
-/// nullopt if a value is not finite.
+/// Returns the values of a score; nullopt if one is not finite.
 std::optional<SmoothValues> smooth_values(const Score& score);
 
-/// True if both have equally many residuals and constraints.
+/// True if both have equal numbers of residuals and of constraints.
 bool same_shape(const SmoothValues& a, const SmoothValues& b);
 
-/// Gradient of f and Jacobians of the others, one row for each function.
+/// The gradient g of f and the Jacobians of the other functions, one row for each function.
 struct SmoothSlopes {
   Eigen::VectorXd g;
   Eigen::MatrixXd r, c, h;
@@ -41,10 +41,12 @@ struct SmoothSlopes {
 /// f; then c and h.
 Eigen::VectorXd all_values(const SmoothValues& values);
 
-/// `J` holds the derivatives of all_values(values), one row for each value.
+/// Returns the slopes from `J`, which holds the derivatives of all_values(values), one row for each
+/// value.
 SmoothSlopes slopes_at(const SmoothValues& values, const Eigen::MatrixXd& J);
 
-/// Returns the J with J D = S of least norm. Columns of D are directions, columns of S differences.
+/// Returns the J of least norm that fulfills J D = S. The columns of D are directions, those of S
+/// the differences of the values along them.
 Eigen::MatrixXd jacobian_of(const Eigen::MatrixXd& S, const Eigen::MatrixXd& D);
 
 }  // namespace latsch

@@ -22,24 +22,29 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kEta = 1e-4;     // share of the predicted gain of merit
-constexpr double kShorter = 0.5;  // after a step without improvement
-constexpr double kFailed = 0.25;  // after a step that fails
-constexpr double kLongest = 0.5;  // share of every range
-// Largest growth of the longest step, relative to the accepted step.
+// Smallest decrease of the merit function as a share of the predicted one.
+constexpr double kEta = 1e-4;
+// Factors of the step length after a step without improvement and after a failed evaluation.
+constexpr double kShorter = 0.5;
+constexpr double kFailed = 0.25;
+// Longest step of a variable as a share of its range.
+constexpr double kLongest = 0.5;
+// Largest growth of the limit on the step length, relative to the accepted step.
 constexpr double kReachGrowth = 4.0;
-constexpr double kExhausted = 0.1;  // share of the tolerance: shorter steps end a line search
-// Multiples of a difference tried if it fails.
+// Share of the step tolerance below which a line search ends.
+constexpr double kExhausted = 0.1;
+// Multiples of a difference's length that are tried one after the other if the evaluation fails.
 constexpr std::array kAttempts{1.0, -1.0, 0.25, -0.25};
 
 enum class Phase { start, differences, search, ended };
 
-/// A point whose outcome the method waits for.
+/// A point that the search has proposed and whose outcome it does not know yet.
 struct WantedPoint {
   VectorXd u;
   DesignPoint point;
-  int column = 0;   // index of the difference
-  int attempt = 0;  // index in kAttempts, or count of start_toward_middle
+  int column = 0;  // index of the direction of a difference
+  // Index in kAttempts or, for a start, number of calls of start_toward_middle.
+  int attempt = 0;
 };
 
 void check(const SqpOptions& options) {
@@ -65,22 +70,24 @@ struct Sqp::State {
   FeasibleRegion region;
   SqpOptions options;
   Phase phase = Phase::start;
-  PendingPoints<WantedPoint> wanted;  // in the order proposed; empty: converged
+  PendingPoints<WantedPoint> wanted;  // in the order proposed; empty once the search has converged
 
   Iterate x;                       // the present point
   std::optional<Iterate> foreign;  // best point from other sources
-  MatrixXd J;                      // at x if the model brings it; otherwise empty, with
-  MatrixXd D, S;                   // directions and differences at x
-  SmoothSlopes slopes, before;     // at x, and at the point before
+  // The model's own derivatives at x. If there are none, J is empty, and D and S hold the
+  // directions and the differences at x.
+  MatrixXd J;
+  MatrixXd D, S;
+  SmoothSlopes slopes, before;  // slopes at x and at the previous point
   MatrixXd B;
-  bool b_is_new = true;     // built from a step length alone
-  bool has_slopes = false;  // slopes of a point before x exist
+  bool b_is_new = true;     // B was built from the step length alone
+  bool has_slopes = false;  // slopes at the previous point are known
   SqpStep step;
   L1Merit merit;
   double longest;
-  double share = 1.0;            // a of the line search
-  std::optional<VectorXd> bent;  // second-order correction being tried
-  bool is_corrected = false;     // a correction was tried along this d
+  double share = 1.0;            // share a of the step in the line search
+  std::optional<VectorXd> bent;  // end of the second-order correction being tried
+  bool is_corrected = false;     // true if a correction of this step d was tried
   VectorXd last_move;
 
   State(const DesignSpace& s, const SqpOptions& o)
@@ -93,7 +100,7 @@ struct Sqp::State {
   }
 
   /// The loop of algorithm 18.3 [Nocedal & Wright]. When it needs outcomes it lists the points and
-  /// returns; each outcome continues it.
+  /// returns. Each outcome calls it again, and it continues where it stopped.
   void go_on(const WantedPoint& tried, const std::optional<Iterate>& known) {
     if (phase == Phase::differences) {
       take_difference(tried, known);
@@ -103,13 +110,15 @@ struct Sqp::State {
     if (!wanted.empty() || phase == Phase::ended) return;
     take_slopes();    // f, c and their slopes at x
     update_b();       // B
-    solve_program();  // d and multipliers; mu above these
-    begin_search();   // a = 1, shorter in takes_step() until phi falls enough; x <- x + a d
+    solve_program();  // step d and multipliers; raises mu above the multipliers
+    // Begins with a = 1; takes_step() shortens a until phi falls enough; x <- x + a d.
+    begin_search();
   }
 
-  // x_0 --------------------------------------------------------------------------------------
+  // Initial point ---------------------------------------------------------------------------
 
-  /// Returns false if another start is to be tried, or none is left.
+  /// Returns true if the search can begin at the point or at one from another source. If it cannot,
+  /// another start is proposed; if none is left, the search ends.
   bool begins(const WantedPoint& tried, const std::optional<Iterate>& known) {
     if (known || foreign) {
       x = known ? *known : *std::exchange(foreign, std::nullopt);
@@ -127,8 +136,8 @@ struct Sqp::State {
 
   // Slopes at x ------------------------------------------------------------------------------
 
-  /// Returns the model's own derivatives, which suffice without nonlinear constraints; empty if
-  /// differences are needed.
+  /// Returns the model's own derivatives if the problem has no nonlinear constraints. Otherwise the
+  /// result is empty, because derivatives of these constraints are not known.
   MatrixXd known_jacobian(const Iterate& at) const {
     if (!at.score.constraints.empty() || !at.score.equations.empty()) return {};
     return space.unit_jacobian(at.point, at.score);
@@ -147,7 +156,7 @@ struct Sqp::State {
     const bool is_comparable = foreign && same_shape(foreign->values, x.values);
     if (is_comparable && is_better(foreign->score, x.score)) {
       x = *std::exchange(foreign, std::nullopt);
-      has_slopes = false;  // slopes of the Lagrangian along the last step are lost
+      has_slopes = false;  // slopes of the Lagrangian along the last step are not known
     }
     J = known_jacobian(x);
     if (J.size() > 0) return;
@@ -155,7 +164,7 @@ struct Sqp::State {
     S = MatrixXd::Zero(all_values(x.values).size(), D.cols());
     wanted = differences_at(x.u);
     phase = Phase::differences;
-    if (wanted.empty()) phase = Phase::ended;  // a region of one point
+    if (wanted.empty()) phase = Phase::ended;  // the region is a single point
   }
 
   void take_difference(const WantedPoint& tried, const std::optional<Iterate>& known) {
@@ -176,13 +185,14 @@ struct Sqp::State {
     before = std::exchange(slopes, slopes_at(x.values, J.size() > 0 ? J : jacobian_of(S, D)));
   }
 
-  // B ----------------------------------------------------------------------------------------
+  // Matrix B --------------------------------------------------------------------------------
 
   VectorXd slope_of_lagrangian(const SmoothSlopes& at) const {
     return at.g + at.c.transpose() * step.mu + at.h.transpose() * step.lambda;
   }
 
-  /// Sets B so that the step along the steepest slope is the longest allowed.
+  /// Sets B to a multiple of the unit matrix such that the step of steepest descent has the longest
+  /// allowed length.
   void renew_b() {
     const auto n = x.u.size();
     const double steepest = std::max(slopes.g.norm(), std::numeric_limits<double>::min());
@@ -204,14 +214,14 @@ struct Sqp::State {
     has_slopes = true;
   }
 
-  // d, and a of the line search --------------------------------------------------------------
+  // Step d, and share a of the line search --------------------------------------------------
 
   void solve_program() {
     step = sqp_step(B, x.values, slopes, region, x.u, longest);  // (18.11)
     merit.raise_above(step);
   }
 
-  /// Steps end inside except for rounding, which `nearest` removes.
+  /// The end of a step lies inside the region except for rounding, which `nearest` removes.
   void begin_search() {
     share = 1.0;
     bent.reset();
@@ -225,7 +235,8 @@ struct Sqp::State {
     return step.d.lpNorm<Eigen::Infinity>() < options.step_tolerance && !b_is_new;
   }
 
-  /// Returns false if another step is to be tried, or the search has ended.
+  /// Returns true if the point is accepted. If it is not, another step is proposed, or the search
+  /// ends.
   bool takes_step(const WantedPoint& tried, const std::optional<Iterate>& known) {
     const double predicted = merit.slope(x.values, slopes, step.d);
     const bool fits = known && same_shape(known->values, x.values);
@@ -254,7 +265,8 @@ struct Sqp::State {
     wanted = {at(region.nearest(x.u + share * step.d))};
   }
 
-  /// Solves the program with the constraint values at the end of the step.
+  /// Computes the second-order correction: solves the program with the constraint values at the end
+  /// of the step.
   void correct(const Iterate& end) {
     SmoothValues values = x.values;
     values.c = end.values.c - slopes.c * step.d;
@@ -264,7 +276,7 @@ struct Sqp::State {
     wanted = {at(region.nearest(x.u + *bent))};
   }
 
-  /// Returns false at the end of the search.
+  /// Makes the point the present one. Returns false if the search ends there.
   bool accepts(const WantedPoint& tried, const Iterate& known) {
     last_move = tried.u - x.u;
     const double length = last_move.lpNorm<Eigen::Infinity>();
@@ -276,7 +288,8 @@ struct Sqp::State {
     return !ends;
   }
 
-  /// Resets B once if it leads nowhere.
+  /// Resets B to a multiple of the unit matrix if no step along d improves. If this has been done
+  /// already, ends the search.
   void give_up() {
     wanted.clear();
     if (b_is_new || slopes.r.size() > 0 || is_last()) {
@@ -309,7 +322,7 @@ struct Sqp::State {
     if (!foreign || is_better(known->score, foreign->score)) foreign = known;
   }
 
-  /// Returns the points to evaluate next once the outstanding outcomes are known.
+  /// Returns the points that the search will evaluate next once the outstanding outcomes are known.
   PendingPoints<WantedPoint> speculation() const {
     if (phase != Phase::start && phase != Phase::search) return {};
     PendingPoints<WantedPoint> points = differences_at(wanted.front().u);

@@ -8,20 +8,20 @@
 //             |r|^2 with known residuals (Gauss-Newton), otherwise the damped BFGS approximation of
 //             the Hessian of the Lagrangian: damped_bfgs.h.
 //   merit     phi(x) = f + sum mu_i max(c_i, 0) + sum mu_j |h_j|,  mu above the multipliers (18.27)
-//   search    x + a d for a = 1, 1/2, 1/4 ... until  phi(x + a d) <= phi(x) + eta a D phi (18.28);
-//             if a full step fails because constraints are curved, once with a second-order
-//             correction (ch. 15.6). A Failure shortens the step to a quarter.
+//   search    x + a d for a = 1, 1/2, 1/4 ... until  phi(x + a d) <= phi(x) + eta a D phi (18.28).
+//             If a full step fails because constraints are curved, a second-order correction
+//             (ch. 15.6) is tried once. A Failure shortens the step to a quarter.
 //   end       if a step is shorter than the tolerance, or no step along d brings an improvement.
 //
 // [Nocedal & Wright, Numerical Optimization, 2006, ch. 18]. Every point fulfills bounds and linear
-// constraints, also those of differences. A difference that fails is tried in the other direction
-// and shorter; if all fail, the slope counts as 0. A start that fails is moved toward the middle of
-// the region.
+// constraints, including the points of differences. If the evaluation of a difference fails, it is
+// tried in the other direction and shorter; if all attempts fail, the slope counts as 0. A start
+// that fails is moved toward the middle of the region.
 //
 // The differences at x are independent of each other, so as many workers as variables are busy.
-// While a step is evaluated, idle workers get the differences at its end and the next shorter step.
-// The best of the points from other sources is adopted when a step is complete. Limits: kinks and
-// noise (gss.h, residual_trust_region.h).
+// While a step is evaluated, idle workers evaluate the differences at its end and the next shorter
+// step. When a step is complete, the best of the points from other sources is adopted if it is
+// better. Limits: kinks and noise (gss.h, residual_trust_region.h).
 #pragma once
 
 #include <memory>
@@ -32,11 +32,11 @@
 
 namespace latsch {
 
-/// Lengths are in the unit cube: 1 is the whole range of a variable.
+/// Options of the search. Lengths are in the unit cube: 1 is the whole range of a variable.
 struct SqpOptions {
   double initial_step = 0.1;     // longest first step
-  double step_tolerance = 1e-3;  // the search ends when no step longer than this gains
-  double difference = 1e-4;      // at least the root of the relative noise of the functions
+  double step_tolerance = 1e-3;  // the search ends when no step longer than this improves
+  double difference = 1e-4;      // at least the square root of the functions' relative noise
 };
 
 class Sqp : public Optimizer {

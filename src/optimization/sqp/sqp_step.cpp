@@ -12,9 +12,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kWithoutSlope = 1e-12;  // a row with less slope is not scaled
-constexpr double kLeastConvex = 1e-7;    // least curvature relative to the largest
-constexpr double kRelaxed = 10.0;        // price of t relative to the steepest slope of the target
+// Length of a gradient below which a constraint is not scaled.
+constexpr double kWithoutSlope = 1e-12;
+// Smallest curvature of B relative to the largest.
+constexpr double kLeastConvex = 1e-7;
+// Cost of the relaxation t, relative to the steepest slope of the target.
+constexpr double kRelaxed = 10.0;
 
 /// Returns B with its curvatures limited to a range for which the program can be solved.
 MatrixXd convex(const MatrixXd& B) {
@@ -22,7 +25,7 @@ MatrixXd convex(const MatrixXd& B) {
   return B + kLeastConvex * size * MatrixXd::Identity(B.rows(), B.cols());
 }
 
-/// Collects rows and bounds, one below the other; rows of constraints have length 1.
+/// Collects constraints and their bounds as rows of a matrix; rows of constraints have length 1.
 class Rows {
  public:
   explicit Rows(Eigen::Index columns) : A(0, columns), b(0) {}
@@ -46,7 +49,7 @@ VectorXd lengths(const MatrixXd& J) {
   return length;
 }
 
-/// The linearized constraints of the program; columns beyond those of d are for t.
+/// The linearized constraints of the program. Columns after those of d belong to the relaxation t.
 struct Linearized {
   VectorXd length_c, length_h;
   MatrixXd J_c, J_h;

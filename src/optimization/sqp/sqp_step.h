@@ -19,7 +19,8 @@ struct SqpStep {
   Eigen::VectorXd mu, lambda;  // multipliers of c and h
 };
 
-/// `values` supplies c and h: those at u, or others for a second-order correction.
+/// Solves the program. `values` contains c and h: those at u, or those at the end of a step for its
+/// second-order correction.
 SqpStep sqp_step(const Eigen::MatrixXd& B,
                  const SmoothValues& values,
                  const SmoothSlopes& slopes,

@@ -50,7 +50,8 @@ TEST(DampedBfgs, FulfillsTheSecantEquationAndStaysPositiveDefinite) {
   for (const Eigen::Vector2d& y : {downhill, Eigen::Vector2d(0, 0), Eigen::Vector2d(1e-9, 0)}) {
     const Eigen::MatrixXd next = damped_bfgs(B, s, y, false);
     EXPECT_GT(next.determinant(), 0.0);
-    EXPECT_NEAR(s.dot(next * s), 0.2 * s.dot(B * s), 1e-12);  // the least curvature that B keeps
+    // 0.2 is the smallest share of the curvature that B keeps.
+    EXPECT_NEAR(s.dot(next * s), 0.2 * s.dot(B * s), 1e-12);
   }
 }
 
@@ -74,8 +75,8 @@ TEST(Sqp, SolvesProblemsOfHockAndSchittkowski) {
   for (const ConstrainedProblem& problem : problems) {
     const Found found = minimize(problem, kExact);
     EXPECT_LE(violation(found.score), kFulfilled) << problem.name;
-    // A constraint violated by kFulfilled lowers the target by its multiplier, at most about 5,
-    // times that.
+    // A constraint may be violated by kFulfilled, which lowers the target by kFulfilled times the
+    // constraint's multiplier, at most about 5.
     EXPECT_NEAR(found.score.value, problem.least, 5e-4 + 1e-6 * std::abs(problem.least))
         << problem.name;
     for (size_t i = 0; i < found.x.size(); ++i) {
@@ -87,7 +88,7 @@ TEST(Sqp, SolvesProblemsOfHockAndSchittkowski) {
 }
 
 TEST(Sqp, NeedsFewestEvaluationsWhereItKnowsResidualsAndTheirDerivatives) {
-  // Rosenbrock's valley as residuals, in half a circle of radius 1.2 around the origin.
+  // Rosenbrock's valley as residuals, restricted to half a circle of radius 1.2 around the origin.
   const DesignSpace space = space_of({-1.2, 1.0}, {{-2, 2}});
   for (const bool has_jacobian : {false, true}) {
     Sqp sqp(space, {.initial_step = 0.5, .step_tolerance = 1e-5, .difference = 1e-7});
@@ -109,7 +110,8 @@ TEST(Sqp, NeedsFewestEvaluationsWhereItKnowsResidualsAndTheirDerivatives) {
 }
 
 TEST(Sqp, RelaxesConstraintsWhoseLinearizationsCannotBeFulfilled) {
-  // For x^2 >= 1 from 0.1 the tangent requires a step of 5, but the longest is 0.4.
+  // The constraint is x^2 >= 1. At the start 0.1 its tangent requires a step of 5, but the longest
+  // step is 0.4.
   const ConstrainedProblem problem{"far",
                                    space_of({0.1}, {{-2, 2}}),
                                    [](const auto& x) { return x[0] * x[0]; },
@@ -126,7 +128,7 @@ TEST(Sqp, FindsItsWayWherePointsFail) {
     const auto f = problem.f;
     problem.f = [f, seed](const std::vector<double>& x) {
       const double dice = std::sin(1e4 * (x[0] + 2 * x[1] + 3 * x[2]) + seed);
-      return dice > 0.9 ? NAN : f(x);  // a seventh of all points
+      return dice > 0.9 ? NAN : f(x);  // a seventh of all points fail
     };
     solved += minimize(problem, kExact).score.value < problem.least + 1e-2;
   }
@@ -210,8 +212,8 @@ TEST(Sqp, TakesDifferencesWhereTheJacobianIsNotFinite) {
     sqp.observe(point, score);
   }
   EXPECT_TRUE(sqp.converged());
-  // A search by differences alone would end at this point: (0.405, 0.3), except for the small third
-  // residual.
+  // A search that uses only differences would end at (0.405, 0.3), apart from the effect of the
+  // small third residual.
   EXPECT_LT(least, 2e-4);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cascade: the result of one run starts the next, with tightened bounds around it.
+// Cascade: several searches one after the other, each within tightened bounds around the result of
+// the one before.
 //
 // Each stage is a separate optimizer on the space of the stage before, narrowed by a factor in the
 // unit cube. It observes the value of the point it starts from. The steps of a stage are relative
@@ -15,7 +16,7 @@
 
 namespace latsch {
 
-/// Number of stages and their bounds.
+/// Number of stages, and the width of their bounds.
 struct CascadeOptions {
   int stages = 2;            // number of searches, one after the other
   double tightening = 0.25;  // width of a stage's bounds relative to those of the stage before
@@ -23,19 +24,19 @@ struct CascadeOptions {
 
 class Cascade : public Optimizer {
  public:
-  /// Returns the search of one stage in the space with that stage's bounds.
+  /// Returns the optimizer of one stage for a space with the bounds of that stage.
   using MakeOptimizer = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
   /// Throws InputError for less than one stage or a tightening that is not between 0 and 1.
   Cascade(const DesignSpace& space, CascadeOptions options, MakeOptimizer make_optimizer);
 
-  /// Proposes no points beyond the present stage.
+  /// Proposes points of the present stage only.
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
   std::string ending() const override { return optimizer_->ending(); }
 
-  /// Number of the present stage: 1, 2, ...
+  /// Returns the number of the present stage, counted from 1.
   int stage() const { return stage_; }
   /// Returns the space with the bounds of the present stage.
   const DesignSpace& space() const { return space_; }

@@ -47,7 +47,7 @@ TEST(Cascade, LaterStagesStartAtTheBestPointAndSearchMoreFinely) {
   const Ended third = run(cascade);
   EXPECT_EQ(cascade.stage(), 3);
   EXPECT_LT(third.best, 0.2 * first.best);
-  // Two stages have narrowed the width to a fifth each.
+  // Two stages have narrowed the width of 8 to a fifth each.
   EXPECT_NEAR(cascade.space()[0].upper - cascade.space()[0].lower, 8.0 / 25.0, 1e-12);
 }
 

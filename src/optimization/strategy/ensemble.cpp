@@ -27,7 +27,7 @@ Ensemble::Ensemble(std::vector<EnsembleMember> members, End end)
 
 int Ensemble::next(const std::vector<long>& turns, const std::vector<bool>& has_wishes) const {
   int next = kNobody;
-  const auto is_before = [&](int a, int b) {  // compares (turns + 1) / priority in whole numbers
+  const auto is_before = [&](int a, int b) {  // compares (turns + 1) / priority without division
     return (turns[a] + 1) * members_[b].priority < (turns[b] + 1) * members_[a].priority;
   };
   for (int m = 0; m < std::ssize(members_); ++m) {
@@ -45,7 +45,8 @@ std::vector<DesignPoint> Ensemble::propose(int count) const {
   for (const EnsembleMember& member : members_) {
     const bool ended = member.optimizer->converged();
     wishes.push_back(ended ? std::vector<DesignPoint>{} : member.optimizer->propose(count));
-    std::reverse(wishes.back().begin(), wishes.back().end());  // the next point comes last
+    // The points are reversed, so that the next one is at the end.
+    std::reverse(wishes.back().begin(), wishes.back().end());
     has_wishes.push_back(!wishes.back().empty());
   }
   std::vector<long> turns = turns_;

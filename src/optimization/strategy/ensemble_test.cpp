@@ -18,14 +18,16 @@ DesignSpace plane(double start = 0.8) {
                       {.name = "b", .lower = -1.0, .upper = 1.0, .initial = start}});
 }
 
-/// Two basins of different depth around (0.6, 0.6) and (-0.6, -0.6); the second one is deeper.
+/// A function with two minima of different depth near (0.6, 0.6) and (-0.6, -0.6); the second one
+/// is deeper.
 double two_basins(const std::vector<double>& x) {
   const double near = std::hypot(x[0] - 0.6, x[1] - 0.6);
   const double far = std::hypot(x[0] + 0.6, x[1] + 0.6);
   return std::min(0.5 + near, 2.0 * far);
 }
 
-/// Proposes the corners of a grid one after the other and records the observed points.
+/// An optimizer that proposes the points of a grid one after the other and records all points it
+/// observes.
 class Marcher : public Optimizer {
  public:
   Marcher(double first, int steps) : first_(first), steps_(steps) {}
@@ -107,7 +109,7 @@ TEST(Ensemble, FirstDoesNotDependOnHowManyPointsAreAskedFor) {
 }
 
 TEST(Ensemble, AFineSearchFinishesWhatACoarseOneFound) {
-  // The direct search alone ends in the basin in which it starts.
+  // The direct search alone ends in the local minimum near its start.
   const auto least = [](Optimizer& optimizer) {
     double f = INFINITY;
     while (!optimizer.converged()) {

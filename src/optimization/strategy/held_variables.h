@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A search that moves some of the variables and holds the others at their start values. Points
-// remain points of the whole space, so searches in different variables share their trials.
+// A search that moves some of the variables and holds the others at their start values. Its points
+// are points of the whole space, so searches in different variables can share trials.
 //
 // The search uses a space of the free variables alone: the contributions of held variables to
-// linear constraints are moved to their bounds, and their columns are removed from Jacobians. It
-// observes points proposed by others only if their held variables agree to the last bit.
+// linear constraints are subtracted from the bounds of the constraints, and their columns are
+// removed from Jacobians. A point proposed by another method is observed only if its held variables
+// agree to the last bit.
 #pragma once
 
 #include <functional>
@@ -16,15 +17,15 @@
 
 namespace latsch {
 
-/// Returns the space of the free variables, with the others at their initial values. Throws
-/// InputError if the start is outside of it.
+/// Returns the space of the free variables; the other variables are held at their initial values.
+/// Throws InputError if the start is not in this space.
 DesignSpace free_part(const DesignSpace& space, const std::vector<int>& free);
 
 class HeldVariables : public Optimizer {
  public:
   using MakeOptimizer = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
-  /// `free` holds indices of variables in the space, ascending, at least one.
+  /// `free` holds the indices of the free variables, ascending, at least one.
   HeldVariables(const DesignSpace& space,
                 std::vector<int> free,
                 const MakeOptimizer& make_optimizer);
@@ -35,7 +36,7 @@ class HeldVariables : public Optimizer {
   std::string ending() const override { return optimizer_->ending(); }
 
  private:
-  DesignPoint start_;  // point of the whole space
+  DesignPoint start_;  // start in the whole space
   std::vector<int> free_;
   std::unique_ptr<Optimizer> optimizer_;
 };

@@ -11,7 +11,7 @@
 namespace latsch {
 namespace {
 
-/// Returns r = (x - 1, y - 2, z - 3 x y) with its Jacobian.
+/// Returns the residuals r = (x - 1, y - 2, z - 3 x y) and their Jacobian.
 Score product(const DesignPoint& p) {
   const double x = p.values[0], y = p.values[1], z = p.values[2];
   Score score;
@@ -80,7 +80,8 @@ TEST(HeldVariables, KeepToLinearConstraints) {
 TEST(HeldVariables, PointsWithOthersAreNotTheirs) {
   HeldVariables search(three(), {0, 2}, by_slopes);
   const auto before = search.propose(1);
-  search.observe({{1.0, 2.0, 6.0}}, product({{1.0, 2.0, 6.0}}));  // perfect, but y has moved
+  // A perfect point whose y differs from the held value.
+  search.observe({{1.0, 2.0, 6.0}}, product({{1.0, 2.0, 6.0}}));
   EXPECT_EQ(search.propose(1).front().bits(), before.front().bits());
   EXPECT_NEAR(searched(search).values[2], 1.5, 1e-4);
 }

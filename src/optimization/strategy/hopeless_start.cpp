@@ -11,9 +11,11 @@
 namespace latsch {
 namespace {
 
-constexpr int kSuspicious = 5;  // number of like failures before points are spread
-constexpr int kSpread = 8;      // number of points spread over the space
-constexpr int kDrawn = 64;      // points to choose from, if linear constraints forbid some
+// Number of failures with the same message after which points spread over the space are tried.
+constexpr int kSuspicious = 5;
+constexpr int kSpread = 8;  // number of points spread over the space
+// Number of points from which these are chosen if linear constraints exclude some.
+constexpr int kDrawn = 64;
 
 std::vector<DesignPoint> spread(const DesignSpace& space) {
   std::vector<DesignPoint> points =

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ends a search in which every point fails for a reason that has nothing to do with the point: a
-// license server that does not answer, a measurement that reaches beyond the simulated time.
+// Ends a search in which every point fails for a reason that has nothing to do with the point, for
+// example a license server that does not answer or a measurement longer than the simulated time.
 //
-// If the first kSuspicious points all fail alike, points spread over the whole space are tried
-// instead of the optimizer's. If all of them fail with the same message, apart from numbers and
-// names of files, the search is hopeless: converged() is true and reason() returns the message. If
-// one succeeds, or fails for another reason, the optimizer observes it and continues as if nothing
-// had happened.
+// If the first kSuspicious points all fail with the same message, points spread over the whole
+// space are tried before further points of the optimizer. If all of them fail with this message,
+// apart from numbers and names of files, the search is hopeless: converged() is true and reason()
+// returns the message. If one succeeds, or fails for another reason, the optimizer observes it and
+// continues as if nothing had happened.
 //
 // The decision depends on the outcomes alone, so it is the same for any number of workers and after
 // a crash.
@@ -23,7 +23,7 @@ namespace latsch {
 
 class HopelessStart : public Optimizer {
  public:
-  /// Watches over this search in this space.
+  /// Observes the outcomes of the given search in the given space.
   HopelessStart(const DesignSpace& space, std::unique_ptr<Optimizer> optimizer);
 
   std::vector<DesignPoint> propose(int count) const override;
@@ -33,16 +33,16 @@ class HopelessStart : public Optimizer {
     return reason_ ? "without a result: " + *reason_ : optimizer_->ending();
   }
 
-  /// The reason why nothing can succeed; nullopt if a point may succeed.
+  /// Returns the message with which all points fail if the search is hopeless; nullopt otherwise.
   const std::optional<std::string>& reason() const { return reason_; }
 
  private:
   DesignSpace space_;
   std::unique_ptr<Optimizer> optimizer_;
   bool is_watching_ = true;
-  int alike_ = 0;  // number of points that failed for first_
+  int alike_ = 0;  // number of points that failed with the first reason
   std::string first_;
-  std::vector<DesignPoint> spread_;  // still to be tried
+  std::vector<DesignPoint> spread_;  // points spread over the space that are still to be tried
   std::optional<std::string> reason_;
 };
 

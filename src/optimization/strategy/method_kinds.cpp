@@ -12,12 +12,14 @@ namespace {
 constexpr long kMostOutstanding = 1024;
 constexpr long kMostRestarts = 1000;
 constexpr long kMostIndividuals = 1'000'000;
-// F is 1 for each value in units of the noise; a step of one standard deviation in one variable
-// increases it by as much. A linear model that predicts a gain of a thousandth of that is a
-// thirtieth of a standard deviation from its minimum.
+// Share of the noise's contribution to the target below which a gain is ignored. If values are in
+// units of their noise, a step of one standard deviation in one variable increases the target by 1.
+// A model that predicts a gain of a thousandth of that is a thirtieth of a standard deviation away
+// from its minimum.
 constexpr double kFeltByNobody = 1e-3;
 
-/// Reads the keys that methods share; `longest` limits the first step.
+/// Reads the initial step and the step tolerance, which most methods have; `longest` limits the
+/// first step.
 void read_lengths(const Node& node, double longest, double& initial, double& tolerance) {
   initial = node.quantity("initial_step", "1", Range{0.0, longest, true}, initial);
   tolerance = node.quantity("step_tolerance", "1", Range{0.0, longest, true}, tolerance);
@@ -112,7 +114,7 @@ std::unique_ptr<Optimizer> make_ensemble(const DesignSpace& space,
   return std::make_unique<Ensemble>(std::move(members), settings.ensemble_end);
 }
 
-// Keys that several methods have with one meaning.
+// Keys that have the same meaning in several methods.
 const MethodKey kInitialStep = {"initial_step", "0.1"},
                 kStepTolerance = {"step_tolerance", "0.001"}, kOutstanding = {"outstanding", "1"},
                 kContraction = {"contraction", "0.25"},
@@ -235,7 +237,7 @@ MethodKind ensemble_kind() {
   return {Method::ensemble,
           "ensemble",
           "ensemble",
-          true,  // members are checked one by one
+          true,  // supports nonlinear constraints if each member does, which is checked elsewhere
           {{"member", ""}, {"ends_with", "\"all\""}},
           nullptr,
           make_ensemble};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The optimization methods: how each is called, read from a table, and made. A new method is its
-// own files, its name and options in optimizer_choice.h, and one entry in method_kinds.cpp.
+// The optimization methods: their names, how each is read from a table of a study, and how it is
+// created. A new method consists of its own files, its name and options in optimizer_choice.h, and
+// one entry in method_kinds.cpp.
 #pragma once
 
 #include <memory>
@@ -13,23 +14,24 @@
 
 namespace latsch {
 
-/// A key that a method reads. Its words are empty if several methods have the key with one meaning:
-/// then the reference of a study describes it (correlation/study/keys/optimizer_keys.cpp).
+/// A key that a method reads. If several methods have a key with the same meaning, `sentence` is
+/// empty, and the reference of a study describes the key once
+/// (correlation/study/keys/optimizer_keys.cpp).
 struct MethodKey {
   std::string name;
   std::string example;         // TOML value
-  std::string sentence = "";   // Markdown: what the key means
-  std::string otherwise = "";  // default in words, if it is not simply a value
-  std::string range = "";      // range in words, if it depends on something
+  std::string sentence = "";   // meaning of the key, in Markdown
+  std::string otherwise = "";  // default in words, if it is not a plain value
+  std::string range = "";      // range in words, if it depends on other values
 };
 
 struct MethodKind {
   Method method;
-  std::string_view name, words;  // in a study, in a report
+  std::string_view name, words;  // name in a study, and words in a report
   bool knows_nonlinear;          // supports nonlinear constraints; all methods support linear ones
   std::vector<MethodKey> keys;
-  /// Reads these keys into the settings. Throws InputError naming the place. nullptr: a method of
-  /// methods, whose tables its caller reads.
+  /// Reads these keys into the settings. Throws InputError naming the place. The pointer is nullptr
+  /// for a method that combines other methods: the caller then reads their tables.
   void (*read)(const Node& table, OptimizerSettings& settings);
   std::unique_ptr<Optimizer> (*make)(const DesignSpace& space,
                                      const OptimizerSettings& settings,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Multi-start: several runs one after another, each from its own start, such as the minima found by
-// a design of experiments (basins.h). The best of all runs is the result.
+// Multi-start: several searches one after the other, each from its own start, for example from the
+// minima found by a design of experiments (basins.h). The best of all runs is the result.
 //
-// A run does not observe the points of other runs, because it would leave its basin for the best
-// known point. Points that runs share are not evaluated again if trials are stored.
+// A run does not observe the points of other runs, because it would then move to the best known
+// point. If trials are stored, a point that several runs propose is evaluated once.
 #pragma once
 
 #include <functional>
@@ -25,13 +25,13 @@ class MultiStart : public Optimizer {
              std::vector<DesignPoint> starts,
              MakeOptimizer make_optimizer);
 
-  /// Proposes points of the next run for idle workers.
+  /// Proposes points of the present run and, for idle workers, of the next run.
   std::vector<DesignPoint> propose(int count) const override;
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
   std::string ending() const override { return optimizer_->ending(); }
 
-  /// Number of the present run: 1, 2, ...
+  /// Returns the number of the present run, counted from 1.
   int run() const { return run_; }
 
  private:

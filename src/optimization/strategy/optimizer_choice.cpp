@@ -9,9 +9,10 @@
 namespace latsch {
 namespace {
 
-constexpr double kMostFailures = 0.5;  // with more failures, models have too few samples
-constexpr int kMostPolled = 40;  // number of variables, which is the number of evaluations of a
-                                 // poll
+// Share of failed points above which models have too few samples.
+constexpr double kMostFailures = 0.5;
+// Largest number of variables for which polling is chosen: a poll takes an evaluation for each.
+constexpr int kMostPolled = 40;
 
 void check_constraints(Method method, const ProblemTraits& traits) {
   if (!traits.has_nonlinear_constraints || kind_of(method).knows_nonlinear) return;

@@ -3,13 +3,13 @@
 //
 //   residual_trust_region  the target is a sum over residuals, smooth between failures, with or
 //                          without linear constraints: fewest evaluations by far
-//   levenberg_marquardt    such a target, if trials bring the derivatives of their residuals
-//   gss                    no residuals, kinks, or most points fail
+//   levenberg_marquardt    the same, if trials also return the derivatives of their residuals
+//   gss                    no residuals, a target with kinks, or most points fail
 //   sqp                    nonlinear constraints, and residuals or a smooth target
 //   gss_nlc                nonlinear constraints and no residuals
-//   nelder_mead            on request: few variables, no assumptions
-//   genetic                no residuals and many basins, or more variables than a pattern can poll
-//   ensemble               on request: several of these at once, each observing all points
+//   nelder_mead            only on request: few variables, no assumptions
+//   genetic                no residuals and many local minima, or too many variables for polling
+//   ensemble               only on request: several of these at once, each observing all points
 #pragma once
 
 #include <memory>
@@ -47,20 +47,23 @@ std::string_view in_words(Method method);
 /// Returns the names of all methods, and "auto".
 const std::vector<std::string>& method_names();
 
-/// The facts a choice depends on.
+/// The properties of a problem on which the choice of a method depends.
 struct ProblemTraits {
-  int variables = 1;                       // their number
-  bool has_residuals = false;              // the target is a sum over residuals
-  bool has_jacobian = false;               // every outcome brings the derivatives of its residuals
-  double failed_share = 0.0;               // share of the points evaluated so far
-  int basins = 1;                          // found by a design of experiments
-  bool has_linear_constraints = false;     // on the variables
-  bool has_nonlinear_constraints = false;  // reported by the evaluation
+  int variables = 1;           // their number
+  bool has_residuals = false;  // the target is a sum over residuals
+  /// Every outcome contains the derivatives of its residuals.
+  bool has_jacobian = false;
+  double failed_share = 0.0;  // share of failed points among all points evaluated so far
+  /// Number of local minima found by a design of experiments.
+  int basins = 1;
+  bool has_linear_constraints = false;     // true if there are linear constraints on the variables
+  bool has_nonlinear_constraints = false;  // true if evaluations report nonlinear constraints
   long values = 0;                         // number of measured values in a fit; 0: not known
-  double noise_alone = 0.0;                // sum of squares caused by noise, if noise is stated
+  /// Expected sum of squares due to noise, if noise is stated.
+  double noise_alone = 0.0;
 };
 
-/// A method with the reason of its choice.
+/// The chosen method, and the reason for the choice.
 struct MethodChoice {
   Method method;       // the chosen method
   std::string reason;  // a full sentence
@@ -73,7 +76,7 @@ struct MemberSettings;
 
 /// A method and its options. Only the options of the chosen method have an effect.
 struct OptimizerSettings {
-  std::string method = "auto";                            // one of method_names()
+  std::string method = "auto";                            // "auto" or the name of a method
   GssOptions gss = {};                                    // options of generating-set search
   ResidualTrustRegionOptions residual_trust_region = {};  // options of residual trust region
   LevenbergMarquardtOptions levenberg_marquardt = {};     // options of Levenberg-Marquardt
@@ -81,24 +84,24 @@ struct OptimizerSettings {
   GeneticOptions genetic = {};                            // options of genetic algorithm
   SqpOptions sqp = {};                                    // options of SQP
   GssNlcOptions gss_nlc = {};           // options of generating-set search with constraints
-  std::vector<MemberSettings> members;  // for an ensemble
-  Ensemble::End ensemble_end = Ensemble::End::all;  // end of an ensemble
+  std::vector<MemberSettings> members;  // members of an ensemble
+  Ensemble::End ensemble_end = Ensemble::End::all;  // condition for the end of an ensemble
 };
 
 /// One member of an ensemble.
 struct MemberSettings {
-  std::string name;            // name of its method
-  int priority = 1;            // its share of the steps
-  OptimizerSettings settings;  // for any method but ensemble
+  std::string name;            // name of the member's method
+  int priority = 1;            // weight of the member when steps are shared
+  OptimizerSettings settings;  // options of the member's method, which is no ensemble
 };
 
-/// Returns the method of the settings; for "auto", the chosen one. Throws InputError for an unknown
-/// name.
+/// Returns the method that the settings name; if they say "auto", the one that suits the traits.
+/// Throws InputError for an unknown name.
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits);
 
-/// Throws InputError if the traits have constraints that the method, or a member of an ensemble,
-/// does not support; also for an ensemble without members or within another. `traits` also serve to
-/// choose a member's method if that is auto.
+/// Creates the optimizer. Throws InputError if the traits include constraints that the method, or a
+/// member of an ensemble, does not support, and for an ensemble without members or inside another
+/// ensemble. `traits` also determine the method of a member whose settings say "auto".
 std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const DesignSpace& space,
                                           const OptimizerSettings& settings,

@@ -18,9 +18,10 @@ TEST(FlatDirections, AreThoseTheResidualsDoNotFeel) {
 
 TEST(FlatDirections, AreNoneWhereEveryVariableIsFelt) {
   Eigen::MatrixXd J = Eigen::MatrixXd::Identity(3, 2);
-  J(1, 1) = 1e-4;  // a weak effect, but above a millionth
+  J(1, 1) = 1e-4;  // a weak effect, but above a millionth of the residuals
   EXPECT_EQ(flat_directions(J, 0.1, 1.0).cols(), 0);
-  EXPECT_EQ(flat_directions(J, 0.1, 1e3).cols(), 1);  // none beside large residuals
+  // A weak effect is none beside large residuals.
+  EXPECT_EQ(flat_directions(J, 0.1, 1e3).cols(), 1);
 }
 
 TEST(FlatDirections, ResidualsDifferByMoreThanAMillionthOrAreTheSame) {

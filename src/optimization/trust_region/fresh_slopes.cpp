@@ -6,21 +6,27 @@
 namespace latsch {
 namespace {
 
-constexpr double kReach = 2.0;    // longest step, in axes of the frame
-constexpr double kShorter = 0.3;  // factor of the range of steps after a disappointing one
-constexpr int kMostMisses = 3;    // steps in a row without success that end a round
-constexpr double kFarther = 3.0;  // factor of lengths if the residuals are at noise level
-/// Share of the deviation of the target caused by noise. A disappointing step with a smaller
-/// predicted gain carries no information about slopes. A smaller share lets every such step count,
-/// a larger one only steps far above noise.
+// Longest step, in units of the axes of the frame.
+constexpr double kReach = 2.0;
+// Factor by which the longest step is shortened after a disappointing step.
+constexpr double kShorter = 0.3;
+constexpr int kMostMisses = 3;  // number of steps in a row without success that end a round
+// Factor by which moves are lengthened if the residuals are at noise level.
+constexpr double kFarther = 3.0;
+/// Smallest predicted gain of a step that shows whether slopes are wrong, as a share of the
+/// target's standard deviation due to noise. A disappointing step with a smaller predicted gain
+/// tells nothing about slopes. With a smaller share every such step counts, with a larger one only
+/// steps far above noise.
 constexpr double kTelling = 0.5;
-constexpr double kWorthARound = 1.0 - 1e-5;  // share of the value below which another round follows
-constexpr int kMostRounds = 8;               // more rounds cost evaluations
-/// Multiple of the residuals' norm: a move that changes the residuals by more is too long for
-/// slopes.
+// Another round follows only if the value falls below this share of that at the beginning of the
+// round.
+constexpr double kWorthARound = 1.0 - 1e-5;
+constexpr int kMostRounds = 8;  // largest number of rounds
+/// Largest change of the residuals over a move, as a multiple of their norm, from which slopes are
+/// computed. A move that changes them by more is too long.
 constexpr double kTooBlunt = 100.0;
-constexpr int kMostSharpened = 4;  // largest number in a round
-// Largest number of steps of a round before their gains count as none.
+constexpr int kMostSharpened = 4;  // largest number of axes shortened in a round
+// Largest number of steps of a round; further steps would gain too little.
 constexpr int kMostStepsOfARound = 20;
 
 }  // namespace
@@ -84,8 +90,8 @@ void FreshSlopes::shorten(int axis, double factor) {
   ++sharpened_;
 }
 
-/// Shortens the axes along which moves are too long for slopes, to be probed again; returns false
-/// if there are none.
+/// Shortens the axes along which moves are too long for slopes, so that they are probed again.
+/// Returns false if there are none.
 bool FreshSlopes::sharpen(const TrustBox& box) {
   const Eigen::VectorXd changes = box.changes_along(frame_);
   if (!(changes.maxCoeff() > kTooBlunt)) return false;

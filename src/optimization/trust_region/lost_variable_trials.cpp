@@ -12,11 +12,11 @@ namespace {
 
 // Length of the moves that test which variables are lost, as a share of the initial radius.
 constexpr double kTest = 0.1;
-/// Evaluations of each trial from a point at which lost variables have an effect, in units of n +
-/// 1. One unit is for the probes, so two are left for steps.
+/// Number of evaluations of each trial, in units of n + 1. One unit is needed for the probes, so
+/// two are left for steps.
 constexpr int kAllotment = 3;
-constexpr double kWorthIt = 0.9;  // share of the value below which the trials count as an
-                                  // improvement
+// Share of the former value below which the trials count as an improvement.
+constexpr double kWorthIt = 0.9;
 
 }  // namespace
 
@@ -40,8 +40,8 @@ void LostVariableTrials::observe(const DesignPoint& point,
   if (allotted_ == 0 && look_.empty()) look_further();
 }
 
-/// When the run settles, tests first which variables are lost, then tries one point after the other
-/// as long as restarts are left for the trials.
+/// When the run settles, first tests which variables are lost. Then tries one point after the other
+/// at which they may have an effect, as long as restarts are left for the trials.
 void LostVariableTrials::look_further() {
   while (run_.has_settled()) {
     TrustBox& box = run_.box();
@@ -60,7 +60,8 @@ void LostVariableTrials::look_further() {
   }
 }
 
-/// Begins a trial if the lost variables have an effect at the point.
+/// Processes the outcome of a point at which lost variables may have an effect again, and begins a
+/// trial if they have one.
 void LostVariableTrials::take_look(const DesignPoint& point,
                                    const std::optional<ResidualSample>& sample) {
   const bool was_test = lost_->is_testing();
@@ -81,8 +82,8 @@ void LostVariableTrials::start_trial(const DesignPoint& point,
                                      double factor) {
   ResidualTrustRegionOptions options = run_.options();
   options.restarts = 0;
-  // Steps of the variables with an effect are as long as before, while those of the lost ones
-  // should be shorter by the factor: the radius uses the geometric mean of both.
+  // Variables with an effect need steps as long as before, and lost ones steps shorter by the
+  // factor, so the radius is multiplied by the geometric mean of both.
   options.initial_radius =
       std::max(options.step_tolerance, std::sqrt(std::min(1.0, factor)) * options.initial_radius);
   trials_.emplace_back(run_.box().space.starting_at(point), options);
@@ -91,7 +92,7 @@ void LostVariableTrials::start_trial(const DesignPoint& point,
   allotted_ = kAllotment * (run_.box().n() + 1) + options.outstanding - 1;
 }
 
-/// Continues with the best of the run and the trials.
+/// Continues with the best of the main run and the trials.
 void LostVariableTrials::choose() {
   const int restarts_left = run_.restarts_left();
   const double f_before = run_.best().f;

@@ -11,11 +11,14 @@
 namespace latsch {
 namespace {
 
-/// Factors go farther toward zero than away from it: near zero most parts of a model are neutral,
-/// while far out they vanish.
+/// Factors that are tried, as multiples of the present value. They go farther toward zero than away
+/// from it: near zero most parts of a model have little influence, while far out their effect
+/// vanishes.
 constexpr std::array kFactors{0.5, 2.0, 0.25, 4.0, 0.125, 8.0, 0.0625, 16.0, 0.03125, 0.015625};
 
-constexpr double kSamePlace = 1e-9;  // share of the ranges: bounds stopped the move
+// Distance, as a share of the ranges, within which two points count as equal because bounds stopped
+// the move.
+constexpr double kSamePlace = 1e-9;
 
 }  // namespace
 
@@ -56,7 +59,7 @@ void LostVariables::learn(bool is_felt) {
     (is_felt ? at_most_ : at_least_) = is_felt ? bisected() - 1 : bisected();
     if (is_bisecting()) return;
     lost_.assign(order_.begin(), order_.begin() + at_least_);
-    // The next variable in the order has an effect, as the bisection showed.
+    // The bisection has shown that the next variable in the order has an effect.
     tested_alone_ = lost_.empty() ? n : std::min(n, at_least_ + 1);
   } else {
     if (!is_felt) lost_.push_back(order_[tested_alone_]);

@@ -3,22 +3,24 @@
 // finds them and the points at which they may have an effect again.
 //
 // Examples are a peak outside the data, a decay so fast that nothing of it is left, a stop that is
-// never touched: a search can settle without such variables, and no slope leads back. Often several
-// are lost together, for example center, width and height of one peak, and have an effect only if
-// all of them have the right order of magnitude; moving one alone is in vain. So they are moved
-// together, with the other variables fixed, inside bounds and constraints:
+// never touched: a search can settle at a point where such variables have no effect, and no slope
+// leads back. Often several are lost together, for example center, width and height of one peak.
+// They then have an effect only if all of them have the right order of magnitude, so that moving
+// one alone changes nothing. So they are moved together, with the other variables fixed, inside
+// bounds and constraints:
 //
 //   x_i -> s x_i,   s = 1/2, 2, 1/4, 4, ...     by factors, toward zero and away from it
 //
-// Lost variables are found by tests, not from a model's slopes, because the slopes are wrong where
+// Lost variables are found by tests, not from a model's slopes, because the slopes are wrong if
 // other variables act nonlinearly. The variables are ordered by their slopes, least first; the lost
 // ones are as many from the front as can be moved together without effect. The first variable is
-// tested first: mostly, and always under noise, it has an effect, and nothing is lost. Otherwise a
-// bisection of log2(n) points follows. Wrong slopes can place lost variables behind one with an
-// effect; these are tested one by one, with up to n - 2 points.
+// tested first. Usually, and always if residuals are noisy, it has an effect, and no variable is
+// lost. Otherwise a bisection of log2(n) points follows. Wrong slopes can place lost variables
+// after one with an effect in this order; these are tested one by one, with up to n - 2 points.
 //
-// The method relies on a meaningful zero: a peak whose position is counted from far away is not
-// found. Under noise nothing is found, because every move has an effect. Its benefit is judged by
+// The method assumes that zero is a meaningful value of a variable: a peak whose position is
+// counted from a distant origin is not found. If residuals are noisy nothing is found, because
+// every move has an effect. Its benefit is judged by
 // verification/identification_set/lost_problems.cpp (./bench.sh lost_variables).
 #pragma once
 
@@ -44,9 +46,9 @@ class LostVariables {
   /// True if the next point tests which variables are lost.
   bool is_testing() const { return is_bisecting() || tested_alone_ < std::ssize(order_); }
   bool has_next() const { return is_testing() || !places_.empty(); }
-  /// Returns a point of the unit cube. Requires has_next().
+  /// Returns the next point to evaluate, in the unit cube. Requires has_next().
   Eigen::VectorXd next() const;
-  /// Returns s of the next point; 1 for a test.
+  /// Returns the factor s of the next point; 1 for a test.
   double factor() const { return is_testing() ? 1.0 : places_.back().factor; }
   /// `is_felt` is true if residuals at next() differ from those at u, or if there was no outcome.
   void observe(bool is_felt);
@@ -61,7 +63,7 @@ class LostVariables {
   };
 
   bool is_bisecting() const { return at_most_ > at_least_; }
-  /// Number of variables, from the front of the order, in the next step of the bisection.
+  /// Number of variables, from the front of the order, that the next step of the bisection moves.
   int bisected() const { return at_least_ == 0 ? 1 : (at_least_ + at_most_ + 1) / 2; }
   void learn(bool is_felt);
   void find_places();
@@ -69,11 +71,12 @@ class LostVariables {
   DesignSpace space_;
   FeasibleRegion region_;
   Eigen::VectorXd u_, test_;
-  std::vector<int> order_;          // indices of the variables, least slope first
-  int at_least_ = 0, at_most_ = 0;  // bounds on how many of them are lost together
-  int tested_alone_ = 0;            // index in the order; its length when no test is left
+  std::vector<int> order_;          // indices of the variables, those with the least slope first
+  int at_least_ = 0, at_most_ = 0;  // bounds on the number of lost variables
+  /// Index in order_ of the variable tested alone; its length if no test is left.
+  int tested_alone_ = 0;
   std::vector<int> lost_;
-  std::vector<Place> places_;  // the next point is the last one
+  std::vector<Place> places_;  // points to be tried, the next one last
 };
 
 }  // namespace latsch

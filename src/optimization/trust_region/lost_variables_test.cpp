@@ -29,7 +29,8 @@ Eigen::VectorXd unit(const DesignSpace& space, const std::vector<double>& x) {
   return to_vector(space.to_unit({x}));
 }
 
-/// Reports for each trial whether moves of the variables `felt` have an effect.
+/// Runs the tests of the search and returns the lost variables it finds, if a move has an effect
+/// only through the variables `felt`.
 std::vector<int> lost_of(LostVariables& search, const Eigen::VectorXd& u, std::vector<int> felt) {
   for (int tests = 0; search.is_testing(); ++tests) {
     EXPECT_LT(tests, 2 + std::log2(u.size()) + u.size());
@@ -54,8 +55,8 @@ TEST(LostVariables, AreFoundByBisectionInTheOrderOfTheirSlopes) {
   EXPECT_FALSE(none.has_next());
 }
 
-// Slopes of a model of few samples are wrong: only the first of three lost variables is found by
-// bisection.
+// Slopes of a model of few samples are wrong, so the order of the variables is wrong: bisection
+// finds only the first of three lost variables.
 TEST(LostVariables, AreFoundOneByOneBehindOneThatIsFelt) {
   const DesignSpace space = space_of({1, 2, 3, 4, 5, 6, 7}, 0.0, 8.0);
   const FeasibleRegion region(space);
@@ -114,8 +115,9 @@ TEST(LostVariables, KeepToLinearConstraints) {
   for (; search.has_next(); search.observe(false)) EXPECT_TRUE(region.contains(search.next()));
 }
 
-// Spectrum-like data over 0 ... 10: a slope and two peaks, 1 + t / 10 + e^-(t - 3)^2 + 2 e^-3 (t -
-// 7)^2. At the start both peaks are behind the data and too narrow to have an effect.
+// The model is a spectrum over t = 0 ... 10 with a slope and two peaks, 1 + t / 10 + e^-(t - 3)^2 +
+// 2 e^-3 (t - 7)^2. At the start both peaks lie beyond the data and are too narrow to have an
+// effect.
 std::vector<double> peaks(const std::vector<double>& x) {
   std::vector<double> r;
   for (double t = 0.0; t <= 10.0; t += 0.2) {
@@ -149,8 +151,8 @@ Found fit_peaks(int restarts, int outstanding, int most_evaluations) {
   return found;
 }
 
-// Gap and stiffness of a stop that is never touched are lost. The values at which the search for
-// them begins do not depend on the values at which the main search left them, the bounds.
+// Gap and stiffness of a stop that is never touched are lost. The main search leaves them at their
+// bounds; the search for them must not depend on that.
 TEST(LostVariables, AreLookedForWhereTheSearchEndedOnBounds) {
   const DesignSpace space({{.name = "k", .lower = 50, .upper = 500, .initial = 100},
                            {.name = "gap", .lower = 0, .upper = 0.2, .initial = 0.16},
@@ -172,12 +174,12 @@ TEST(LostVariables, AreLookedForWhereTheSearchEndedOnBounds) {
     best = std::min(best, score.value);
     method.observe(point, score);
   }
-  EXPECT_LT(best, 1e-3);  // 3e2 without the stop
+  EXPECT_LT(best, 1e-3);  // without the stop the sum of squares is 3e2
 }
 
 TEST(LostVariables, PeaksOutsideTheDataAreBroughtBack) {
   const Found without = fit_peaks(0, 1, 1000);
-  EXPECT_GT(without.f, 1.0);  // a line through the peaks
+  EXPECT_GT(without.f, 1.0);  // the best fit without the peaks is a straight line
   EXPECT_LT(without.evaluations, 200);
   EXPECT_LT(fit_peaks(100, 1, 1000).f, 1e-3);
   EXPECT_LT(fit_peaks(100, 6, 2000).f, 1e-3);

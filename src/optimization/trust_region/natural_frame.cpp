@@ -13,10 +13,11 @@ namespace {
 
 constexpr double kOnBound = 1e-9;
 
-/// Unit vectors, in widths, that span the possible moves, with variables at a bound apart.
+/// Orthonormal vectors that span the possible moves, in units of the widths. Variables at a bound
+/// are listed separately.
 struct Groups {
-  Eigen::MatrixXd free;            // columns, in widths
-  std::vector<Eigen::Index> held;  // variables at a bound
+  Eigen::MatrixXd free;            // directions as columns, in units of the widths
+  std::vector<Eigen::Index> held;  // indices of the variables at a bound
 };
 
 Groups groups(const Eigen::VectorXd& u, const Eigen::MatrixXd& along) {

@@ -34,7 +34,8 @@ TEST(NaturalFrame, AVariableAtABoundHasAnAxisOfItsOwn) {
   EXPECT_EQ(frame.T(1, 1), 0.0);
 }
 
-// Decompositions of NaN leave memory uninitialized, so the search would differ every time.
+// If a decomposition met NaN, it would leave memory uninitialized, and the search would differ from
+// run to run.
 TEST(NaturalFrame, SlopesThatAreNoNumbersCountAsUnknown) {
   const auto frame_of = [](const Eigen::Matrix2d& J) {
     return natural_frame(J,

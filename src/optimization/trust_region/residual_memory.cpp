@@ -9,12 +9,15 @@
 namespace latsch {
 namespace {
 
-constexpr double kAvoided = 0.25;  // share of the distance to the nearest success
-// Multiple of the median of the values around: no model is valid up to so large a value.
+// Radius of the ball to avoid around a failure, as a share of its distance to the nearest success.
+constexpr double kAvoided = 0.25;
+// Multiple of the median of nearby values from which on residuals count as exploded: no model is
+// valid up to such values.
 constexpr double kExploded = 1e6;
-// Distances in a natural frame, where the residuals change by their own size over a distance of 1:
-constexpr double kNearInFrame = 0.1;  // nearer samples show noise alone
-constexpr double kFarInFrame = 5.0;   // farther samples are not used
+// Limits of the distance of samples that are used in a natural frame. In this frame the residuals
+// change by their own size over a distance of 1.
+constexpr double kNearInFrame = 0.1;  // the difference to a nearer sample is only noise
+constexpr double kFarInFrame = 5.0;   // samples farther away are not used
 
 }  // namespace
 

@@ -48,14 +48,16 @@ ResidualTrustRegion::ResidualTrustRegion(const DesignSpace& space,
 
 ResidualTrustRegion::~ResidualTrustRegion() = default;
 
-/// Returns the outstanding points, then those it would propose next if outcomes were as predicted.
+/// Returns the outstanding points, then the points that the method would propose next if outcomes
+/// were as predicted.
 std::vector<DesignPoint> ResidualTrustRegion::propose(int count) const {
   assert(count >= 1);
   Plan plan(count);
   plan.add(search_->wanted());
   if (plan.is_empty() || plan.is_full()) return plan.points();
   LostVariableTrials future = *search_;
-  // Without a center nothing can be predicted, but the geometry will be needed anyway.
+  // Without a center the model cannot predict outcomes, so all probes are proposed at once; they
+  // will be needed in any case.
   if (!future.run().box().has_center()) {
     future.widen(count);
     plan.add(future.wanted());
@@ -72,7 +74,9 @@ std::vector<DesignPoint> ResidualTrustRegion::propose(int count) const {
 void ResidualTrustRegion::observe(const DesignPoint& point, const Result<Score>& outcome) {
   const TrustBox& box = search_->run().box();
   const auto place = box.space.place(point);
-  if (!place) return;  // a point from another source that carries no information
+  // A point from another source that is outside of the cube contains no information for this
+  // search.
+  if (!place) return;
   const Eigen::VectorXd u = to_vector(*place);
   search_->observe(point, u, sample(box, point, u, outcome));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The residual trust region with linear constraints, on least-squares problems whose solutions are
-// published, with their numbers in [Hock & Schittkowski, Test Examples for Nonlinear Programming
+// Tests the residual trust region with linear constraints on least-squares problems whose solutions
+// are published, by their numbers in [Hock & Schittkowski, Test Examples for Nonlinear Programming
 // Codes, Springer 1981].
 #include <gtest/gtest.h>
 
@@ -65,7 +65,8 @@ TEST(TrustRegionAmongConstraints, SolvesProblemsOfHockAndSchittkowski) {
 }
 
 TEST(TrustRegionAmongConstraints, AnEquationIsWorthAVariable) {
-  // A decay with A + c = 1 has only the two variables k and c, with the same minimum.
+  // A decay A exp(-k t) + c with the constraint A + c = 1 is compared with one in k and c alone,
+  // which has the same minimum.
   const auto decay = [](double A, double k, double c) {
     std::vector<double> r;
     for (int i = 0; i < 20; ++i) {

@@ -62,8 +62,8 @@ Found minimize(const DesignSpace& space, const Residuals& residuals, const Optio
   return minimize(method, space, residuals);
 }
 
-/// Frequencies  sqrt(1 + sum w_ik (E_k - 1))  and forces  1 + sum v_jk (E_k^0.8 - 1)  of a tire
-/// with five stiffnesses, relative to those at E = 1.
+/// Returns frequencies  sqrt(1 + sum w_ik (E_k - 1))  and forces  1 + sum v_jk (E_k^0.8 - 1)  of a
+/// tire with five stiffnesses E_k, relative to those at E = 1.
 std::vector<double> tire(const std::vector<double>& E) {
   std::vector<double> r;
   for (int i = 0; i < 14; ++i) {
@@ -100,15 +100,15 @@ TEST(ResidualTrustRegion, IdentifiesFiveStiffnessesWithinAPercentInSixtyEvaluati
 
 TEST(ResidualTrustRegion, FollowsRosenbrocksValley) {
   const Found found = minimize(box({-1.2, 1.0}, -2.0, 2.0, Scale::linear), rosenbrock);
-  EXPECT_LT(found.f, 1e-6);          // the start has 24.2
-  EXPECT_LT(found.evaluations, 30);  // quadratic residuals are known from six points
+  EXPECT_LT(found.f, 1e-6);          // the value at the start is 24.2
+  EXPECT_LT(found.evaluations, 30);  // six points determine quadratic residuals
 }
 
 TEST(ResidualTrustRegion, FindsAMinimumAtABound) {
   const Found found = minimize(box({0.3, 0.6}, 0.0, 1.0, Scale::linear), [](const auto& x) {
     return std::vector{x[0] - 2.0, x[1] - 0.3, 0.5 * x[0] * x[1]};
   });
-  EXPECT_EQ(found.x[0], 1.0);                 // exactly the bound
+  EXPECT_EQ(found.x[0], 1.0);                 // the solution is on the bound with exactly its bits
   EXPECT_NEAR(found.x[1], 0.3 / 1.25, 1e-3);  // (y - 0.3)^2 + y^2 / 4
 }
 
@@ -144,7 +144,7 @@ TEST(ResidualTrustRegion, StartsFromADesignWithoutProbing) {
 }
 
 TEST(ResidualTrustRegion, GoesAroundAFailedRegion) {
-  // Points in a half space next to the minimum and in a ball on the path to it fail.
+  // The model fails in a half space beside the minimum and in a ball on the path to it.
   const DesignSpace space = box({0.1, 0.1, 0.9}, 0.0, 1.0, Scale::linear);
   const Found found = minimize(space, [](const std::vector<double>& x) {
     const bool in_ball = std::hypot(x[0] - 0.35, x[1] - 0.35, x[2] - 0.6) < 0.1;
@@ -157,8 +157,8 @@ TEST(ResidualTrustRegion, GoesAroundAFailedRegion) {
 }
 
 TEST(ResidualTrustRegion, EndsAtTheEdgeOfAFailedRegionNotBeforeIt) {
-  // The minimum of |x - (0.8, 0.7)|^2 with x + y / 2 <= 0.9, beyond which everything fails, is the
-  // foot of the perpendicular, (0.8, 0.7) - 0.25 / 1.25 (1, 0.5).
+  // All points beyond x + y / 2 = 0.9 fail. The minimum of |x - (0.8, 0.7)|^2 in the remaining
+  // region is the foot of the perpendicular, (0.8, 0.7) - 0.25 / 1.25 (1, 0.5).
   const DesignSpace space = box({0.1, 0.9}, 0.0, 1.0, Scale::linear);
   ResidualTrustRegion method(space);
   const Found found = minimize(method, space, [](const std::vector<double>& x) {
@@ -172,11 +172,11 @@ TEST(ResidualTrustRegion, EndsAtTheEdgeOfAFailedRegionNotBeforeIt) {
 }
 
 TEST(ResidualTrustRegion, VerifiesBeforeItEndsOnRoughGround) {
-  // One of two directions has a hundredth of the other's effect, under a ripple of 1e-3:
-  // differences over short moves show the ripple alone.
+  // One of two directions has a hundredth of the other's effect, and residuals have a ripple of
+  // 1e-3: differences over short moves contain only the ripple.
   const DesignSpace space = box({0.2, 0.8}, 0.0, 1.0, Scale::linear);
   ResidualTrustRegion method(space);
-  double best = INFINITY;  // without the ripple
+  double best = INFINITY;  // best value of the residuals without ripple
   const Found found = minimize(method, space, [&](const std::vector<double>& x) {
     std::vector<double> r;
     double exact = 0.0;
@@ -189,19 +189,19 @@ TEST(ResidualTrustRegion, VerifiesBeforeItEndsOnRoughGround) {
     best = std::min(best, exact);
     return r;
   });
-  EXPECT_LT(best, 20 * 1e-6);            // below the ripple itself
+  EXPECT_LT(best, 20 * 1e-6);            // the error is below the ripple
   EXPECT_LT(found.evaluations, 50 * 3);  // 50 (n + 1)
 }
 
-// The exponent and factor of a power law compensate each other, under a ripple of 3e-3. Slopes of
-// the search show the ripple, and so do fresh slopes over moves that change the residuals by their
-// own size.
+// The exponent and the factor of a power law compensate each other, and residuals have a ripple of
+// 3e-3. The slopes of the search contain only the ripple, and so do recomputed slopes over moves
+// that change the residuals by their own size.
 TEST(ResidualTrustRegion, GoesFartherBeforeItEndsInTheNoise) {
   const DesignSpace space = box({0.2, 0.8, 0.9}, 0.0, 1.0, Scale::linear);
   const auto curve = [](const std::vector<double>& x, double t) {
     return x[0] * t + std::pow(10.0, 3.0 * x[1] - 2.0) * std::pow(t, 1.0 + 4.0 * x[2]);
   };
-  double best = INFINITY;  // without the ripple
+  double best = INFINITY;  // best value of the residuals without ripple
   std::set<std::string> asked;
   const Found found = minimize(space, [&](const std::vector<double>& x) {
     std::vector<double> r;
@@ -217,13 +217,14 @@ TEST(ResidualTrustRegion, GoesFartherBeforeItEndsInTheNoise) {
     asked.insert(DesignPoint{x}.bits());
     return r;
   });
-  EXPECT_LT(best, 0.2 * 20 * 0.5 * 9e-6);           // a fifth of the ripple's value; 7.6 at the
-                                                    // start
-  EXPECT_GE(std::ssize(asked), found.evaluations);  // no point twice
+  // A fifth of the ripple's value; it is 7.6 at the start.
+  EXPECT_LT(best, 0.2 * 20 * 0.5 * 9e-6);
+  EXPECT_GE(std::ssize(asked), found.evaluations);  // no point was evaluated twice
 }
 
-/// Sixty residuals of six stiffnesses, all 1 in the data, which have errors of 0.02, under a ripple
-/// of 0.007 with 20 to 100 waves over every range, like that of a rolling mesh.
+/// Sixty residuals of six stiffnesses, which are all 1 in the data. The data have errors of 0.02,
+/// and the residuals a ripple of 0.007 with 20 to 100 waves over every range, like that of a
+/// rolling finite-element mesh.
 std::vector<double> rippled(const std::vector<double>& E, int draw, bool has_ripple) {
   std::vector<double> r;
   for (int i = 0; i < 60; ++i) {
@@ -243,8 +244,8 @@ std::vector<double> rippled(const std::vector<double>& E, int draw, bool has_rip
   return r;
 }
 
-// The search would need 24 (n + 1) evaluations if it verified every lucky value of a restart and
-// probed far inside the ripple.
+// The limit on evaluations is 20 (n + 1). The search would need 24 (n + 1) if it verified every
+// restart that improved the value by chance and probed over lengths far below those of the ripple.
 TEST(ResidualTrustRegion, EndsOnARippledProblemInWhatNoiseAllows) {
   const DesignSpace space = box({3.0, 0.4, 2.0, 0.5, 1.5, 0.6}, 0.2, 4.0, Scale::logarithmic);
   int evaluations = 0;
@@ -266,14 +267,15 @@ TEST(ResidualTrustRegion, EndsOnARippledProblemInWhatNoiseAllows) {
     evaluations += count;
     const double exact = score(rippled(best.values, draw, false)).value;
     const Found found = minimize(space, [&](const auto& E) { return rippled(E, draw, false); });
-    EXPECT_LT(exact, found.f + 6.0 * 0.02 * 0.02);  // one deviation of every stiffness
+    // The difference allowed is one standard deviation in every stiffness.
+    EXPECT_LT(exact, found.f + 6.0 * 0.02 * 0.02);
   }
   EXPECT_LT(evaluations, 8 * 20 * 7);  // 20 (n + 1) on average
 }
 
-// In a curved valley with 1 % of noise on every residual, a step that gains by chance leaves a
-// small box, and a good step in this box a smaller one. Without widening only 24 of the 60 draws
-// came so close.
+// In a curved valley with 1 % of noise on every residual, a step that gains by chance leads to a
+// smaller box, and a good step in this box to a still smaller one. Without widening the box, only
+// 24 of the 60 random draws came so close to the minimum.
 TEST(ResidualTrustRegion, SearchesOnWhereItChasedNoiseIntoASmallBox) {
   constexpr double kLeast = 9.76723;  // at (0.143, -0.009)
   int solved = 0;
@@ -297,7 +299,7 @@ TEST(ResidualTrustRegion, SearchesOnWhereItChasedNoiseIntoASmallBox) {
   EXPECT_GE(solved, 45);
 }
 
-// There are two minima: one at a bound, beside the start, and one inside. A search that ended at a
+// There are two minima: one at a bound, near the start, and one inside. A search that ended at a
 // bound is continued from the middle of that range before its result is accepted.
 TEST(ResidualTrustRegion, LeavesBoundsOnce) {
   const DesignSpace space = box({0.9, 0.9}, 0.0, 1.0, Scale::linear);
@@ -308,13 +310,13 @@ TEST(ResidualTrustRegion, LeavesBoundsOnce) {
   EXPECT_NEAR(found.x[1], 0.3, 1e-3);
 }
 
-/// A function with minima near 0.5 (sum of squares: 0.6) and at 0.46 (0) of the first variable; 1e6
-/// at its end.
+/// A function of two variables. In the first one it has minima near 0.5 (sum of squares 0.6) and at
+/// 0.46 (sum of squares 0); at the end of the range the sum of squares is 1e6.
 std::vector<double> two_wells(const std::vector<double>& x) {
   return {4e3 * (x[0] - 0.46) * (x[0] - 0.5), 20.0 * (x[0] - 0.46), x[1] - 0.3};
 }
 
-// However bad a start is, it does not make a local minimum count as explained.
+// However large the value at the start is, a local minimum does not count as explained.
 TEST(ResidualTrustRegion, LooksFurtherFromALocalMinimumWhereverItStarted) {
   for (const double start : {0.52, 0.6, 0.75}) {
     int found = 0;
@@ -391,11 +393,11 @@ TEST(ResidualTrustRegion, ComesCloseUnderNoise) {
     for (double& x : r) x += 0.002 * random.normal();
     method.observe(point, score(r));
   }
-  EXPECT_LT(best, 14 * 0.002 * 0.002);  // below the noise itself
+  EXPECT_LT(best, 14 * 0.002 * 0.002);  // the error is below the noise
 }
 
-// A hundred values have noise of 1, and a ripple makes additional minima of the target. Restarts
-// continue until only the noise is left, and no farther.
+// A hundred values have noise of 1, and a ripple adds local minima to the target. Restarts continue
+// until the sum of squares is at the level of the noise, and no further.
 TEST(ResidualTrustRegion, RestartsUntilNothingIsLeftButTheNoiseThatIsStated) {
   const DesignSpace space = box({0.9, 0.1}, 0.0, 1.0, Scale::linear);
   constexpr int m = 100;
@@ -418,12 +420,12 @@ TEST(ResidualTrustRegion, RestartsUntilNothingIsLeftButTheNoiseThatIsStated) {
     EXPECT_LT(stops.evaluations, 0.7 * goes_on.evaluations) << draw;
     stuck += minimize(space, residuals, {.restarts = 0}).f > noise_alone;
   }
-  EXPECT_GT(stuck, 0);  // a minimum of the ripple
+  EXPECT_GT(stuck, 0);  // some searches ended in a local minimum of the ripple
 }
 
-// The walls of a narrow curved valley rise 150 to 600 times as steeply as its floor: from a start
-// on a wall a thousandth of the first value is thousands of times the noise. Without stated noise
-// three of the 36 searches ended there, with up to 2.6 times the value of the noise and all
+// The walls of a narrow curved valley rise 150 to 600 times as steeply as its floor. A thousandth
+// of the value at a start on the wall is therefore thousands of times the noise. Without stated
+// noise three of the 36 searches ended at such a value, up to 2.6 times that of the noise, with all
 // restarts left.
 TEST(ResidualTrustRegion, DoesNotTakeAFarStartForAGoodEndWhereNoiseIsStated) {
   constexpr int m = 100;
@@ -448,7 +450,8 @@ TEST(ResidualTrustRegion, DoesNotTakeAFarStartForAGoodEndWhereNoiseIsStated) {
           return r;
         };
         const Found found = minimize(space, residuals, {.noise_alone = noise_alone});
-        ASSERT_LE(score(residuals({0.45, 0.55})).value, noise_alone) << draw;  // at the truth
+        // The value at the true parameters.
+        ASSERT_LE(score(residuals({0.45, 0.55})).value, noise_alone) << draw;
         EXPECT_LE(found.f, noise_alone) << floor << " " << bend << " " << draw;
       }
     }
@@ -465,8 +468,8 @@ TEST(ResidualTrustRegion, SaysThatNoiseIsWhatIsLeftOnlyWhereNoiseIsStated) {
   EXPECT_NE(known.ending().find("stated noise"), std::string::npos) << known.ending();
 }
 
-// A mode loses its partner if x0 x1 > 2 and then counts as an error of 1: a jump beside the path
-// from (0.4, 3) to the minimum at (0.8, 1.6). No smooth model holds on both sides of the jump.
+// If x0 x1 > 2, a mode has no partner and counts as an error of 1. This is a jump beside the path
+// from (0.4, 3) to the minimum at (0.8, 1.6), and no smooth model holds on both sides of it.
 TEST(ResidualTrustRegion, ALeapThatIsToldIsGoneAround) {
   const auto scored = [](const std::vector<double>& x) {
     std::vector<double> r;

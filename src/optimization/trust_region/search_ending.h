@@ -8,14 +8,14 @@ namespace latsch {
 
 enum class Ending {
   none,       // not ended
-  verified,   // fresh slopes predict no gain
-  noise,      // fresh slopes predict no gain above noise and ripple
-  edge,       // steps that would gain fail
-  rough,      // steps do not achieve the gain that fresh slopes predict
-  blind,      // along some direction no slope could be computed
-  known,      // the model's own slopes predict no gain
-  explained,  // almost nothing is left of the residuals
-  hopeless    // no point ever succeeded
+  verified,   // recomputed slopes predict no gain
+  noise,      // recomputed slopes predict no gain above noise and ripple
+  edge,       // steps that would improve the value fail
+  rough,      // steps do not achieve the gain that recomputed slopes predict
+  blind,      // the slope along some direction could not be computed
+  known,      // the model's own derivatives predict no gain
+  explained,  // the remaining residuals are a tiny share of the first ones
+  hopeless    // no point has ever succeeded
 };
 
 std::string in_words(Ending ending);

@@ -14,22 +14,26 @@
 namespace latsch {
 namespace {
 
-// Length of a probe as a share of the radius. Shorter probes measure the slope more exactly, longer
-// ones rise above noise; a third or three times this length make little difference.
+// Length of a probe as a share of the radius. Shorter probes give more exact slopes, longer ones
+// exceed the noise; a third of this length or three times this length make little difference.
 constexpr double kProbe = 0.03;
-constexpr double kRoom = 0.5;  // least share of a probe's length that must remain
-// Share of the radius: a shorter step is not worth an evaluation.
+// Smallest share of a probe's length that bounds and failed regions must leave.
+constexpr double kRoom = 0.5;
+// Length of a step, as a share of the radius, below which it is not worth an evaluation.
 constexpr double kShort = 0.01;
-constexpr double kFlat = 1e-6;    // share of f: a smaller predicted decrease counts as none
-constexpr double kBackOff = 0.5;  // factor of a step that no cut prevents from entering a failed
-                                  // region
-// Multiple of a ball's radius that places a step on the cut outside of the ball.
+// Predicted decrease of f, as a share of f, below which it counts as none.
+constexpr double kFlat = 1e-6;
+// Factor by which a step is shortened if no cutting plane keeps it out of a failed region.
+constexpr double kBackOff = 0.5;
+// Distance of a cutting plane from the center of a failure's ball, as a multiple of its radius, so
+// that a step onto the plane is outside of the ball.
 constexpr double kBeyondBall = 1.001;
-constexpr int kMostCuts = 20;  // cuts of one step by failed regions
-// Longest probe as a share of a range, for fresh slopes along directions with little effect.
+constexpr int kMostCuts = 20;  // largest number of cutting planes for one step
+// Longest probe as a share of a range when slopes are recomputed along directions with little
+// effect.
 constexpr double kLongestProbe = 0.2;
-constexpr int kProbeShortenings = 3;  // halvings of a probe without room
-// Share of a step: a point nearer to a known one gives no information.
+constexpr int kProbeShortenings = 3;  // number of times a probe without room is halved
+// Distance to a known point, as a share of the step, below which a new point gives no information.
 constexpr double kSame = 0.1;
 
 }  // namespace
@@ -96,7 +100,8 @@ ResidualKriging TrustBox::model(bool is_noisy) {
     const ResidualKriging here(samples(), noise);
     const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
     scale_.learn(J * h().cwiseInverse().asDiagonal());
-    edges_of_[0] = -1;  // edges are in widths, which have changed
+    // The edges are in units of the widths, which have changed, so they are computed again.
+    edges_of_[0] = -1;
   }
   const ResidualSamples around = samples();
   if (is_noisy || noise > 0.0) noise = likeliest_noise(around);
@@ -131,7 +136,7 @@ bool TrustBox::is_beyond_edge(const Eigen::VectorXd& u) const {
       edges().begin(), edges().end(), [&](const Edge& edge) { return edge.a.dot(x) > edge.b; });
 }
 
-/// True if the point is near a known or wanted one, or in a failed region.
+/// True if the point is close to a known or wanted point, or lies in a failed region.
 bool TrustBox::is_pointless(const Eigen::VectorXd& u,
                             double distance,
                             const PendingPoints<Wanted>& wanted) const {
@@ -163,9 +168,9 @@ std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
   return std::nullopt;
 }
 
-// If the minimum lies in a failed region, it is sought again on the near side of a half space that
-// closes off the ball around that failure and everything behind it, as seen from c. So steps follow
-// the edge.
+// If the minimum lies in a failed region, the space is cut by a plane in front of the ball around
+// that failure, as seen from c, and the minimum is sought again on the near side. Steps thus follow
+// the edge of the region.
 Eigen::VectorXd TrustBox::least_expected(const ResidualKriging& m,
                                          const Eigen::MatrixXd& T,
                                          double box) const {
@@ -273,7 +278,8 @@ Eigen::VectorXd TrustBox::changes_along(const NaturalFrame& frame) const {
 }
 
 bool TrustBox::has_moved_along(int axis, const NaturalFrame& frame) const {
-  constexpr double kTells = 0.05;  // share of the axis
+  // Smallest coordinate along an axis with which a sample gives information about it.
+  constexpr double kTells = 0.05;
   const ResidualSamples around = memory.around(center_, frame);
   return around.Z.rows() > 0 && around.Z.col(axis).cwiseAbs().maxCoeff() > kTells;
 }
@@ -285,8 +291,8 @@ Wanted TrustBox::natural_step(const ResidualKriging& m,
   const Eigen::VectorXd z = least_expected(m, frame.T, reach);
   Wanted step = at(c() + frame.T * z, Wanted::Kind::step);
   step.predicted = m.expected(z);
-  // The best of many noisy values is too low, so a step is compared with the model's own value
-  // there.
+  // The lowest of many noisy values is too low by chance, so a step is compared with the model's
+  // value at the center.
   const double here = std::max(f(), m.expected(Eigen::VectorXd::Zero(z.size())));
   const bool is_promising = step.predicted < (1.0 - kFlat) * here;
   if (is_pointless(step.u, kSame * step.length, wanted) || !is_promising) step.length = 0.0;

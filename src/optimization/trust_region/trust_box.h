@@ -6,8 +6,8 @@
 //   probe    along a direction that the samples leave unknown
 //   step     to the minimum of the expected value (box_least_squares.h)
 //   explore  anywhere near the point predicted to be the best
-// Directions are along the equations among the constraints. Samples from outside of the region
-// improve the models and are never the center.
+// If constraints include equations, all directions lie along these. Samples from outside of the
+// region improve the models but never become the center.
 #pragma once
 
 #include <array>
@@ -25,17 +25,17 @@
 
 namespace latsch {
 
-/// A point whose outcome the method waits for.
+/// A point that the search has proposed and whose outcome it does not know yet.
 struct Wanted {
   enum class Kind { start, probe, step };
 
   Eigen::VectorXd u;
   DesignPoint point;
   Kind kind;
-  int center = -1;         // sample from which the point was chosen
-  double f_center = 0.0;   // value of that sample
-  double length = 0.0;     // |u - center|, largest component in widths of the variables
-  double predicted = 0.0;  // expected value, for steps
+  int center = -1;         // index of the sample from which the point was chosen
+  double f_center = 0.0;   // value of the sample `center`
+  double length = 0.0;     // largest component of u - center, in units of the widths
+  double predicted = 0.0;  // expected value; only for steps
 };
 
 class TrustBox {
@@ -47,34 +47,36 @@ class TrustBox {
   FeasibleRegion region;
   ResidualMemory memory;
   double radius;
-  double noise = 0.0;  // noise of the model, in its units
+  double noise = 0.0;  // variance of the noise, in units of the model
 
   int n() const { return space.size(); }
-  /// True if the equations leave nothing to vary.
+  /// True if the equations leave only a single point.
   bool is_point() const { return region.E().rows() > 0 && along().cols() == 0; }
   const Eigen::VectorXd& c() const { return center_ >= 0 ? memory[center_].u : start_; }
   double f() const;
-  /// Returns the best sample inside the region since the last `move_to`; -1: none.
+  /// Returns the index of the best sample inside the region since the last call of move_to(); -1:
+  /// none.
   int center() const { return center_; }
   bool has_center() const { return center_ >= 0; }
-  /// Returns the best of all samples inside the region; -1: none.
+  /// Returns the index of the best of all samples inside the region; -1: none.
   int best() const { return best_; }
-  /// True if the best value is at most `value`; false for 0.
+  /// True if the best value is at most `value`; false if `value` is 0.
   bool is_down_to(double value) const {
     return value > 0.0 && best_ >= 0 && memory[best_].f <= value;
   }
 
-  /// Starts again around u.
+  /// Moves the box to u, which is not evaluated yet, and starts again.
   void move_to(const Eigen::VectorXd& u);
-  /// True if residuals jump: the sample is worse than the center and has more stand-ins.
+  /// True if residuals jump: the sample is worse than the center and has more stand-ins for missing
+  /// values.
   bool leaps(const ResidualSample& sample) const;
-  /// Returns true if the sample is the new center.
+  /// Adds the sample. Returns true if it becomes the center.
   bool take(ResidualSample sample);
-  /// Returns the value from which on a sample counts as exploded, compared with the samples around
-  /// the center or, if a run has no center yet, around the best point of all.
+  /// Returns the limit above which the value of a sample counts as exploded, compared with the
+  /// samples around the center or, if a run has no center yet, around the best of all points.
   double explosion() const;
 
-  /// Returns the variance of the slopes that the samples and `wanted` leave.
+  /// Returns the variance of the slopes that remains when the outcomes of `wanted` are known.
   SlopeVariance geometry(const PendingPoints<Wanted>& wanted) const;
   /// Builds a model of the samples around c. If `is_noisy` is true, it estimates the noise.
   ResidualKriging model(bool is_noisy);
@@ -84,43 +86,44 @@ class TrustBox {
   ResidualSample expected(const DesignPoint& point) const;
 
   Wanted at(const Eigen::VectorXd& u, Wanted::Kind kind) const;
-  /// Returns a probe along a direction, to the side with more room, as long as possible; nullopt if
-  /// bounds and constraints leave no room.
+  /// Returns a probe along a direction, toward the side with more room, of the length of a probe or
+  /// as long as the room allows; nullopt if bounds and constraints leave no room.
   std::optional<Wanted> probe(Eigen::VectorXd direction, const PendingPoints<Wanted>& wanted) const;
-  /// Returns the step in a box of half width `box` radii; its length is 0 if it is not worth an
-  /// evaluation.
+  /// Returns the step in a box whose half width is `box` times the radius. Its length is 0 if it is
+  /// not worth an evaluation.
   Wanted step(const ResidualKriging& m, double box, const PendingPoints<Wanted>& wanted) const;
   /// True if the expected value of the step is less than that of the center.
   bool promises(const Wanted& step) const;
-  /// Returns the frame for fresh slopes at c. `J` is dr/du there; `change` is the intended change
-  /// of the residuals along an axis, relative to their size.
+  /// Returns the frame for recomputing slopes at c. `J` is dr/du there; `change` is the intended
+  /// change of the residuals along an axis, relative to their size.
   NaturalFrame natural_frame(const Eigen::MatrixXd& J, double change, double shortest) const;
-  /// Returns a probe by `move` from c or in the opposite direction, as far as the region and
-  /// failures leave room; nullopt: no room.
+  /// Returns a probe at the distance `move` from c, or in the opposite direction, shortened as far
+  /// as the region and failures require; nullopt if there is no room.
   std::optional<Wanted> probe_by(const Eigen::VectorXd& move,
                                  const PendingPoints<Wanted>& wanted) const;
   /// Builds a model of the samples that are near in the frame.
   ResidualKriging natural_model(const NaturalFrame& frame, double& noise) const;
-  /// Returns for each axis how far the residuals change over a move of 1, relative to their norm,
-  /// from the samples in the frame: by the move mainly along the axis that changes them least; 0 if
-  /// there is none.
+  /// Returns for each axis the change of the residuals over a move of 1, relative to their norm:
+  /// the smallest one that samples in the frame show, among those that lie mainly along this axis;
+  /// 0 if there is none.
   Eigen::VectorXd changes_along(const NaturalFrame& frame) const;
   /// True if a sample gives information about that axis.
   bool has_moved_along(int axis, const NaturalFrame& frame) const;
-  /// Returns the step of that model, by at most `reach` along the axes.
+  /// Returns the step to the minimum of the model in the frame, by at most `reach` along the axes.
   Wanted natural_step(const ResidualKriging& m,
                       const NaturalFrame& frame,
                       double reach,
                       const PendingPoints<Wanted>& wanted) const;
-  /// Returns a point near the one predicted to be the best, at a distance of any order of
+  /// Returns a point near the one predicted to be the best, at a random distance of any order of
   /// magnitude.
   std::optional<Wanted> explore(const PendingPoints<Wanted>& wanted);
-  /// Returns u with every variable moved at random by up to `reach` widths, inside the region.
+  /// Returns u with every variable changed by a random amount of up to `reach` widths, inside the
+  /// region.
   Eigen::VectorXd moved(const Eigen::VectorXd& u, double reach);
-  /// Returns a random point of the region, up to `reach` from u in every variable, uniformly
-  /// distributed inside the bounds.
+  /// Returns a random point of the region that differs from u by up to `reach` in every variable,
+  /// uniformly distributed inside the bounds.
   Eigen::VectorXd drawn_near(const Eigen::VectorXd& u, double reach);
-  /// Returns random numbers in -1 ... 1, one for each variable.
+  /// Returns random numbers between -1 and 1, one for each variable.
   Eigen::VectorXd draw();
 
  private:
@@ -145,11 +148,13 @@ class TrustBox {
   int center_ = -1;
   int best_ = -1;
   VariableScale scale_;
-  mutable std::vector<Edge> edges_;                // around the center, in widths
-  mutable std::array<int, 3> edges_of_{-1, 0, 0};  // center, samples and failures of edges_
-  int scaled_for_ = -1;  // the center whose Jacobian was last used for the scale
+  /// Edges of failed regions around the center, in units of the widths.
+  mutable std::vector<Edge> edges_;
+  /// Center and numbers of samples and failures that edges_ was computed for.
+  mutable std::array<int, 3> edges_of_{-1, 0, 0};
+  int scaled_for_ = -1;  // index of the center whose Jacobian was last used for the scale
   std::uint64_t seed_;
-  std::uint64_t drawn_ = 0;  // number of random points so far
+  std::uint64_t drawn_ = 0;  // number of random points drawn so far
 };
 
 }  // namespace latsch

@@ -34,7 +34,7 @@ void TrustRegionRun::fill() {
   }
 }
 
-/// Returns the next point, after those already wanted_; nullopt at the end.
+/// Returns the next point in addition to those already in wanted_; nullopt at the end.
 std::optional<Wanted> TrustRegionRun::next() {
   if (state_ != State::searching) return std::nullopt;
   if (verification_) return next_to_verify();
@@ -48,7 +48,8 @@ std::optional<Wanted> TrustRegionRun::next() {
   return look_around();
 }
 
-/// Handles geometry, model, step and radius; returns nullopt if no step predicts a gain.
+/// Returns the next probe or step of the search in the box, after adjusting geometry, model and
+/// radius; nullopt if no step predicts a gain.
 std::optional<Wanted> TrustRegionRun::next_of_search() {
   while (box_.radius >= options_.step_tolerance && !is_hopeless()) {
     const bool bears_probes = !box_.has_center() || radius_.bears_probes();
@@ -78,7 +79,8 @@ void TrustRegionRun::observe(const DesignPoint& point,
                              const Eigen::VectorXd& u,
                              const std::optional<ResidualSample>& sample) {
   const std::optional<Wanted> own = wanted_.take(point);
-  if (!own && !sample) {  // a failure from any source carries no information about this run's steps
+  // A failed point that this run did not propose contains no information about its steps.
+  if (!own && !sample) {
     box_.memory.add_failure(u);
     return;
   }
@@ -119,16 +121,16 @@ void TrustRegionRun::take_failure(const Wanted& tried,
   if (tried.kind == Kind::probe) verification_->observe_failed_probe(change_of(exploded));
 }
 
-/// Returns the change of the residuals from the center relative to their size there; NaN if the
-/// trial has none.
+/// Returns the change of the residuals from the center to the sample, relative to their size at the
+/// center; NaN if there is no sample or no center.
 double TrustRegionRun::change_of(const std::optional<ResidualSample>& sample) const {
   if (!sample || !box_.has_center()) return std::numeric_limits<double>::quiet_NaN();
   const Eigen::VectorXd& r = box_.memory[box_.center()].r;
   return (sample->r - r).norm() / r.norm();
 }
 
-/// Returns the least known direction; none if the model brought its slopes, or the region is a
-/// single point.
+/// Returns the direction along which the slopes are known least. It is empty if the model computes
+/// its derivatives, or if the region is a single point.
 TrustRegionRun::OpenDirection TrustRegionRun::open_direction() const {
   if (box_.has_center() && box_.memory[box_.center()].J.size() > 0) return {};
   const SlopeVariance g = box_.geometry(wanted_);
@@ -137,7 +139,8 @@ TrustRegionRun::OpenDirection TrustRegionRun::open_direction() const {
   return {g.share[last], g.directions.col(last)};
 }
 
-/// Returns a probe along a direction of which more than a share is open.
+/// Returns a probe along the direction if more than `least_share` of the variance of its slope
+/// remains; nullopt otherwise.
 std::optional<Wanted> TrustRegionRun::probe(const OpenDirection& open, double least_share) const {
   return open.share > least_share ? box_.probe(open.direction, wanted_) : std::nullopt;
 }
@@ -156,13 +159,15 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualKriging& m) {
   return box_.explore(wanted_);
 }
 
-/// Explores around the center while outcomes are outstanding, once for each idle worker.
+/// Returns a random point near the best predicted one while outcomes are outstanding. The number of
+/// such points is limited by the option `outstanding`.
 std::optional<Wanted> TrustRegionRun::look_around() {
   return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
 }
 
-/// Returns false if nothing is left to gain, if the last verification still holds within noise, if
-/// the model brings its slopes, or if the region is a single point.
+/// Begins the verification. Returns false if nothing is left to gain, if the last verification
+/// still holds within noise, if the model computes its derivatives, or if the region is a single
+/// point.
 bool TrustRegionRun::begin_verification() {
   if (box_.memory[box_.center()].J.size() > 0 || box_.f() >= f_verified_) return false;
   if (box_.f() < nothing_left()) {
@@ -192,7 +197,7 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
   return restart();
 }
 
-/// Starts a new search if the step gained much.
+/// Starts a new search in a box if a step of the verification improved the value by a large amount.
 void TrustRegionRun::judge_verifying_step(double gain, double promise) {
   verification_->observe_step(radius_.is_bad(gain), promise);
   if (verification_->is_sharp() || !radius_.is_good(gain)) return;
@@ -202,7 +207,8 @@ void TrustRegionRun::judge_verifying_step(double gain, double promise) {
   }
 }
 
-/// Returns the first point of the next search; nullopt if none follows or the run settles first.
+/// Returns the first point of the next search; nullopt if no search follows, or if the run settles
+/// before it.
 std::optional<Wanted> TrustRegionRun::restart() {
   if (!restarts_.may_follow(box_, options_)) return std::nullopt;
   const bool is_explained = restarts_.is_explained(best().f, f_first_, options_);
@@ -219,8 +225,8 @@ std::optional<Wanted> TrustRegionRun::restart() {
   return first;
 }
 
-/// After a failed start, begins the next scout or restart, or, as long as nothing has ever
-/// succeeded, a start farther and farther away.
+/// Continues after a failed start: with the next point along a flat direction or the next restart.
+/// If no point has succeeded yet, chooses a new start at a growing distance.
 void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
   if (is_hopeless()) return;
   if (box_.best() >= 0) {
@@ -234,14 +240,15 @@ void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
   const double reach = options_.initial_radius * (1.0 + radius_.failures() / n());
   for (int k = 0; k < tuning_.search.tries; ++k) {
     const Eigen::VectorXd u = box_.drawn_near(failed, reach);
-    if (box_.memory.has_failed_near(u)) continue;  // a failed point repeated with the same bits
+    // The point may have been proposed before and would fail again.
+    if (box_.memory.has_failed_near(u)) continue;
     box_.move_to(u);
     wanted_.push_back(box_.at(u, Kind::start));
     return;
   }
 }
 
-/// True if nothing ever succeeded, at many points.
+/// True if many points were evaluated and none has ever succeeded.
 bool TrustRegionRun::is_hopeless() const {
   return box_.best() < 0 && radius_.failures() > tuning_.search.hopeless * (n() + 1);
 }

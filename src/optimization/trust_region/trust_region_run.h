@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One run of the residual trust region from one start, with its restarts: the method of
-// residual_trust_region.h without the search for lost variables, which happens between runs.
+// residual_trust_region.h without the search for lost variables, which lost_variable_trials.h adds.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,8 +32,8 @@ class TrustRegionRun {
                const Eigen::VectorXd& u,
                const std::optional<ResidualSample>& sample);
 
-  /// True before a restart from a value clearly better than at the last time: the run waits for
-  /// `go_on`.
+  /// True if the run has settled: it is about to restart, its best value is clearly better than
+  /// when it last settled, and it waits for go_on().
   bool has_settled() const { return state_ == State::settled; }
   /// Returns the ending of the search that led to the best point.
   Ending ending() const { return is_hopeless() ? Ending::hopeless : ending_; }
@@ -47,17 +47,17 @@ class TrustRegionRun {
   const ResidualTrustRegionOptions& options() const { return options_; }
   TrustBox& box() { return box_; }
   const TrustBox& box() const { return box_; }
-  /// Requires that a point has succeeded.
+  /// Returns the best sample. Requires that a point has succeeded.
   const ResidualSample& best() const { return box_.memory[box_.best()]; }
 
  private:
   enum class State {
     searching,
-    settled,  // waits for go_on()
-    over      // the last restart failed
+    settled,  // waits for a call of go_on()
+    over      // the last restart has failed
   };
   struct OpenDirection {
-    double share = 0.0;  // share of the variance of its slope
+    double share = 0.0;  // share of the variance of the direction's slope that samples leave
     Eigen::VectorXd direction;
   };
 
@@ -66,7 +66,8 @@ class TrustRegionRun {
   double nothing_left() const { return tuning_.search.nothing_left * f_first_; }
   double settled_radius() const { return tuning_.search.settled * options_.initial_radius; }
   bool is_hopeless() const;
-  // Chooses the next points: a search in the box, verification at its end, restarts.
+  // Chooses the next points: of the search in the box, of the verification at its end, or of a
+  // restart.
   void fill();
   std::optional<Wanted> next();
   std::optional<Wanted> next_of_search();
@@ -79,7 +80,7 @@ class TrustRegionRun {
   std::optional<Wanted> next_to_verify();
   std::optional<Wanted> restart();
   void start_again(const Eigen::VectorXd& failed);
-  // Updates the box with an outcome.
+  // Processes the outcome of a point of this run.
   void take(const Wanted& tried, ResidualSample sample);
   void take_failure(const Wanted& tried, const std::optional<ResidualSample>& exploded);
   double change_of(const std::optional<ResidualSample>& sample) const;
@@ -90,12 +91,15 @@ class TrustRegionRun {
   TrustBox box_;
   TrustRadius radius_;
   TrustRestarts restarts_;
-  std::optional<FreshSlopes> verification_;  // present at the end of a search
+  std::optional<FreshSlopes> verification_;  // set at the end of a search
   State state_ = State::searching;
   Ending ending_ = Ending::known;
-  double f_first_ = std::numeric_limits<double>::infinity();     // at the start, or first success
-  double f_verified_ = std::numeric_limits<double>::infinity();  // lower values are verified
-  int explored_ = 0;  // number of points at the end of a run since its last better one
+  /// The value at the start or, if the start failed, at the first success.
+  double f_first_ = std::numeric_limits<double>::infinity();
+  /// Values below this one are verified.
+  double f_verified_ = std::numeric_limits<double>::infinity();
+  /// Number of random points proposed at the end of a run since its last improvement.
+  int explored_ = 0;
   PendingPoints<Wanted> wanted_;
 };
 

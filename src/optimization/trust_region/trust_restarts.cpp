@@ -8,7 +8,8 @@
 namespace latsch {
 namespace {
 
-/// Mean rise of the sum of squares over moves of a length in all directions, by slopes J.
+/// Returns the mean increase of the sum of squares over moves of the given length in all
+/// directions, from the slopes J.
 double mean_rise(const Eigen::MatrixXd& J, double length) {
   return length * length * J.squaredNorm() / static_cast<double>(J.cols());
 }

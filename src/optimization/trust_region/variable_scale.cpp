@@ -5,7 +5,9 @@ namespace latsch {
 namespace {
 
 constexpr double kExponent = 0.5;
-constexpr double kInsensitive = 1e-3;  // share of the largest D_i: smaller ones count as this
+// Smallest effect D_i of a variable on the residuals, as a share of the largest effect. Smaller
+// ones count as this.
+constexpr double kInsensitive = 1e-3;
 
 }  // namespace
 

@@ -15,7 +15,7 @@ namespace latsch {
 
 class VariableScale {
  public:
-  /// All widths 1.
+  /// Begins with widths of 1.
   explicit VariableScale(int n);
 
   /// Uses the Jacobian dr/du at another center. A Jacobian that is not finite or zero is ignored.

@@ -11,7 +11,8 @@ namespace {
 TEST(VariableScale, IsTheGeometricMeanOfTheCubeAndOfMoresScale) {
   VariableScale scale(2);
   EXPECT_EQ(scale.widths(), Eigen::Vector2d(1.0, 1.0));
-  scale.learn(Eigen::Vector2d(4.0, 0.25).asDiagonal());  // Moré's scale: 1/4 and 4
+  // For this Jacobian, Moré's scale is 1/4 and 4.
+  scale.learn(Eigen::Vector2d(4.0, 0.25).asDiagonal());
   EXPECT_NEAR(scale.widths()[0], 0.5, 1e-15);
   EXPECT_NEAR(scale.widths()[1], 2.0, 1e-15);
   EXPECT_NEAR(scale.length(Eigen::Vector2d(1.0, -8.0)), 4.0, 1e-14);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of the compliance tool: weight, target, initial value, optimized value and error, one
-// row for each number. A whole curve has a row for its mean error.
+// The table of single values, as in the compliance tool of the thesis: weight, measured value,
+// initial value, optimized value and error, one row for each number. A whole curve has one row, for
+// its error in the measure of its experiment.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,9 +18,11 @@ namespace {
 
 using correlation::Study;
 
-constexpr double kNextToNoWeight = 1e-6;  // share of the largest weight
-constexpr double kAtBound = 1e-3;         // share of the range
-constexpr double kMissed = 0.1;           // error that needs a remark
+// share of the largest weight below which a value counts as hardly weighted
+constexpr double kNextToNoWeight = 1e-6;
+// share of the range: a variable nearer to a bound counts as at the bound
+constexpr double kAtBound = 1e-3;
+constexpr double kMissed = 0.1;  // relative error from which the row has a remark
 
 std::string weight_flag(double weight, double largest) {
   return weight < kNextToNoWeight * largest ? "weight about zero: it does not count" : "";
@@ -51,26 +54,16 @@ std::string error_flag(double error) {
                                    : "";
 }
 
-/// Returns the row of the mean error of a whole curve or set of modes, whose target is 0.
-Row mean_row(const std::string& experiment,
-             bool fitted,
-             double weight,
-             const std::vector<double>& errors,
-             const std::vector<double>& initial_errors) {
-  const auto mean = [](const std::vector<double>& all) {
-    double sum = 0.0;
-    for (const double e : all) sum += std::abs(e);
-    return sum / static_cast<double>(all.size());
-  };
-  Row row{"mean error", experiment, "%", weight};
-  row.fitted = fitted;
+/// Returns the row of the error of a whole curve or set of modes, in the measure of its experiment;
+/// the measured value of the error is 0.
+Row error_row(const report::ExperimentRow& of) {
+  Row row{of.measure + " error", of.name, "%", 0.0};
+  row.fitted = of.fitted;
   row.target = 0.0;
-  if (!errors.empty()) {
-    row.optimized = finite(100.0 * mean(errors));
-    row.error = finite(mean(errors));
-    row.flag = error_flag(mean(errors));
-  }
-  if (!initial_errors.empty()) row.initial = finite(100.0 * mean(initial_errors));
+  row.optimized = finite(100.0 * of.error);
+  row.error = finite(of.error);
+  row.flag = error_flag(of.error);
+  if (of.initial_error) row.initial = finite(100.0 * *of.initial_error);
   return row;
 }
 
@@ -100,14 +93,6 @@ Row value_row(const report::MeasuredValue& value) {
   row.error = finite(error);
   row.flag = error_flag(error);
   return row;
-}
-
-std::vector<double> force_errors(const report::ComparedForces& curve,
-                                 const std::vector<double>& of) {
-  std::vector<double> errors;
-  for (std::size_t k = 0; k < of.size(); ++k)
-    errors.push_back((curve.measured[k] - of[k]) / curve.measured[k]);
-  return errors;
 }
 
 std::string bound_flag(const DesignSpace& space, const DesignPoint& point, int i) {
@@ -179,14 +164,12 @@ Json kpi_view(const ShelvedStudy& shelved, const std::string& weights) {
     if (row.fitted && row.flag.empty()) row.flag = weight_flag(row.weight, largest);
     view["rows"].push_back(json_of(row));
   };
-  for (const auto& curve : drawn.page.forces)
-    add(mean_row(curve.experiment,
-                 curve.fitted,
-                 0.0,
-                 force_errors(curve, curve.simulated),
-                 force_errors(curve, curve.initial)));
-  for (const auto& curve : drawn.page.curves)
-    add(mean_row(curve.experiment, curve.fitted, 0.0, curve.errors, {}));
+  const auto add_error = [&](const std::string& experiment) {
+    for (const report::ExperimentRow& row : drawn.page.experiments)
+      if (row.name == experiment) return add(error_row(row));
+  };
+  for (const auto& curve : drawn.page.forces) add_error(curve.experiment);
+  for (const auto& curve : drawn.page.curves) add_error(curve.experiment);
   for (const auto& modes : drawn.page.modes)
     for (const auto& pair : modes.pairs) add(mode_row(modes, pair, 0.0));
   for (const auto& value : drawn.page.values) add(value_row(value));

@@ -7,9 +7,12 @@
 
 #include "base/units.h"
 #include "correlation/analysis/beyond_data.h"
+#include "correlation/analysis/plausibility.h"
+#include "correlation/analysis/test_limits.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/ledgers/study_ledgers.h"
 #include "correlation/study/study_experiment.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 #include "experiment/language/usual_numbers.h"
 #include "studio/views/json_values.h"
@@ -22,9 +25,10 @@ namespace {
 using correlation::Study;
 using Sight = ShelvedStudy::Sight;
 
-constexpr std::size_t kNamedTrials = 20;  // trials named for one reason
+constexpr std::size_t kNamedTrials = 20;  // most trials named for one reason of failure
 constexpr std::size_t kReasons = 50;
-constexpr double kNoWeight = 1e-6;  // share of the largest weight that counts as none
+// share of the largest weight below which a weight counts as zero
+constexpr double kNoWeight = 1e-6;
 
 Json variables(const Study& study, const DesignPoint* best) {
   Json list = Json::array();
@@ -55,7 +59,7 @@ Json experiments(const Study& study, const TrialTable& table, std::optional<std:
     if (experiment.fitted && parts) {
       const double target = weighting.target(*parts);
       share = target > 0.0 ? finite(weighting.share(*parts, fitted) / target) : Json(nullptr);
-      error = finite(parts->mean_errors[fitted]);
+      error = finite(parts->errors[fitted]);
     }
     if (experiment.fitted) ++fitted;
     list.push_back({{"name", experiment.name},
@@ -67,7 +71,8 @@ Json experiments(const Study& study, const TrialTable& table, std::optional<std:
                     {"weight", experiment.objective.weight},
                     {"exponent", experiment.objective.exponent},
                     {"values", experiment.values()},
-                    {"mean_error", error},
+                    {"measure", measure_in_words(experiment)},
+                    {"error", error},
                     {"share", share}});
   }
   return list;
@@ -104,18 +109,29 @@ Json failures(const TrialTable& table) {
   return list;
 }
 
-/// Returns warnings before or during a run.
-Json warnings(const Study& study, const Sight& sight) {
+/// Returns the findings of `latsch check` about a study. If the study's file can no longer be read,
+/// as while a user edits it, returns only the findings about its model.
+std::vector<experiment::Finding> findings(const Study& study) {
+  try {
+    return correlation::implausible(study);
+  } catch (const InputError&) {
+    const experiment::SpecimenKind* kind = study.specimens->kind();
+    if (!kind) return {};
+    return experiment::findings_of_model(*kind, study.model, study.model_file);
+  }
+}
+
+/// Returns the warnings about a study before or during its run.
+Json warnings(const Study& study, const Sight& sight, const std::vector<Ledger>& ledgers) {
   Json list = Json::array();
   if (!sight.error.empty()) list.push_back(sight.error);
   if (!sight.no_best.empty()) list.push_back(sight.no_best);
-  if (const experiment::SpecimenKind* kind = study.specimens->kind())
-    for (const auto& one : experiment::findings_of_model(*kind, study.model, study.model_file))
-      list.push_back(one.place.text() + ": " + one.sentence);
-  for (const Ledger& ledger : correlation::ledgers_of(study))
+  for (const experiment::Finding& one : findings(study)) list.push_back(experiment::in_words(one));
+  for (const Ledger& ledger : ledgers)
     for (const LedgerDoubt& doubt : ledger.doubts)
       if (std::find(list.begin(), list.end(), Json(doubt.sentence)) == list.end())
         list.push_back(doubt.sentence);  // the page shows each sentence once
+  for (const std::string& limit : correlation::limits_of_tests(study)) list.push_back(limit);
   for (const std::string& words : sight.spoiled) list.push_back(words);
   for (const std::string& words : correlation::untold_in_words(study)) list.push_back(words);
   double largest = 0.0;
@@ -135,15 +151,15 @@ double seconds_since(std::filesystem::file_time_type time) {
       .count();
 }
 
-/// Returns the number of points of the design still to come; nullopt if it is not known, because a
-/// search ends when it has found a minimum.
+/// Returns the number of points of the design of experiments that are still to come; nullopt for a
+/// search, whose end is not known in advance.
 std::optional<double> trials_to_come(const Sight& sight, const StudyRuns::Run& run) {
   if (!run.is_alive || run.verb != RunVerb::doe || !sight.study->doe) return std::nullopt;
   const auto points = plan(*sight.study->doe, sight.study->space).points.size();
   return std::max(0.0, static_cast<double>(points) - static_cast<double>(sight.table->total()));
 }
 
-/// Returns the present run, or the last run that this page started.
+/// Returns the run in progress, or the last run that this page started.
 Json run_of(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Run& run) {
   if (!sight.holder && !run.is_ours) return nullptr;
   Json view{{"workers", sight.study->run.workers},
@@ -187,7 +203,7 @@ Json best_of(const Study& study, const TrialTable& table, std::size_t place) {
           {"shown", shown}};
 }
 
-/// Adds the counts of trials, as `latsch check --json` gives them.
+/// Adds the counts of trials that `latsch check --json` also gives.
 void add_counts(Json& view, const Sight& sight) {
   const bool is_other = sight.of_another_study > 0;
   const correlation::TrialCounts counts = sight.table->counts_read();
@@ -241,10 +257,10 @@ Json study_view(const ShelvedStudy& shelved, StudyRuns& runs) {
     for (const auto& constraint : study.constraints)
       view["constraints"].push_back(in_words(constraint));
     view["failures"] = failures(table);
-    view["warnings"] = warnings(study, sight);
+    const std::vector<Ledger> ledgers = correlation::all_ledgers_of(study);
+    view["warnings"] = warnings(study, sight, ledgers);
     view["ledgers"] = Json::array();
-    for (const Ledger& ledger : correlation::all_ledgers_of(study))
-      view["ledgers"].push_back(correlation::json_of(ledger));
+    for (const Ledger& ledger : ledgers) view["ledgers"].push_back(correlation::json_of(ledger));
     return view;
   });
 }

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "correlation/target/compared_trial.h"
 #include "studio/views/json_values.h"
 #include "studio/views/trial_hints.h"
 #include "studio/views/views.h"
@@ -44,7 +45,7 @@ Json row_of(const Sight& sight, std::size_t place, const Weighting& weighting) {
           {"seconds", finite(row.seconds)}};
 }
 
-/// Indices of the trials of one stretch worth showing: least, greatest, first failure.
+/// Indices of the trials that represent one stretch: least target, greatest target, first failure.
 struct Extremes {
   std::optional<std::size_t> least, greatest, failed;
 };
@@ -62,8 +63,8 @@ Json convergence_view(const ShelvedStudy& study,
     const long to = stretch.to <= 0 ? total : std::clamp(stretch.to, from, std::max(from, total));
     const long most = std::clamp(stretch.most, kFewestPoints, kMostPoints);
     const long count = std::max(0L, std::min(to, total) - from + 1);
-    const long width = std::max(1L, (3 * count + most - 1) / most);  // trials in a stretch of three
-                                                                     // points
+    // Number of trials in a stretch, which is shown by three points.
+    const long width = std::max(1L, (3 * count + most - 1) / most);
 
     std::vector<double> targets(static_cast<std::size_t>(total));
     std::vector<double> best(static_cast<std::size_t>(total));
@@ -161,7 +162,8 @@ Json trial_view(const ShelvedStudy& study, long trial) {
            {"weight", experiment.objective.weight},
            {"value", finite(row.parts->values[e])},
            {"share", whole > 0.0 ? finite(weighting.share(*row.parts, e) / whole) : Json(nullptr)},
-           {"mean_error", finite(row.parts->mean_errors[e])},
+           {"measure", measure_in_words(experiment)},
+           {"error", finite(row.parts->errors[e])},
            {"largest_error", finite(row.parts->largest_errors[e])}});
       ++e;
     }

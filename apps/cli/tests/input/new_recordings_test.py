@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Recordings that `latsch new --magic-formula` cannot use: each is refused with what is missing and the columns that may
-be it.
+"""Tests recordings given to `latsch new`. One that it cannot use is refused, and the message names the missing channel and
+the columns that may contain it. One that it can use causes the same warnings as in `latsch check`. No incomplete study
+is left behind.
 
-    new_recordings_test.py PATH/TO/latsch
-"""
+   new_recordings_test.py PATH/TO/latsch"""
 import math
 import pathlib
 import sys
@@ -11,11 +11,11 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
+import doubtful_data_test
 from cli_testing import WRONG_INPUT
-from doubtful_data_test import Data
 
 
-class Recordings(Data):
+class Recordings(doubtful_data_test.Data):
     def write_sweep(self, load="Fz [N]", side_force="Fy [N]"):
         rows = [f"{0.01 * k:g},{6 * math.sin(0.1 * k):.4f},4000,{-3000 * math.sin(0.1 * k):.3f},16.7"
                 for k in range(200)]
@@ -29,6 +29,66 @@ class Recordings(Data):
     def test_a_sweep_without_its_force_is_told_from_no_sweep(self):
         self.assert_says(self.write_sweep(side_force="pull [N]"), "r.csv", "alpha goes through a sweep",
                          "no column is called Fy", "`pull`")
+
+    def new(self, name, **signs):
+        """A cornering record in iso axes with the factors `signs` of its columns, and what `new` says of it."""
+        rows = []
+        for k in range(200):
+            alpha = 6 * math.sin(0.1 * k)
+            row = {"SA": alpha, "FZ": 4000, "FY": -3000 * math.sin(0.1 * k), "MZ": 20 * math.sin(0.1 * k), "V": 60}
+            rows.append(",".join(f"{row[one] * signs.get(one, 1):.4f}" for one in row) + f",{0.01 * k:g}")
+        self.write(f"{name}.csv", "SA [deg],FZ [N],FY [N],MZ [N m],V [km/h],ET [s]\n" + "\n".join(rows) + "\n")
+        return self.latsch("new", name, "--magic-formula", f"{name}.csv", "--radius", "0.3 m")
+
+    def test_doubts_of_a_record_are_told_when_its_study_is_written(self):
+        good = self.new("good")
+        self.assertNotIn("warning", good)
+        self.assert_says(good, "assumed", "axes iso, because none are stated")
+        self.assert_says(self.new("slip", SA=-1), "warning", "sign")
+        self.assert_says(self.new("side", FY=-1), "warning", "sign")
+        self.assert_says(self.new("back", V=-1), "warning", "km/h")
+        self.assert_says(self.new("heavy", FZ=100, FY=100), "warning", "is it in N, kN or lbf?")
+
+    def test_an_error_names_the_option_or_the_file_that_exists(self):
+        self.new("r")
+        for arguments, part in ((["r.csv", "r.csv"], '--magic-formula names "r.csv" twice'),
+                                (["r.csv", "--axes", "sae"], '--axes is "sae", but'),
+                                (["r.csv", "--column", "Fz = LOAD [quux]"], "--column Fz is")):
+            said = self.latsch("new", "wrong", "--radius", "0.3 m", "--magic-formula", *arguments, code=WRONG_INPUT)
+            self.assert_says(said, part)
+            self.assertNotIn("recordings:", said)
+        self.write("none.csv", "SA [deg],FZ [N],FY [N]\n")
+        said = self.latsch("new", "wrong", "--radius", "0.3 m", "--magic-formula", "none.csv", code=WRONG_INPUT)
+        self.assert_says(said, "latsch: none.csv holds no sample")
+
+    def test_both_statements_that_make_the_signs_agree_are_told(self):
+        said = self.new("mirrored", SA=-1, MZ=-1)
+        self.assert_says(said, "each of several statements", 'Fy = "-FY"', 'alpha = "-SA"', 'Mz = "-MZ"')
+
+    def test_an_impossible_record_leaves_no_study(self):
+        self.write("far.csv", "SA [deg],FZ [N],FY [N],Vx [km/h]\n" + "\n".join(
+            f"{6 * math.sin(0.1 * k):.4f},4000,{-3000 * math.sin(0.1 * k):.3f},60000" for k in range(200)) + "\n")
+        self.latsch("new", "far", "--magic-formula", "far.csv", "--radius", "0.3 m", code=WRONG_INPUT)
+        self.assertFalse((self.folder / "far").exists())
+
+
+class DrumNames(doubtful_data_test.Data):
+    process = doubtful_data_test.Rig.process
+
+    def frames(self, names):
+        self.process()
+        rows = (self.folder / "r.csv").read_text().split("\n", 1)[1]
+        (self.folder / "named.csv").write_text(names + "\n" + rows)
+        self.latsch("new", "named", "--drum", "named.csv", "--cleat", "10 mm x 20 mm")
+        return (self.folder / "named" / "study.toml").read_text()
+
+    def test_the_test_records_in_the_frame_of_the_names(self):
+        study = self.frames("RUNTIME [s],LONGVEL [m/s],FZW [N]")
+        self.assertIn('frame = ["W"]', study)
+        self.latsch("check", "named/study.toml")
+
+    def test_names_without_a_frame_state_none(self):
+        self.assertNotIn("frame", self.frames("time [s],speed [m/s],Fz [N]"))
 
 
 

@@ -151,7 +151,8 @@ export interface TrialExperiment {
   weight: Value;
   value: Value;
   share: Value;
-  mean_error: Value;
+  measure: string; // "mean", "RMS": what `error` is
+  error: Value;
   largest_error: Value;
 }
 

@@ -22,9 +22,11 @@ namespace latsch {
 namespace {
 
 enum Tag { kPoint = 1, kOutcome, kAlive, kWithdraw, kEnd, kEnded, kLeave, kBegun };
-constexpr const char* kAlone = "alone";  // sent with kLeave: another rank is lost, so do not wait
-constexpr auto kPause = std::chrono::microseconds(500);  // between two checks for a message
-constexpr double kLocalPatience = 0.01;                  // s, wait of a rank for its own worker
+// Text of the message kLeave if some rank is lost: the receiver must not wait for the other ranks.
+constexpr const char* kAlone = "alone";
+constexpr auto kPause = std::chrono::microseconds(500);  // pause between two checks for a message
+// Time that a rank waits for its own worker, s.
+constexpr double kLocalPatience = 0.01;
 
 std::chrono::duration<double> seconds(double s) { return std::chrono::duration<double>(s); }
 
@@ -35,7 +37,7 @@ struct MpiJob::Outbox {
     std::string bytes;
     MPI_Request request;
   };
-  std::list<Letter> letters;  // messages whose bytes MPI may still need
+  std::list<Letter> letters;  // sent messages whose bytes MPI may still need
 };
 
 MpiJob::MpiJob(const MpiPatience& patience)
@@ -63,7 +65,7 @@ class LongestWait {
   LongestWait& operator=(const LongestWait&) = delete;
 
  private:
-  unsigned before_;  // s, remaining time of an alarm set before
+  unsigned before_;  // remaining time of an alarm set earlier, s
 };
 
 }  // namespace
@@ -75,7 +77,7 @@ MpiJob::~MpiJob() {
   }
   end_.notify_one();
   if (heart_.joinable()) heart_.join();
-  // MPI_Finalize waits for every rank, also for a lost one.
+  // MPI_Finalize waits for every rank, including lost ones.
   if (ends_alone_) return;
   const LongestWait wait(patience_.master_silence);
   for (Outbox::Letter& letter : outbox_->letters) MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
@@ -146,7 +148,8 @@ std::optional<MpiMessage> MpiJob::poll() {
 
 namespace {
 
-/// Reports that this rank has come to its end, and waits to learn if the others have, too.
+/// Reports to rank 0 that this rank has ended its work, and waits until rank 0 reports whether all
+/// other ranks have.
 void leave(MpiJob& job) {
   job.send(0, kEnded, {});
   const auto until = std::chrono::steady_clock::now() + seconds(job.patience().master_silence);
@@ -214,11 +217,11 @@ MpiExecutor::MpiExecutor(MpiJob& job) : job_(job), ranks_(job.size() - 1) {
   for (Rank& rank : ranks_) rank.heard = listened_;
 }
 
-// A rank that was lost unnoticed would make all others wait in the end of MPI. Therefore every rank
-// first reports that it has come to its end.
+// If a rank was lost unnoticed, all other ranks would wait for it in MPI_Finalize. Therefore every
+// rank first reports that it has ended its work.
 MpiExecutor::~MpiExecutor() {
   tell_all(kEnd, {});
-  for (Rank& rank : ranks_) rank.heard = now();  // rank 0 may not have listened for long
+  for (Rank& rank : ranks_) rank.heard = now();  // rank 0 may not have listened for a long time
   const auto awaited = [](const Rank& rank) { return !rank.lost && !rank.ended; };
   while (std::any_of(ranks_.begin(), ranks_.end(), awaited)) {
     while (const auto message = job_.poll()) {
@@ -277,16 +280,15 @@ void MpiExecutor::lose(std::size_t worker) {
   job_.ends_alone();
 }
 
-/// Returns the next outcome that has arrived.
+/// Returns the next outcome that has arrived; nullopt if there is none.
 std::optional<Trial> MpiExecutor::receive() {
   while (const auto message = job_.poll()) {
     Rank& rank = ranks_[message->rank - 1];
     rank.heard = now();
     if ((message->tag != kOutcome && message->tag != kBegun) || rank.lost) continue;
     const auto answer = take_number(message->bytes);
-    if (!answer || !rank.point || answer->number != rank.trial)
-      continue;  // the trial was
-                 // withdrawn
+    // An answer for another trial than the present one belongs to a trial that was withdrawn.
+    if (!answer || !rank.point || answer->number != rank.trial) continue;
     rank.begun = true;
     if (message->tag == kBegun) continue;
     auto outcome = decode_outcome(answer->rest);
@@ -297,7 +299,8 @@ std::optional<Trial> MpiExecutor::receive() {
   return std::nullopt;
 }
 
-/// Returns the trial of a rank that has been silent for too long; the rank is no longer used.
+/// Marks a rank that has been silent for too long as lost and returns its trial as failed; nullopt
+/// if there is no such rank.
 std::optional<Trial> MpiExecutor::lose_silent() {
   for (std::size_t i = 0; i < ranks_.size(); ++i) {
     Rank& rank = ranks_[i];

@@ -6,11 +6,12 @@
 //
 // Every working rank runs its trials in a worker process of its own, as ProcessExecutor does, so
 // that a crash or a timeout costs the trial and not the rank. Every rank reports each second that
-// it is alive. Rank 0 does so in a thread, because reading a journal, proposing a step or writing a
-// page may take minutes. A rank that is silent for too long is lost with its trial, which is
-// repeated on another rank. The lost trial counts as tried if the rank had reported that its worker
-// began it. Only the time in which rank 0 listened counts as silence. Without --enable-recovery,
-// mpirun ends the whole job if a rank dies; the same command then resumes from the journal.
+// it is alive. Rank 0 does so in a separate thread, because reading a journal, proposing a step or
+// writing a page may take minutes. If a rank is silent for too long, it counts as lost, and its
+// trial is repeated on another rank. The lost trial counts as tried if the rank had reported that
+// its worker began it. Only the time in which rank 0 listened counts as silence. Without
+// --enable-recovery, mpirun ends the whole job if a rank dies; the same command then resumes from
+// the journal.
 #pragma once
 
 #include <condition_variable>
@@ -35,14 +36,14 @@ struct MpiPatience {
   double master_silence = 20.0;  // silence of rank 0 after which a rank ends by itself
 };
 
-/// Received message.
+/// A message that was received from another rank.
 struct MpiMessage {
   int rank;
   int tag;
   std::string bytes;
 };
 
-/// The MPI job of this process. It ends with the process.
+/// The MPI job that this process belongs to. It lives until the process ends.
 class MpiJob {
  public:
   explicit MpiJob(const MpiPatience& patience = {});
@@ -54,21 +55,21 @@ class MpiJob {
   int rank() const { return rank_; }
   int size() const { return size_; }
   const MpiPatience& patience() const { return patience_; }
-  /// True if every rank has the same value. Every rank must call this.
+  /// Returns true if all ranks pass the same value. Every rank must call this function.
   bool agrees(std::uint64_t value);
-  /// Declares that a rank has been lost, so that the end does not wait for it.
+  /// Declares that a rank has been lost, so that the destructor does not wait for it.
   void ends_alone() { ends_alone_ = true; }
   bool is_alone() const { return ends_alone_; }
 
-  /// Does not wait until the message is received, because a lost rank never receives it.
+  /// Sends a message without waiting until it is received, because a lost rank never receives it.
   void send(int rank, int tag, std::string bytes);
   /// Returns nullopt if no message has arrived.
   std::optional<MpiMessage> poll();
-  /// Sends no more messages to that rank.
+  /// Marks a rank as lost, to which no more messages are sent.
   void lose(int rank);
 
  private:
-  void beat();  // runs until the end, in a thread of rank 0
+  void beat();  // sends signs of life until the end, in a thread of rank 0
   void say(int rank, int tag, std::string bytes);
 
   MpiPatience patience_;
@@ -89,10 +90,10 @@ void serve_rank(MpiJob& job, ProcessOptions options);
 
 class MpiExecutor : public Executor {
  public:
-  /// Must be called on rank 0 of a job of at least two ranks.
+  /// Takes a job of at least two ranks. Must be called on rank 0.
   explicit MpiExecutor(MpiJob& job);
-  /// Tells the ranks to end and waits until they have; for a lost rank, no longer than its
-  /// permitted silence.
+  /// Tells the ranks to end and waits until they have ended. For a lost rank it waits no longer
+  /// than the permitted silence.
   ~MpiExecutor() override;
 
   int workers() const override { return static_cast<int>(ranks_.size()); }
@@ -107,10 +108,10 @@ class MpiExecutor : public Executor {
   struct Rank {
     std::optional<DesignPoint> point;
     std::uint64_t trial = 0;
-    bool begun = false;  // true once its worker has begun the point
-    double heard = 0.0;  // time of its last message, s
+    bool begun = false;  // true once the rank's worker has begun the point
+    double heard = 0.0;  // time of the rank's last message, s
     bool lost = false;
-    bool ended = false;  // runs no more trials, waits to leave the job
+    bool ended = false;  // true once the rank runs no more trials and waits to leave the job
   };
   void tell_all(int tag, const std::string& bytes);
   void lose(std::size_t worker);
@@ -119,7 +120,7 @@ class MpiExecutor : public Executor {
   void forget(std::size_t worker);
 
   MpiJob& job_;
-  std::vector<Rank> ranks_;  // starts with rank 1
+  std::vector<Rank> ranks_;  // all ranks from rank 1 on
   std::uint64_t trials_ = 0;
   double listened_ = 0.0;  // time until which rank 0 has listened, s
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests ranks with a master that is busy elsewhere, with short time limits:
+// Tests working ranks whose master is busy with other work, with short time limits:
 //
 //   mpirun -n 3 mpi_executor_test         rank 0 tests, the others work
 #include "evaluation/executors/mpi/mpi_executor.h"
@@ -19,7 +19,7 @@ namespace {
 constexpr MpiPatience kLittle{.heartbeat = 0.05, .silence = 0.6, .master_silence = 0.8};
 constexpr auto kBusy = std::chrono::milliseconds(2000);
 
-MpiJob* the_job = nullptr;  // MPI starts and ends once in a process
+MpiJob* the_job = nullptr;  // one job for all tests, because MPI can start only once in a process
 
 Result<Channels> square(const DesignPoint& point) {
   Channels channels;
@@ -27,7 +27,7 @@ Result<Channels> square(const DesignPoint& point) {
   return channels;
 }
 
-/// Expects that all ranks answer to a point.
+/// Sends one point to every rank and expects that all of them return its outcome.
 void expect_answers(MpiExecutor& executor, double first) {
   const int ranks = executor.workers();
   for (int i = 0; i < ranks; ++i) executor.start({{first + i}});
@@ -52,12 +52,12 @@ TEST(MpiExecutor, RanksStayWhileTheMasterIsBusy) {
     std::this_thread::sleep_for(kBusy);
     expect_answers(executor, 10.0);
     executor.start({{100.0}});
-    std::this_thread::sleep_for(kBusy);  // the answer has long arrived
+    std::this_thread::sleep_for(kBusy);  // the answer arrives during this time
     const std::vector<Trial> trials = executor.wait(1.0);
     ASSERT_EQ(trials.size(), 1u);
     EXPECT_TRUE(trials[0].outcome.result.ok());
   }
-  EXPECT_FALSE(the_job->is_alone());  // every rank has come to its end
+  EXPECT_FALSE(the_job->is_alone());  // every rank has ended its work
 }
 
 }  // namespace

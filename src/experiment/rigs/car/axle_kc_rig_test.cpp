@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// An axle on the K&C rig: its slopes in bushings equal differences, its loads on each wheel follow
-// from those on the left one by the mode, and a straight line has its own slope.
+// Tests an axle on the K&C rig: derivatives by bushings equal differences, the mode determines the
+// loads on the right wheel from those on the left, and the regression slope of a straight line is
+// its slope.
 #include "experiment/rigs/car/axle_kc_rig.h"
 
 #include <gtest/gtest.h>
@@ -71,8 +72,9 @@ TEST_F(AxleOnKcRig, SlopesInStiffnessesAreThoseOfDifferences) {
         size = std::max(size, std::abs(slope));
         value = std::max(value, std::abs(channel.values[i]));
       }
-      // A load on the left wheel does not move the right one: the remainder of Newton's method is
-      // 1e-6 N on 1e8 N/m, over a step of 1e-2; for a slope it is divided by loads of some kN.
+      // A load on the left wheel does not move the right one. The tolerance is the residual of
+      // Newton's method, 1e-6 N over 1e-8 m/N, divided by a step of 1e-2; for a slope it is divided
+      // by loads of some kN.
       const double left = n == 1 ? 1e-15 : 1e-12;
       EXPECT_LE(apart, 1e-6 * size + 1e-9 * value + left) << channel.name << " " << asked.paths[p];
       if (p == 3) {
@@ -159,6 +161,23 @@ TEST(AxleOnKcRigOfRigidJoints, ItsWheelRateIsThatOfTheLinkage) {
       EXPECT_NEAR(rate, expected, 1e-4 * expected) << axle << " at " << places[i];
     }
   }
+}
+
+TEST_F(AxleOnKcRig, ATravelThatTheWheelCannotMakeIsNamedAsTravel) {
+  const auto said = [&](const std::string& travel) -> std::string {
+    const auto specimen = language().find_kind("car")->build(numbers_);
+    const auto found = test("springs = \"free\"\ntravel = " + travel + "\n")->run(*specimen);
+    return found ? "" : found.failure().reason;
+  };
+  const std::string first = said("[\"-400 mm\"]");
+  EXPECT_NE(first.find("state 1 of the K&C rig: travel -400 mm (left) and -400 mm (right) with the "
+                       "rack at 0 mm cannot be reached from rest"),
+            std::string::npos)
+      << first;
+  EXPECT_EQ(first.find("of the load"), std::string::npos) << first;
+  const std::string second = said("[\"10 mm\", \"400 mm\"]");
+  EXPECT_NE(second.find("state 2 of the K&C rig: travel 400 mm"), std::string::npos) << second;
+  EXPECT_NE(second.find("cannot be reached from travel 10 mm (left)"), std::string::npos) << second;
 }
 
 }  // namespace

@@ -7,11 +7,12 @@
 #include <utility>
 
 #include "models/tire/free_wheel.h"
+#include "models/tire/tared_tire.h"
 
 namespace latsch {
 namespace {
 
-/// Passes every call to a tire and tells a log the load at the end of each step.
+/// Passes every call to a tire and reports the load at the end of each step to a log.
 class WatchedTire final : public Tire {
  public:
   WatchedTire(std::unique_ptr<Tire> tire, LiftLog& log) : tire_(std::move(tire)), log_(log) {}
@@ -91,7 +92,7 @@ std::string LiftLog::sentence() const {
 }
 
 std::unique_ptr<Tire> watched(std::unique_ptr<Tire> tire, LiftLog& log) {
-  return std::make_unique<WatchedTire>(std::move(tire), log);
+  return std::make_unique<WatchedTire>(tared(std::move(tire)), log);
 }
 
 }  // namespace latsch

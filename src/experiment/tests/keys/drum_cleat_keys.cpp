@@ -19,6 +19,10 @@ meets the smooth drum. The wheel's spin is solved by steps of the tire, with
 order 2.
 
 Without `[cleat]` the drum is smooth.
+
+The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
+a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is
+that of the road on the tire.
 )md",
       .sentences =
           {

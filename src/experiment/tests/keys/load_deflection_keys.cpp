@@ -16,6 +16,10 @@ Channels, one value for each position in the order of the file: "deflection", "l
 "patch_area" (m^2). A loaded radius larger than that of the tire means no contact: all are 0. The
 tire is pressed once through all positions, deeper and deeper: with friction the path is part of
 the result.
+
+The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
+a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is
+that of the road on the tire.
 )md",
       .sentences =
           {

@@ -24,11 +24,15 @@ camber stiffness      C_γ = -(Fy(γ) - Fy(-γ))/2γ, above 0: toward the side i
 
 Forces are in W (NOTATION.md). Each difference includes the reduction of C by friction at that
 slip.
+
+The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
+a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is
+that of the road on the tire.
 )md",
       .sentences =
           {
               {"load",
-               "Load of the wheel; the mean of the channel Fz if it comes from a measurement."},
+               "Load of the road; the mean of the channel Fz if it comes from a measurement."},
               {"measures",
                "Stiffnesses to determine, of \"slip\", \"cornering\" and \"camber\". Channels are "
                "\"slip_stiffness\" (N), \"cornering_stiffness\" (N/rad) and \"pneumatic_trail\" "
@@ -40,9 +44,9 @@ slip.
               {"angle", "Slip angle to both sides of free rolling."},
               {"camber", "Camber to both sides of the upright wheel."},
               {"step",
-               "Step of the simulation; from 144 km/h on a shorter one, which moves the tire by 20 "
+               "Step of the simulation; from 72 km/h on a shorter one, which moves the tire by 10 "
                "mm.",
-               "`\"0.0005 s\"`, less from 144 km/h on"},
+               "`\"0.0005 s\"`, less from 72 km/h on"},
           },
       .samples =
           {

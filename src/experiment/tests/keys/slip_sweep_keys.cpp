@@ -11,13 +11,17 @@ const KeySection& slip_sweep_keys() {
       .about = R"md(
 The belt of a flat track below a wheel that is
 steered or braked.
+
+The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
+a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is
+that of the road on the tire.
 )md",
       .sentences =
           {
               {"speed",
                "Speed of the belt; the mean of the channel Vx if it comes from a measurement."},
               {"load",
-               "Load of the wheel; the mean of the channel Fz if it comes from a measurement."},
+               "Load of the road; the mean of the channel Fz if it comes from a measurement."},
               {"camber", "Inclination of the wheel."},
               {"axle",
                "Quantity that the rig holds constant: the load, or the height of the axle."},
@@ -33,7 +37,11 @@ steered or braked.
                "Time of free rolling before the sweep, at least: the wheel rolls on until its "
                "force is "
                "steady."},
-              {"duration", "Duration of the sweep."},
+              {"duration",
+               "Duration of the sweep. Forces follow the slip over the relaxation length of the "
+               "tire: "
+               "`latsch test` says if they lag by more than a twentieth of the greatest force, and "
+               "which duration would be enough."},
               {"step", "Step of the simulation; it moves the tire by 20 mm at most."},
               {"sample_step", "Step of the record, a multiple of `step`.", "`step`"},
           },

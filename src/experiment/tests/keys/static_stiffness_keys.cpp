@@ -18,6 +18,10 @@ hub's force over the displacement, including the friction in the patch.
 
 Deflections are pressed on the `[cleat]`, if there is one, else on flat ground; an angle of 90
 deg turns the cleat from across the tread to along it.
+
+The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
+a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is
+that of the road on the tire.
 )md",
       .sentences =
           {

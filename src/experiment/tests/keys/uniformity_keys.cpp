@@ -30,6 +30,10 @@ ply steer  (F - B)/2,  changes sides with the direction
 they are half the sum and half the difference of the lateral shifts, clockwise and
 counterclockwise. Such machines are the subject of SAE J332. Above a few m/s imbalance and modes
 of the tire contribute to the variations, as on machines for high speeds.
+
+The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
+a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is
+that of the road on the tire.
 )md",
       .sentences =
           {

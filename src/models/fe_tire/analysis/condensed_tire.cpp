@@ -8,8 +8,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Converts to single precision after division by `scale`, which keeps values in the middle of the
-/// exponent range.
+/// Converts a vector to single precision after dividing it by `scale`, so that its values lie in
+/// the middle of the exponent range.
 Eigen::VectorXf single(const Eigen::VectorXd& v, double scale) { return (v / scale).cast<float>(); }
 
 double scale_of(const Eigen::VectorXd& v) {

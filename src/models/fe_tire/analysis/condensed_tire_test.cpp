@@ -10,10 +10,11 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr int kSize = 40;
-// Error of single precision for matrices with a condition number below 100.
+// Relative error of a solution in single precision, for matrices with a condition number below 100.
 constexpr double kSingle = 1e-5;
 
-/// Matrix of springs in a row and to the wall, positive definite unless `shift` is too negative.
+/// Returns the stiffness matrix of masses in a row, joined by springs to each other and to a wall.
+/// It is positive definite unless `shift` is too negative.
 Eigen::MatrixXd springs(double shift) {
   Eigen::MatrixXd S = Eigen::MatrixXd::Zero(kSize, kSize);
   for (int i = 0; i < kSize; ++i) {
@@ -23,7 +24,8 @@ Eigen::MatrixXd springs(double shift) {
   return S;
 }
 
-/// Ground that is stiff where it sticks, with a part that is not symmetric if it slides.
+/// Returns the tangent of a ground that is stiff where points stick. If points slide, it has a part
+/// that is not symmetric.
 GroundTangent ground(const std::vector<int>& rows, bool slides) {
   const auto m = std::ssize(rows);
   GroundTangent tangent{rows, Eigen::MatrixXd::Identity(m, m) * 50.0, {}};
@@ -35,7 +37,7 @@ GroundTangent ground(const std::vector<int>& rows, bool slides) {
   return tangent;
 }
 
-/// Adds the tangent to S in the rows within reach.
+/// Returns the sum of S and the ground's tangent in the rows within reach.
 Eigen::MatrixXd sum(Eigen::MatrixXd S,
                     const std::vector<int>& reached,
                     const GroundTangent& tangent) {
@@ -49,7 +51,8 @@ Eigen::MatrixXd sum(Eigen::MatrixXd S,
   return S;
 }
 
-// The ground grows and moves, with few to all rows within reach.
+// The set of touching points grows and moves, and between few and all of the rows are within the
+// ground's reach.
 TEST(CondensedTire, AnswersAsTheDenseSumOfBoth) {
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(kSize, -1.0, 2.0);
   const Eigen::MatrixXd S = springs(0.0);
@@ -77,8 +80,8 @@ TEST(CondensedTire, AnswersAsTheDenseSumOfBoth) {
   }
 }
 
-// The tire is stable on the ground only in one of two cases; a step of Newton's method is exact in
-// both.
+// The ground's tangent makes the tire stable or unstable, depending on its sign. A step of Newton's
+// method must be exact in both cases.
 TEST(CondensedTire, SaysWhereGroundMakesItUnstable) {
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(kSize, -1.0, 2.0);
   CondensedTire tire;

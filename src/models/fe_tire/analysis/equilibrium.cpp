@@ -16,12 +16,13 @@ using IfSlow = ReusedFactor::IfSlow;
 
 constexpr const char* kNoTangent = "its tangent does not exist";
 
-/// Ends a search whose tangents were shifted too often while the residual has not halved.
+/// Stops the search for an equilibrium if indefinite tangents were shifted too often before the
+/// residual has halved.
 class ShiftLimit {
  public:
   ShiftLimit(double norm, int shifts, int most) : norm_(norm), most_(most), last_(shifts + most) {}
 
-  /// True if there were too many shifts up to the residual `norm`.
+  /// Returns true if there were too many shifts before the residual fell to `norm`.
   bool is_exceeded(double norm, int shifts) {
     if (shifts > last_) return true;
     if (norm <= 0.5 * norm_) {
@@ -32,9 +33,9 @@ class ShiftLimit {
   }
 
  private:
-  double norm_;  // residual from which the next halving counts, N
-  int most_;     // shifts within a halving
-  int last_;     // count of shifts at which the search ends
+  double norm_;  // residual relative to which the next halving is judged, N
+  int most_;     // largest number of shifts until the residual halves
+  int last_;     // total number of shifts at which the search stops
 };
 
 }  // namespace
@@ -83,9 +84,9 @@ Status EquilibriumSolver::solve(const RingElements& elements,
       previous = options_.norm_before * balance_.residual().norm();
       continue;
     }
-    // Newton's method converges quadratically. If the next residual is expected to be close enough,
-    // no further tangent is made. The ratio of the first step says nothing about this, because it
-    // contains the ground's motion.
+    // Newton's method converges quadratically. If the next residual is expected to be small enough,
+    // no new tangent is computed. The reduction in the first step does not predict the next one,
+    // because it also contains the motion of the ground.
     const double expected = (is_after_first_step ? 1.0 : ratio * ratio) * norm;
     previous = norm;
     if (!line_search(now, !keeps_tangent && !(expected <= close())))
@@ -94,19 +95,21 @@ Status EquilibriumSolver::solve(const RingElements& elements,
   return failure(step, fmt::format("not converged in {} iterations", settings_.max_iterations));
 }
 
-/// Returns the residual from which on the last tangent leads to the end, N.
+/// Returns the residual, N, below which the iteration ends with the last tangent.
 double EquilibriumSolver::close() const {
   return (is_exact() ? 1.0 : options_.close) * settings_.tolerance * reference_;
 }
 
-/// True if the tangent at hand leads to the end: the residual is close and falls fast with it.
+/// Returns true if the iteration may end with the present tangent, because the residual is small
+/// enough and falls fast.
 bool EquilibriumSolver::ends_with_last_tangent(double norm, double ratio) const {
   return balance_.tangent() != Tangent::none && ratio < options_.closing_ratio && norm <= close() &&
          !is_exact();
 }
 
-/// Returns the relative residual of the linear equations. For small tolerances they are solved as
-/// accurately as Newton's own convergence justifies (Eisenstat and Walker 1996, choice 2).
+/// Returns the relative tolerance of the linear solves. For small tolerances of the equilibrium the
+/// linear equations are solved as accurately as the convergence of Newton's method justifies
+/// (Eisenstat and Walker 1996, choice 2).
 double EquilibriumSolver::linear_tolerance(double ratio) const {
   if (!is_exact()) return options_.linear_tolerance;
   return std::clamp(0.5 * ratio * ratio, options_.finest_linear, options_.coarsest_linear);
@@ -116,8 +119,8 @@ LinearizedRing EquilibriumSolver::linearized(const AssembledState& state) {
   return {balance_.K(), balance_.load().contact, state.x, balance_.residual()};
 }
 
-/// Finds a direction by the old factor if it is of use, or by a new one. Returns false if the
-/// tangent does not exist or has no factor.
+/// Computes Newton's direction, with the old factorization if it is still useful, otherwise with a
+/// new one. Returns false if the tangent does not exist or cannot be factorized.
 bool EquilibriumSolver::find_direction(AssembledState& state,
                                        double tolerance,
                                        IfIndefinite if_indefinite) {
@@ -131,7 +134,8 @@ bool EquilibriumSolver::find_direction(AssembledState& state,
          factor_.renew(linearized(state), tolerance, if_indefinite, d_);
 }
 
-/// Takes part of the first step back. Returns false if the tangent does not exist there.
+/// Returns to a point between the start and the end of the first step. Returns false if the tangent
+/// does not exist there.
 bool EquilibriumSolver::restart_between(const AssembledState& start, AssembledState& now) {
   now.x = start.x + options_.taken_back * (now.x - start.x);
   now.alpha = start.alpha;
@@ -145,7 +149,8 @@ bool EquilibriumSolver::line_search(AssembledState& state, bool wants_tangent) {
   for (int back = 0; back <= options_.max_backtracks; ++back, s *= 0.5) {
     trial_.x = state.x - s * d_;
     trial_.alpha = state.alpha;
-    // The full step is nearly always accepted, so its tangent is computed in the same pass.
+    // The full step is nearly always accepted, so the tangent at its end is computed together with
+    // the forces.
     const bool valid = balance_.evaluate(trial_, wants_tangent && back == 0);
     const Eigen::VectorXd& f = balance_.residual();
     if (valid && (f.norm() < norm || std::abs(d_.dot(f)) <= options_.slope_decrease * slope)) {
@@ -156,8 +161,9 @@ bool EquilibriumSolver::line_search(AssembledState& state, bool wants_tangent) {
   return false;
 }
 
-/// Adds steps with the last tangent as long as they help. Each costs one pass of forces only, and
-/// results then agree in the displayed digits on processors whose sums differ.
+/// Adds steps with the last tangent as long as they reduce the residual enough. Each costs one
+/// evaluation of the forces. After this the displayed digits agree even on processors that add in
+/// another order.
 void EquilibriumSolver::polish(AssembledState& state) {
   if (!factor_.exists()) return;
   double enough = options_.polished;
@@ -165,7 +171,8 @@ void EquilibriumSolver::polish(AssembledState& state) {
     const double norm = balance_.residual().norm();
     if (norm <= enough * settings_.tolerance * reference_) return;
     if (!factor_.find_first(linearized(state), d_)) return;
-    // The forces judge the correction.
+    // The correction may be inexact, because it is accepted only if it reduces the residual of the
+    // forces.
     factor_.correct(linearized(state), options_.polishing_tolerance, IfSlow::take_it, d_);
     trial_.x = state.x - d_;
     trial_.alpha = state.alpha;

@@ -19,7 +19,7 @@ namespace latsch::fe_tire {
 
 namespace {
 
-/// Returns the force norm of the pressure on the undeformed tire, to which the solver's tolerance
+/// Returns the norm of the pressure forces on the undeformed tire, to which the solver's tolerance
 /// is relative.
 double pressure_force(const RingElements& elements, double pressure) {
   const Ring& ring = elements.ring();
@@ -34,7 +34,8 @@ double pressure_force(const RingElements& elements, double pressure) {
 
 constexpr int kMostWindows = 4;
 
-/// Describes a pose: "deflection 25 mm", and its other values that are not zero.
+/// Describes a pose of the ground in words: "deflection 25 mm", and its other values if they are
+/// not zero.
 std::string in_words(const GroundPose& pose, const Inflated& inflated) {
   std::string text = fmt::format("deflection {:.4g} mm", (inflated.radius - pose.height) * 1e3);
   const auto add = [&text](const char* name, double value, const char* unit) {
@@ -48,7 +49,7 @@ std::string in_words(const GroundPose& pose, const Inflated& inflated) {
   return text;
 }
 
-/// Returns a Failure if the part held by the rim would lie in the ground.
+/// Returns a Failure if nodes that the rim holds would lie below the ground.
 Status check_above_rim(const Mesh& mesh, const GroundPose& pose, const std::string& name) {
   double rim = 0.0;
   for (const int node : mesh.clamped)
@@ -62,7 +63,8 @@ Status check_above_rim(const Mesh& mesh, const GroundPose& pose, const std::stri
                   1e3 * rim)};
 }
 
-/// Returns the failure for held points on other ground: they have no friction and know no bar.
+/// Returns the Failure for held points on ground with friction or a bar, where points cannot be
+/// held.
 Failure held_elsewhere(const std::string& name) {
   return Failure{name +
                  ": points are held to ground with friction or a bar; expected flat ground without "
@@ -81,7 +83,7 @@ Failure unstable(const std::string& where) {
                  "buckles; check pressure, thicknesses and moduli"};
 }
 
-/// True if the tangents about both states are the same, for a tire with unchanged materials.
+/// Returns true if both states have the same tangent, for a tire whose materials are unchanged.
 bool same_tangent(const TireState& a, const TireState& b) {
   return a.pose == b.pose && a.ground == b.ground && a.inflated->pressure == b.inflated->pressure &&
          a.u == b.u && a.alpha == b.alpha && a.anchors == b.anchors;
@@ -146,7 +148,8 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
       return done.failure();
   }
   for (std::size_t k = 0; k < poses.size(); ++k) {
-    // The factor comes from this path, not from an earlier computation, so that results repeat.
+    // The factorization must stem from this path, not from an earlier computation, so that results
+    // are reproducible.
     const TireState& last = states.empty() ? from : states.back();
     if (k == 0) tire.systems(last.is_halved, Impl::window_from(last)).solver.forget_factor();
     const std::string name = fmt::format("load step {} of {} ({} at {:.4g} bar)",
@@ -163,7 +166,7 @@ Result<std::vector<TireState>> FeTire::advance(const TireState& from,
   if (states.empty()) return states;
   const TireState& last = states.back();
   Systems& all = tire.systems(last.is_halved, last.window);
-  all.solver.release();  // makes room for the last state's factors
+  all.solver.release();  // makes room for the factorizations of the last state
   if (const Status done = tire.factorize(all, last); !done) return done.failure();
   return states;
 }
@@ -176,8 +179,8 @@ Result<std::vector<TireState>> FeTire::press(const Inflated& inflated,
   return advance(over(inflated, ground), poses);
 }
 
-/// Moves to a pose. If a part of the tread outside the window touches, the step is repeated with a
-/// wider window.
+/// Moves the ground to a pose and finds the equilibrium. If the tread touches outside of the window
+/// in which contact is computed, the step is repeated with a wider window.
 Result<TireState> FeTire::Impl::move(const TireState& from,
                                      const GroundPose& pose,
                                      const std::string& name) {
@@ -259,8 +262,8 @@ Result<std::vector<Mode>> FeTire::modes(const TireState& state, int count) {
   if (!modes) return modes;
   for (Mode& mode : *modes) mode.phase = phase_of(tire.ring.mesh(), mode.shape);
   if (tire.ring.sectors() > 1) {
-    // Half as many again are computed, because some of the unloaded modes that resemble the loaded
-    // ones lie higher.
+    // More unloaded modes than loaded ones are computed, by half, because some unloaded modes that
+    // resemble the loaded ones have higher frequencies.
     const auto unloaded = harmonic_modes(tire.even_elements(),
                                          tire.ring.mesh(),
                                          *state.inflated,
@@ -277,9 +280,10 @@ MassProperties FeTire::mass_properties(const Inflated& inflated) const {
   return fe_tire::mass_properties(impl_->even_elements(), inflated.u);
 }
 
-/// Computes the `count` lowest of the even and odd modes together. Somewhat more than half as many
-/// of each kind are first found approximately. Those among the lowest are then made exact; if all
-/// of a kind are among them, more are searched.
+/// Computes the `count` lowest of the even and odd modes together. First, somewhat more than half
+/// of this number of each kind are found approximately. Those that are among the `count` lowest are
+/// then computed accurately. If these include all modes of one kind, the search is repeated with
+/// more of this kind.
 Result<std::vector<Mode>> FeTire::Impl::modes_at(const TireState& state, int count) {
   constexpr int kSpare = 3;
   if (state.is_halved && !mirror()) return of_other_materials();
@@ -368,9 +372,9 @@ Status FeTire::Impl::factorize(const TireState& at,
   return {};
 }
 
-/// Adds the ground to the tangent. The state is even; odd unknowns hold only vibrations about it.
-/// So elements and ground are evaluated in the even numbering, and the tangent is gathered in the
-/// requested one.
+/// Adds the ground's stiffness to the tangent. The state is symmetric ("even"); odd unknowns
+/// describe only vibrations about it. Elements and ground are therefore evaluated in the even
+/// numbering, and the tangent is assembled in the requested one.
 void FeTire::Impl::add_ground(Systems& all,
                               const TreadSurface& tread,
                               const TireState& at,

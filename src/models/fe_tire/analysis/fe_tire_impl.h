@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internals of the tire, shared by its statics and modes (fe_tire.cpp) and their slopes
-// (tire_slopes.cpp) only.
+// Internals of the finite-element tire, for the two files that implement its statics and modes
+// (fe_tire.cpp) and its derivatives (tire_slopes.cpp).
 #pragma once
 
 #include <cmath>
@@ -21,9 +21,10 @@
 
 namespace latsch::fe_tire {
 
-/// Everything that depends on the mesh, on whether half the ring represents all of it, and on how
-/// much of the tread may touch. Even states carry the loading; even and odd ones together give all
-/// loaded modes. If the whole ring is used, the `even` members are all there is.
+/// Everything that depends on the mesh, on whether half of the ring represents all of it, and on
+/// how much of the tread may touch. Loaded states are even, that is, symmetric under the half turn.
+/// Even and odd motions together give all modes of the loaded tire. If the whole ring is computed,
+/// only the `even` members are used.
 struct Systems {
   RingUnknowns unknowns;
   TreadSurface tread;
@@ -31,16 +32,19 @@ struct Systems {
   std::optional<RingUnknowns> odd_unknowns;
   std::optional<TreadSurface> odd_tread;
   std::optional<RingAssembly> odd;
-  double half_angle;  // rad, half angle of the tread that may touch
-  // Tangents about `factored`, of even and of odd motions. They have the same pattern.
+  double half_angle;  // rad, half angle of the part of the tread that may touch
+  // Tangents about the state `factored` for even and for odd motions. Both have the same sparsity
+  // pattern.
   numerics::SymmetricMatrix tangent;
   std::optional<numerics::SymmetricMatrix> odd_tangent;
   numerics::Factorization factor;
   std::optional<numerics::Factorization> odd_factor;
-  std::optional<TireState> factored;  // none: no state, or one with indefinite tangents
-  std::optional<numerics::SymmetricMatrix> mass, odd_mass;  // masses of the materials, once needed
-  std::optional<numerics::Davidson> search, odd_search;     // searches that found modes about
-                                                            // `factored`
+  // Not set if no state was factorized, or if its tangents are indefinite.
+  std::optional<TireState> factored;
+  // Mass matrices, computed when they are first needed.
+  std::optional<numerics::SymmetricMatrix> mass, odd_mass;
+  // Eigenvalue searches that found modes about `factored`.
+  std::optional<numerics::Davidson> search, odd_search;
 
   Systems(const Ring& ring,
           const SolverSettings& settings,
@@ -75,8 +79,9 @@ struct Systems {
 };
 
 struct FeTire::Impl {
-  Ring ring;                 // the ring pressed on the ground
-  std::optional<Ring> even;  // all sectors equally wide; only if those of `ring` are not
+  Ring ring;  // the ring of sectors that is pressed on the ground
+  // The ring with equally wide sectors; set only if those of `ring` are not.
+  std::optional<Ring> even;
   SolverSettings settings;
   SolverCounts counts;
   /// Called for every intermediate equilibrium on the path, while the solver's factorization
@@ -103,8 +108,8 @@ struct FeTire::Impl {
 
   const RingElements& elements() const { return *elements_; }
 
-  /// Returns the systems for more than one sector. Their symbolic work is done at the first call,
-  /// and again only if new materials make or break the symmetry.
+  /// Returns the systems for more than one sector. The symbolic factorization is done at the first
+  /// call, and repeated only if new materials make or break the symmetry.
   Systems& systems(bool halved, int window) {
     auto& systems = systems_[{halved, window}];
     if (!systems) {
@@ -114,47 +119,50 @@ struct FeTire::Impl {
     }
     return *systems;
   }
-  /// Returns the permutation of the section's nodes by the half turn, if the half turn is a
-  /// symmetry.
+  /// Returns the permutation of a section's nodes under the half turn, if the tire is symmetric
+  /// under it.
   const std::optional<std::vector<int>>& mirror() {
     if (!is_symmetry_known_) mirror_ = find_mirror(ring.mesh(), elements().materials());
     is_symmetry_known_ = true;
     return mirror_;
   }
 
-  /// Ring used for inflation and unloaded modes, where one sector represents all.
+  /// Returns the ring for inflation and unloaded modes, in which one sector represents all.
   const Ring& even_ring() const { return even ? *even : ring; }
   const RingElements& even_elements() const { return even ? *even_elements_ : *elements_; }
 
-  /// Index of the first window tried. If the result depends on the path (friction), or if a bar
-  /// stands out of the ground, the wide window 1 is used from the start and kept.
+  /// Returns the index of the first window (part of the tread on which contact is computed) that is
+  /// tried. If the result depends on the path (friction), or if a bar stands on the ground, the
+  /// wide window 1 is used from the start and kept.
   static int first_window(const Ground& ground) {
     if (ground.held) return ground.held->window;
     return ground.mu > 0.0 || ground.bar ? 1 : 0;
   }
-  /// Index of the window for a path that starts at a state: points that are held belong to one
-  /// window.
+  /// Returns the index of the window (part of the tread on which contact is computed) for a path
+  /// that starts at this state. Held points belong to one fixed window.
   static int window_from(const TireState& state) {
     return state.ground.held ? state.ground.held->window : state.window;
   }
   Result<TireState> move(const TireState& from, const GroundPose& pose, const std::string& name);
   Result<std::vector<Mode>> modes_at(const TireState& state, int count);
-  /// Factorizes the tangents of even and odd motions about a state with its ground; keeps the
-  /// factors if the state is the one factorized last. Returns a Failure if the state is unstable,
-  /// that is, if a motion about it releases energy. Newton's method finds such equilibria too.
+  /// Factorizes the tangents of even and odd motions about a state with its ground. Keeps the
+  /// factorizations if this state was the last one factorized. Returns a Failure if the state is
+  /// unstable, that is, if some small motion releases energy. Newton's method may find such
+  /// equilibria.
   Status factorize(Systems& all, const TireState& state);
   /// Assembles only the tangent of even motions, the ground included. Returns a Failure if an
-  /// element fails.
+  /// element is inverted.
   Status assemble(Systems& all, const TireState& state, numerics::SymmetricMatrix& tangent);
-  /// Returns a Failure if the tangent about the state is not positive definite.
+  /// Factorizes the tangent about the state. Returns a Failure if it is not positive definite.
   Status factorize(const TireState& state,
                    const numerics::SymmetricMatrix& tangent,
                    numerics::Factorization& factor);
 
  private:
-  // Half angles of the tread that may touch, rad to both sides. At a deflection of 8 % of its
-  // radius a tire touches flat ground 0.22 rad up, half as far as the ground cuts a circle. If the
-  // tread touches beyond the angle, a window wider by the factor kWider is used.
+  // Half angles of the part of the tread that may touch, rad to both sides of the lowest point. At
+  // a deflection of 8 % of its radius a tire touches flat ground up to 0.22 rad, half of the angle
+  // at which the ground would cut a rigid circle. If the tread touches beyond this part, a part
+  // wider by the factor kWider is used.
   static constexpr double kHalfAngle = 0.3, kHalfAngleOfWays = 0.4, kWider = 1.5;
   static double half_angle(int window) {
     return window == 0 ? kHalfAngle : kHalfAngleOfWays * std::pow(kWider, window - 1);
@@ -164,7 +172,7 @@ struct FeTire::Impl {
                   const TireState& at,
                   const AssembledState& state,
                   numerics::SymmetricMatrix& tangent);
-  std::optional<RingElements> elements_, even_elements_;  // elements of `ring`, of `even`
+  std::optional<RingElements> elements_, even_elements_;  // elements of `ring` and of `even`
   std::map<std::pair<bool, int>, std::unique_ptr<Systems>> systems_;
   std::optional<std::vector<int>> mirror_;
   bool is_symmetry_known_ = false;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPressure = 2.6e5;
 
-/// Returns tire B with few elements, for tests of the method rather than of the tire.
+/// Returns the reference tire B on a coarse mesh, for tests of the method rather than of the tire.
 TireDescription small_tire() {
   TireDescription tire = reference_tire_b();
   tire.section.meridional = 13;
@@ -44,8 +44,8 @@ TEST(FeTire, HarmonicModesEqualThoseOfTheWholeRing) {
 }
 
 TEST(FeTire, HarmonicShapesAreModesOfTheRingsOwnMatrices) {
-  // K phi = omega^2 M phi must hold with K and M assembled sector by sector, independently of the
-  // harmonics.
+  // Modes were computed by circumferential harmonics. The equation K phi = omega^2 M phi must hold
+  // with K and M that are assembled sector by sector, independently of the harmonics.
   const TireDescription description = small_tire();
   FeTire tire = make(description);
   const auto inflated = tire.inflate(kPressure);
@@ -103,7 +103,8 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
   for (const TreadShape shape : {TreadShape::facets, TreadShape::smooth}) {
     const TreadSurface tread(whole, shape, 0.4);
     const RingAssembly assembly(whole, &tread);
-    // Soft ground and no slip keep the kink at first touch out of the comparison.
+    // The ground is soft and friction is high, so that neither first touch nor slip causes a kink
+    // within the finite difference.
     TreadContact contact(tread, {.stiffness = 2e8, .mu = 5.0});
     AssembledState state = assembly.zero_state();
     state.x = whole.compress(inflated->u.replicate(1, ring.sectors()));
@@ -121,7 +122,8 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
     };
     numerics::SymmetricMatrix K(*assembly.pattern());
     forces(state, &K);
-    // All nodes move, those of the bead's free inner edge too, but too little to cross the ground.
+    // All nodes are displaced, even those at the free inner edge of the bead, but too little for
+    // any point to cross the ground.
     Eigen::Matrix3Xd u(3, ring.mesh().nodes());
     for (int k = 0; k < u.cols(); ++k) {
       u.col(k) = Eigen::Vector3d(std::sin(k), std::cos(3 * k), std::sin(2 * k + 1));
@@ -139,8 +141,8 @@ TEST(FeTire, TangentWithContactAndStickingIsTheDerivativeOfTheForces) {
 }
 
 TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
-  // Only the free nodes of the bead's inner edge move. On soft rubber under high pressure their
-  // load is a visible part of the tangent.
+  // Only the free nodes at the inner edge of the bead are displaced. On soft rubber under high
+  // pressure the pressure on them contributes visibly to the tangent.
   const TireDescription description = small_tire();
   const Ring ring(build_mesh(description), ElementKind::full_integration);
   const RingUnknowns whole(ring, RingSymmetry::none, {});
@@ -161,7 +163,7 @@ TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
       }
     }
   }
-  ASSERT_EQ(moved_nodes, 2 * ring.sectors());  // nodes of both beads
+  ASSERT_EQ(moved_nodes, 2 * ring.sectors());  // the nodes at the inner edges of both beads
   const Eigen::VectorXd d = whole.compress(u);
   AssembledState state = assembly.zero_state();
   state.x = 1e-4 * d;
@@ -181,7 +183,8 @@ TEST(FeTire, TangentOfThePressureIsExactAtAnOpenEdgeToo) {
 }
 
 TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
-  // The whole ring must give the results of the even and odd halves of the ring together.
+  // The results of the whole ring must equal those of the even and odd motions of half a ring
+  // together.
   const TireDescription description = small_tire();
   FeTire tire = make(description);
   const auto inflated = tire.inflate(kPressure);
@@ -192,7 +195,8 @@ TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
   ASSERT_TRUE(modes) << modes.failure().reason;
 
   Mesh skewed =
-      build_mesh(description);  // changes the symmetry by far less than all other errors here
+      // Breaks the symmetry, by far less than all other errors of this test.
+      build_mesh(description);
   skewed.X(1, 20) += 1e-6;
   FeTire whole(skewed, build_materials(description), {ElementKind::full_integration});
   const auto inflated_whole = whole.inflate(kPressure);
@@ -217,14 +221,14 @@ TEST(FeTire, HalfTheRingGivesWhatTheWholeRingGives) {
   }
 }
 
-/// Returns a tire with narrow sectors at the contact.
+/// Returns a tire with narrow sectors near the contact.
 TireDescription graded_tire() {
   TireDescription tire = small_tire();
   tire.section.sector_zones = {{3, 8.0 * M_PI / 180.0}, {2, 14.0 * M_PI / 180.0}};
   return tire;
 }
 
-/// Returns the whole ring as a mesh without sectors.
+/// Returns the whole ring as one mesh that is not divided into sectors.
 Mesh without_sectors(const Mesh& mesh) {
   const int n = mesh.nodes_per_sector(), S = mesh.sectors;
   Mesh whole = mesh;
@@ -246,12 +250,12 @@ Mesh without_sectors(const Mesh& mesh) {
 }
 
 TEST(FeTire, GradedSectorsGiveWhatTheSameMeshGivesWithoutThem) {
-  // The mesh without sectors has one frame for all, no symmetry, and is inflated as a whole ring.
-  // Deflections are counted from the inflated radius, which is not unique on an unevenly divided
-  // ring.
+  // A mesh without sectors has one frame for all nodes and no symmetry, and it is inflated as a
+  // whole. Deflections are counted from the same radius, because on unequal sectors the inflated
+  // radius is not unique.
   const TireDescription description = graded_tire();
   SolverSettings settings;
-  settings.tread = TreadShape::facets;  // the only shape without sectors
+  settings.tread = TreadShape::facets;  // the only surface that a mesh without sectors supports
   FeTire graded(build_mesh(description), build_materials(description), settings);
   FeTire whole(without_sectors(build_mesh(description)), build_materials(description), settings);
   const auto inflated = graded.inflate(kPressure);
@@ -294,7 +298,8 @@ TEST(FeTire, GradingSectorsDoesNotTouchTheFreeTire) {
 TEST(FeTire, CordsKeepTheHalfTurnSymmetryAndALopsidedSectionDoesNot) {
   TireDescription tire = small_tire();
   tire.cord_model =
-      CordModel::rebar;  // plies at +- angle leave no mirror plane, but they keep the half turn
+      // Plies at +- angle have no mirror plane, but are symmetric under the half turn.
+      CordModel::rebar;
   const Materials materials = build_materials(tire);
   EXPECT_TRUE(find_mirror(build_mesh(tire), materials).has_value());
 
@@ -308,8 +313,8 @@ TEST(FeTire, CordsKeepTheHalfTurnSymmetryAndALopsidedSectionDoesNot) {
   EXPECT_FALSE(find_mirror(build_mesh(tire), materials).has_value());
 }
 
-/// Forces held by the rim: those of elements and gas on the nodes it clamps, wheel frame, N; and
-/// the forces of the gas on the whole wall.
+/// Forces on the tire in the wheel frame, N: those with which the rim holds the nodes it clamps
+/// (from elements and gas), and the force of the gas on the whole wall.
 struct RimForces {
   Eigen::Vector3d held = Eigen::Vector3d::Zero(), gas = Eigen::Vector3d::Zero();
 };
@@ -336,7 +341,7 @@ RimForces rim_forces(const Ring& ring, const Materials& materials, const TireSta
       batch.take(0, f, nullptr, nullptr, 0);
       EXPECT_EQ(elements.evaluate(s, e, 0.0, Stiffness::none, batch), 1u);
       batch.take(0, wall, nullptr, nullptr, 0);
-      for (int a = 0; a < 8; ++a) {  // each in its node's frame
+      for (int a = 0; a < 8; ++a) {  // each force is in the frame of its node
         const int node = mesh.elements[e].node[a] % n;
         const int plane = (s + mesh.elements[e].node[a] / n) % mesh.sectors;
         sum.gas -= mesh.frame(plane) * (f - wall).segment<3>(3 * a);
@@ -349,7 +354,7 @@ RimForces rim_forces(const Ring& ring, const Materials& materials, const TireSta
 }
 
 TEST(FeTire, GroundAndGasTogetherAreWhatTheRimHolds) {
-  // In global balance the rim holds the forces of ground and gas.
+  // Global equilibrium: the forces of the rim balance those of ground and gas.
   const TireDescription description = small_tire();
   for (const double mu : {0.0, 0.5}) {
     FeTire tire = make(description);
@@ -361,15 +366,16 @@ TEST(FeTire, GroundAndGasTogetherAreWhatTheRimHolds) {
     const RimForces rim = rim_forces(ring, tire.materials(), loaded->back());
     const double Fz = tire.stand(loaded->back()).force.z();
     EXPECT_GT(Fz, 1000.0);
-    EXPECT_NEAR(Fz, -rim.held.z() - rim.gas.z(), 1e-4 * Fz) << mu;  // SolverSettings::tolerance
+    // Accuracy given by SolverSettings::tolerance.
+    EXPECT_NEAR(Fz, -rim.held.z() - rim.gas.z(), 1e-4 * Fz) << mu;
     EXPECT_NEAR(0.0, rim.held.x() + rim.gas.x(), 1e-4 * Fz) << mu;
   }
 }
 
 TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
-  // The effect of friction on the force requires a mesh on which points slide apart within the
-  // patch: 0.5 % on the small tire's own mesh, 1.7, 1.5 and 1.3 % on meshes two, three and four
-  // times as fine.
+  // Friction changes the force only if the mesh is fine enough for points to slide apart within the
+  // patch. It adds 0.5 % on the small tire's own mesh, and 1.7, 1.5 and 1.3 % on meshes that are
+  // two, three and four times as fine.
   FeTire tire(build_mesh(small_tire(), {2, 2, 1}),
               build_materials(small_tire(), {2, 2, 1}),
               {.element = ElementKind::solid_shell});
@@ -378,8 +384,9 @@ TEST(FeTire, FrictionStiffensTheLoadedModesAndHoldsTheTreadBack) {
   const auto slick = tire.press(*inflated, Ground{2e10, 0.0}, {0.01, 0.02});
   const auto rough = tire.press(*inflated, Ground{2e10, 0.8}, {0.01, 0.02});
   ASSERT_TRUE(slick && rough);
-  // An independent prototype with other elements found +3.1 % in force and +15 % in the lowest
-  // frequency of this tire with mu = 0.8, on another mesh and at 25 mm.
+  // An independent program with another kind of element, another mesh and 25 mm of deflection found
+  // that friction (mu = 0.8) raises the force of this tire by 3.1 % and the lowest frequency by 15
+  // %.
   const double gain =
       tire.stand(rough->back()).force.z() / tire.stand(slick->back()).force.z() - 1.0;
   EXPECT_GT(gain, 0.01);
@@ -419,7 +426,8 @@ TEST(FeTire, AStateWithAnInvertedElementHasNoModesAndSaysWhere) {
   ASSERT_TRUE(inflated);
   auto loaded = tire.press(*inflated, Ground{}, {0.005});
   ASSERT_TRUE(loaded);
-  const int node = tire.mesh().elements[5].node[4];  // pulled through the wall
+  // Moves the node through the wall, which inverts the element.
+  const int node = tire.mesh().elements[5].node[4];
   inflated->u.col(node).z() += 0.1;
   loaded->back().u.col(node).z() += 0.1;
   for (const auto& modes :
@@ -432,8 +440,8 @@ TEST(FeTire, AStateWithAnInvertedElementHasNoModesAndSaysWhere) {
 }
 
 TEST(FeTire, HasModesWhereverItCouldBePressed) {
-  // Far beyond service, elements bend so much that their enhanced strains can be found only from
-  // those of the equilibrium itself. A state without them would have no tangent.
+  // Far beyond normal loads, elements bend so much that their enhanced strains can be found only
+  // from those of the equilibrium itself. A state that did not store them would have no tangent.
   FeTire tire = make(small_tire(), ElementKind::solid_shell);
   const auto inflated = tire.inflate(kPressure);
   ASSERT_TRUE(inflated);
@@ -447,7 +455,7 @@ TEST(FeTire, HasModesWhereverItCouldBePressed) {
 }
 
 TEST(FeTire, ModesThatLanczosDoesNotFindAreAFailure) {
-  // A tire without mass has no vibration.
+  // A tire without mass cannot vibrate.
   FeTire tire = make(small_tire());
   const auto inflated = tire.inflate(kPressure);
   ASSERT_TRUE(inflated);
@@ -470,7 +478,7 @@ TEST(FeTire, OneSectorsWorkAnalyzesNoRing) {
   EXPECT_EQ(tire.counts().analyses, 1);
   tire.set(tire.materials());
   ASSERT_TRUE(tire.press(*inflated, Ground{}, {0.002}));
-  EXPECT_EQ(tire.counts().analyses, 1);  // once per mesh
+  EXPECT_EQ(tire.counts().analyses, 1);  // one analysis per mesh
 }
 
 TEST(FeTire, SolvingTwiceGivesTheSameBits) {
@@ -478,7 +486,7 @@ TEST(FeTire, SolvingTwiceGivesTheSameBits) {
   const auto inflated = tire.inflate(kPressure);
   ASSERT_TRUE(inflated);
   const auto first = tire.press(*inflated, Ground{}, {0.01});
-  ASSERT_TRUE(tire.press(*inflated, Ground{}, {0.004, 0.02}));  // another path in between
+  ASSERT_TRUE(tire.press(*inflated, Ground{}, {0.004, 0.02}));  // computes another path in between
   const auto second = tire.press(*inflated, Ground{}, {0.01});
   ASSERT_TRUE(first && second);
   EXPECT_EQ(tire.stand((*first)[0]).force.z(), tire.stand((*second)[0]).force.z());
@@ -492,7 +500,8 @@ TEST(FeTire, BucklingPressureEndsAsAFailureInWords) {
   EXPECT_NE(sucked.failure().reason.find("bar"), std::string::npos) << sucked.failure().reason;
 }
 
-// Walls of this element buckle on the path to 65 mm; with shifted tangents the solver succeeds.
+// The walls of this element kind buckle on the path to 65 mm. The solver finds the equilibrium if
+// it may shift indefinite tangents.
 TEST(FeTire, TangentsThatStayIndefiniteEndAsAFailureInWords) {
   SolverSettings settings{.element = ElementKind::full_integration};
   const auto press = [&](double deflection) {
@@ -509,7 +518,8 @@ TEST(FeTire, TangentsThatStayIndefiniteEndAsAFailureInWords) {
   EXPECT_TRUE(press(0.04));
 }
 
-// The factor left behind by the failed longer step must not influence the result.
+// The step fails and is halved. The factorization left by the failed step must not influence the
+// result.
 TEST(FeTire, AStepThatIsHalvedEndsWhereItsHalvesLead) {
   SolverSettings impatient;
   impatient.max_iterations = 6;
@@ -525,7 +535,7 @@ TEST(FeTire, AStepThatIsHalvedEndsWhereItsHalvesLead) {
   const int of_halves = factors;
   const auto halved = press({0.02});
   ASSERT_TRUE(by_halves && halved);
-  EXPECT_GT(factors, of_halves);  // the whole step was tried
+  EXPECT_GT(factors, of_halves);  // proves that the whole step was tried first
   EXPECT_LT((halved->back().u - by_halves->back().u).norm(), 1e-14 * halved->back().u.norm());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests held points (Ground::held), the branch of a state. tire_slopes_test shows that slopes are
-// those of this branch.
+// Tests contact with prescribed touching points (Ground::held), which define the branch of
+// equilibria of a state. tire_slopes_test shows that the derivatives of a state are those of this
+// branch.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +16,8 @@ namespace {
 
 constexpr double kPressed = 0.02;  // m
 
-/// Returns a small tire whose rubbers are stiffer by this share, solved to the last digits.
+/// Returns a small tire whose rubbers are stiffer by the given share. It is solved to nearly all
+/// digits.
 FeTire coarse_and_exact(double stiffer) {
   TireDescription tire = reference_tire_b();
   tire.section.meridional = 13;
@@ -39,9 +41,9 @@ double force(FeTire& tire, const Ground& ground) {
   return tire.stand(pressed(tire, ground)).force.z();
 }
 
-// A state's own points are held on another path, from where the tire does not touch yet. If a
-// neighboring tire touches in the same points, it must reach its own state, because to first order
-// it has the same branch.
+// The touching points of a state are prescribed on another path, which starts where the tire does
+// not touch yet. It must lead to the same state. If a slightly stiffer tire touches in the same
+// points, its prescribed points must lead to its own state, too.
 TEST(HeldPoints, OfAStateAreThatState) {
   TouchingPoints touching;
   for (const double stiffer : {0.0, 0.01}) {
@@ -62,8 +64,8 @@ TEST(HeldPoints, OfAStateAreThatState) {
   }
 }
 
-// Second differences of a smooth force are of second order in the step; a kink, where points leave
-// on the path, makes them larger.
+// Second differences of a smooth force are of second order in the step. A kink, caused by points
+// that leave the ground, would make them larger.
 TEST(HeldPoints, GoOnSmoothlyWhereOthersWouldTouch) {
   constexpr double kMiddle = -0.25, kStep = 0.05;
   FeTire tire = coarse_and_exact(0.0);

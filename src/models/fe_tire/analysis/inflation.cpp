@@ -13,23 +13,26 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kTolerance =
-    1e-10;  // relative; cheap to reach here, and all later states build on this one
-constexpr double kOnTheWay = 1e-3;  // tolerance at intermediate pressures, which only start the
-                                    // next
+    // Relative tolerance of the residual. A small one is cheap on one sector, and all later states
+    // start from this one.
+    1e-10;
+// Relative tolerance at intermediate pressures, which only serve as start of the next step.
+constexpr double kOnTheWay = 1e-3;
 constexpr double kRoundOff =
-    1e-7;  // a larger residual that no longer falls is a failure, a smaller one round-off of stiff
-           // walls
+    // Relative residual that is still accepted if it no longer falls: stiff walls cause rounding
+    // errors of this size. A larger one is a failure.
+    1e-7;
 constexpr int kRingSteps = 4;
 constexpr int kMaxHalvings = 8;
 constexpr int kMaxBacktracks = 8;
 
 struct SectorState {
   Eigen::VectorXd x, alpha;
-  bool held = true;  // stable: the last iteration's tangent was positive definite
+  bool held = true;  // stable: the tangent of the last iteration was positive definite
 };
 
-/// Describes a position such as "at y = 92 mm, r = 231 mm, in column 3 of 16 of the mesh": where a
-/// node or an element's middle is without load, and its column of elements, counted from the +y
+/// Describes where a node, or the middle of an element, is in the unloaded tire, such as "at y = 92
+/// mm, r = 231 mm, in column 3 of 16 of the mesh". The columns of elements are counted from the +y
 /// bead.
 std::string place_in_words(const Mesh& mesh, const Eigen::Vector3d& X) {
   constexpr double kMillimeters = 1e3;
@@ -37,7 +40,7 @@ std::string place_in_words(const Mesh& mesh, const Eigen::Vector3d& X) {
   int columns = 0, nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (const Element& element : mesh.elements) {
-    if (!element.inner) continue;  // one element of each column
+    if (!element.inner) continue;  // counts one element per column
     ++columns;
     const Eigen::Vector3d middle = mesh.coordinates(element).rowwise().mean();
     const double away = std::hypot(middle.y() - X.y(), std::hypot(middle.x(), middle.z()) - r);
@@ -59,7 +62,7 @@ std::string inverted_in_words(const Ring& ring, int element) {
   return fmt::format("an element is inverted {}", place_in_words(mesh, middle));
 }
 
-/// Describes where the residual f is largest.
+/// Describes the position of the largest component of the residual f.
 std::string residual_in_words(const Ring& ring, const Eigen::VectorXd& f) {
   Eigen::Index node = 0;
   ring.expand(f).colwise().norm().maxCoeff(&node);
@@ -68,14 +71,15 @@ std::string residual_in_words(const Ring& ring, const Eigen::VectorXd& f) {
                      place_in_words(ring.mesh(), ring.mesh().X.col(node)));
 }
 
-/// Loads of a sector: a pressure, Pa, and a multiple of a linear load, none if null.
+/// Loads of a sector: a pressure, Pa, and a multiple of a linear load (null: no linear load).
 struct SectorLoads {
   double pressure = 0.0;
   const LinearLoad* linear = nullptr;
   double factor = 0.0;
 };
 
-/// Works as assemble_sector() under the loads. The tangent is that without the linear load.
+/// Computes the residual of a sector under these loads, like assemble_sector(). The tangent does
+/// not include the linear load.
 bool residual_of(const RingElements& elements,
                  const SectorLoads& loads,
                  SectorState& state,
@@ -92,8 +96,9 @@ bool residual_of(const RingElements& elements,
   return true;
 }
 
-/// Returns d = K(0)^-1 f. If K(0) is not positive definite (taut cords under a poor predictor), it
-/// is shifted until it is.
+/// Returns the direction d = K^-1 f, with K the tangent of circumferential number 0. If K is not
+/// positive definite, as with taut cords after a poor predictor, it is shifted along its diagonal
+/// until it is.
 Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
                                  const SectorLoads& loads,
                                  const Eigen::VectorXd& f,
@@ -114,7 +119,7 @@ Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
   return d.real();
 }
 
-/// Takes one load step, after which `state` is the equilibrium. A Failure leaves it unchanged.
+/// Solves one load step. Afterwards `state` is the equilibrium. A Failure leaves it unchanged.
 Status newton(const RingElements& elements,
               const SectorLoads& loads,
               double tolerance,
@@ -163,8 +168,9 @@ Status newton(const RingElements& elements,
 }  // namespace
 
 void measure_growth(const Mesh& mesh, Inflated& inflated) {
-  constexpr double kSameDistance = 1e-6;  // share of the outer radius: nodes of both halves of the
-                                          // tread
+  // Tolerance for distances from the middle plane, as a share of the outer radius: nodes of the
+  // tread's two halves count as equally far from it.
+  constexpr double kSameDistance = 1e-6;
   const double same = kSameDistance * mesh.outer_radius();
   double nearest = std::numeric_limits<double>::infinity(), outer = 0.0;
   double left = 0.0, right = 0.0;
@@ -203,9 +209,9 @@ Result<Inflated> inflate_sector(const RingElements& elements,
   }
   const double reference = f.norm();
 
-  // The whole pressure is tried at once: cords go taut during Newton's method as well as during
-  // pressure steps, in half as many iterations. If the result is on another branch, its tangent is
-  // not positive definite.
+  // The whole pressure is tried at once. Cords become taut during Newton's method just as during
+  // pressure steps, but half as many iterations are needed. If the result is on another branch of
+  // equilibria, its tangent is not positive definite.
   double reached = 0.0, step = pressure;
   if (near) {
     SectorState from{ring.compress(*near), state.alpha};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inflation on one sector: the state is the same in all sectors, so 260 unknowns replace 15,480.
+// Inflation of the tire, computed on one sector. The state is the same in all sectors, so that 260
+// unknowns replace 15,480.
 #pragma once
 
 #include "base/result.h"
@@ -19,29 +20,29 @@ Result<Inflated> inflate_sector(const RingElements& elements,
                                 const SolverSettings& settings,
                                 const Eigen::Matrix3Xd* near = nullptr);
 
-/// Forces on the unknowns of a sector that are linear in the displacements of a state that is the
-/// same in all sectors: w_0 + W x, N.
+/// Forces on the unknowns x of a sector that are linear in x: w_0 + W x, N. The state must be the
+/// same in all sectors.
 struct LinearLoad {
-  numerics::BandedHermitian W;  // matrix of circumferential number 0
+  numerics::BandedHermitian W;  // matrix for the circumferential number 0
   Eigen::VectorXd w_0;
 };
 
-/// Adds `factor` times a linear load to an inflated state. The factor is raised at once, in steps
-/// that are halved if they do not converge. A Failure says which share of it was reached.
+/// Adds `factor` times a linear load to an inflated state. The whole factor is tried at once; if
+/// this does not converge, steps are halved. A Failure says which share was reached.
 Result<Inflated> load_sector(const RingElements& elements,
                              const Inflated& from,
                              const LinearLoad& load,
                              double factor,
                              const SolverSettings& settings);
 
-/// Works as inflate_sector() on a mesh without symmetry. `reference` is the force norm of the
-/// pressure, N.
+/// Inflates a mesh without rotational symmetry; otherwise like inflate_sector(). `reference` is the
+/// force norm of the pressure, N.
 Result<Inflated> inflate_ring(EquilibriumSolver& solver,
                               const RingElements& elements,
                               double pressure,
                               double reference);
 
-/// Fills growth and radius of an inflated state.
+/// Sets growth, radius and width of an inflated state from its displacements.
 void measure_growth(const Mesh& mesh, Inflated& inflated);
 
 }  // namespace latsch::fe_tire

@@ -9,8 +9,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Stiff walls at low pressure end in round-off above a tolerance relative to the pressure. A fit
-// visits such tires.
+// With stiff walls and low pressure, rounding errors exceed a tolerance that is relative to the
+// pressure. Inflation must succeed nevertheless, because a fit may try such tires.
 TEST(Inflation, WallsOfEveryStiffnessAFitMayTryFindTheirEquilibrium) {
   Document document = Document::read(LATSCH_SOURCE_DIR "/studies/tires/race_16x7.5-10.toml");
   double last = 1.0;
@@ -21,7 +21,7 @@ TEST(Inflation, WallsOfEveryStiffnessAFitMayTryFindTheirEquilibrium) {
     const auto inflated = fe_tire.inflate(tire.pressure);
     ASSERT_TRUE(inflated) << E << ": " << inflated.failure().reason;
     EXPECT_GT(inflated->growth, 0.0);
-    EXPECT_LT(inflated->growth, last);  // stiffer walls grow less
+    EXPECT_LT(inflated->growth, last);  // the stiffer the walls, the smaller the growth
     last = inflated->growth;
   }
 }

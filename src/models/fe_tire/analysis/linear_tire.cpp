@@ -14,26 +14,30 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Largest number of nodes for which the order `whole` is reused. For a larger tire another
-// dissection costs less than its better order saves, 6 to 20 % of the operations.
+// Largest number of nodes for which the elimination order `whole` is reused. For a larger tire,
+// computing a new nested dissection costs less than its better order saves, 6 to 20 % of the
+// operations.
 constexpr int kFewRows = 10'000;
 
-// Largest number of iterations in which points come down or lift off. If the touching points
-// repeat, the solution is exact.
+// Largest number of iterations in which touching points change. When an iteration leaves the set of
+// touching points unchanged, its solution is exact.
 constexpr int kMostContactChanges = 30;
-constexpr double kExact = 1e-8;  // relative to g; S has single precision
-// Shares of the largest depth. Points deeper than kWithin of it are expected to touch, because a
-// patch is smaller than the section of the ground with the undeformed tire. A new condensed tire
-// includes more points, those deeper than kWithinReach of it minus kNear, so that it serves longer.
+constexpr double kExact = 1e-8;  // tolerance relative to g; the matrix S has single precision
+// Shares of the largest depth at which the undeformed tire would penetrate the ground. Points
+// deeper than kWithin times this depth are expected to touch, because a deformed tire touches in a
+// smaller area than its undeformed outline cuts from the ground. A new condensed tire includes more
+// points, those deeper than kWithinReach times this depth minus kNear, so that it can be used
+// longer.
 constexpr double kWithin = 0.35, kWithinReach = 0.2;
 constexpr double kNear = 0.2e-3;  // m
-// An old factor of the ground's tangent is used as long as it leaves at most this share of the
-// residual.
+// An old factorization of the ground's tangent is used as long as its step leaves at most this
+// share of the residual.
 constexpr double kOfUse = 0.3;
-// Smallest share of a step by nodes that is tried, and the share of the residual that it must gain.
+// Smallest share of a step that the line search in all directions tries, and the share of the
+// residual that the step must remove.
 constexpr double kSmallestShare = 1.0 / 300.0, kDecrease = 0.1;
 
-/// Returns two directions across `up`, then `up`, as columns.
+/// Returns an orthonormal matrix: two directions at right angles to `up`, then `up`, as columns.
 Eigen::Matrix3d across_and_up(const Eigen::Vector3d& up) {
   Eigen::Matrix3d Q;
   Q.col(0) = up.unitOrthogonal();
@@ -42,17 +46,19 @@ Eigen::Matrix3d across_and_up(const Eigen::Vector3d& up) {
   return Q;
 }
 
-/// Returns the vertical in the frames of the nodes' unknowns; an image has the same.
+/// Returns the vertical direction in the frame of each node's unknowns. A node and its image under
+/// the half turn have the same.
 std::vector<Eigen::Vector3d> verticals(const TreadSurface& tread) {
   std::vector<Eigen::Vector3d> up(tread.nodes(), Eigen::Vector3d::UnitZ());
   for (const TreadSurface::Place& place : tread.places()) {
-    // On the axis of the half turn the directions across it are held.
+    // Nodes on the axis of the half turn move only along it; the directions at right angles to it
+    // are held.
     if (place.node >= 0) up[place.node] = place.T.row(2).normalized();
   }
   return up;
 }
 
-/// Returns the forces of the points in contact by the nodes' heights.
+/// Returns the contact forces on the heights of the nodes.
 Eigen::VectorXd forces_by_heights(const TreadSurface& tread,
                                   const std::vector<TreadContact::Touch>& touches) {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(tread.nodes());
@@ -67,8 +73,9 @@ Eigen::VectorXd forces_by_heights(const TreadSurface& tread,
   return c;
 }
 
-/// Returns the tangent of the contact forces by the nodes' heights. Points are springs, and those
-/// of a cell add a small block for the cell's nodes.
+/// Returns the derivative of the contact forces with respect to the heights of the nodes. Every
+/// touching point is a spring. The points of a cell together add a small block for the nodes of
+/// this cell.
 Eigen::MatrixXd stiffness_by_heights(const TreadSurface& tread,
                                      const std::vector<TreadContact::Touch>& touches) {
   const auto of_cell = by_cells(tread, touches);
@@ -103,8 +110,8 @@ Eigen::MatrixXd stiffness_by_heights(const TreadSurface& tread,
   return C;
 }
 
-/// Returns the rows of the nodes on which the touches act, ascending. `first_row` holds a row for
-/// every node.
+/// Returns the rows of the nodes on which the touching points act, ascending. `first_row` holds a
+/// row for every node.
 std::vector<int> touched(const TreadSurface& tread,
                          const std::vector<int>& first_row,
                          const std::vector<TreadContact::Touch>& touches) {
@@ -119,7 +126,7 @@ std::vector<int> touched(const TreadSurface& tread,
   return rows;
 }
 
-/// Adds a point in contact to the forces by the nodes' unknowns.
+/// Adds the force of a touching point to the forces on the nodes' unknowns.
 void add_force(const TreadSurface& tread, const TreadContact::Touch& touch, Eigen::VectorXd& c) {
   const TreadSurface::Point& point = tread.points()[touch.point];
   const TreadSurface::Weight* weights = tread.weights(point);
@@ -130,7 +137,8 @@ void add_force(const TreadSurface& tread, const TreadContact::Touch& touch, Eige
   }
 }
 
-/// Adds a point in contact to the tangent. `first` holds the first row of each node in the tangent.
+/// Adds the stiffness of a touching point to the tangent. `first` holds the first row of each node
+/// in the tangent.
 void add_tangent(const TreadSurface& tread,
                  const TreadContact::Touch& touch,
                  const std::vector<int>& first,
@@ -189,8 +197,8 @@ bool LinearTire::serves(const TreadContact* contact) const {
   return on_ground_ && kept_ == (contact->is_by_height() ? 1 : 3);
 }
 
-/// Transforms the nodes' unknowns to directions across and along the vertical, and eliminates those
-/// across.
+/// Transforms the nodes' unknowns to horizontal and vertical components, and eliminates the
+/// horizontal ones.
 bool LinearTire::condense_to_heights() {
   springs_.reset();
   const Eigen::MatrixXd interface = factor_.condensed();
@@ -214,7 +222,8 @@ bool LinearTire::condense_to_heights() {
   return true;
 }
 
-/// Forward elimination of a right-hand side. Returns its remainder at the kept unknowns.
+/// Forward elimination of a right-hand side v. Returns what remains for the unknowns that are not
+/// eliminated.
 Eigen::VectorXd LinearTire::reduce(Eigen::VectorXd& v) const {
   factor_.reduce(v);
   if (kept_ == 3) return at_nodes(v);
@@ -233,7 +242,7 @@ Eigen::VectorXd LinearTire::reduce(Eigen::VectorXd& v) const {
   return heights - coupled;
 }
 
-/// Back substitution from the kept unknowns.
+/// Back substitution: computes all unknowns v from those that are not eliminated, w.
 void LinearTire::expand(const Eigen::VectorXd& w, Eigen::VectorXd& v) const {
   if (kept_ == 3) {
     for (int a = 0; a < n_; ++a) {
@@ -257,7 +266,7 @@ void LinearTire::expand(const Eigen::VectorXd& w, Eigen::VectorXd& v) const {
   factor_.expand(v);
 }
 
-/// Returns the kept part of a vector of unknowns.
+/// Returns the components of a vector of unknowns that are not eliminated.
 Eigen::VectorXd LinearTire::at_nodes(const Eigen::VectorXd& v) const {
   Eigen::VectorXd kept(kept_ * n_);
   for (int a = 0; a < n_; ++a) {
@@ -292,7 +301,7 @@ Eigen::Matrix3Xd LinearTire::moved_back(const Eigen::VectorXd& w) const {
   return u;
 }
 
-/// Returns c(u - w), N, at the kept unknowns.
+/// Returns the ground's forces c(u - w), N, on the unknowns that are not eliminated.
 Eigen::VectorXd LinearTire::forces_by_nodes(const TreadContact& contact,
                                             const Eigen::VectorXd& w) const {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(3 * n_);
@@ -301,7 +310,8 @@ Eigen::VectorXd LinearTire::forces_by_nodes(const TreadContact& contact,
   return c;
 }
 
-/// Returns the forces of points within reach, which depend only on nodes within reach.
+/// Returns the forces of the points within the ground's reach. They depend only on nodes within
+/// reach.
 Eigen::VectorXd LinearTire::forces_within_reach(const TreadContact& contact,
                                                 const Eigen::VectorXd& w,
                                                 GroundTangent* tangent) const {
@@ -325,15 +335,15 @@ Eigen::VectorXd LinearTire::forces_within_reach(const TreadContact& contact,
   return c(by_nodes_.reached());
 }
 
-/// Extends w to all nodes; nodes beyond reach do not move.
+/// Extends w to all nodes with zeros for the nodes beyond the ground's reach.
 Eigen::VectorXd LinearTire::beyond_reach_too(const Eigen::VectorXd& w) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(3 * n_);
   all(by_nodes_.reached()) = w;
   return all;
 }
 
-/// Solves S w = g + c(u - w) by heights. C_ and L_ become those of the points in contact; they are
-/// reused if the same points touch as last time.
+/// Solves S w = g + c(u - w) for the heights alone. C_ and L_ become the tangent of the touching
+/// points and the factorization; they are reused if the same points touch as last time.
 bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::VectorXd& g) {
   w_.setZero(g.size());
   for (int change = 0; change < kMostContactChanges; ++change) {
@@ -354,11 +364,12 @@ bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::Vect
     w_ += left;
   }
   c_ = forces_by_heights(tread_, contact.touches(moved_back(w_)));
-  return true;  // The residual of the elements' forces decides.
+  // An inexact solution is accepted here, because the residual of all forces is checked afterwards.
+  return true;
 }
 
-/// Adds points to those within reach. Returns false if the tire beyond them is not positive
-/// definite.
+/// Adds points to those that the ground may reach. Returns false if the condensed stiffness of all
+/// other nodes is not positive definite.
 bool LinearTire::reach(const std::vector<int>& points) {
   is_reached_.resize(tread_.points().size(), 0);
   for (const int point : points) is_reached_[point] = 1;
@@ -381,7 +392,7 @@ bool LinearTire::reaches(const std::vector<int>& points) const {
          std::ranges::all_of(points, [this](int point) { return is_reached_[point] != 0; });
 }
 
-/// Adds the points that the ground in its pose is likely to reach on the tire moved back by w.
+/// Adds the points that the ground in its pose is likely to reach if the tire is displaced by -w.
 bool LinearTire::reach_likely(const TreadContact& contact, const Eigen::VectorXd& w) {
   const Eigen::Matrix3Xd u = moved_back(w);
   const double deepest = contact.deepest(u);
@@ -389,8 +400,8 @@ bool LinearTire::reach_likely(const TreadContact& contact, const Eigen::VectorXd
   return reach(contact.within(kNear - kWithinReach * deepest, u));
 }
 
-/// Solves S w = g + c(u - w) in all directions, starting from the given w. Points within reach are
-/// extended until no other point touches.
+/// Solves S w = g + c(u - w) in all directions, starting from the given w. The set of points within
+/// the ground's reach is extended until no other point touches.
 bool LinearTire::touch_by_nodes(const TreadContact& contact,
                                 const Eigen::VectorXd& g,
                                 Eigen::VectorXd& w) {
@@ -408,9 +419,9 @@ bool LinearTire::touch_by_nodes(const TreadContact& contact,
   }
 }
 
-/// Solves within reach. An old factor is used while it leaves little residual. A point that slides
-/// may overshoot to the other side, so steps by a new factor are halved if they increase the
-/// residual.
+/// Solves (L.1) for the points within the ground's reach. An old factorization is used while it
+/// leaves a small residual. A point that slides may overshoot, so a step with a new factorization
+/// is halved if it increases the residual.
 bool LinearTire::touch_within_reach(const TreadContact& contact,
                                     const Eigen::VectorXd& g,
                                     Eigen::VectorXd& w) {
@@ -445,10 +456,11 @@ bool LinearTire::touch_within_reach(const TreadContact& contact,
     is_slow = !(least < kOfUse * norm);
   }
   forces_within_reach(contact, w, &tangent_);
-  return by_nodes_.is_positive();  // The residual of the elements' forces decides.
+  // An inexact solution is accepted here, because the residual of all forces is checked afterwards.
+  return by_nodes_.is_positive();
 }
 
-/// Stores the tangent of the ground. L_ becomes the factor of the tire on it.
+/// Stores the tangent of the ground. L_ becomes the factorization of the tire together with it.
 bool LinearTire::factorize_contact(const Eigen::MatrixXd& stiffness) {
   C_ = stiffness;
   L_ = S_ + C_;
@@ -482,7 +494,8 @@ bool LinearTire::step(const TreadContact* contact,
   if (kept_ == 1) {
     if (!touch_by_heights(*contact, reduced)) return false;
   } else {
-    // After a path was followed, the ground is expected to move as far again.
+    // After the ground was moved along a path, the first guess is that the next motion is as long
+    // as the last one.
     w_ = ahead_.size() > 0 ? ahead_ : none;
     ahead_.resize(0);
     if (!touch_by_nodes(*contact, reduced, w_)) return false;
@@ -501,7 +514,8 @@ bool LinearTire::follow(const numerics::SymmetricMatrix& K,
   u_ = tread_.displacements(x);
   Eigen::VectorXd w = Eigen::VectorXd::Zero(3 * n_), w_before = w;
   if (!reach_likely(contact, w)) return false;
-  // Addition to g with which (L.1) by the factor has the solution by K, and its growth.
+  // `beside` is a correction of g: with it, the factorization of an approximate K gives the
+  // solution of (L.1) with the exact K. It is extrapolated from part to part.
   Eigen::VectorXd beside = Eigen::VectorXd::Zero(g.size()), beside_before = beside;
   for (std::size_t part = 0; part < poses.size(); ++part) {
     contact.move(poses[part]);

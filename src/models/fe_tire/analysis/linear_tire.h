@@ -10,10 +10,11 @@
 //
 // is solved exactly, including points that come down, lift off, stick or slide. All other nodes are
 // eliminated once per factorization:  S w = g' + c(u - w),  S dense (condensed_tire.h). Newton's
-// method on this equation costs a small dense factorization an iteration and no pass over the
-// elements, so an equilibrium needs only as many such passes as the elements' nonlinearity
-// requires. If forces depend on heights over flat ground alone, the nodes' two other directions are
-// eliminated too and (L.1) is piecewise linear: it is solved after finitely many iterations.
+// method on this equation costs one small dense factorization per iteration and no evaluation of
+// the elements, so the number of such evaluations depends only on the nonlinearity of the elements.
+// If the ground's forces depend only on the nodes' heights above flat ground, the nodes' horizontal
+// unknowns are eliminated, too. Then (L.1) is piecewise linear and is solved in finitely many
+// iterations.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,18 +30,18 @@ namespace latsch::fe_tire {
 
 class LinearTire {
  public:
-  /// `whole`: an order of elimination of the pattern. `tread` must outlive this object.
+  /// `whole`: an elimination order of the pattern. `tread` must outlive this object.
   LinearTire(const numerics::SymmetricPattern& pattern,
              const numerics::Elimination& whole,
              const TreadSurface& tread);
 
-  /// Factorizes K, which must not contain the ground. `contact` is that of the following steps,
-  /// null if there is none. Returns false if K (with the nodes that the ground feels held) is not
-  /// positive definite.
+  /// Factorizes K, which must not contain the ground's stiffness. `contact` is that of the
+  /// following steps; null if there is none. Returns false if K is not positive definite while the
+  /// nodes on which the ground may act are held.
   bool factorize(const numerics::SymmetricMatrix& K, const TreadContact* contact);
-  /// Frees the factor's memory.
+  /// Frees the memory of the factorization.
   void release() { factor_.release(); }
-  /// True if the factor can be used with this contact.
+  /// Returns true if the factorization can be used with this contact.
   bool serves(const TreadContact* contact) const;
 
   /// Computes d of (L.1) on this ground at the state x with the residual f = g + c. Returns false
@@ -50,29 +51,31 @@ class LinearTire {
             const Eigen::VectorXd& f,
             Eigen::VectorXd& d);
 
-  /// Follows the ground from an equilibrium x with the elements' forces g to its present pose,
-  /// through `poses`, each by (L.1). The contact then starts from the last of them, with the
-  /// anchors of the path. Returns false if tire and ground together are not positive definite. The
-  /// factor is an approximation of K in single precision; its error is corrected along the path.
+  /// Moves the ground from an equilibrium x, with the elements' forces g, through `poses` to its
+  /// present pose, solving (L.1) at each pose. The contact then starts from the last pose, with the
+  /// friction anchors of the path. Returns false if tire and ground together are not positive
+  /// definite. The factorization approximates K in single precision; its error is corrected along
+  /// the path.
   bool follow(const numerics::SymmetricMatrix& K,
               TreadContact& contact,
               const Eigen::VectorXd& x,
               const Eigen::VectorXd& g,
               const std::vector<GroundPose>& poses);
 
-  /// Residual of (L.1) at the last step's d with another K, and the linear equations of its
-  /// correction, (K + dc/dx) e = r, with the contact of the last step.
+  /// The residual r of (L.1) at the last step's d with another K is computed here. The following
+  /// functions serve to solve the linear equation of its correction, (K + dc/dx) e = r, with the
+  /// contact of the last step.
   Eigen::VectorXd residual(const numerics::SymmetricMatrix& K, const Eigen::VectorXd& d) const;
   void multiply(const numerics::SymmetricMatrix& K,
                 const Eigen::VectorXd& v,
                 Eigen::VectorXd& Kv) const;
-  /// Applies v <- (K + dc/dx)^-1 v with the K of the factor.
+  /// Computes v <- (K + dc/dx)^-1 v with the factorized K.
   void precondition(Eigen::VectorXd& v) const;
 
-  /// True if the ground's tangent at the last step is symmetric.
+  /// Returns true if the ground's tangent at the last step is symmetric.
   bool is_symmetric() const { return kept_ == 1 || tangent_.is_symmetric(); }
 
-  /// Factorization, which also holds the order of elimination.
+  /// The factorization, which also holds the elimination order.
   const numerics::Factorization& factor() const { return factor_; }
 
  private:
@@ -101,25 +104,29 @@ class LinearTire {
   const TreadSurface& tread_;
   numerics::Factorization factor_;
   bool on_ground_ = false;
-  int n_;         // number of nodes of the tread's surface
-  int kept_ = 3;  // directions of each node that are not eliminated: 1 (up) or 3
-  /// Axes of every node: two directions across the vertical, then the vertical.
+  int n_;         // number of nodes on the tread's surface
+  int kept_ = 3;  // number of directions per node that are not eliminated: 1 (vertical) or 3
+  /// Axes of every node as columns: two horizontal directions, then the vertical.
   std::vector<Eigen::Matrix3d> Q_;
-  /// Factor of the nodes' unknowns across the vertical, two a node, and below it their coupling
-  /// with the heights.
+  /// Factor of the nodes' horizontal unknowns, two per node; below it their coupling with the
+  /// heights.
   Eigen::MatrixXd A_;
-  CondensedTire by_nodes_;        // all directions of the nodes that the ground may reach
-  std::vector<char> is_reached_;  // for every point of the tread
-  std::vector<int> first_row_;    // for every node within reach, -1: beyond reach
-  GroundTangent tangent_;         // dc/dw of the last step, all directions
-  Eigen::MatrixXd S_;             // condensed stiffness of the heights
-  Eigen::MatrixXd C_, L_;         // dc/dw of the last step by heights, factor of S + C
-  // Points in contact in the last step, and their stiffness. Unset: L_ is a factor of another S.
+  // Condensed stiffness in all directions of the nodes that the ground may reach.
+  CondensedTire by_nodes_;
+  std::vector<char> is_reached_;  // for every point of the tread: true if the ground may reach it
+  // First row of every node that the ground may reach; -1 for other nodes.
+  std::vector<int> first_row_;
+  GroundTangent tangent_;  // derivative dc/dw at the last step, in all directions
+  Eigen::MatrixXd S_;      // condensed stiffness for the heights
+  // Derivative dc/dw at the last step for the heights, and the factor of S + C.
+  Eigen::MatrixXd C_, L_;
+  // Touching points of the last step and their stiffness. If not set, L_ is a factor of another S.
   std::optional<std::vector<std::pair<int, double>>> springs_;
   Eigen::Matrix3Xd u_;     // displacements of the nodes at the last step
-  Eigen::VectorXd ahead_;  // first guess of w for the step after a path was followed
-  Eigen::VectorXd w_, g_;  // the nodes' displacement in the last step, reversed; and g of that step
-  Eigen::VectorXd c_;      // the forces of the ground at the end of the last step
+  Eigen::VectorXd ahead_;  // first guess of w for the step after a path
+  // Displacement of the nodes in the last step, with reversed sign; g of that step.
+  Eigen::VectorXd w_, g_;
+  Eigen::VectorXd c_;  // forces of the ground at the end of the last step
 };
 
 }  // namespace latsch::fe_tire

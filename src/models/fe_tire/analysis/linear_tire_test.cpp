@@ -19,8 +19,8 @@ TireDescription coarse(TireDescription tire) {
   return tire;
 }
 
-// Compares (L.1) with the ground's forces as the residual has them, without condensation: for half
-// a ring and a whole one, by heights without friction, and by nodes with friction and on a cleat.
+// Checks solutions of (L.1) with the uncondensed contact forces: for half a ring and a whole one,
+// for heights alone without friction, and for all directions with friction and on a cleat.
 TEST(LinearTire, AnswersTheGroundExactly) {
   const TireDescription description = coarse(reference_tire_b());
   const Materials materials = build_materials(description);
@@ -58,19 +58,21 @@ TEST(LinearTire, AnswersTheGroundExactly) {
       const Eigen::VectorXd before = of_ground(state.x), after = of_ground(state.x - d);
       Eigen::VectorXd Kd(d.size());
       K.multiply(d.data(), Kd.data());
-      // Points have come down, so the ground acts differently than at the step's start.
+      // Points have come into contact, so the ground's forces differ much from those at the start
+      // of the step.
       EXPECT_GT((after - before).norm(), 0.5 * after.norm());
-      // The factor has single precision: errors are 0.8 to 1.0e-4 in all six cases, below 2e-9 in
-      // double.
+      // The factorization has single precision. The errors are 0.8 to 1.0e-4 in all six cases; in
+      // double precision they would be below 2e-9.
       EXPECT_LT((g - Kd + after).norm(), 2e-4 * after.norm());
       EXPECT_LT(linear.residual(K, d).norm(), 2e-4 * after.norm());
     }
   }
 }
 
-// A coefficient of friction of 1e-12 is none, but the solver then works by nodes in place of
-// heights. Every equilibrium by heights is polished, so its forces agree in more digits than are
-// displayed with those of a reference that is a hundred times as exact.
+// A coefficient of friction of 1e-12 has no effect, except that the solver then works with all
+// directions instead of heights alone. Every equilibrium with heights alone is polished, so its
+// forces agree with those of a reference with a hundred times smaller tolerance, in more digits
+// than are displayed.
 TEST(LinearTire, EquilibriaAreTheSameByNodesAndByHeights) {
   for (const TireDescription& description :
        {coarse(reference_tire_a()), coarse(reference_tire_b())}) {
@@ -93,8 +95,8 @@ TEST(LinearTire, EquilibriaAreTheSameByNodesAndByHeights) {
   }
 }
 
-// Points that come down or lift off must not need passes over the elements or make a tangent
-// indefinite.
+// Points that come into contact or lift off must neither need evaluations of the elements nor make
+// a tangent indefinite.
 TEST(LinearTire, AnEquilibriumTakesAsManyPassesAsItsElementsNeed) {
   for (const TireDescription& description :
        {coarse(reference_tire_a()), coarse(reference_tire_b()), reference_tire_b()}) {

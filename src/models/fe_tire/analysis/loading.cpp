@@ -8,17 +8,16 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Lengths of a step with friction, and of its parts, as shares of the wheel center's height: a
-/// patch grows with the root of the deflection times the height. A step is followed part by part on
-/// the tire linearized at its start, because a point that sticks in a part stays near its position
-/// at the part's beginning. Longer steps or parts lose accuracy. Forces differ by less than 0.1 %
-/// from those of steps ten times as short (./bench.sh footprint friction); steps of 1/60 gave 0.3
-/// %, parts of 1/300 0.4 %.
+/// Length of a step with friction, and of the parts of a step, relative to the height of the wheel
+/// center. A step is computed part by part on the tire linearized at its start. A point that sticks
+/// during a part stays near its position at the beginning of this part. Longer steps or parts lose
+/// accuracy. Forces differ by less than 0.1 % from those of steps ten times as short (./bench.sh
+/// footprint friction); steps of 1/60 gave 0.3 %, parts of 1/300 0.4 %.
 constexpr double kFrictionStep = 1.0 / 100.0, kPart = 1.0 / 1000.0;
 constexpr double kRounding = 1e-9;
-constexpr double kShortest = 1.0 / 64.0;  // least share of an intended step
+constexpr double kShortest = 1.0 / 64.0;  // shortest step, as a share of the intended one
 
-/// Returns the length of the ground's path, m.
+/// Returns the length of the ground's motion between two poses, m.
 double way(const GroundPose& a, const GroundPose& b) {
   const double turn = std::max(std::abs(b.camber - a.camber), std::abs(b.yaw - a.yaw));
   return std::max({std::abs(b.height - a.height),
@@ -27,7 +26,7 @@ double way(const GroundPose& a, const GroundPose& b) {
                    turn * std::max(a.height, b.height)});
 }
 
-/// Returns the poses of the ground on its path from a to b.
+/// Returns intermediate poses of the ground on its path from a to b, and b.
 std::vector<GroundPose> poses_between(const GroundPose& a, const GroundPose& b) {
   const int parts = static_cast<int>(std::ceil(way(a, b) / (kPart * a.height) - kRounding));
   std::vector<GroundPose> poses;
@@ -57,7 +56,7 @@ Status move_ground(EquilibriumSolver& solver,
     if (contact.has_friction()) {
       const std::vector<GroundPose> on_way = poses_between(now.pose, there);
       contact.move(there);
-      // A path that cannot be followed in parts is taken in one step.
+      // If the path cannot be computed in parts, the step is done at once.
       if (!on_way.empty() && !solver.follow(elements, now.state, pressure, contact, on_way))
         contact.start(now.pose, now.state.x, now.anchors);
     }
@@ -73,7 +72,7 @@ Status move_ground(EquilibriumSolver& solver,
     } else if (step <= kShortest * longest) {
       return solved;
     } else {
-      solver.forget_factor();  // the factor belongs to a state of the failed step
+      solver.forget_factor();  // the factorization belongs to a state of the failed step
       step *= 0.5;
     }
   }

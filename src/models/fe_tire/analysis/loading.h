@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moving the ground under the tire, pose by pose.
+// Moves the ground under the tire from pose to pose and finds the equilibrium at each.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace latsch::fe_tire {
 
-/// An equilibrium of the assembled sectors.
+/// An equilibrium of the ring of sectors at a pose of the ground.
 struct Placed {
   GroundPose pose;
   AssembledState state;
@@ -18,10 +18,10 @@ struct Placed {
 };
 
 /// Moves from `placed` to the equilibrium at `pose`. With friction this takes several steps, each
-/// followed in parts on the linear tire (EquilibriumSolver::follow); within a part a point moves
-/// along the ground in a straight line. A step that does not converge is halved and repeated, and
-/// the next one may be twice as long. If halving does not help, the Failure names the pose, and
-/// `placed` is unchanged.
+/// of which is divided into parts that are computed on the linearized tire
+/// (EquilibriumSolver::follow). Within a part a point moves along the ground in a straight line. A
+/// step that does not converge is halved and repeated, and the next one may be twice as long. If
+/// halving does not help, the Failure names the pose, and `placed` is unchanged.
 Status move_ground(EquilibriumSolver& solver,
                    const RingElements& elements,
                    double pressure,

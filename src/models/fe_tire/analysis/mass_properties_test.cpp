@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests against closed forms of bodies of revolution, and against volumes and areas that this test
-// measures on the mesh itself.
+// Tests mass properties against closed forms for bodies of revolution, and against volumes and
+// areas that this test integrates on the mesh itself.
 #include "models/fe_tire/analysis/mass_properties.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Returns a section of columns x rows elements swept around the spin axis. `at` gives (y, r) of a
-/// point of the unit square.
+/// Returns a mesh whose section, of columns x rows elements, is swept around the spin axis. `at`
+/// maps the unit square to (y, r).
 Mesh swept(int sectors,
            int columns,
            int rows,
@@ -63,7 +63,8 @@ MassProperties of(Mesh mesh,
   return mass_properties(elements, Eigen::Matrix3Xd::Zero(3, ring.mesh().nodes_per_sector()));
 }
 
-/// Extrapolates an error of order h^2 from a mesh and one twice as fine.
+/// Returns values extrapolated to an infinitely fine mesh, from a mesh and one twice as fine, with
+/// an error of order h^2.
 MassProperties extrapolated(const std::function<MassProperties(int)>& on) {
   const MassProperties coarse = on(1), fine = on(2);
   const auto both = [](double a, double b) { return (4.0 * b - a) / 3.0; };
@@ -99,15 +100,16 @@ TEST(MassProperties, OfATube) {
         rubber());
   };
   expect_near(extrapolated(on), expected, 1e-5);
-  // The header states these errors of the polygon.
+  // A polygon of 64 sectors has the errors that the header states.
   const double short_by = 2.0 / 3.0 * std::pow(kPi / 64.0, 2);
   EXPECT_NEAR(on(1).mass / mass, 1.0 - short_by, 1e-5);
   EXPECT_NEAR(on(1).spin_inertia / expected.spin_inertia, 1.0 - 1.5 * short_by, 1e-4);
 }
 
-// Hollow torus of radius R to the middle of its wall, which lies between circles of radii c, d: m =
-// 2 pi^2 rho R (d^2 - c^2). With q2, q4 the integrals over the section of r^2 and r^4 about its
-// middle, and A its area:  I_spin = 2 pi rho R (A R^2 + 3 q2 / 2), int y^2 dm = 2 pi rho R q2 / 2.
+// A hollow torus: R is the radius of its center line; the wall of its section lies between circles
+// of radii c and d. Its mass is m = 2 pi^2 rho R (d^2 - c^2). With q2, q4 the integrals over the
+// section of r^2 and r^4 about its middle, and A its area:  I_spin = 2 pi rho R (A R^2 + 3 q2 / 2),
+// int y^2 dm = 2 pi rho R q2 / 2.
 TEST(MassProperties, OfATorus) {
   constexpr double R = 0.28, c = 0.06, d = 0.07;
   const double A = kPi * (d * d - c * c), q2 = 0.5 * kPi * (std::pow(d, 4) - std::pow(c, 4));
@@ -128,8 +130,8 @@ TEST(MassProperties, OfATorus) {
   expect_near(extrapolated(on), expected, 2e-5);
 }
 
-/// Visits points of the cube [-1, 1]^3 or, at one zeta, of the square: the midpoints of n
-/// intervals.
+/// Calls `visit` at points of the cube [-1, 1]^3, or of the square at one zeta: the centers of a
+/// grid of n intervals per axis.
 void over_cube(int n, const std::function<void(const Eigen::Vector3d&, double)>& visit) {
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
@@ -148,7 +150,7 @@ constexpr int kCorner[8][3] = {{-1, -1, -1},
                                {1, 1, 1},
                                {-1, 1, 1}};
 
-/// Returns the position of a point of the cube, and the Jacobian there.
+/// Returns the position and the Jacobian of the element's map at a point of the reference cube.
 std::pair<Eigen::Vector3d, Eigen::Matrix3d> map(const Matrix38& X, const Eigen::Vector3d& p) {
   Eigen::Vector3d x = Eigen::Vector3d::Zero();
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
@@ -161,7 +163,7 @@ std::pair<Eigen::Vector3d, Eigen::Matrix3d> map(const Matrix38& X, const Eigen::
   return {x, J};
 }
 
-/// Integrates over rubber and cord sheets by the midpoint rule.
+/// Integrates mass properties over rubber and cord layers by the midpoint rule.
 MassProperties measured(const Mesh& mesh, const Materials& materials) {
   MassProperties all;
   constexpr int kPoints = 16;
@@ -176,7 +178,7 @@ MassProperties measured(const Mesh& mesh, const Materials& materials) {
     over_cube(kPoints, [&](const Eigen::Vector3d& p, double weight) {
       const auto [x, J] = map(X, p);
       add(x, materials.solids[element.solid].density * J.determinant() * weight);
-      if (p.z() > 2.0 / kPoints - 1.0) return;  // points of the square are visited once
+      if (p.z() > 2.0 / kPoints - 1.0) return;  // points of the square are visited once only
       for (const RebarPlacement& rebar : element.rebars) {
         const CordLayer& cords = materials.layers[rebar.layer];
         const auto [at, G] = map(X, {p.x(), p.y(), rebar.zeta});
@@ -189,8 +191,8 @@ MassProperties measured(const Mesh& mesh, const Materials& materials) {
   return all;
 }
 
-/// Returns a tire whose rows meet on plies, many in the crown and two in the sidewalls, so that
-/// some corners are not nodes.
+/// Returns a tire in which rows of elements meet on plies, many in the crown and two in the
+/// sidewalls, so that some corners of elements are not nodes.
 TireDescription tire_of_faces() {
   TireDescription tire = reference_tire_b();
   tire.cord_model = CordModel::rebar;
@@ -199,8 +201,9 @@ TireDescription tire_of_faces() {
   return tire;
 }
 
-// The midpoint rule errs by 1/16^2 of the Jacobian's curvature, some 4e-6. The vibrating mass of
-// the solid shells exceeds the moments by h^2/12 of a radius squared, 1e-3 for 60 sectors.
+// The midpoint rule has a relative error of 1/16^2 of the Jacobian's curvature, about 4e-6. The
+// mass matrix of the solid shells overestimates the moments by h^2/12 relative to a radius squared,
+// 1e-3 for 60 sectors.
 TEST(MassProperties, OfATireAreThoseOfItsVolumesAndCords) {
   const TireDescription tire = tire_of_faces();
   const Mesh mesh = build_mesh(tire);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests that no mode is missed. By Sylvester's law of inertia K - sigma M has as many negative
 // pivots as there are modes below sigma [Parlett, The Symmetric Eigenvalue Problem, 1998, section
-// 3.3]. Eigen's LDL' counts them here; our Lanczos method found the modes.
+// 3.3]. This test counts them with Eigen's LDL' factorization; the modes were found by this
+// program's Lanczos method.
 #include <gtest/gtest.h>
 
 #include <Eigen/SparseCholesky>
@@ -17,7 +18,8 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double kHalfAngle = 0.4;  // rad, part of the tread that may touch the ground
+// Half angle of the part of the tread that may touch the ground, rad.
+constexpr double kHalfAngle = 0.4;
 
 Sparse sparse(const numerics::SymmetricMatrix& A) {
   const numerics::SymmetricPattern& pattern = A.pattern();
@@ -32,7 +34,7 @@ Sparse sparse(const numerics::SymmetricMatrix& A) {
                                A.values()[static_cast<std::size_t>(b * (b * k + column) + row)]);
   Sparse lower(A.size(), A.size());
   lower.setFromTriplets(entries.begin(), entries.end());
-  return lower;  // blocks on the diagonal are full; only the lower triangle is read
+  return lower;  // diagonal blocks are stored fully, but only the lower triangle is read
 }
 
 /// Returns the number of negative pivots of K - (2 pi f)^2 M.
@@ -44,7 +46,8 @@ int modes_below(double frequency, const Sparse& K, const Sparse& M) {
   return static_cast<int>((factor.vectorD().array() < 0.0).count());
 }
 
-/// Tangent and mass of the motions about a state: even and odd ones, or all.
+/// Tangent and mass matrices of the motions about a state: for even and odd motions, or for all
+/// motions at once.
 struct Motions {
   std::vector<Sparse> K, M;
 
@@ -111,9 +114,9 @@ TEST(ModeCount, NoLoadedModeIsMissed) {
       const auto modes = model.modes(loaded->back(), kModes);
       ASSERT_TRUE(modes);
       const Motions motions(tire, loaded->back());
-      EXPECT_EQ(motions.below(0.0), 0);  // The state is stable.
-      // The count is taken between neighboring modes that are apart; the pairs of the tire off the
-      // ground are left together.
+      EXPECT_EQ(motions.below(0.0), 0);  // the state is stable
+      // Modes are counted at frequencies between two successive modes whose frequencies differ.
+      // Pairs of modes with equal frequencies, as on the tire off the ground, are skipped.
       for (int i = 0; i + 1 < kModes; ++i) {
         const double f = (*modes)[i].frequency, next = (*modes)[i + 1].frequency;
         if (i % 6 != 5 || next < 1.0001 * f) continue;
@@ -122,9 +125,9 @@ TEST(ModeCount, NoLoadedModeIsMissed) {
     }
 }
 
-// A tire under vacuum stands until it buckles. Newton's method still finds the equilibrium that
-// remains round. The harmonics of the tire off the ground, factorized by LAPACK, show that it is
-// unstable, and so does press().
+// A tire under vacuum carries the load until it buckles, and beyond that Newton's method still
+// finds the round equilibrium, which is unstable. LAPACK's factorization of the harmonics, off the
+// ground, shows this, and press() must report it.
 TEST(ModeCount, AnEquilibriumThatIsNotStableIsToldByPressing) {
   const TireDescription tire = described(false, CordModel::rebar, ElementKind::solid_shell);
   for (const double vacuum : {0.1e5, 0.2e5}) {
@@ -144,9 +147,9 @@ TEST(ModeCount, AnEquilibriumThatIsNotStableIsToldByPressing) {
   }
 }
 
-// Regression: with the ground condensed to the window no tangent on the usual path is indefinite.
-// Both tires need six factorizations for five steps, and two more to show that the last state is
-// stable.
+// Regression test. With the ground condensed to the part of the tread that may touch, no tangent on
+// the usual path is indefinite. Both tires need six factorizations for five steps, and two more to
+// show that the last state is stable.
 TEST(ModeCount, TiresAAndBNeedTheSameFactorsAndNoShifts) {
   for (const TireDescription& tire : {reference_tire_a(), reference_tire_b()}) {
     FeTire model(tire);

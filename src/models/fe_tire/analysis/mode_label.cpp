@@ -16,9 +16,10 @@ namespace {
 
 constexpr std::array<const char*, 4> kTypeNames = {"torsional", "lateral", "radial", "other"};
 constexpr double kPairTolerance =
-    1e-6;                            // relative difference of the frequencies of a degenerate pair
-constexpr double kSamePlace = 1e-6;  // share of the largest coordinate: nodes this near coincide
-constexpr double kClearPhase = 0.5;  // least overlap with the mirror image for a phase
+    1e-6;  // largest relative difference of the frequencies of a degenerate pair
+constexpr double kSamePlace = 1e-6;  // share of the largest coordinate within which nodes coincide
+// Smallest overlap with the mirror image at which a mode has a phase.
+constexpr double kClearPhase = 0.5;
 
 }  // namespace
 
@@ -51,7 +52,8 @@ ModeType type_of(int n, const Eigen::Vector3d& kinetic_energy) {
 }
 
 void number_orders(std::vector<Mode>& modes) {
-  std::map<std::pair<int, ModeType>, std::pair<int, double>> last;  // order and frequency so far
+  // Last order number and frequency of each kind of mode.
+  std::map<std::pair<int, ModeType>, std::pair<int, double>> last;
   for (Mode& mode : modes) {
     auto& [order, frequency] = last[{mode.n, mode.type}];
     const bool partner =
@@ -64,8 +66,8 @@ void number_orders(std::vector<Mode>& modes) {
 
 namespace {
 
-/// Returns the node at (-x, y, z) of every node of a mesh without sectors; empty if a node has
-/// none.
+/// Returns, for every node of a mesh without sectors, the node at (-x, y, z). Returns an empty list
+/// if a node has none.
 std::vector<int> mirror_nodes(const Eigen::Matrix3Xd& X) {
   const double near = kSamePlace * X.cwiseAbs().maxCoeff();
   std::vector<int> by_height(X.cols());
@@ -86,7 +88,8 @@ std::vector<int> mirror_nodes(const Eigen::Matrix3Xd& X) {
   return images;
 }
 
-/// Returns the image of every node of the ring in the plane x = 0; empty if the mesh has none.
+/// Returns, for every node of the ring, its mirror image in the plane x = 0. Returns an empty list
+/// if the mesh is not symmetric.
 std::vector<int> mirror_images(const Mesh& mesh) {
   if (mesh.sectors == 1) return mirror_nodes(mesh.X);
   const int n = mesh.nodes_per_sector(), S = mesh.sectors;

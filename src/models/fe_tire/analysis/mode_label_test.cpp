@@ -6,8 +6,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Two nodes: a heavy one that moves along the axis, and a light one, as on a finer mesh, that
-/// moves farther in the wheel plane.
+/// The shape has two nodes: a heavy one that moves along the axis, and a light one, as on a finer
+/// mesh, that moves farther in the wheel plane.
 TEST(ModeLabel, KineticEnergyWeighsMotionByMass) {
   Eigen::VectorXcd phi(6), M_phi(6);
   phi << 0.0, 1.0, 0.0, 0.0, 0.0, std::complex<double>(0.0, 2.0);
@@ -21,7 +21,7 @@ TEST(ModeLabel, KineticEnergyWeighsMotionByMass) {
   EXPECT_EQ(type_of(2, energy), ModeType::lateral);
 }
 
-/// Returns a square of four nodes in the plane y = 0, without sectors.
+/// Returns a mesh without sectors that consists of four nodes on a square in the plane y = 0.
 Mesh square() {
   Mesh mesh;
   mesh.X.resize(3, 4);

@@ -15,27 +15,32 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Vectors a step over the ring: solving for these together costs about as much as for one.
+// Block size of Lanczos' method on the ring: solving for this many vectors together costs about as
+// much as solving for one.
 constexpr int kRingBlock = 8;
-// Tolerances of Lanczos' method with inexact solves, as SolverSettings::mode_tolerance. The first
-// is not below the error of the operator in single precision. The second holds for spare modes,
-// whose frequencies err by its square over a relative gap of some tenths.
+// Tolerances of Lanczos' method with inexact solves, in the sense of
+// SolverSettings::mode_tolerance. The first is not smaller than the error of the single-precision
+// operator. The second holds for spare modes, whose relative frequency error is about its square
+// over the relative gap to the next frequency.
 constexpr double kNear = 1e-3, kNearOfSpare = 0.02;
-// Tolerance of corrections by Davidson's method over SolverSettings::mode_tolerance. With it the
-// relative error of tire B's frequencies is 2e-9.
+// Tolerance of the corrections by Davidson's method, as a multiple of
+// SolverSettings::mode_tolerance. With this value the relative error of tire B's frequencies is
+// 2e-9.
 constexpr double kOfLoaded = 3.0;
-constexpr int kPerHarmonic = 3;  // modes of one circumferential number computed at first
+// Number of modes computed at first for each circumferential number.
+constexpr int kPerHarmonic = 3;
 
 double to_hertz(double omega_squared) {
   return std::sqrt(std::max(0.0, omega_squared)) / (2.0 * std::numbers::pi);
 }
 
-/// One mode of circumferential number n: its complex shape over the unknowns of a sector.
+/// A mode of circumferential number n: its frequency, Hz, and its complex shape over the unknowns
+/// of a sector.
 struct HarmonicMode {
   double frequency;
   int n;
   Eigen::VectorXcd phi;
-  Eigen::Vector3d energy;  // kinetic energy by direction
+  Eigen::Vector3d energy;  // kinetic energy by direction [x, y, z of sector frames]
 };
 
 Failure unfinished(const std::string& what, Eigen::Index found, int count, int solves) {
@@ -44,7 +49,7 @@ Failure unfinished(const std::string& what, Eigen::Index found, int count, int s
 }
 
 /// Finds the lowest modes of circumferential number n. Returns a Failure if the harmonic tangent is
-/// not positive definite or not all modes are found.
+/// not positive definite or if not all modes are found.
 Status solve_harmonic(const SectorBlocks& K,
                       const SectorBlocks& M,
                       int n,
@@ -84,18 +89,19 @@ Status solve_harmonic(const SectorBlocks& K,
   return {};
 }
 
-/// True for n = 0 and, if S is even, n = S / 2: their modes are single, all others are pairs.
+/// Returns true for n = 0 and, if S is even, for n = S / 2. Modes of these circumferential numbers
+/// are single; all others occur as pairs.
 bool single(int n, int sectors) { return n == 0 || 2 * n == sectors; }
 
-/// Returns the real shape over the planes of `mesh`: the real or the imaginary part of phi exp(i n
-/// theta_s), mass-normalized.
+/// Returns the real, mass-normalized shape on the section planes of `mesh`: the real or the
+/// imaginary part of phi exp(i n theta_s).
 Eigen::Matrix3Xd unfold(const Ring& ring,
                         const Mesh& mesh,
                         const HarmonicMode& mode,
                         bool imaginary) {
   const int S = ring.sectors(), n = mesh.nodes_per_sector();
-  // phi has unit mass over one sector. The real part summed over all sectors has mass S / 2, that
-  // of a single mode S.
+  // The shape phi has unit mass over one sector. Summed over all S sectors, its real part has the
+  // mass S / 2, or S for a single mode.
   const double scale = std::sqrt((single(mode.n, S) ? 1.0 : 2.0) / S);
   const Eigen::Matrix3Xd real = ring.expand(mode.phi.real()), imag = ring.expand(mode.phi.imag());
   Eigen::Matrix3Xd shape(3, S * n);
@@ -111,16 +117,16 @@ Eigen::Matrix3Xd unfold(const Ring& ring,
   return shape;
 }
 
-/// Turns the largest entry of a complex vector onto the real axis. Its phase is arbitrary, and
-/// results must repeat.
+/// Multiplies a complex vector by a phase factor that makes its largest entry real. The phase of an
+/// eigenvector is arbitrary, and results must be reproducible.
 void fix_phase(Eigen::VectorXcd& phi) {
   int largest;
   phi.cwiseAbs2().maxCoeff(&largest);
   phi *= std::conj(phi[largest]) / std::abs(phi[largest]);
 }
 
-/// Returns the frequency of the count-th lowest mode found, pairs counted twice; infinite if there
-/// are fewer.
+/// Returns the frequency of the count-th lowest mode found, with pairs counted twice. Returns
+/// infinity if there are fewer modes.
 double cutoff(const std::vector<std::vector<HarmonicMode>>& by_n, int sectors, int count) {
   std::vector<double> all;
   for (const auto& modes : by_n) {
@@ -133,7 +139,7 @@ double cutoff(const std::vector<std::vector<HarmonicMode>>& by_n, int sectors, i
   return all[count - 1];
 }
 
-/// Returns shapes and names of the lowest `count` modes.
+/// Returns shapes and names of the `count` lowest modes.
 std::vector<Mode> named_modes(const Ring& ring,
                               const Mesh& mesh,
                               std::vector<HarmonicMode> found,
@@ -187,13 +193,14 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
   const auto solve = [&](int n, int modes) {
     return solve_harmonic(K, M, n, modes, tolerance, by_n[n]);
   };
-  int beyond = 0;  // successive harmonics whose lowest mode lies above all wanted modes
+  // Number of successive harmonics whose lowest mode lies above all requested modes.
+  int beyond = 0;
   for (int n = 0; n <= S / 2 && beyond < 2; ++n) {
     by_n.emplace_back();
     if (const Status done = solve(n, kPerHarmonic); !done) return done.failure();
     beyond = by_n[n].front().frequency > cutoff(by_n, S, count) ? beyond + 1 : 0;
   }
-  // If all modes found of a harmonic are among the lowest, it may hold more of them.
+  // If all modes computed for a harmonic are among the lowest, this harmonic may have more of them.
   for (int n = 0; n < static_cast<int>(by_n.size()); ++n) {
     for (int known = kPerHarmonic;
          known < K.size() && by_n[n].back().frequency < cutoff(by_n, S, count);
@@ -208,7 +215,7 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
 
 namespace {
 
-/// Computes modes of the ring in its unknowns.
+/// Computes modes of the ring as vectors of its unknowns.
 Result<numerics::EigenPairs<double>> ring_pairs(
     const std::function<void(Eigen::Ref<Eigen::MatrixXd>)>& solve,
     const numerics::SymmetricMatrix& M,
@@ -294,7 +301,8 @@ Eigen::VectorXd nodal_masses(const RingElements& elements) {
   const Ring& ring = elements.ring();
   const Mesh& mesh = ring.mesh();
   const int n = mesh.nodes_per_sector(), S = ring.sectors();
-  // Masses of one sector of every width: its own plane's nodes, then the next plane's.
+  // Nodal masses of one sector of every width: nodes of its own section plane first, then those of
+  // the next plane.
   std::vector<Eigen::VectorXd> of_width(ring.widths());
   Eigen::VectorXd masses = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(S) * n);
   for (int s = 0; s < S; ++s) {

@@ -14,14 +14,14 @@
 
 namespace latsch::fe_tire {
 
-/// Returns the failure reported if a state has no tangent because an element (counted sector by
-/// sector) fails.
+/// Returns the Failure for a state that has no tangent because an element is inverted. Elements are
+/// counted sector by sector.
 Failure no_tangent(const Ring& ring, int element);
 
 /// Computes modes of the inflated ring by circumferential harmonics n = 0, 1, ..., each a small
-/// Hermitian problem, until no further n can hold one of the `count` lowest. A mode of n > 0 comes
-/// as an orthogonal pair. Sectors of the ring are equally wide; shapes are given on the planes of
-/// `mesh`, which is the same tire with any division into sectors. `tolerance`:
+/// Hermitian problem, until no further n can hold one of the `count` lowest. Modes with n > 0 are
+/// returned as orthogonal pairs. Sectors of the ring are equally wide; shapes are given on the
+/// planes of `mesh`, which is the same tire with any division into sectors. `tolerance`:
 /// SolverSettings::mode_tolerance.
 Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          const Mesh& mesh,
@@ -29,34 +29,36 @@ Result<std::vector<Mode>> harmonic_modes(const RingElements& elements,
                                          int count,
                                          double tolerance);
 
-/// Computes the `count` lowest modes of the states that `assembly` can represent (all, even or
-/// odd), without names. `factor` holds the tangent. Shapes are mass-normalized over the whole ring.
+/// Computes the `count` lowest modes, without names, of the motions that `assembly` represents
+/// (all, even or odd). `factor` is the factorized tangent. Shapes are mass-normalized over the
+/// whole ring.
 Result<std::vector<Mode>> ring_modes(const RingAssembly& assembly,
                                      const numerics::Factorization& factor,
                                      const numerics::SymmetricMatrix& M,
                                      int count,
                                      double tolerance);
-/// Modes about a state on the ground. Lanczos' method finds the modes with inexact solves,
-/// Davidson's method then makes those that are asked for modes of K. If that does not succeed, the
-/// solves are refined.
+/// Computes modes about a state on the ground. Lanczos' method with inexact solves finds
+/// approximate modes; Davidson's method then corrects the requested ones to modes of the tangent K.
+/// If this does not converge, the solves are refined.
 class LoadedModes {
  public:
-  /// `factor`: a refined factorization of the tangent K. All arguments must outlive this object.
+  /// `factor`: the factorization of the tangent K, with refinement. All arguments must outlive this
+  /// object.
   LoadedModes(const RingAssembly& assembly,
               const numerics::SymmetricMatrix& K,
               const numerics::Factorization& factor,
               const numerics::SymmetricMatrix& M,
               const SolverSettings& settings);
 
-  /// Largest relative error of a frequency of approach(), which is too high rather than too low.
+  /// Largest relative error of a frequency returned by approach(), which is usually too high.
   static constexpr double kNearby = 0.01;
   /// Returns approximate frequencies of the `count` lowest modes, ascending, Hz. The last `spare`
-  /// are the least accurate.
+  /// of them are the least accurate.
   Result<std::vector<double>> approach(int count, int spare);
-  /// Returns the `count` lowest modes of these.
+  /// Returns the `count` lowest of the modes that approach() found, corrected to the full accuracy.
   Result<std::vector<Mode>> find(int count);
-  /// State of the search by which find() found the modes, for sharpening them while K, M and the
-  /// factor stay the same. None if solves were refined.
+  /// Returns the search with which find() found the modes. It can improve them further as long as
+  /// K, M and the factorization stay the same. Not set if the solves were refined.
   std::optional<numerics::Davidson> search() && { return std::move(search_); }
 
  private:

@@ -62,7 +62,8 @@ bool ReusedFactor::correct(const LinearizedRing& at,
   const double wanted = tolerance * at.f.norm(), norm = r_.norm();
   age_ = 0;
   if (norm <= wanted) return true;
-  // A factor whose step increases the residual belongs to another structure.
+  // If a step with the factorization increases the residual, the factorization belongs to a
+  // structure that differs too much.
   if (if_slow == IfSlow::give_up && norm > at.f.norm()) return false;
   const auto multiply = [&](const Eigen::VectorXd& v, Eigen::VectorXd& Kv) {
     tire_.multiply(at.K, v, Kv);

@@ -14,9 +14,11 @@ using IfIndefinite = ReusedFactor::IfIndefinite;
 using IfSlow = ReusedFactor::IfSlow;
 
 constexpr double kInflationOfB = 2.6e5;
-constexpr double kOfSinglePrecision = 1e-4;  // relative error of a solution with such a factor
+// Relative error of a solution with a single-precision factorization.
+constexpr double kOfSinglePrecision = 1e-4;
 
-/// Tire B off the ground at a lower pressure than that of its equilibrium.
+/// Tire B off the ground, evaluated at a lower pressure than that of its equilibrium, so that its
+/// forces are not in balance.
 class UnbalancedTire {
  public:
   UnbalancedTire()
@@ -35,7 +37,7 @@ class UnbalancedTire {
     evaluate(0.9);
   }
 
-  /// Computes the forces and the tangent at a share of the pressure.
+  /// Computes forces and tangent at a share of the inflation pressure.
   void evaluate(double share) {
     EXPECT_TRUE(balance_.begin(state_, {&elements_, share * kInflationOfB, nullptr}, true));
   }
@@ -87,8 +89,8 @@ TEST(ReusedFactor, ANewFactorSolvesItsOwnTangentWithoutIterations) {
   EXPECT_FALSE(factor.exists());
 }
 
-// On a tangent with a stiffer diagonal the old factor is corrected to the tolerance. The iterations
-// that this takes are its age.
+// The tangent's diagonal is made stiffer. The old factorization must correct the direction to the
+// tolerance, and the iterations that this takes must become its age.
 TEST(ReusedFactor, AFactorOfAnotherTangentIsCorrectedAndAges) {
   UnbalancedTire tire;
   ReusedFactorOptions options;
@@ -112,7 +114,8 @@ TEST(ReusedFactor, AFactorOfAnotherTangentIsCorrectedAndAges) {
 TEST(ReusedFactor, AnIndefiniteTangentIsGivenUpOrShiftedToADirectionOfDescent) {
   UnbalancedTire tire;
   const double least = tire.balance().K().diagonal().minCoeff();
-  tire.balance().K().add_to_diagonal(-1.5 * least);  // a negative entry: not positive definite
+  // Makes a diagonal entry negative, so the tangent is not positive definite.
+  tire.balance().K().add_to_diagonal(-1.5 * least);
   ReusedFactor factor = tire.factor();
   Eigen::VectorXd d;
   EXPECT_FALSE(factor.renew(tire.at(), kOfSinglePrecision, IfIndefinite::give_up, d));
@@ -136,11 +139,12 @@ TEST(RingBalance, ATangentBelongsToTheStateOfTheForcesOrToAnEarlierOne) {
   EXPECT_EQ(balance.tangent(), Tangent::none);
   EXPECT_EQ(balance.residual().norm(), by_forces_alone);
   ASSERT_TRUE(balance.ensure_tangent(tire.state()));
-  ASSERT_TRUE(balance.ensure_tangent(tire.state()));  // it is there already
+  ASSERT_TRUE(balance.ensure_tangent(tire.state()));  // the tangent was computed already
   EXPECT_EQ(balance.tangent(), Tangent::current);
   EXPECT_EQ(tire.counts().assemblies, 2);
   tire.evaluate(1.0);
-  EXPECT_LT(balance.residual().norm(), 1e-3 * off_balance);  // balanced at the tire's own pressure
+  // The forces are in balance at the tire's own pressure.
+  EXPECT_LT(balance.residual().norm(), 1e-3 * off_balance);
 }
 
 }  // namespace

@@ -7,9 +7,9 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kHeldStiffness =
-    1e6;  // N/m on unknowns that symmetry holds at zero: no force acts on them
+    1e6;  // Diagonal value, N/m, of unknowns that symmetry holds at zero. No force acts on them.
 
-/// Returns the diagonal value of unknown `dof`.
+/// Returns the diagonal entry of unknown `dof`.
 double& diagonal(numerics::SymmetricMatrix& A, int dof) {
   const int block = A.pattern().block_size();
   const int start = A.pattern().find(dof / block, dof / block);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembly of residual, tangent and mass of the ring or its half. The sparsity pattern and the
-// scatter map are made once per mesh.
+// Assembles residual, tangent and mass of the whole ring of sectors or of half of it. The sparsity
+// pattern and the map from element entries to matrix entries are computed once per mesh.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 
 namespace latsch::fe_tire {
 
-/// Unknowns and enhanced parameters of the assembled sectors.
+/// Unknowns and enhanced strain parameters of the assembled sectors.
 struct AssembledState {
   Eigen::VectorXd x;
   Eigen::VectorXd alpha;
@@ -22,30 +22,30 @@ struct AssembledState {
 
 class RingAssembly {
  public:
-  /// The pattern includes entries for the ground under the points of `tread`, if given.
+  /// If `tread` is given, the pattern includes entries for ground under its points.
   explicit RingAssembly(const RingUnknowns& unknowns, const TreadSurface* tread = nullptr);
-  /// Uses the pattern of another assembly of the same ring, so that even and odd states share it.
+  /// Uses the pattern of another assembly of the same ring, so that even and odd motions share it.
   RingAssembly(const RingUnknowns& unknowns,
                std::shared_ptr<const numerics::SymmetricPattern> pattern);
 
   const RingUnknowns& unknowns() const { return unknowns_; }
   const std::shared_ptr<const numerics::SymmetricPattern>& pattern() const { return pattern_; }
-  /// Index of the tread's first cell among the elements of the pattern.
+  /// Index of the tread's first cell among the elements of the sparsity pattern.
   int first_cell() const { return ring_.elements_per_sector() * unknowns_.sectors(); }
-  /// Returns a state of zeros, of the size that assemble() needs.
+  /// Returns a state of zeros with the sizes that assemble() needs.
   AssembledState zero_state() const;
 
-  /// Computes the forces f(x) = internal - pressure, zero in equilibrium off the ground, and K =
-  /// df/dx (its symmetric part) if K is not null. Returns false if an element fails; `worst` then
-  /// is sector * elements_per_sector + element.
+  /// Computes the forces f(x) = internal - pressure, which are zero in equilibrium off the ground,
+  /// and, if K is not null, the symmetric part of K = df/dx. Returns false if an element is
+  /// inverted; `worst` is then sector * elements_per_sector + element.
   bool assemble(const RingElements& elements,
                 AssembledState& state,
                 double pressure,
                 Eigen::VectorXd& f,
                 numerics::SymmetricMatrix* K,
                 int* worst) const;
-  /// Works as assemble(), with the elements' stiffness in single precision: the forces are exact, K
-  /// is accurate enough for a step of Newton's method.
+  /// Like assemble(), but the stiffness of the elements has single precision. The forces are exact,
+  /// and K is accurate enough for a step of Newton's method.
   bool assemble_roughly(const RingElements& elements,
                         AssembledState& state,
                         double pressure,
@@ -53,20 +53,20 @@ class RingAssembly {
                         numerics::SymmetricMatrix& K,
                         int* worst) const;
 
-  /// Computes the tangent at `state` in the numbering `vibration` of the motions about it (even or
-  /// odd). Returns false as assemble() does.
+  /// Computes the tangent at `state` for the motions about it (even or odd) that the numbering
+  /// `vibration` describes. Returns false like assemble().
   bool assemble_tangent(const RingElements& elements,
                         AssembledState& state,
                         double pressure,
                         const RingUnknowns& vibration,
                         numerics::SymmetricMatrix& K,
                         int* worst) const;
-  /// A tangent and the numbering in which it is assembled.
+  /// A numbering of unknowns, and the tangent that is assembled in it.
   struct Vibration {
     const RingUnknowns* unknowns;
     numerics::SymmetricMatrix* K;
   };
-  /// Works as assemble_tangent() for several numberings at once; the elements' tangents are
+  /// Like assemble_tangent() for several numberings at once. The tangents of the elements are
   /// computed only once.
   bool assemble_tangents(const RingElements& elements,
                          AssembledState& state,
@@ -74,7 +74,7 @@ class RingAssembly {
                          const std::vector<Vibration>& vibrations,
                          int* worst) const;
 
-  /// Consistent mass matrix, kg.
+  /// Returns the consistent mass matrix, kg.
   numerics::SymmetricMatrix mass(const RingElements& elements) const;
 
  private:

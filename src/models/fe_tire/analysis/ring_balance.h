@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The balance of forces of the ring: the residual f = g + c at a state, where g are the forces of
-// elements and pressure and c those of the ground, and the tangent K = dg/dx.
+// Balance of forces on the tire's ring of sectors: the residual f = g + c at a state, with the
+// forces g of elements and pressure and c of the ground, and the tangent K = dg/dx.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,38 +13,39 @@
 
 namespace latsch::fe_tire {
 
-/// Everything that loads the ring. The pointers must outlive the search for the equilibrium.
+/// All loads on the ring. The pointers must stay valid during the search for the equilibrium.
 struct RingLoad {
   const RingElements* elements = nullptr;
   double pressure = 0.0;                  // Pa
-  const TreadContact* contact = nullptr;  // null: off the ground
+  const TreadContact* contact = nullptr;  // null: the tire is off the ground
 };
 
 class RingBalance {
  public:
-  /// The state to which the tangent belongs.
+  /// State to which the stored tangent belongs.
   enum class Tangent {
-    none,     // none of this search
+    none,     // no tangent in this search yet
     earlier,  // an earlier state of this search
-    current   // the state of the forces
+    current   // the state at which the forces were computed
   };
 
-  /// `tread` and `counts`, to which the work is added, must outlive this object.
+  /// The object adds its work to `counts`. `tread` and `counts` must outlive this object.
   RingBalance(const RingUnknowns& unknowns, const TreadSurface& tread, SolverCounts& counts);
 
-  /// Starts a search at `state`. If forces alone are needed and those of elements and pressure are
-  /// known from the last evaluation, they are not computed again. Returns false if an element is
-  /// inverted.
+  /// Starts a search at `state` and computes its forces. If no tangent is needed and the forces of
+  /// elements and pressure are known from the last evaluation, these are not computed again.
+  /// Returns false if an element is inverted.
   bool begin(AssembledState& state, const RingLoad& load, bool needs_tangent);
   /// Computes the forces at a state, and the tangent if requested. Returns false if an element is
   /// inverted.
   bool evaluate(AssembledState& state, bool with_tangent);
-  /// Computes the tangent unless it belongs to `state`, that of the forces, already.
+  /// Computes the tangent at `state`, unless it is known already. The forces must have been
+  /// computed at this state.
   bool ensure_tangent(AssembledState& state);
 
-  /// Declares the forces known to be those at `state`.
+  /// Declares that the stored forces belong to `state`.
   void recall_at(const AssembledState& state) { known_ = state; }
-  /// Called if the elements changed: the forces of the last state are then invalid.
+  /// Must be called if the elements changed, because the forces of the last state are then invalid.
   void forget() { load_.elements = nullptr; }
 
   const RingLoad& load() const { return load_; }
@@ -54,7 +55,8 @@ class RingBalance {
   Tangent tangent() const { return tangent_; }
   const RingAssembly& assembly() const { return assembly_; }
 
-  /// Describes the largest residual, or the element that is inverted, with its place on the mesh.
+  /// Describes the largest component of the residual, or the inverted element, with its position on
+  /// the mesh.
   std::string worst_in_words() const;
 
  private:
@@ -66,10 +68,10 @@ class RingBalance {
   SolverCounts& counts_;
   RingLoad load_;
   Eigen::VectorXd f_, g_;
-  AssembledState known_;  // state of g_
+  AssembledState known_;  // state to which g_ belongs
   numerics::SymmetricMatrix K_;
   Tangent tangent_ = Tangent::none;
-  int inverted_ = -1;  // element that was inverted at the last evaluation; -1: none
+  int inverted_ = -1;  // element that was inverted at the last evaluation; -1: no element
 };
 
 }  // namespace latsch::fe_tire

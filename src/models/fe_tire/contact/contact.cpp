@@ -12,7 +12,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Tangential penalty before slip as a share of the normal penalty. A larger share lets points move
+// Tangential penalty before slip, as a share of the normal penalty. With a larger share points move
 // less before they slip.
 constexpr double kTangentialShare = 0.5;
 
@@ -56,8 +56,8 @@ void TreadContact::move(const GroundPose& pose) {
   posed_ = PosedGround(ground_, pose);
 }
 
-/// Computes (C.4). `share` is the derivative of the point's distance from its anchor by the point's
-/// motion.
+/// Computes the anchor of a point by (C.4). `share` is the derivative of the point's distance from
+/// its anchor with respect to the point's motion.
 Anchor TreadContact::anchor_of(int point, const Eigen::Vector3d& q, double g, double* share) const {
   *share = 1.0;
   if (anchors_[point].holds) return anchors_[point];
@@ -196,14 +196,15 @@ ContactPatch TreadContact::patch(const Eigen::VectorXd& x) const {
     const Eigen::Vector3d q = posed_.in_ground(p);
     const PosedGround::Distance at = posed_.distance(q);
     if (!touches_at(k, at.g)) continue;
-    // The anchor has followed the point. Tractions computed from it would decide by rounding
-    // whether the point slides.
+    // If the point slides, its anchor has moved along with it. Whether the point slides is
+    // therefore read from the anchor; tractions computed from this anchor would be decided by
+    // rounding.
     const Anchor anchor = has_friction() ? anchors_[k] : Anchor();
     const Traction on = traction(q, at, anchor, 1.0);
     const Eigen::Vector3d shear =
         level.in_ground(posed_.to_wheel(on.t)) - level.in_ground(Eigen::Vector3d::Zero());
     const Eigen::Vector3d here = level.in_ground(p);
-    // A point shared with its image is listed once.
+    // A point that is its own image under the half turn is listed once, with twice its area.
     const TreadSurface::Point& point = tread_.points()[k];
     rest = std::max(rest, point.offset.norm());
     patch.points.push_back({here.x(),
@@ -292,7 +293,7 @@ void add_stiffness(const TreadSurface& tread,
     const std::vector<int>& nodes = tread.cell_nodes()[cell];
     for (std::size_t k = 0; k < nodes.size(); ++k) row[nodes[k]] = static_cast<int>(k);
     const Eigen::Index size = 3 * std::ssize(nodes), directions = 3 * std::ssize(of_cell[cell]);
-    // Motions of the points by the unknowns, and the forces that these motions require.
+    // Motions of the points per unknown, and the forces that these motions cause.
     Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(size, directions), forces(directions, size);
     for (std::size_t t = 0; t < of_cell[cell].size(); ++t) {
       const TreadContact::Touch& touch = *of_cell[cell][t];

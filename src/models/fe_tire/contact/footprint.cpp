@@ -9,18 +9,19 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kNear = 3e-4;       // m, lower of the heights at which (F.1) is fitted
-constexpr double kRatio = 4.0;       // ratio of the other height to this one
-constexpr double kBeyondRest = 4.0;  // least ratio of the lower height to the samples' rest
-                                     // distance
+constexpr double kNear = 3e-4;  // m, lower of the two heights at which (F.1) is fitted
+constexpr double kRatio = 4.0;  // ratio of the upper height to the lower one
+// Smallest ratio of the lower height to the distance that samples inside the patch have from the
+// ground.
+constexpr double kBeyondRest = 4.0;
 
-/// Returns half the length of the patch by (F.1), from g(s_2) / g(s_1) = ratio. Returns zero if the
-/// gap grows slower than beside any patch.
+/// Returns half the length a of the patch for which the gap (F.1) has the given ratio g(s_2) /
+/// g(s_1). Returns zero if the gap grows more slowly than beside any patch.
 double half_length(double s_1, double s_2, double ratio) {
   const auto f = [](double t) { return t * std::sqrt(t * t - 1.0) - std::acosh(t); };
   if (s_2 * s_2 >= ratio * s_1 * s_1) return 0.0;
-  double low = 0.0, high = s_1;  // the ratio grows from (s_2 / s_1)^2 to infinity between these
-                                 // bounds
+  // While a grows from low to high, the ratio grows from (s_2 / s_1)^2 to infinity.
+  double low = 0.0, high = s_1;
   for (int k = 0; k < 40; ++k) {
     const double a = 0.5 * (low + high);
     (f(s_2 / a) < ratio * f(s_1 / a) ? low : high) = a;
@@ -28,20 +29,20 @@ double half_length(double s_1, double s_2, double ratio) {
   return low;
 }
 
-/// Samples in a row along x (axis 0) or y (axis 1).
+/// A line of tread samples along x (axis 0) or y (axis 1).
 struct Line {
   const std::vector<int>& samples;
   const Eigen::Matrix3Xd& at;
   int axis;
-  double near;  // m, lower height
+  double near;  // m, lower of the heights at which (F.1) is fitted
 
   int size() const { return static_cast<int>(samples.size()); }
   double place(int k) const { return at(axis, samples[k]); }
   double root(int k) const { return std::sqrt(std::max(at(2, samples[k]), 0.0)); }
   bool touches(int k) const { return at(2, samples[k]) < near; }
 
-  /// Returns the position beyond k where the height is passed, or nullopt if the line ends or comes
-  /// down before.
+  /// Returns the position at which the surface first rises above `height`, going from sample k in
+  /// the direction `step`. Returns nothing if the line ends or descends before.
   std::optional<double> passes(double height, int k, int step) const {
     const double value = std::sqrt(height);
     for (int next = k + step; next >= 0 && next < size(); k = next, next += step) {
@@ -54,11 +55,13 @@ struct Line {
   }
 };
 
-/// A run of consecutive samples that touch.
+/// Consecutive samples that touch the ground, with the edges of this part of the patch.
 struct Run {
   int first, last;
-  double from, to;  // m, its edges
-  double length;    // m; not positive if the edges meet before leaving a patch
+  double from, to;  // m, positions of its edges
+  // Length, m. It is not positive if both edges coincide before the gap grows like that beside a
+  // patch.
+  double length;
 };
 
 Run run_of(const Line& line, int first, int last, bool from_middle) {
@@ -78,8 +81,8 @@ Run run_of(const Line& line, int first, int last, bool from_middle) {
   return run;
 }
 
-/// Finds runs of touching samples. If `halved`, the line is the half of one that begins half a
-/// sample before its first.
+/// Finds the groups of consecutive touching samples. If `halved`, the line is half of a symmetric
+/// one: its first sample is half a spacing away from the middle.
 std::vector<Run> runs_of(const Line& line, bool halved) {
   std::vector<Run> runs;
   for (int k = 0; k < line.size(); ++k) {
@@ -92,9 +95,9 @@ std::vector<Run> runs_of(const Line& line, bool halved) {
   return runs;
 }
 
-/// Returns the area of the strip of samples that a run covers, m^2. The strip's width is linear
-/// between samples, so the area is continuous as samples join the run. A sample at the same
-/// position as its neighbors has no width.
+/// Returns the area, m^2, of the strip of samples that the touching part covers. The width of the
+/// strip is linear between samples, so that the area changes continuously as samples are added. A
+/// sample at the same position as its neighbors has no width.
 double covered(const Line& line, const Eigen::VectorXd& area, const Run& run) {
   const int last = line.size() - 1;
   const auto width = [&](int k) {
@@ -119,8 +122,8 @@ double covered(const Line& line, const Eigen::VectorXd& area, const Run& run) {
   return sum;
 }
 
-/// Returns means of the heights along lines of samples, weighted by a hat function a face wide to
-/// both sides.
+/// Returns the heights averaged along lines of samples. The weight is a hat function that reaches
+/// one element face to both sides.
 Eigen::VectorXd means(const std::vector<std::vector<int>>& lines, const Eigen::VectorXd& height) {
   constexpr int kReach = TreadSurface::kSamples;
   Eigen::VectorXd mean = height;
@@ -150,7 +153,7 @@ struct Extent {
     add(run.from);
     add(run.to);
   }
-  /// Length including the image under the half turn.
+  /// Returns the length including the image under the half turn.
   double length(bool halved) const {
     if (highest < lowest) return 0.0;
     return halved ? 2.0 * std::max(highest, -lowest) : highest - lowest;
@@ -180,7 +183,7 @@ FootprintSize footprint_size(const TreadSurface& tread,
       if (run.length > 0.0) size.area += covered(line, area, run);
     }
   }
-  if (along.length(halved) == 0.0) return {};  // the gap is not that beside a patch
+  if (along.length(halved) == 0.0) return {};  // the gap does not grow as it does beside a patch
   for (const std::vector<int>& samples : lines_across) {
     const Line line{samples, at, 1, near};
     for (const Run& run : runs_of(line, false)) across.add(run);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests edges of a patch, and the effect of an arc on the ground, against closed forms.
+// Tests the edges of a footprint, and the contact of a circular arc with the ground, against closed
+// forms.
 #include "models/fe_tire/contact/footprint.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ struct Tread {
 
 constexpr double kRadius = 0.31;  // m
 
-/// The tread's samples above a ground. `gap` is their distance from it as a function of their
+/// Samples of a tread above the ground. `gap` gives their distance from it as a function of their
 /// position along it.
 struct Above {
   Eigen::Matrix3Xd at;
@@ -56,7 +57,8 @@ struct Above {
   }
 };
 
-/// Gap (F.1) a^2 / (2 R) of a cylinder of radius R on a half-space [Johnson 1985, section 4.2].
+/// Returns the gap (F.1) a^2 / (2 R) beside the contact of a cylinder of radius R with a half-space
+/// [Johnson 1985, section 4.2].
 std::function<double(double)> line_contact(double a) {
   return [a](double x) {
     const double t = std::max(std::abs(x) / a, 1.0);
@@ -64,8 +66,8 @@ std::function<double(double)> line_contact(double a) {
   };
 }
 
-// Between samples 1.3 mm apart the root of the gap is taken as linear, which shifts an edge by some
-// hundredths of that.
+// Between samples 1.3 mm apart the square root of the gap is interpolated linearly, which shifts an
+// edge by some hundredths of this distance.
 TEST(FootprintSize, FindsTheEdgesOfALineContact) {
   const Tread tread("passenger_205_55R16.toml");
   for (const double a : {0.008, 0.02, 0.045, 0.07}) {
@@ -75,9 +77,9 @@ TEST(FootprintSize, FindsTheEdgesOfALineContact) {
   }
 }
 
-// A wave from column to column, which does not load the ground on a smooth surface, counts by half:
-// it lengthens the patch like a uniform dip half as deep as its lowest samples. At the ends of the
-// tread the hat is cut, which leaves a mean of 0.054 of the wave, 6 % of that dip.
+// The surface has a wave from column to column, which does not load the ground. It counts by half:
+// the patch is as long as with a uniform dip of half the wave's depth. At the ends of the tread the
+// hat function is cut, which leaves a mean of 0.054 of the wave, 6 % of that dip.
 TEST(FootprintSize, FeelsHalfOfAWaveAcross) {
   const Tread tread("race_16x7.5-10.toml");
   const auto length = [&](const std::function<double(double share)>& more) {
@@ -110,7 +112,7 @@ TEST(FootprintSize, IsNothingOfATreadThatComesNearTheGroundAndDoesNotTouch) {
   EXPECT_EQ(size.area, 0.0);
 }
 
-// Away from the patch a tread may be upright, with samples above each other.
+// Away from the patch the tread may be vertical, so that samples lie above each other.
 TEST(FootprintSize, DoesNotMindSamplesInOnePlace) {
   const Tread tread("passenger_205_55R16.toml");
   Above above(tread, line_contact(0.045));
@@ -120,9 +122,9 @@ TEST(FootprintSize, DoesNotMindSamplesInOnePlace) {
   EXPECT_EQ(footprint_size(tread.surface, above.at, above.area, 0.0).area, area);
 }
 
-// On the crown of the race tire, flat to 1 % across, a sector of h = 3 deg has the sag R h^2 / 12:
-// the mean of a parabola weighted by hat functions over two sectors, around nodes and around any
-// other point. Points lie 0.47 of this sag behind the arc.
+// The crown of the race tire is flat across to 1 %. A sector of h = 3 deg of it has the sag R h^2 /
+// 12: the mean of a parabola weighted by hat functions over two sectors, around nodes and around
+// any other point. Contact points must lie inside the arc by 0.47 of this sag.
 TEST(TreadSurface, PointsOfAnArcLieAShareOfItsSagBehindIt) {
   const Tread tread("race_16x7.5-10.toml");
   const Eigen::Matrix3Xd positions = tread.undeformed();
@@ -131,7 +133,7 @@ TEST(TreadSurface, PointsOfAnArcLieAShareOfItsSagBehindIt) {
   for (const TreadSurface::Point& point : tread.surface.points()) {
     const Eigen::Vector3d x = tread.surface.at(point, positions);
     if (std::abs(x.y()) > 1e-3 || std::abs(std::atan2(x.x(), -x.z())) > 5.0 * h) continue;
-    double radius = 0.0;  // radius of the crown
+    double radius = 0.0;  // m, radius of the crown
     for (int k = 0; k < point.weights; ++k) {
       const auto& place = tread.surface.places()[tread.surface.weights(point)[k].place];
       if (std::abs(place.X.y()) < 1e-3) radius = std::hypot(place.X.x(), place.X.z());

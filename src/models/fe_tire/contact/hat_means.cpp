@@ -4,13 +4,14 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Returns the weights for the slope at the middle of three abscissae, of the parabola through
-/// them.
+/// Returns the weights of three values in the derivative, at the middle value, of the parabola
+/// through them. h0 and h1 are the distances between them.
 Eigen::Vector3d middle_slope(double h0, double h1) {
   return {-h1 / (h0 * (h0 + h1)), (h1 - h0) / (h0 * h1), h0 / (h1 * (h0 + h1))};
 }
 
-/// Returns the weights for the slope at the first of three abscissae.
+/// Returns the weights of three values in the derivative, at the first value, of the parabola
+/// through them. h0 and h1 are the distances between them.
 Eigen::Vector3d end_slope(double h0, double h1) {
   return {-(2.0 * h0 + h1) / (h0 * (h0 + h1)), (h0 + h1) / (h0 * h1), -h0 / (h1 * (h0 + h1))};
 }
@@ -41,18 +42,18 @@ Cubic hermite(std::optional<double> h0, double h, std::optional<double> h2, doub
   cubic.slope = h * (r * (r - 2.0 * t) * m1 + t * (t - 2.0 * r) * m2);
   cubic.slope[1] -= 6.0 * t * r;
   cubic.slope[2] += 6.0 * t * r;
-  cubic.slope *= 0.5;  // dt/du
+  cubic.slope *= 0.5;  // factor dt/du
   return cubic;
 }
 
 double share_of_uniform(const std::array<std::optional<double>, 4>& h) {
-  // Change of the integral by a slope at a node: the difference of its faces' lengths squared over
-  // 12.
+  // Weight of the slope at a node in the integral: the difference of the squared lengths of its two
+  // faces, divided by 12.
   const auto weight = [&h](int left) {
     return (*h[left + 1] * *h[left + 1] - *h[left] * *h[left]) / 12.0;
   };
   double more = 0.0;
-  for (const int left : {0, 1, 2}) {  // face before a node whose slope depends on this node
+  for (const int left : {0, 1, 2}) {  // face before a node whose slope depends on the middle node
     if (!h[left] || !h[left + 1]) continue;
     more += weight(left) * middle_slope(*h[left], *h[left + 1])[2 - left];
   }

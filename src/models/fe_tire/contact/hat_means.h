@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One direction of the tread's smooth surface (tread_surface.h): cubic Hermite interpolation
-// between its nodes, and means of it over hat functions.
+// The tread's smooth surface (tread_surface.h) in one direction, circumferential or across: cubic
+// Hermite interpolation between nodes, and integrals of it weighted by hat functions.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,46 +11,46 @@
 
 namespace latsch::fe_tire {
 
-/// Number of means a face, in each direction.
+/// Number of averaged points per face, in each direction.
 constexpr int kPlaces = 4;
 
-/// Weights of four neighbors, of which the second and third are the ends of a face, and their
-/// derivatives with respect to u in [-1, 1].
+/// Weights of four neighboring nodes in the interpolation, and the weights' derivatives with
+/// respect to u in [-1, 1]. The second and third node are the ends of the face.
 struct Cubic {
   Eigen::Vector4d value, slope;
 };
 
-/// Hermite cubic of a face of length h. h0 and h2 are the lengths of its neighbors, none where the
-/// surface ends.
+/// Returns the weights of the Hermite cubic at u in a face of length h. h0 and h2 are the lengths
+/// of the neighboring faces; not set where the surface ends.
 Cubic hermite(std::optional<double> h0, double h, std::optional<double> h2, double u);
 Cubic linear(double u);
 
-/// Returns (T.3) of the node between the second and the third of four adjacent faces, given the
-/// lengths of those that exist.
+/// Returns the factor of equation (T.3) for the node between the second and third of four adjacent
+/// faces, from the lengths of those that exist.
 double share_of_uniform(const std::array<std::optional<double>, 4>& h);
 
-/// Returns the face that contains a place; each face has kPlaces of them. A place at a node belongs
-/// to the face behind it.
+/// Returns the face that contains a point. Points are numbered along the surface, kPlaces per face.
+/// A point at a node belongs to the face after it.
 inline int face_of(int place) {
   return place >= 0 ? place / kPlaces : -((kPlaces - 1 - place) / kPlaces);
 }
 
-/// Returns the place's coordinate in [-1, 1] of that face.
+/// Returns the coordinate in [-1, 1] of a point within its face.
 inline double within_face(int place) {
   return 2.0 * (place - kPlaces * face_of(place)) / kPlaces - 1.0;
 }
 
-/// Integrals over the hat function N in one direction of the surface. N is 1 at a place and 0 a
-/// face before and behind it.
+/// Weights of an integral with the hat function N in one direction of the surface. N is 1 at a
+/// point and falls to 0 at a distance of one face on both sides.
 struct HatMean {
-  int first = 0;  // node of the first weight
+  int first = 0;  // index of the node to which the first weight belongs
   std::array<double, 6> weight{};
   double size = 0.0;
 };
 
-/// Integrates over the hat at `place`. `cubic_at` and `measure_at` (per u) evaluate a face at u. If
-/// `last` is given, the surface ends at node 0 and at node `last`: the parts of hats beyond these
-/// ends are mirrored to the inside.
+/// Integrates with the hat function centered at `place`. `cubic_at` returns the interpolation and
+/// `measure_at` the length per u of a face at u. If `last` is given, the surface ends at node 0 and
+/// at node `last`; the parts of hat functions beyond these ends are reflected inward.
 template <class CubicAt, class MeasureAt>
 HatMean hat_mean(int place, std::optional<int> last, CubicAt cubic_at, MeasureAt measure_at) {
   const auto hat = [](double at, int center) {

@@ -9,8 +9,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Share of a place by (T.3). The mean around a node alone makes up for the area that the node
-/// lacks.
+/// Returns the factor of (T.3) on the area of an averaged point. Of the points around a node, only
+/// the one at the node itself compensates the area that the node lacks.
 template <class ShareAt>
 double share_of(int place, ShareAt share_at) {
   return place % kPlaces == 0 ? 1.0 + kPlaces * (share_at(place / kPlaces) - 1.0) : 1.0;
@@ -21,7 +21,7 @@ double share_of(int place, ShareAt share_at) {
 std::vector<TreadStrip> tread_strips(const Mesh& mesh) {
   const int n = mesh.nodes_per_sector();
   if (mesh.sectors == 1) return {};
-  std::map<int, int> next;  // node -> node
+  std::map<int, int> next;  // next node across the tread, by node
   std::map<int, int> before;
   for (const Element& element : mesh.elements) {
     if (!element.tread) continue;

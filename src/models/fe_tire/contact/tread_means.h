@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Means of a tread surface over hat functions around and across: (T.1) and (T.3) of
-// tread_surface.h. All planes of a mesh are alike, so weights of (T.1) are products of those around
-// and across.
+// Averages of a tread surface, weighted by hat functions around the circumference and across: (T.1)
+// and (T.3) of tread_surface.h. All section planes of a mesh have equal sections, so the weights of
+// (T.1) are products of those around and those across.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,10 +13,10 @@
 
 namespace latsch::fe_tire {
 
-/// A row of adjacent tread faces of a section, given by the nodes between them.
+/// A row of adjacent tread faces in a section, given by the nodes between them.
 struct TreadStrip {
-  std::vector<int> nodes;    // section nodes
-  std::vector<double> span;  // m, from one node to the next
+  std::vector<int> nodes;    // indices of nodes in the section
+  std::vector<double> span;  // m, distance from each node to the next
 
   std::optional<double> span_at(int face) const {
     if (face < 0 || face >= static_cast<int>(span.size())) return std::nullopt;
@@ -24,32 +24,33 @@ struct TreadStrip {
   }
 };
 
-/// A mean around the circumference.
+/// An average around the circumference at one position.
 struct MeanAround {
-  int place;  // counted in kPlaces a face
+  int place;  // position, counted in kPlaces per face
   HatMean mean;
-  double theta;   // rad, angle of the point
-  double moment;  // second moment of the hat function, rad^3
+  double theta;   // rad, angle of the averaged point
+  double moment;  // rad^3, second moment of the hat function
   double share;   // (T.3)
 };
 
-/// A mean across, in the section.
+/// An average across the tread, in the section.
 struct MeanAcross {
   HatMean mean;
   double share;
-  Eigen::Vector3d X, slope;  // m, position and tangent along the section
+  Eigen::Vector3d X, slope;  // m, position and tangent along the section, without load
 };
 
-/// Returns runs of tread faces; none if faces are not adjacent from plane to plane.
+/// Returns the rows of adjacent tread faces. Returns none if the faces of successive section planes
+/// are not adjacent.
 std::vector<TreadStrip> tread_strips(const Mesh& mesh);
 
-/// Returns the angle of any plane, rad, counted on around the ring.
+/// Returns the angle of a section plane, rad. Planes may be counted beyond one turn of the ring.
 double angle_of_plane(const Mesh& mesh, int plane);
 
-/// Returns the mean around a place; kPlaces places are counted in each face around.
+/// Returns the average around a position; positions are counted around the ring, kPlaces per face.
 MeanAround mean_around(const Mesh& mesh, int place);
 
-/// Returns the means around all places of a strip, from its first node to its last.
+/// Returns the averages at all positions across a row of faces, from its first node to its last.
 std::vector<MeanAcross> means_across(const Mesh& mesh, const TreadStrip& strip);
 
 }  // namespace latsch::fe_tire

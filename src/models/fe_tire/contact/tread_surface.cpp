@@ -12,14 +12,16 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Number of points along each side of a facet. With eight, Fz of a patch shorter than two facets
-/// is 1 % off that with sixteen; with twelve less than 0.1 %; with two, at Gauss points, 24 %.
+/// Number of contact points along each side of a facet. If the patch is shorter than two facets, Fz
+/// with eight points differs by 1 % from Fz with sixteen, with twelve by less than 0.1 %, and with
+/// two at Gauss points by 24 %.
 constexpr int kFacetPoints = 12;
 
-/// Share of the sag (T.2) that offsets a point.
+/// Share s in (T.1): the offset of a point as a share of the sag (T.2).
 constexpr double kOfSag = 0.53;
 
-/// True if an angle from the lowest place, 0 to 2 pi, is within the half angle to either side.
+/// Returns true if an angle from the lowest point, 0 to 2 pi, is within the half angle on either
+/// side.
 bool is_near(double angle, double half_angle) {
   return std::min(angle, 2.0 * std::numbers::pi - angle) < half_angle;
 }
@@ -42,12 +44,13 @@ TreadSurface::TreadSurface(const RingUnknowns& unknowns, TreadShape shape, doubl
   place_index_.clear();
 }
 
-/// Number of planes of the represented part.
+/// Returns the number of section planes in the part of the ring that is computed.
 int TreadSurface::planes() const {
   return is_halved() ? unknowns_.sectors() + 1 : unknowns_.ring().mesh().sectors;
 }
 
-/// Adds the faces of strips near the lowest place: samples of a smooth surface, or facets.
+/// Adds the faces near the lowest point of the tire: sampling points of a smooth surface, or
+/// facets.
 void TreadSurface::add_faces(const std::vector<TreadStrip>& strips,
                              double half_angle,
                              Covered& covered) {
@@ -73,7 +76,7 @@ void TreadSurface::add_faces(const std::vector<TreadStrip>& strips,
   }
 }
 
-/// Adds the facets of a mesh whose tread faces form no strips.
+/// Adds the facets of a mesh whose tread faces form no rows.
 void TreadSurface::add_single_faces(double half_angle, Covered& covered) {
   const Mesh& mesh = unknowns_.ring().mesh();
   const int n = mesh.nodes_per_sector();
@@ -92,8 +95,8 @@ void TreadSurface::add_single_faces(double half_angle, Covered& covered) {
   }
 }
 
-/// Adds the points of a smooth surface, row by row around and strip by strip across. Each face is a
-/// cell.
+/// Adds the averaged points of a smooth surface, position by position around the ring and row by
+/// row across. Each face is a cell.
 void TreadSurface::add_means(const std::vector<TreadStrip>& strips,
                              double half_angle,
                              Covered& covered) {
@@ -104,9 +107,11 @@ void TreadSurface::add_means(const std::vector<TreadStrip>& strips,
   std::vector<std::vector<MeanAcross>> means;
   for (const TreadStrip& strip : strips) means.push_back(means_across(mesh, strip));
   std::vector<std::vector<int>> lines(strips.size(), std::vector<int>(mesh.sectors, -1));
-  // Half a ring ends with a plane, a whole ring with the places before its first plane.
+  // Number of positions around the tire: half a ring has those up to its last section plane, a
+  // whole ring those before its first plane is reached again.
   const int places = is_halved() ? kPlaces * (planes() - 1) + 1 : kPlaces * planes();
-  int cells = 0, first_cell = 0, row = -1;  // cells and rows of faces around
+  // Numbers of cells; index of the current row of faces around.
+  int cells = 0, first_cell = 0, row = -1;
   for (int along = 0; along < places; ++along) {
     if (!is_plane_near(face_of(along)) || !is_plane_near(face_of(along + kPlaces - 1))) continue;
     const MeanAround around = mean_around(mesh, along);
@@ -121,7 +126,7 @@ void TreadSurface::add_means(const std::vector<TreadStrip>& strips,
   }
 }
 
-/// Finds the tread nodes that no face covers.
+/// Finds the tread nodes on which no face depends.
 void TreadSurface::find_beyond(Covered& covered) {
   const Mesh& mesh = unknowns_.ring().mesh();
   for (const Element& element : mesh.elements) {
@@ -218,7 +223,8 @@ void TreadSurface::add_facet(const std::array<std::pair<int, int>, 4>& corner) {
   add_samples({grid[0], grid[1], grid[2], grid[3]}, grid, weights_at);
 }
 
-/// Returns places and weights of the surface on a face.
+/// Returns the nodes on which the smooth surface of a face depends, and the function that computes
+/// their weights.
 std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(
     int sector, int face, const TreadStrip& strip) {
   const Mesh& mesh = unknowns_.ring().mesh();
@@ -252,7 +258,7 @@ std::pair<TreadSurface::Grid, TreadSurface::Weights> TreadSurface::smooth_face(
           }};
 }
 
-/// Adds the means across at a plane, in a row. Returns the index of the first.
+/// Adds the averages across the tread in one section plane. Returns the index of the first.
 int TreadSurface::add_line(int plane,
                            const std::vector<MeanAcross>& means,
                            const TreadStrip& strip) {
@@ -269,9 +275,9 @@ int TreadSurface::add_line(int plane,
   return line;
 }
 
-/// Adds the points (T.1) of a strip. `lines` holds the first mean across of every plane, -1 if not
-/// yet made. If half the ring represents all of it, half of each point on its own image's plane
-/// belongs to the image.
+/// Adds the averaged points (T.1) of a row of faces. `lines` holds, for every section plane, the
+/// index of its first average across, or -1 if it was not added yet. In half a ring, a point in one
+/// of its two end planes belongs by half to its image.
 void TreadSurface::add_mean_points(const MeanAround& around,
                                    const std::vector<MeanAcross>& means,
                                    const TreadStrip& strip,
@@ -281,7 +287,8 @@ void TreadSurface::add_mean_points(const MeanAround& around,
   const HatMean& hat = around.mean;
   const bool is_own_image = unknowns_.multiplicity() > 1.0 &&
                             (around.place == 0 || around.place == kPlaces * unknowns_.sectors());
-  std::vector<Part> planes;  // indices of the planes' first means across
+  // Index of the first average across the tread in each section plane, with the plane's weight.
+  std::vector<Part> planes;
   for (std::size_t i = 0; i < hat.weight.size(); ++i) {
     if (hat.weight[i] == 0.0) continue;
     const int plane = ((hat.first + static_cast<int>(i)) % S + S) % S;
@@ -315,7 +322,8 @@ void TreadSurface::add_mean_points(const MeanAround& around,
     const Vector n = turn * Vector::UnitX().cross(across.slope).normalized();
     const double sag_around = n.dot(Vector(X.x(), 0.0, X.z())) * around.moment / (2.0 * hat.size);
     const double sag = n.dot(X - mean);
-    const double most = std::abs(sag_around);  // below the widest place n points to the axis
+    // Above the widest point of the wall, n points toward the axis.
+    const double most = std::abs(sag_around);
     point.offset = kOfSag * n * (sag_around + std::clamp(sag - sag_around, -most, most));
     points_.push_back(point);
   }
@@ -388,15 +396,15 @@ std::vector<int> TreadSurface::nodes_of(const Point& point) const {
   return nodes;
 }
 
-/// Returns rows of faces in which the corners `front` of each face are the corners `back` of the
-/// next.
+/// Returns rows of faces. In a row, the edge with the corners `front` of each face is the edge with
+/// the corners `back` of the next.
 std::vector<std::vector<int>> TreadSurface::rows_of_faces(std::array<int, 2> back,
                                                           std::array<int, 2> front) const {
   const auto edge = [this](int face, const std::array<int, 2>& ends) {
     return std::pair(faces_[face].corner[ends[0]], faces_[face].corner[ends[1]]);
   };
   const int count = static_cast<int>(faces_.size());
-  std::map<std::pair<int, int>, int> behind;  // index of each face by its back edge
+  std::map<std::pair<int, int>, int> behind;  // index of each face by its rear edge
   for (int face = 0; face < count; ++face) behind[edge(face, back)] = face;
   std::vector<bool> follows(count, false), is_done(count, false);
   const auto next_of = [&](int face) {
@@ -407,7 +415,8 @@ std::vector<std::vector<int>> TreadSurface::rows_of_faces(std::array<int, 2> bac
     if (const int next = next_of(face); next >= 0) follows[next] = true;
   }
   std::vector<std::vector<int>> rows;
-  for (const bool rings : {false, true}) {  // faces without a beginning form closed rings
+  // In the second pass only faces in closed rings are left.
+  for (const bool rings : {false, true}) {
     for (int first = 0; first < count; ++first) {
       if (is_done[first] || (follows[first] && !rings)) continue;
       rows.emplace_back();

@@ -1,39 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the tread that may touch the ground, as points that follow its nodes.
+// The part of the tread that may touch the ground, represented by contact points that move with the
+// nodes of the mesh.
 //
-// Faces of the mesh are flat, a tread is not. On facets contact spreads sector by sector, and the
-// length and pressures of a footprint jump. So a smooth surface is laid through the displaced
-// nodes, by cubic Hermite interpolation around the circumference and across,
+// Faces of the mesh are flat, but a tread is curved. On flat faces (facets) contact would spread
+// sector by sector, and the length and pressures of a footprint would jump. Therefore a smooth
+// surface passes through the displaced nodes, by cubic Hermite interpolation around the
+// circumference and across,
 //   x(u, v) = sum_i sum_j W_i(u) V_j(v) x_ij,   i, j: the four planes and four nodes around a face
 // The slopes are those of the parabola through each node and its two neighbors (one-sided at the
 // tread's edges). The surface has continuous tangents, is exact on circles to fourth order in the
-// sectors' width, and is flat where the ground has made it flat. The ground acts on its means over
-// hat functions N_a, bilinear and as wide as the elements, around four places a face, around and
-// across (the nodes and three places between two of them),
+// sectors' width, and is flat where the ground has made it flat. Contact is computed at points that
+// are averages of this surface. An average is weighted by a hat function N_a, bilinear and as wide
+// as the elements. In each direction there are four such points per face, one at a node and three
+// between two nodes:
 //   x_a = int N_a x dA / int N_a dA + n_a s c_a,   s = 0.53                                   (T.1)
-// Each mean stands for a sixteenth of a face, as in mortar methods. Pressures are then no shorter
-// than nodes can resist; shorter ones would act against each other. The error at the edge of the
-// patch changes sign as the edge passes a place and the middle between two places, and is
-// proportional to the square of their distance. With nodes alone as places Fz was up to 5 % off in
-// the first millimeters, 1 to 2 % at 10 mm.
-// The mean of an arc lies behind the first place that touches, by its sag
+// Each point represents a sixteenth of a face, as in mortar methods. Pressures then vary only over
+// lengths that the nodes can resist; pressures that vary over shorter lengths would act against
+// each other. The error that remains at the edge of the patch changes its sign while the edge moves
+// from a point to the middle between two points, and is proportional to the square of their
+// distance. With points at nodes only, Fz was up to 5 % off in the first millimeters of deflection,
+// and 1 to 2 % at 10 mm. The average of an arc lies inside the point of the arc that touches first,
+// by the sag
 //   c_a = n_a . (X_a - int N_a X dA / int N_a dA)                                             (T.2)
-// (undeformed, n_a its normal, X_a in its middle). The mean of a part that the ground has made flat
-// does not. At the edge of a patch, where this matters, the offset is between the two. Across, the
-// offset is limited to its value around, because at shoulders the faces are too long to resolve
-// their arc.
+// where X_a is the middle of the arc without load and n_a its normal there. The average of a part
+// that the ground has made flat has no such offset. At the edge of a patch, where the offset
+// matters, the share s of the sag is a compromise. Across the tread, the sag is limited to its
+// value around the tire, because at the shoulders the faces are too long to resolve their arc.
 // Forces are distributed to the nodes by the same weights, so they are the gradient of an energy.
-// Under a uniform pressure this gives a node int W_a dA, whereas the elements need int N_a dA.
-// Where the length of faces changes, the two differ, by a sixth at the last face before one of
-// twice its length, and so would the node's pressure. A mean around a node therefore stands for
+//
+// Under a uniform pressure the nodes would receive forces proportional to int W_a dA, but the
+// elements need int N_a dA. The two differ at nodes between faces of different lengths, by a sixth
+// at the last face before one of twice its length, and the pressure at the node would differ
+// likewise. The point at a node therefore represents the area
 //   dA_a = 1/16 int N_a dA (1 + 4 (1 - int W_a dA / int N_a dA)),                             (T.3)
-// around and across, which reproduces a uniform pressure to first order.
+// both around and across, which reproduces a uniform pressure to first order.
 //   [Wriggers, Computational Contact Mechanics, Springer 2006: smoothing, mortar methods;
 //   Puso & Laursen 2004, CMAME 193: a mortar segment-to-segment contact method]
-// Facets, each with 12x12 points, serve comparison with programs that use them, and meshes without
-// sectors.
 //
-// The surface ends at the half angle from the lowest place.
+// Flat facets, each with 12x12 points, are used for comparison with programs that use them, and for
+// meshes without sectors.
+//
+// The surface extends to a given angle on both sides of the lowest point of the tire.
 #pragma once
 
 #include <Eigen/Core>
@@ -54,63 +61,67 @@ class TreadSurface {
  public:
   TreadSurface(const RingUnknowns& unknowns, TreadShape shape, double half_angle);
 
-  /// A node of the mesh, or its image if half the ring represents all of it.
+  /// A node of the mesh. If half of the ring represents all of it, this may also be the image of a
+  /// node.
   struct Place {
-    int node;           // index into nodes(), -1 if the rim holds the node
-    Eigen::Matrix3d T;  // turns a displacement of the node's unknowns into the wheel frame
-    Eigen::Vector3d X;  // m, undeformed, wheel frame
+    int node;  // index into nodes(); -1 if the rim holds the node
+    // Rotation of displacements from the axes of the node's unknowns to the wheel frame.
+    Eigen::Matrix3d T;
+    Eigen::Vector3d X;  // m, position without load, in the wheel frame
     int plane, section_node;
   };
   struct Weight {
     int place;
-    double w, by_u, by_v;  // weight and its derivatives along the face
+    double w, by_u, by_v;  // weight and its derivatives by the face's parameters u and v
   };
-  /// A point that follows the surface.
+  /// A contact point, or a sampling point of the surface, that moves with the nodes.
   struct Point {
-    int first_weight, weights;                         // range in weights()
-    double share;                                      // share of a sample in the face's parameter
-                                                       // square
-    double dA;                                         // m^2 of the undeformed surface
-    double around;                                     // m, length of the undeformed surface around
-                                                       // the tire
-    Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // m, wheel frame: added by (T.1)
-    bool is_own_image = false;                         // half of the point belongs to its image
-    int cell = 0;                                      // points of a cell depend on the same nodes
-    int first_around = 0, arounds = 0;                 // means across whose sum the point is
+    int first_weight, weights;  // first weight and number of weights in weights()
+    double share;               // For a sampling point: its share of the face's parameter square.
+    double dA;                  // m^2, area of the undeformed surface that the point represents
+    double around;              // m, length of that area around the tire
+    // Offset added by (T.1), in the wheel frame, m.
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+    bool is_own_image = false;  // true: half of the point belongs to its image
+    int cell = 0;               // index of the cell; all points of a cell depend on the same nodes
+    int first_around = 0, arounds = 0;  // range of the averages across whose sum is the point
   };
-  static constexpr int kSamples = 8;  // samples along each side of a face
+  static constexpr int kSamples = 8;  // number of sampling points along each side of a face
 
   TreadShape shape() const { return shape_; }
   bool empty() const { return nodes_.empty(); }
   int nodes() const { return static_cast<int>(nodes_.size()); }
-  /// First of each node's three unknowns, divided by 3.
+  /// Index of the first of each node's three unknowns, divided by 3.
   const std::vector<int>& block_rows() const { return nodes_; }
   const std::vector<Place>& places() const { return places_; }
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Point>& samples() const { return samples_; }
-  /// True if all of `some` are indices of points().
+  /// Returns true if all numbers in `some` are indices of points().
   bool has_points(const std::vector<int>& some) const {
     return std::ranges::all_of(
         some, [this](int point) { return point >= 0 && point < std::ssize(points_); });
   }
-  /// Indices of samples, grouped in lines from -x to x and in lines across the tread.
+  /// Return the indices of the sampling points, grouped in lines around the tire (from -x to x) or
+  /// across the tread.
   std::vector<std::vector<int>> lines_around() const;
   std::vector<std::vector<int>> lines_across() const;
-  /// Weights of a point or sample.
+  /// Returns the weights of a contact point or sampling point.
   const Weight* weights(const Point& point) const { return &weights_[point.first_weight]; }
-  /// Size of the whole ring over that of the represented part.
+  /// Returns the size of the whole ring divided by that of the computed part: 1 or 2.
   double multiplicity() const { return unknowns_.multiplicity(); }
 
-  /// Nodes on which the points of each cell depend.
+  /// Returns the nodes on which the points of each cell depend.
   const std::vector<std::vector<int>>& cell_nodes() const { return cell_nodes_; }
-  /// Unknowns coupled by the contact in each cell, as connectivity() of the ring's elements.
+  /// Returns the unknowns that contact couples in each cell, in the format of the connectivity() of
+  /// the ring's elements.
   std::vector<std::vector<int>> connectivity() const;
-  /// Nodes on which a point depends.
+  /// Returns the nodes on which a point depends.
   std::vector<int> nodes_of(const Point& point) const;
 
-  /// Returns the displacements of the nodes in x [3 x nodes], in the frames of their unknowns.
+  /// Returns the displacements of the nodes [3 x nodes] for the unknowns x, in the axes of these
+  /// unknowns.
   Eigen::Matrix3Xd displacements(const Eigen::VectorXd& x) const;
-  /// Returns the positions of the places in the wheel frame [3 x places], m.
+  /// Returns the positions of nodes and their images in the wheel frame [3 x places], m.
   Eigen::Matrix3Xd positions(const Eigen::Matrix3Xd& displacements) const;
   Eigen::Vector3d at(const Point& point, const Eigen::Matrix3Xd& positions) const {
     Eigen::Vector3d x = point.offset;
@@ -120,30 +131,30 @@ class TreadSurface {
     }
     return x;
   }
-  /// Returns all points [3 x points]. Means across are formed once for all places around that share
-  /// them.
+  /// Returns the positions of all contact points [3 x points]. Averages across the tread are
+  /// computed once for all points that share them.
   Eigen::Matrix3Xd points_at(const Eigen::Matrix3Xd& positions) const;
-  /// Returns the motions of all points [3 x points], wheel frame, for a motion of the whole ring [3
-  /// x nodes], sector frames.
+  /// Returns the displacements of all contact points [3 x points] in the wheel frame, for a
+  /// displacement of the whole ring [3 x nodes] in sector frames.
   Eigen::Matrix3Xd motions(const Eigen::Matrix3Xd& shape) const;
-  /// Returns the deformed area that a sample represents, m^2.
+  /// Returns the area of the deformed surface that a sampling point represents, m^2.
   double area(const Point& point, const Eigen::Matrix3Xd& positions) const;
-  /// Returns the tread nodes outside this surface [3 x any] in the wheel frame, for a check that
-  /// none of them touches.
+  /// Returns the positions in the wheel frame of the tread nodes outside this surface [3 x number
+  /// of nodes]. They serve to check that none of them touches the ground.
   Eigen::Matrix3Xd beyond(const Eigen::VectorXd& x) const;
 
  private:
   struct Face {
-    std::array<int, 4> corner;  // places, counterclockwise from u = v = -1
-    int first_sample;           // first of kSamples rows along u
+    std::array<int, 4> corner;  // indices of the corner nodes, counterclockwise from u = v = -1
+    int first_sample;  // index of the first sampling point; there are kSamples rows along u
   };
-  /// Weights of up to sixteen places and their derivatives along the face.
+  /// Weights of up to sixteen nodes, and their derivatives by the face's parameters.
   struct Tangents {
     std::array<double, 16> value, by_u, by_v;
   };
-  using Grid = std::vector<int>;  // places, -1: none
+  using Grid = std::vector<int>;  // indices of nodes; -1: no node
   using Weights = std::function<Tangents(double u, double v)>;
-  /// True for the section nodes that a face covers, by plane.
+  /// For each section plane and node: true if a face covers the node.
   using Covered = std::vector<std::vector<bool>>;
   bool is_halved() const { return unknowns_.multiplicity() > 1.0; }
   int planes() const;
@@ -170,21 +181,23 @@ class TreadSurface {
   TreadShape shape_;
   std::vector<int> nodes_;
   std::vector<Place> places_;
-  std::vector<std::vector<int>> place_index_;  // index by plane and node, used while the surface is
-                                               // built
+  // Index of a node by section plane and node number, used while the surface is built.
+  std::vector<std::vector<int>> place_index_;
   std::vector<Weight> weights_;
   std::vector<Point> points_, samples_;
-  // A point is a sum of means across, and a mean across is a sum of places. Their weights are
-  // shared.
+  // A weighted term of a sum. Every contact point is a sum of averages across the tread, and every
+  // average is a sum over nodes; points share the averages.
   struct Part {
     int of;
     double w;
   };
   std::vector<Part> around_, across_;
-  std::vector<int> first_across_{0};  // index of each mean's first part, and the end
+  // Index of the first term of each average, and the total number.
+  std::vector<int> first_across_{0};
   std::vector<std::vector<int>> cell_nodes_;
   std::vector<Face> faces_;
-  std::vector<std::pair<int, int>> beyond_;  // plane and node
+  // Section plane and node of the tread nodes outside the surface.
+  std::vector<std::pair<int, int>> beyond_;
 };
 
 }  // namespace latsch::fe_tire

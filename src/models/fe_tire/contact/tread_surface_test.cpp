@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of the tread's surface on the shipped meshes, whose rows meet on plies and end at tied
-// corners.
+// Tests the contact surface of the tread on the shipped meshes, in which rows of elements meet on
+// plies and end at tied edges.
 #include "models/fe_tire/contact/tread_surface.h"
 
 #include <gtest/gtest.h>
@@ -17,9 +17,9 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kWindow = 0.4;  // rad, to both sides of the lowest point
+constexpr double kWindow = 0.4;  // rad, half angle of the surface about the lowest point
 
-/// Returns the area of the tread's flat faces with an edge in the window, m^2.
+/// Returns the area of the tread's flat faces that have an edge in this range, m^2.
 double area_of_facets(const Mesh& mesh) {
   const auto is_near = [&](int plane) {
     const double angle = mesh.angle(plane);
@@ -37,9 +37,9 @@ double area_of_facets(const Mesh& mesh) {
   return area;
 }
 
-// A smooth surface through the nodes bulges out of the facets: with sectors of 3 deg the arc is
-// (0.052 rad)^2 / 24 = 0.011 % longer than its chords, and a few times that across the tread's
-// shoulders.
+// A smooth surface through the nodes lies outside the flat facets and is larger. With sectors of 3
+// deg the arc is longer than its chords by (0.052 rad)^2 / 24 = 0.011 %; across the tread's
+// shoulders the difference is a few times as large.
 TEST(TreadSurface, OfShippedTiresCoversTheTreadOfHalfTheRing) {
   for (const char* name : {"passenger_205_55R16", "passenger_225_50R16", "passenger_235_45R20"}) {
     const TireDescription tire =
@@ -63,8 +63,9 @@ TEST(TreadSurface, OfShippedTiresCoversTheTreadOfHalfTheRing) {
 }
 
 // A uniform pressure must load every plane in proportion to the halves of its sectors, as the
-// elements require, also where narrow sectors end. Without (T.3) the last narrow plane beside one
-// of twice the width got 17 % less. (T.3) is exact to first order; a third of the 17 % is allowed.
+// elements require, also at the border between narrow and wide sectors. Without (T.3) the last
+// plane between narrow sectors, beside a sector of twice the width, got 17 % less. (T.3) is exact
+// to first order; a third of the 17 % is allowed.
 TEST(TreadSurface, AUniformPressureLoadsPlanesEvenly) {
   TireDescription tire = read_tire(Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) /
                                                   "studies/tires/passenger_205_55R16.toml")
@@ -82,7 +83,7 @@ TEST(TreadSurface, AUniformPressureLoadsPlanesEvenly) {
       force[tread.places()[weight.place].plane] += weight.w * point.dA;
     }
   }
-  double per_angle = 0.0;  // mean of the narrow planes in the middle
+  double per_angle = 0.0;  // mean load per angle of the planes between narrow sectors
   double largest = 0.0;
   for (int s = 1; mesh.angle(s + 2) < kWindow - 0.1; ++s) {
     const double half = 0.5 * (mesh.angle(s + 1) - mesh.angle(s - 1));
@@ -92,8 +93,9 @@ TEST(TreadSurface, AUniformPressureLoadsPlanesEvenly) {
   EXPECT_LT(largest, 0.17 / 3.0);
 }
 
-// Points summed in two steps, means across first, agree with the sum over their weights, and depend
-// only on the nodes of their cell.
+// Contact points are computed in two steps: averages across the tread, then averages of these
+// around it. The result must equal the direct sums over all weights, and must depend only on the
+// nodes of the point's cell.
 TEST(TreadSurface, PointsAreWhereTheirWeightsSay) {
   const TireDescription tire =
       read_tire(Document::read(LATSCH_SOURCE_DIR "/studies/tires/passenger_225_50R16.toml").root());
@@ -119,8 +121,8 @@ TEST(TreadSurface, PointsAreWhereTheirWeightsSay) {
   }
 }
 
-// The half turn takes a tied edge to the other side of the wall. An edge tied elsewhere has no
-// image.
+// Under the half turn the image of a tied edge lies on the other side of the wall. If an edge is
+// tied elsewhere there, it is not the image.
 TEST(TreadSurface, AnEdgeTiedElsewhereIsNoImage) {
   const TireDescription tire =
       read_tire(Document::read(LATSCH_SOURCE_DIR "/studies/tires/passenger_225_50R16.toml").root());

@@ -8,7 +8,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr int kArcSamples = 4000;  // gives the arc length to about 1e-8 of the whole
+// Number of intervals for the arc length, whose relative error is then about 1e-8.
+constexpr int kArcSamples = 4000;
 
 Eigen::Matrix2Xd mirrored(const std::vector<MeridianPoint>& half) {
   const int n = static_cast<int>(half.size());
@@ -20,7 +21,7 @@ Eigen::Matrix2Xd mirrored(const std::vector<MeridianPoint>& half) {
   return p;
 }
 
-/// Returns half the second derivatives of the natural cubic spline at its points, [2 x n].
+/// Returns half of the second derivatives of the natural cubic spline at its points, [2 x n].
 Eigen::Matrix2Xd spline_curvature(const Eigen::VectorXd& t, const Eigen::Matrix2Xd& p) {
   const Eigen::Index n = t.size();
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);

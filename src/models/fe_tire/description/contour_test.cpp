@@ -9,7 +9,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Returns the meridian of a torus: n + 1 points of a half circle of radius a about radius R.
+/// Returns the meridian of a torus: n + 1 points on a half circle of radius a, whose center is at
+/// the radius R.
 Contour circle(double a, double R, int n) {
   std::vector<MeridianPoint> half;
   for (int i = 0; i <= n; ++i) {
@@ -27,8 +28,8 @@ TEST(Contour, StraightLineIsExact) {
   EXPECT_NEAR(line.tangent(0.0).y, -1.0, 1e-15);
 }
 
-// A natural spline ends straight and so misses a curved end by O(h^2). Doubling the points of a
-// circle must divide the error of its length by at least 4.
+// A natural spline has no curvature at its ends, so it deviates from a curved end by O(h^2). Twice
+// as many points on a circle must reduce the error of the length to a quarter or less.
 TEST(Contour, LengthOfACircleConvergesWithTheSquareOfThePointDistance) {
   const double exact = 0.1 * std::numbers::pi;
   const double coarse = std::abs(circle(0.1, 0.3, 4).length() - exact);

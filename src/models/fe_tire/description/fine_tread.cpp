@@ -12,8 +12,9 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Half angles of patches, rad: of one that is 0.56 of the radius long, longer than at rated load,
-// and of the patch of the first two millimeters. Larger values refine more sectors.
+// Half angles, rad, of the parts of the tread that are refined: that of a patch whose length is
+// 0.56 of the radius, longer than at rated load, and that of the patch at the first two millimeters
+// of deflection. Larger values refine more sectors.
 constexpr double kReach = 0.28, kFirstReach = 0.05;
 
 int parts(double length, double largest) {
@@ -21,7 +22,7 @@ int parts(double length, double largest) {
   return std::max(1, static_cast<int>(std::ceil(length / largest - kRounding)));
 }
 
-/// Returns the widths of the sectors of one half of the ring, from the contact upward, rad.
+/// Returns the widths of the sectors of one half of the ring, from the contact to the top, rad.
 std::vector<double> sector_widths(const Section& section) {
   std::vector<double> widths;
   double left = std::numbers::pi;
@@ -45,8 +46,8 @@ TreadSplit split_of(const TireDescription& tire, const TreadElements& largest) {
   for (std::size_t j = 0; columns[j] < section.tread_to; ++j) {
     split.columns.push_back(parts((columns[j + 1] - columns[j]) * half_length, largest.across));
   }
-  // Columns are short where the wall bends. If any column is split, every column is split at least
-  // in two.
+  // Every column is split into at least two if any column is split, so that columns stay short
+  // where the wall bends.
   if (std::ranges::max(split.columns) > 1) {
     for (int& of_column : split.columns) of_column = std::max(of_column, 2);
   }
@@ -74,8 +75,8 @@ TireDescription with_split_tread(TireDescription tire, const TreadSplit& split) 
   columns.push_back(whole.back());
   tire = with_columns(std::move(tire), std::move(columns));
 
-  // Zones are the same on both sides. If the number of sectors is odd, the remaining sectors share
-  // the last zone.
+  // The zones of sectors are equal on both sides. Sectors beyond the refined ones form the last
+  // zone; if the total number of sectors is odd, one of them lies at the top.
   Section& section = tire.section;
   const std::vector<double> widths = sector_widths(section);
   section.sectors = 0;
@@ -89,7 +90,8 @@ TireDescription with_split_tread(TireDescription tire, const TreadSplit& split) 
     section.sector_zones.back().sectors += p;
     section.sectors += 2 * p;
   }
-  section.sector_zones.pop_back();  // The remaining sectors share the rest of the ring.
+  // The last zone needs no entry: its sectors share the rest of the ring.
+  section.sector_zones.pop_back();
   return tire;
 }
 

@@ -59,9 +59,8 @@ TEST(FineTread, LeavesWallAndTopOfTheRingAsTheyAre) {
   EXPECT_NEAR(mesh.angle(mesh.sectors), 2.0 * std::numbers::pi, 1e-12);
 }
 
-// The finer one of two meshes of a tire agrees
-// better with the mesh in which all elements are
-// split.
+// If a tire has two meshes, the one with a finer tread must agree better with the mesh in which all
+// elements are split.
 TEST(FineTread, IsTheSameTire) {
   const TireDescription tire = reference_tire_b();
   FeTire own(tire), split(fine(tire)), finest(build_mesh(tire, 3), build_materials(tire, 3));
@@ -83,7 +82,8 @@ void expect_same(const Mesh& a, const Mesh& b) {
 TEST(FineTread, SplitsNothingThatIsShortEnough) {
   const TireDescription tire = reference_tire_b(), once = fine(tire);
   expect_same(build_mesh(fine(once)), build_mesh(once));
-  TireDescription even = tire;  // with a column on either side of the crown
+  // An even number of columns, with one column on either side of the crown.
+  TireDescription even = tire;
   even.section.meridional += even.section.meridional % 2;
   expect_same(build_mesh(fine(even, {.around = 1.0, .across = 1.0})), build_mesh(even));
 }

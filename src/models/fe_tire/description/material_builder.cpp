@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes material values from the description of a section, in the numbering of its mesh.
+// Computes the materials of all elements from the description of a section, in the numbering of its
+// mesh.
 //
 // The smeared layer serves comparison with programs that have no rebars. Its law is the isotropic
 // law of its rubber plus the cords' stiffness spread over the wall inside the reference line:
@@ -11,18 +12,20 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Returns d (x) d of a direction in Voigt order, for stresses: d^T E d = v . E_voigt.
+/// Returns the dyad d (x) d of a unit vector in Voigt order, with the factors of stresses: d^T E d
+/// = v . E_voigt.
 Vector6 dyad(const Eigen::Vector3d& d) {
   Vector6 v;
   for (int k = 0; k < 6; ++k) v[k] = d[voigt::kRow[k]] * d[voigt::kColumn[k]];
   return v;
 }
 
-/// Geometry in the middle of a column of elements.
+/// Geometry at the middle of a column of elements.
 struct Column {
-  double r = 0.0;              // m, radius of the reference line
-  double thickness = 0.0;      // m, inside the reference line
-  Eigen::Vector3d meridional;  // (radial, circumferential, axial), toward the -y bead
+  double r = 0.0;          // m, radius of the reference line
+  double thickness = 0.0;  // m, thickness of the wall inside the reference line
+  // Unit vector (radial, circumferential, axial) along the wall toward the -y bead.
+  Eigen::Vector3d meridional;
 };
 
 Column column_of(const TireDescription& tire, const Contour& line, int i, int columns) {
@@ -38,8 +41,8 @@ Column column_of(const TireDescription& tire, const Contour& line, int i, int co
   return column;
 }
 
-/// Returns the cords of a ply at radius r. A cord lifted from the drum keeps cos(angle) / r, and
-/// the cords' spacing grows with r sin(angle).
+/// Returns the cords of a ply at radius r. If the ply was built on a drum and lifted, cos(angle) /
+/// r stays constant along a cord, and the spacing is proportional to r sin(angle).
 CordLayer cords_at(const CordPly& ply, double r, double r_crown) {
   CordLayer cords = ply.cords;
   if (!ply.lifted) return cords;
@@ -89,7 +92,8 @@ Materials build_materials(const TireDescription& tire, MeshRefinement refinement
     }
     return materials;
   }
-  // Smeared cords follow the wall's direction, so each refined column has its own material.
+  // Smeared cords have the direction of the wall, so each column of the refined mesh has its own
+  // material.
   const int split = refinement.along;
   for (int i = 0; i < split * plan.columns(); ++i) {
     const Column column = column_of(tire, line, i, split * plan.columns());

@@ -6,8 +6,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// The values are the row *ELASTIC, TYPE=ANISO of the first and the middle column of the CalculiX
-// deck of tire B (N/mm^2; CalculiX orders the shear terms 12, 13, 23).
+// Reference values are the rows *ELASTIC, TYPE=ANISO of the first and the middle column in the
+// CalculiX deck of tire B (N/mm^2; CalculiX orders the shear terms 12, 13, 23).
 TEST(MaterialBuilder, SmearedLayerOfTireBIsThatOfTheCalculixDeck) {
   const Materials materials = build_materials(reference_tire_b());
   const int regions = static_cast<int>(reference_tire_b().regions.size());

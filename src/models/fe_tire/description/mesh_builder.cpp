@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the HEX8 mesh of one sector from the description of a section.
+// Builds the mesh of one sector, of hexahedra with eight nodes, from the description of a section.
 
 #include <algorithm>
 #include <cassert>
@@ -48,8 +48,8 @@ class MeshBuilder {
  private:
   int columns() const { return r_.along * plan_.columns(); }
   double s(double i) const { return section_.station(i / r_.along); }
-  /// Returns the number of element rows that end at station i. The sidewall has one row outside the
-  /// reference line.
+  /// Returns the number of rows of elements at the station (border between columns) i. A sidewall
+  /// has one row outside the reference line.
   int rows_at(int i) const {
     const bool sidewall = std::abs(i - 0.5 * columns()) > crown_ - 0.5;
     return r_.through * (sidewall ? section_.rows_inside + 1 : plan_.rows());
@@ -57,15 +57,15 @@ class MeshBuilder {
   int node(int i, int k) const { return first_node_[i] + k; }
   int top(int i) const { return node(i, rows_at(i)); }
 
-  /// Converts row k of `rows` (fractions allowed) to rows of the unrefined crown.
+  /// Converts the row k of `rows` (fractions allowed) to a row of the unrefined crown.
   double parent_row(double k, int rows) const {
     const double row = k / r_.through, inside = section_.rows_inside;
     const int outside = rows / r_.through - section_.rows_inside;
     if (row <= inside) return row;
     return inside + (row - inside) * (plan_.rows() - section_.rows_inside) / outside;
   }
-  /// Returns the distance of the face below row k of `rows` from the reference line at s, positive
-  /// outward.
+  /// Returns the distance from the reference line, at s, of the lower face of row k of `rows`;
+  /// positive outward.
   double face(double s, int k, int rows) const {
     return section_.face(std::abs(s), parent_row(k, rows));
   }
@@ -79,8 +79,9 @@ class MeshBuilder {
       }
   }
 
-  /// Nodes of station i below and above row k of `rows`. If fewer rows end there, these are the
-  /// nodes between which the row ends, and `from` and `to` the positions where it ends.
+  /// Nodes of station i at the lower and upper face of row k of `rows`. If the station has fewer
+  /// rows, these are the two nodes between which the row ends, and `from` and `to` are the relative
+  /// positions of its faces between them.
   struct RowEnd {
     int lower, upper;
     double from = 0.0, to = 1.0;
@@ -122,8 +123,8 @@ class MeshBuilder {
     return e;
   }
 
-  /// True for a column that bends as one wall: a sidewall, but not a crown with belts under a thick
-  /// tread.
+  /// Returns true if the whole thickness of a column bends as one wall. This holds for a sidewall,
+  /// but not for a crown with belts under a thick tread.
   bool is_wall(int column, int rows) const {
     if (!section_.faces.empty()) return rows < r_.through * plan_.rows();
     return tire_.cord_model == CordModel::rebar &&
@@ -132,7 +133,7 @@ class MeshBuilder {
            });
   }
 
-  /// Returns the thickness of the wall in the middle of a column, m.
+  /// Returns the thickness of the wall at the middle of column i, m.
   double thickness(int i) const {
     const double q = std::abs(s(i + 0.5));
     return section_.inside.at(q) + section_.outside.at(q);
@@ -144,8 +145,8 @@ class MeshBuilder {
     std::vector<RebarPlacement> found;
     for (const auto& [ply, layer] : plan_.plies(i / r_.along)) {
       const double d = tire_.plies[ply].offset.at(std::abs(middle));
-      const bool lowest = k == 0 && d == lower;  // A ply on a face belongs to the element inside
-                                                 // it.
+      // A ply exactly on a face between rows belongs to the element inside it.
+      const bool lowest = k == 0 && d == lower;
       if (lowest || (lower < d && d <= upper))
         found.push_back({layer, 2.0 * (d - lower) / (upper - lower) - 1.0});
     }
@@ -161,7 +162,8 @@ class MeshBuilder {
     }
   }
 
-  /// Chooses the outer nodes at the crown, at both edges of the tread and at both widest points.
+  /// Selects the outer nodes whose displacements are reported: at the crown, at both edges of the
+  /// tread and at both widest points.
   void choose_sensors(Mesh& mesh) const {
     const auto nearest = [&](double target) {
       int found = 0;
@@ -184,7 +186,7 @@ class MeshBuilder {
   MeshRefinement r_;
   SectionPlan plan_;
   Contour line_;
-  double crown_ = 0.0;  // columns from the crown to the first row of the sidewall
+  double crown_ = 0.0;  // number of columns from the crown to the first row of the sidewall
   std::vector<int> first_node_ = {0};
 };
 

@@ -12,7 +12,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-// The numbers are from the table of both tires in [Hempel & Oertel 2016].
+// The reference numbers are from the table of both tires in [Hempel & Oertel 2016].
 TEST(MeshBuilder, TiresAAndBHaveTheElementsAndFreedomsOfThePaper) {
   const Mesh a = build_mesh(reference_tire_a()), b = build_mesh(reference_tire_b());
   EXPECT_EQ(a.element_count(), 7020);
@@ -71,7 +71,7 @@ double swept_volume(const Section& section) {
     }
     return sum;
   };
-  const auto bead = [&](double s) {  // straight edge of the section at a bead
+  const auto bead = [&](double s) {  // straight edge of the section at the bead
     const double q = std::abs(s);
     const MeridianPoint a = line.offset(s, -section.inside.at(q)),
                         b = line.offset(s, section.outside.at(q));
@@ -91,8 +91,9 @@ TEST(MeshBuilder, VolumeOfACylinderIsThatOfItsPolygon) {
   EXPECT_NEAR(swept_volume(tire.section) * std::sin(angle) / angle, polygon, 1e-9 * polygon);
 }
 
-// Elements leave no gap and do not overlap where many rows end on the straight edge of two. The
-// volume equals that of two rows everywhere, because faces inside the wall do not move its surface.
+// Many rows of elements end on the straight edge of two rows. The elements must neither leave a gap
+// nor overlap there. Faces inside the wall do not move its surface, so the volume must equal that
+// of a mesh with two rows everywhere.
 TEST(MeshBuilder, RowsThatEndInTheSidewallLeaveTheVolume) {
   TireDescription tire = reference_tire_b();
   tire.cord_model = CordModel::rebar;
@@ -104,27 +105,30 @@ TEST(MeshBuilder, RowsThatEndInTheSidewallLeaveTheVolume) {
     const Mesh many = build_mesh(tire, refinement);
     EXPECT_TRUE(
         std::ranges::any_of(many.elements, [](const Element& e) { return e.tie.eta != 0; }));
-    // Faces of the elements are bilinear, and twisted ones cut off a volume of second order.
+    // Faces of the elements are bilinear; if they are twisted, the enclosed volume has an error of
+    // second order.
     EXPECT_NEAR(volume(many), volume(two), 1e-4 / refinement / refinement * volume(two));
   }
 }
 
-// Nodes lie on the true contour, so the volume converges to that of the swept section with order 2.
+// All nodes lie on the true contour, so the volume converges with order 2 to that of the swept
+// section.
 TEST(MeshBuilder, VolumeConvergesToTheSweptSectionWithOrderTwo) {
   for (TireDescription tire : {reference_tire_a(), reference_tire_b()}) {
-    tire.section.inside = {{0.0}, {5e-3}};  // kinks of the thickness between nodes would add noise
+    // The thickness is constant, since kinks between nodes would disturb the convergence.
+    tire.section.inside = {{0.0}, {5e-3}};
     tire.section.outside = {{0.0}, {7e-3}};
     const double exact = swept_volume(tire.section);
     const double e1 = exact - volume(build_mesh(tire, 1)), e2 = exact - volume(build_mesh(tire, 2)),
                  e4 = exact - volume(build_mesh(tire, 4));
-    EXPECT_GT(e1, 0.0);  // a chord polygon lies inside
+    EXPECT_GT(e1, 0.0);  // a polygon of chords lies inside the curve
     EXPECT_NEAR(std::log2(e1 / e2), 2.0, 0.2) << tire.name;
     EXPECT_NEAR(std::log2(e2 / e4), 2.0, 0.2) << tire.name;
     EXPECT_LT(e1, 0.02 * exact);
   }
 }
 
-/// Returns the mass of the solids' rubber and the layers' cords, kg.
+/// Returns the total mass of rubber and cords, kg.
 double mass(const Mesh& mesh, const Materials& materials) {
   double sum = 0.0;
   for (const Element& element : mesh.elements) {
@@ -161,8 +165,8 @@ TEST(MeshBuilder, RefinementKeepsTheMassWithinTheGeometricError) {
   EXPECT_LT(std::abs(m2 - m3), 0.3 * std::abs(m1 - m3));
 }
 
-// Every ply crosses every element column that it covers exactly once, at its own distance from the
-// reference line.
+// Every ply must cross each column of elements that it covers exactly once, at its given distance
+// from the reference line.
 TEST(MeshBuilder, RefinementKeepsTheCordsAtTheirPlaceInTheWall) {
   const TireDescription tire = with_rebars();
   const Contour line(tire.section.contour);
@@ -177,8 +181,8 @@ TEST(MeshBuilder, RefinementKeepsTheCordsAtTheirPlaceInTheWall) {
         for (const RebarPlacement& rebar : element.rebars) {
           ++found;
           EXPECT_LE(std::abs(rebar.zeta), 1.0);
-          // p is the middle of the element's section, between its two columns of nodes in the
-          // sector plane.
+          // p is the center of the cord layer in the element's section, between its two columns of
+          // nodes in the sector plane.
           const auto X = mesh.coordinates(element);
           const double w = 0.5 * (1.0 + rebar.zeta);
           const Eigen::Vector3d p =
@@ -188,7 +192,7 @@ TEST(MeshBuilder, RefinementKeepsTheCordsAtTheirPlaceInTheWall) {
             const MeridianPoint q = line.offset(s, ply.offset.at(std::abs(s)));
             nearest = std::min(nearest, std::hypot(p.y() - q.y, -p.z() - q.r));
           }
-          EXPECT_LT(nearest, 1e-3 / (r * r));  // sag of the chord
+          EXPECT_LT(nearest, 1e-3 / (r * r));  // tolerance: distance between chord and arc
         }
       }
     }
@@ -204,7 +208,8 @@ TEST(MeshBuilder, RefinementKeepsTheClampedAndTreadBoundary) {
   const TireDescription tire = reference_tire_b();
   const Mesh mesh = build_mesh(tire, 2);
   EXPECT_EQ(mesh.sectors, 120);
-  EXPECT_EQ(mesh.clamped.size(), 2u * 3u);  // 3 at both beads: reference line to outer face
+  // 3 nodes at each of the two beads, from the reference line to the outer face
+  EXPECT_EQ(mesh.clamped.size(), 2u * 3u);
   const Mesh coarse = build_mesh(tire);
   const auto tread_count = [](const Mesh& m) {
     return std::count_if(
@@ -231,13 +236,14 @@ TEST(Mesh, SectorsAreCountedFromTheBottomTowardTheFront) {
   Eigen::Matrix3d round = Eigen::Matrix3d::Identity();
   for (int s = 0; s < mesh.sectors; ++s) round = mesh.sector_rotation() * round;
   EXPECT_NEAR((round - Eigen::Matrix3d::Identity()).norm(), 0.0, 1e-13);
-  // The radius is that of crown and tread, less the sag of half an element column.
+  // The radius is the reference line's radius plus the tread's thickness, minus the sag of half a
+  // column of elements.
   EXPECT_NEAR(mesh.outer_radius(), 0.310 + 0.009, 5e-5);
 }
 
 TEST(Mesh, EtaRunsFromTheLeftBeadAndZetaOutward) {
   const Mesh mesh = build_mesh(reference_tire_b());
-  const auto X = mesh.coordinates(mesh.elements[2 * 14]);  // at the crown
+  const auto X = mesh.coordinates(mesh.elements[2 * 14]);  // element at the crown
   EXPECT_GT(X(0, 1), X(0, 0));
   EXPECT_LT(X(1, 3), X(1, 0));
   EXPECT_LT(X(2, 4), X(2, 0));
@@ -255,9 +261,9 @@ TEST(Mesh, AnInvertedElementIsNamedWithItsPlace) {
   }
 }
 
-// With relative lengths 2 at the crown and 1/2 at the bead the columns there have that ratio to 10
-// % (each takes the mean of the profile over its own length). A refined mesh contains the coarse
-// nodes.
+// The relative lengths are 2 at the crown and 1/2 at the bead. The columns there must have this
+// ratio within 10 %, because each has the mean of the profile over its own length. A refined mesh
+// must contain the nodes of the coarse one.
 TEST(MeshBuilder, SectorZonesAreMirroredAtTheContactAndNestWhenRefined) {
   constexpr double kDegree = M_PI / 180.0;
   TireDescription tire = reference_tire_b();
@@ -266,7 +272,7 @@ TEST(MeshBuilder, SectorZonesAreMirroredAtTheContactAndNestWhenRefined) {
   const Mesh mesh = build_mesh(tire), fine = build_mesh(tire, 2);
   for (int s = 0; s <= 4; ++s) EXPECT_NEAR(mesh.angle(s), 5.0 * kDegree * s, 1e-15);
   EXPECT_NEAR(mesh.angle(6), 40.0 * kDegree, 1e-15);
-  EXPECT_NEAR(mesh.angle(7), 75.0 * kDegree, 1e-15);  // four sectors share the rest
+  EXPECT_NEAR(mesh.angle(7), 75.0 * kDegree, 1e-15);  // four sectors share the rest of the ring
   EXPECT_EQ(mesh.angle(10), M_PI);
   for (int s = 0; s <= 20; ++s) {
     EXPECT_NEAR(mesh.angle(s) + mesh.angle(20 - s), 2.0 * M_PI, 1e-14);

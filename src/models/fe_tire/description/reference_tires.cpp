@@ -7,7 +7,8 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kMegapascal = 1e6;
-constexpr double kCordThickness = 1e-3;  // m; only modulus times thickness matters if smeared
+// Thickness of smeared cords, m. Only the product of modulus and thickness matters.
+constexpr double kCordThickness = 1e-3;
 
 CordPly ply(const char* name, double to, double stiffness, double angle_deg) {
   CordPly ply;
@@ -36,7 +37,8 @@ TireDescription passenger_tire() {
   return tire;
 }
 
-/// Converts mm to m by division: 310 mm then has the bits of 0.31, as in a tire file.
+/// Converts mm to m by division, not by multiplication, so that 310 mm has exactly the bits of
+/// 0.31, as in a tire file.
 std::vector<MeridianPoint> millimeters(std::vector<MeridianPoint> points) {
   for (MeridianPoint& p : points) p = {p.y / 1e3, p.r / 1e3};
   return points;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two passenger tires with smeared cords, for which an independent program has computed inflation,
-// load-deflection curve and modes. They are tires A and B of [Hempel & Oertel 2016] in size and
-// number of elements, with assumed contours and moduli.
+// load-deflection curve and modes. Their sizes and numbers of elements are those of tires A and B
+// of [Hempel & Oertel 2016]; contours and moduli are assumed.
 #pragma once
 
 #include "models/fe_tire/description/tire_description.h"

@@ -9,10 +9,10 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr int kSamples = 200;  // points along the wall, bead to bead
+constexpr int kSamples = 200;  // number of points along the wall, from bead to bead
 
-/// Smallest thickness of a row. Two plies are separated at least by the rubber of their coating;
-/// thinner rows would make the tangent badly conditioned.
+/// Smallest thickness of a row of elements. Two plies are separated at least by their rubber
+/// coating. Thinner rows would make the tangent ill-conditioned.
 constexpr double kThinnestRow = 1e-4;  // m
 
 double cross(MeridianPoint a, MeridianPoint b, MeridianPoint c) {
@@ -27,7 +27,7 @@ std::string here(MeridianPoint p) {
   return fmt::format("y = {:.1f} mm, r = {:.1f} mm", 1e3 * p.y, 1e3 * p.r);
 }
 
-/// Returns the inner face from the +y to the -y bead and back along the outer face.
+/// Returns the closed outline: the inner face from the +y to the -y bead, then the outer face back.
 std::vector<MeridianPoint> outline(const Section& section) {
   const Contour line(section.contour);
   std::vector<MeridianPoint> inner, outer;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that a section can exist at all. Every function returns the complaint, or an empty text if
-// there is none.
+// Checks whether a section is geometrically possible. Every function returns a message that
+// describes the conflict, or an empty text if there is none.
 #pragma once
 
 #include <string>
@@ -9,17 +9,18 @@
 
 namespace latsch::fe_tire {
 
-/// The wall must not cross itself or fold over where it is thicker than its radius of curvature.
+/// Returns a message if the wall crosses itself, or if it folds over because it is thicker than its
+/// radius of curvature.
 std::string wall_conflict(const Section& section);
 
-/// The ply must stay inside the wall along its whole extent.
+/// Returns a message if the ply leaves the wall at any position.
 std::string ply_conflict(const Section& section, const CordPly& ply);
 
-/// Plies on which rows of elements meet must be in order and not too near to each other or to a
-/// face of the wall.
+/// Returns a message if plies on which rows of elements meet are not in order, or too near to each
+/// other or to a face of the wall.
 std::string row_conflict(const Section& section);
 
-/// Largest radius and width of the outer face, m.
+/// Largest radius and largest width of the outer face, m.
 struct OuterSize {
   double radius = 0.0, width = 0.0;
 };

@@ -30,7 +30,8 @@ TEST(SectionCheck, AWallThickerThanItIsCurvedFolds) {
 TEST(SectionCheck, ALayerOutsideTheWallIsNamedWithItsPosition) {
   const TireDescription tire = reference_tire_b();
   CordPly ply = tire.plies.front();
-  ply.offset = {{0.0}, {-5e-3}};  // The wall is 6 mm at the crown, but 4 mm at the side.
+  // At the crown the wall is 6 mm thick inside, but at the side only 4 mm, so the ply leaves it.
+  ply.offset = {{0.0}, {-5e-3}};
   EXPECT_NE(ply_conflict(tire.section, ply).find("position 0.4"), std::string::npos)
       << ply_conflict(tire.section, ply);
 }

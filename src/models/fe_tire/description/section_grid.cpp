@@ -7,14 +7,14 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Returns the index of the first of the four points around x (or of all, if there are fewer).
+/// Returns the index of the first of the four points around x, or 0 if there are fewer than four.
 std::ptrdiff_t first_of_four(const std::vector<double>& points, double x) {
   const auto next = std::ranges::upper_bound(points, x) - points.begin();
   return std::clamp<std::ptrdiff_t>(
       next - 2, 0, std::max<std::ptrdiff_t>(0, std::ssize(points) - 4));
 }
 
-/// Returns the Lagrange polynomial of point k among the `count` points from `first` on.
+/// Returns, at x, the Lagrange polynomial of point k among the `count` points from `first` on.
 double factor(const std::vector<double>& points,
               std::ptrdiff_t first,
               std::ptrdiff_t count,
@@ -27,7 +27,8 @@ double factor(const std::vector<double>& points,
   return product;
 }
 
-/// Interpolates at `row` of a station whose nodes begin at `first`.
+/// Interpolates through the wall, at the height `row`, between the nodes of a station; `first` is
+/// the first of them.
 Eigen::Vector3d at_row(const std::vector<double>& rows,
                        Eigen::Index first,
                        double row,

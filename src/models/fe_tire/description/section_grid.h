@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coordinates of a section's nodes in the wall, independent of its elements. They carry
-// displacements known on one mesh of a tire to another mesh as a starting point.
+// Coordinates of a section's nodes relative to the wall, independent of the mesh. With them
+// displacements can be interpolated from one mesh of a tire to another, where they serve as
+// starting point.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,17 +11,19 @@
 
 namespace latsch::fe_tire {
 
-/// Nodes of a section in the order of build_mesh: station by station, from inside to outside.
+/// Positions of a section's nodes, in the order of build_mesh: station by station, each from inside
+/// to outside.
 struct SectionGrid {
-  std::vector<double> stations;           // s of the ends of columns, ascending from -1 to 1
-  std::vector<std::vector<double>> rows;  // height of each station's nodes, in rows of the
-                                          // unrefined crown
+  std::vector<double> stations;  // positions s at which columns end, ascending from -1 to 1
+  // For each station, heights of its nodes, in rows of the unrefined crown.
+  std::vector<std::vector<double>> rows;
   int nodes() const;
 };
 SectionGrid section_grid(const TireDescription& tire, MeshRefinement refinement = 1);
 
-/// Interpolates the displacements u of one plane to the nodes of another grid of the same wall: by
-/// polynomials through the four surrounding stations, and linearly through the wall.
+/// Interpolates the displacements u of one section plane to the nodes of another grid of the same
+/// wall. Interpolation is by polynomials through the four nearest stations along the wall, and
+/// linear through the wall.
 Eigen::Matrix3Xd on_grid(const SectionGrid& to, const SectionGrid& from, const Eigen::Matrix3Xd& u);
 
 }  // namespace latsch::fe_tire

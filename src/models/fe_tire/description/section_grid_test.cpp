@@ -9,7 +9,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Returns a field that is cubic along the wall and linear through it.
+/// Returns displacements that are cubic along the wall and linear through it.
 Eigen::Matrix3Xd field(const SectionGrid& grid) {
   Eigen::Matrix3Xd u(3, grid.nodes());
   Eigen::Index node = 0;

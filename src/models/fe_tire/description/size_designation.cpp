@@ -12,18 +12,20 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr double kInch = 0.0254, kMillimeter = 1e-3;
-constexpr double kLargestFlange = 20e-3;        // m, largest distance from rim to clamped bead
-constexpr double kFlangeOfRim = 0.04;           // share of the diameter, for large rims
-constexpr double kSmallestMetricRim = 100.0;    // rims from here on are in mm
+constexpr double kLargestFlange = 20e-3;  // m, largest distance between rim and clamped bead
+// Share of the rim's diameter; larger than 20 mm for large rims.
+constexpr double kFlangeOfRim = 0.04;
+constexpr double kSmallestMetricRim = 100.0;    // rim diameters from here on are in mm
 constexpr double kSmallestMillimeters = 200.0;  // outer diameters from here on are in mm
-constexpr double kLargestOfMotorcycles = 24.5;  // inches, largest rim of a narrow metric tire
+// Largest rim of a metric tire of motorcycle width, inches.
+constexpr double kLargestOfMotorcycles = 24.5;
 constexpr double kHeightOfSeries82 = 0.82, kHeightOfInches = 0.95;
 
 const char* const kPrefix = R"(\s*(?:P|LT|ST|T|C|IF|VF|H|B)?\s*)";
 const char* const kConstruction = R"(\s*([ZVHS]?R|B|D|-)\s*)";
 const char* const kRim = R"((\d{1,3}(?:\.\d)?)(?:LT|CP|C|M/C|NHS|XL)?(?:\s.*)?)";
 
-/// Converts to capitals, and the multiplication sign to X.
+/// Converts a text to capitals, and the multiplication sign to X.
 std::string plain(const std::string& text) {
   static const std::string kTimes = "\u00d7";
   std::string result;
@@ -45,7 +47,7 @@ double rim_of(const std::string& text) {
 
 bool is_radial(const std::string& construction) { return construction.back() == 'R'; }
 
-/// Reads width, ratio and rim.
+/// Reads a designation of width, aspect ratio and rim.
 SizeDesignation with_ratio(const std::smatch& m) {
   SizeDesignation size;
   const double width = std::stod(m[1]);
@@ -57,7 +59,7 @@ SizeDesignation with_ratio(const std::smatch& m) {
   return size;
 }
 
-/// Reads width and rim.
+/// Reads a designation of width and rim.
 SizeDesignation without_ratio(const std::smatch& m) {
   SizeDesignation size;
   const double width = std::stod(m[1]);
@@ -72,7 +74,7 @@ SizeDesignation without_ratio(const std::smatch& m) {
   return size;
 }
 
-/// Reads outer diameter, width and rim.
+/// Reads a designation of outer diameter, width and rim.
 SizeDesignation with_diameter(const std::smatch& m) {
   SizeDesignation size;
   const double outer = std::stod(m[1]);

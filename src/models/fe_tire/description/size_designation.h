@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The size molded into a tire's sidewall and the section dimensions it stands for.
+// The size designation on a tire's sidewall and the dimensions of the section that it denotes.
 //
 //   225/50R16      metric: nominal width 225 mm, height 50 % of it, radial, rim of 16 inches
 //   195/65R390     metric, rim in mm if 100 or more
@@ -23,25 +23,25 @@
 namespace latsch::fe_tire {
 
 struct SizeDesignation {
-  double width = 0.0;           // m, nominal: of the section (metric) or of the tread (racing)
-  double outer_diameter = 0.0;  // m, nominal, inflated and unloaded
+  double width = 0.0;           // m, nominal width of the section (metric) or of the tread (racing)
+  double outer_diameter = 0.0;  // m, nominal diameter of the inflated, unloaded tire
   double rim_diameter = 0.0;    // m, nominal
-  bool metric = true;           // false: all numbers are inches
+  bool metric = true;           // false: all numbers of the designation are in inches
   bool radial = true;
-  /// Relative deviations of a real tire that its designation allows. They are wide if the
-  /// designation names no height.
+  /// Relative deviations from the nominal dimensions that are allowed for a real tire. They are
+  /// wide if the designation states no height.
   double diameter_tolerance = 0.02;
   double least_width = 0.94, most_width = 1.06;
 };
 
-/// Returns nothing if the text is no size designation.
+/// Parses a size designation. Returns nothing if the text is none.
 std::optional<SizeDesignation> parse_size(const std::string& text);
 
-/// Returns what is wrong with a section of this outer radius, overall width (m) and bead point for
-/// a tire of this size; empty if they agree. Tolerances: metric sizes follow the order of magnitude
-/// of the tire and rim standard (diameter 2 %, width 6 %). A racing section is up to a third wider
-/// than its tread. Sizes without a height name the diameter within 8 % (10.00R20: 1054 mm, 11R22.5:
-/// 1054 mm, 18.4-38: 1750 mm, 40.00R57: 3594 mm).
+/// Compares a section's outer radius, overall width (m) and bead point with a tire size. Returns a
+/// message that describes the conflict, or an empty text if they agree. Tolerances: metric sizes
+/// follow the order of magnitude of the tire and rim standard (diameter 2 %, width 6 %). A racing
+/// section is up to a third wider than its tread. Sizes without a height name the diameter within 8
+/// % (10.00R20: 1054 mm, 11R22.5: 1054 mm, 18.4-38: 1750 mm, 40.00R57: 3594 mm).
 std::string size_conflict(const SizeDesignation& size,
                           double outer_radius,
                           double width,

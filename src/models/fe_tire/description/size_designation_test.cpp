@@ -13,7 +13,8 @@ TEST(SizeDesignation, MetricSizeIsWidthAspectRatioAndRim) {
   ASSERT_TRUE(size);
   EXPECT_DOUBLE_EQ(size->width, 0.225);
   EXPECT_DOUBLE_EQ(size->rim_diameter, 0.4064);
-  EXPECT_DOUBLE_EQ(size->outer_diameter, 0.4064 + 0.225);  // two section heights of 50 %
+  // Rim diameter plus two section heights of 50 % of the width.
+  EXPECT_DOUBLE_EQ(size->outer_diameter, 0.4064 + 0.225);
   EXPECT_TRUE(size->metric && size->radial);
 }
 
@@ -31,8 +32,8 @@ TEST(SizeDesignation, MarksAroundTheSizeAreAllowed) {
     EXPECT_TRUE(parse_size(text)) << text;
 }
 
-// Outer diameters in mm are those of makers' tables, to be met within the tolerance of the
-// designation.
+// Reference diameters in mm are from manufacturers' tables. They must be met within the tolerance
+// of the designation.
 TEST(SizeDesignation, SizesOfTrucksFieldsMinesAircraftAndMotorcyclesAreRead) {
   struct Row {
     const char* text;

@@ -17,8 +17,8 @@ double WallProfile::at(double q) const {
 
 namespace {
 
-/// Returns the number of elements up to position q for elements of length 1: the integral of dq /
-/// length.
+/// Returns the number of elements between the crown and position q, if the elements have the
+/// relative lengths of the profile: the integral of dq / length.
 double elements_before(const SpacingProfile& spacing, double q) {
   double count = 0.0, from = 0.0;
   for (std::size_t i = 0; i + 1 < spacing.position.size() && from < q; ++i) {
@@ -26,7 +26,8 @@ double elements_before(const SpacingProfile& spacing, double q) {
     const double slope = (spacing.length[i + 1] - spacing.length[i]) / (b - a);
     const double to = std::min(b, q), mean = spacing.length[i] + slope * (0.5 * (a + to) - a);
     const double x =
-        0.5 * slope * (to - a) / mean;  // int dq / length = (to - a) / mean * atanh(x) / x
+        // Integral of dq / length over the interval: (to - a) / mean * atanh(x) / x.
+        0.5 * slope * (to - a) / mean;
     count += (to - a) / mean * (std::abs(x) < 1e-6 ? 1.0 + x * x / 3.0 : std::atanh(x) / x);
     from = to;
   }
@@ -40,14 +41,14 @@ double length_at(const SpacingProfile& spacing, double q) {
   return spacing.length[i] + (spacing.length[i + 1] - spacing.length[i]) * (q - a) / (b - a);
 }
 
-/// Interpolates linearly between values y_i at i.
+/// Interpolates linearly, at a fractional index, between values y_i.
 double interpolate(const std::vector<double>& y, double at) {
   const double whole = std::clamp(std::floor(at), 0.0, static_cast<double>(y.size() - 2));
   const auto i = static_cast<std::size_t>(whole);
   return y[i] + (at - whole) * (y[i + 1] - y[i]);
 }
 
-/// Returns the number of columns from the crown to position q.
+/// Returns the number of columns between the crown and position q; fractions count.
 double columns_before(const Section& section, double q) {
   if (const std::vector<double>& columns = section.columns; !columns.empty()) {
     const auto next = std::upper_bound(columns.begin() + 1, columns.end() - 1, q);
@@ -60,9 +61,10 @@ double columns_before(const Section& section, double q) {
   return 0.5 * section.meridional * part;
 }
 
-/// Returns where column `count`, counted by `spacing` alone, ends after the nearest ends of columns
-/// have moved to `ends` and those between two of them in proportion. An end moves no column if its
-/// nearest column already ends at another one, or at crown or bead.
+/// Moves the ends of columns to the positions `ends` and returns where column number `count` ends,
+/// which `spacing` alone would place elsewhere. The nearest column end moves to each position of
+/// `ends`, and the ends between two such positions move proportionally. A position is ignored if
+/// its nearest column end is already at another one, at the crown or at the bead.
 double moved_to_ends(const Section& section, double count) {
   const double half = 0.5 * section.meridional, first = half - std::floor(half);
   double from = 0.0, moved_from = 0.0;
@@ -140,7 +142,7 @@ double Section::station(double column) const {
   if (spacing.position.empty()) return std::copysign(wanted / (0.5 * meridional), s);
   const double before = wanted / (0.5 * meridional) * elements_before(spacing, 1.0);
   double low = 0.0, high = 1.0, q = wanted / (0.5 * meridional);
-  for (int i = 0; i < 60 && high - low > 1e-16; ++i) {  // Newton's method, kept in the bracket
+  for (int i = 0; i < 60 && high - low > 1e-16; ++i) {  // Newton's method, limited to the bracket
     const double left = before - elements_before(spacing, q);
     if (left == 0.0) break;
     (left > 0.0 ? low : high) = q;

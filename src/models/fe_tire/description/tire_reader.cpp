@@ -15,7 +15,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr int kMostElements = 2000;  // largest number along one direction
+constexpr int kMostElements = 2000;  // largest number of elements along one direction
 
 Extent read_extent(const Node& node) {
   const Range unit = Range::between(0.0, 1.0);
@@ -75,8 +75,8 @@ SpacingProfile read_spacing(const Node& mesh) {
   return spacing;
 }
 
-/// Reads the positions where columns end, which replace their number and relative lengths. Empty if
-/// they are not given.
+/// Reads the positions at which columns end, which replace the number and relative lengths of
+/// columns. Returns an empty list if the key is not given.
 std::vector<double> read_columns(const Node& mesh) {
   constexpr const char* kKey = "columns";
   if (!mesh.has(kKey)) return {};
@@ -96,7 +96,7 @@ std::vector<double> read_columns(const Node& mesh) {
   return columns;
 }
 
-/// Splits each column into `parts` of equal width.
+/// Splits each column into `parts` columns of equal width.
 std::vector<double> split(const std::vector<double>& columns, int parts) {
   std::vector<double> ends;
   for (std::size_t j = 0; j + 1 < columns.size(); ++j) {
@@ -107,7 +107,7 @@ std::vector<double> split(const std::vector<double>& columns, int parts) {
   return ends;
 }
 
-/// The number of columns must be given by one of two keys.
+/// Throws InputError unless one of the two keys for the columns is given.
 void expect_columns(const Node& mesh) {
   if (mesh.has("columns") || mesh.has("meridional")) return;
   for (const std::string& key : mesh.keys()) {
@@ -119,8 +119,8 @@ void expect_columns(const Node& mesh) {
               "where they end");
 }
 
-/// Reads pairs [count, "width"] from the contact upward. The other sectors share the remainder of
-/// half the ring.
+/// Reads pairs [count, "width"] of sectors, from the contact upward. All other sectors share the
+/// rest of half the ring.
 std::vector<SectorZone> read_sector_zones(const Node& mesh, int sectors) {
   constexpr const char* kKey = "sector_zones";
   std::vector<SectorZone> zones;
@@ -263,7 +263,7 @@ RubberRegion read_region(const Node& node, const std::vector<Rubber>& rubbers) {
   return region;
 }
 
-/// Reads the cross-section of one cord, m^2.
+/// Reads the cross-sectional area of one cord, m^2.
 double cord_area(const Node& node) {
   if (!node.has("cord_diameter")) return node.quantity("cord_area", "m^2", Range::positive());
   if (node.has("cord_area"))
@@ -273,7 +273,8 @@ double cord_area(const Node& node) {
 }
 
 CordPly read_ply(const Node& node, const Section& section) {
-  constexpr double kRightAngle = 0.5 * std::numbers::pi + 1e-12;  // 90 deg with any rounding
+  // 90 deg, with a tolerance for rounding
+  constexpr double kRightAngle = 0.5 * std::numbers::pi + 1e-12;
   CordPly ply;
   ply.name = node.name();
   ply.extent = read_extent(node);
@@ -294,7 +295,7 @@ CordPly read_ply(const Node& node, const Section& section) {
   return ply;
 }
 
-/// Reads the rim, which only tests need in which it moves.
+/// Reads the rim body. It is optional, because only tests in which the rim moves need it.
 std::optional<RimBody> read_rim(const Node& root) {
   const auto node = root.find_table("rim");
   if (!node) return std::nullopt;
@@ -319,7 +320,7 @@ std::optional<RimBody> read_rim(const Node& root) {
   return rim;
 }
 
-/// Reads the plies on which rows of elements meet.
+/// Reads which plies are faces between rows of elements.
 void read_faces(const Node& mesh, TireDescription& tire) {
   constexpr const char* kKey = "faces";
   if (!mesh.has(kKey)) return;
@@ -342,7 +343,8 @@ void read_faces(const Node& mesh, TireDescription& tire) {
   }
 }
 
-/// Makes columns end where plies and rubbers end, unless the columns are all alike.
+/// Sets the positions where plies and rubbers end as ends of columns, unless all columns have the
+/// same length.
 void place_ends(TireDescription& tire) {
   const Section& section = tire.section;
   if (section.faces.empty() && section.spacing.position.empty() && section.columns.empty()) return;
@@ -356,8 +358,8 @@ void place_ends(TireDescription& tire) {
   tire.section.ends.assign(ends.begin(), ends.end());
 }
 
-/// Checks that every region and every layer owns an element, and that every element belongs to one
-/// region.
+/// Throws InputError if a region or a layer contains no element, or if an element belongs to no
+/// region or to more than one.
 void check_plan(const Node& root, const TireDescription& tire) {
   const SectionPlan plan(tire);
   std::vector<char> region_used(tire.regions.size()), ply_used(tire.plies.size());

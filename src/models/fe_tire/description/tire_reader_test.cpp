@@ -18,8 +18,8 @@ TireDescription read(const std::string& file) {
   return read_tire(Document::read(kTires / file).root());
 }
 
-// [Hempel & Oertel 2016] has 15,480 and 27,000 unknowns. Rows on the plies need up to half as many
-// more.
+// The meshes in [Hempel & Oertel 2016] have 15,480 and 27,000 unknowns. The shipped meshes have
+// rows that end on plies, for which up to half as many unknowns are added.
 TEST(TireReader, ShippedTiresHaveUpToOneAndAHalfTimesThePapersFreedoms) {
   EXPECT_LE(build_mesh(read("passenger_225_50R16.toml")).free_dofs(), 3 * 15480 / 2);
   EXPECT_LE(build_mesh(read("passenger_235_45R20.toml")).free_dofs(), 3 * 27000 / 2);
@@ -105,13 +105,15 @@ TEST(TireReader, AVariedModulusKeepsTheMeshAndChangesTheMaterials) {
   EXPECT_NEAR(2.0 * rubber.C10, 22.3e6 / (2.0 * (1.0 + 0.49)), 1.0);
 }
 
-// A cord on a drum of radius r_0 at angle a_0, lifted to radius r, has cos a = cos a_0 r / r_0. The
-// number of cords around, 2 pi r sin a / spacing, stays constant.
+// A cord that lies on a drum of radius r_0 at the angle a_0 and is lifted to the radius r has the
+// angle a with cos a = cos a_0 r / r_0. The number of cords around the tire, 2 pi r sin a /
+// spacing, stays constant.
 TEST(TireReader, LiftedBiasPliesSteepenTowardTheBead) {
   const TireDescription tire = read("race_16x7.5-10.toml");
   const Contour line(tire.section.contour);
   const CordLayer& crown = tire.plies[0].cords;
-  const CordLayer bead = build_materials(tire).layers.front();  // first column, first ply
+  // Material of the first ply in the first column.
+  const CordLayer bead = build_materials(tire).layers.front();
   const double middle = 0.5 * (tire.section.station(0) + tire.section.station(1));
   const double lift = line.point(middle).r / line.point(0.0).r;
   EXPECT_NEAR(std::cos(bead.angle), std::cos(crown.angle) * lift, 1e-12);
@@ -120,7 +122,7 @@ TEST(TireReader, LiftedBiasPliesSteepenTowardTheBead) {
   EXPECT_GT(bead.angle, crown.angle);
 }
 
-/// Returns tire B with one line replaced.
+/// Returns the file of tire B with one line replaced.
 std::string edited(const std::string& from, const std::string& to) {
   std::ifstream file(kTires / "passenger_225_50R16.toml");
   std::ostringstream stream;
@@ -132,19 +134,20 @@ std::string edited(const std::string& from, const std::string& to) {
   return text;
 }
 
-/// Returns tire B with the line of [mesh] that begins with `key` replaced.
+/// Returns the file of tire B with that line of [mesh] replaced which begins with `key`.
 std::string with_line(const std::string& key, const std::string& line) {
   std::string text = edited(key, key);
   const auto at = text.find(key);
   return text.replace(at, text.find('\n', at) - at, line);
 }
 
-/// An element at q takes a share of the wall in proportion to the profile's length there.
+/// An element at position q must occupy a share of the wall proportional to the profile's relative
+/// length there.
 TEST(TireReader, SpacingGradesTheColumns) {
   std::string with_spacing = with_line(
       "columns = [", "meridional = 2000\nspacing = [[0, 2], [0.4, 2], [0.4001, 1], [1, 3]]");
-  const auto faces = with_spacing.find("faces = [");  // otherwise ends of columns move to ends of
-                                                      // plies
+  // Removes the key, because otherwise ends of columns would move to ends of plies.
+  const auto faces = with_spacing.find("faces = [");
   with_spacing.replace(faces, with_spacing.find('\n', faces) - faces, "");
   const Section section = read_tire(Document::parse(with_spacing, "t").root()).section;
   const auto length_at = [&](double q) {
@@ -159,7 +162,8 @@ TEST(TireReader, SpacingGradesTheColumns) {
   EXPECT_NEAR(section.station(section.meridional), 1.0, 1e-15);
 }
 
-// `split_columns` is the number that [refined] of a study sets in the shipped file.
+// `split_columns` is the number by which the shipped file splits its columns; [refined] of a study
+// can set it.
 TEST(TireReader, ColumnsAreSplitInEqualParts) {
   Document document = Document::parse(edited("", ""), "t");
   const Section whole = read_tire(document.root()).section;
@@ -178,8 +182,9 @@ TEST(TireReader, ColumnsEndWhereTheyAreToldAndRefinedOnesInBetween) {
       with_line("columns = [", "columns = [0, 0.2, 0.38, 0.46, 0.6, 0.8, 0.95, 1]");
   const Section section = read_tire(Document::parse(text, "t").root()).section;
   EXPECT_EQ(section.meridional, 14);
-  // The positions 0.74 and 0.92, where rubbers end, attract the nearest end of a column, and the
-  // ends between move in proportion: 0.8 moves to 0.74 by 0.3 of a column, 0.6 by half of that.
+  // Rubbers end at the positions 0.74 and 0.92, to which the nearest column ends must move. The
+  // ends between them move proportionally: 0.8 moves to 0.74, by 0.3 of a column, and 0.6 by half
+  // of that.
   const std::vector<double> expected = {0.0, 0.2, 0.38, 0.46, 0.46 + 0.85 * 0.14, 0.74, 0.92, 1.0};
   for (int i = 0; i <= 7; ++i) {
     EXPECT_NEAR(section.station(7 + i), expected[i], 1e-14) << i;
@@ -200,7 +205,7 @@ TEST(TireReader, AnOffsetMayChangeAlongTheWall) {
   EXPECT_DOUBLE_EQ(belt.at(0.9), 0.0);
 }
 
-/// Returns the complaint about tire B with one line replaced.
+/// Returns the error message for the file of tire B with one line replaced.
 std::string complaint(const std::string& from, const std::string& to) {
   const std::string text = edited(from, to);
   try {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives of cords' strains and forces (hex8_cords.h) along a motion. Strains are quadratic
-// forms of positions: the matrix W of a point times the Gram matrix of motions.
+// Derivatives of the strains and forces of cords (hex8_cords.h) with respect to time, along a
+// motion of the nodes. A strain is a quadratic form of positions: the matrix W of a point times the
+// Gram matrix of two motions.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_CORD_MOTIONS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_CORD_MOTIONS
 #undef LATSCH_FE_TIRE_CORD_MOTIONS
@@ -14,7 +15,8 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Sets G such that sum W_mn a_m . b_n at any point of a layer is W : G.
+/// Computes the Gram matrix G of two motions a and b: sum W_mn a_m . b_n at any point of a layer
+/// equals W : G.
 LATSCH_INLINE void gram(const V (*a)[3], const V (*b)[3], V* G) {
   for (int m = 0; m < 3; ++m) G[m] = dot(a[m], b[m]);
   G[3] = dot(a[0], b[1]) + dot(a[1], b[0]);
@@ -31,15 +33,15 @@ LATSCH_INLINE void vectors_of(const V (*x)[3], double zeta, V (*y)[3]) {
     for (int i = 0; i < 3; ++i) y[m][i] = zeta * x[kThrough[m]][i] + x[kInPlane[m]][i];
   }
 }
-/// Returns d2S/de2 of cord_law.h.
+/// Returns the second derivative d2S/de2 of the law in cord_law.h.
 LATSCH_INLINE V bend_of(const CordLayer& layer, const V& e) {
   constexpr double w = kCordTransition;
   const V square = e * e + w * w;
   return (0.5 * w * w * (layer.E_tension - layer.E_compression)) / (square * sqrt(square));
 }
 
-/// Adds the second derivative of the cords' forces. The strains e1 and e2 include the part of
-/// alpha.
+/// Adds the second derivative of the cords' forces along a motion. The strains e1 and e2 include
+/// the contribution of alpha.
 void add_second_forces(
     const Cords& cords, const Kinematics& m, const V (*e1)[4], const V (*e2)[4], ModalSums& sums) {
   for (int l = 0; l < cords.count(); ++l) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strains of the comparison element along motions, and (M.3) of hex8_motions.h for its solid.
+// Derivatives of strains and forces of the comparison element's solid along motions, (M.3) of
+// hex8_motions.h.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_FULL_INTEGRATION_MOTIONS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_FULL_INTEGRATION_MOTIONS
 #undef LATSCH_FE_TIRE_FULL_INTEGRATION_MOTIONS
@@ -13,7 +14,7 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Computes F at a point of the comparison element, [row i][column k].
+/// Computes the deformation gradient F at a point of the comparison element, [row i][column k].
 LATSCH_INLINE void gradient(const double (*dN)[8], const V* x, V (*F)[3]) {
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) {
@@ -23,7 +24,8 @@ LATSCH_INLINE void gradient(const double (*dN)[8], const V* x, V (*F)[3]) {
     }
   }
 }
-/// Computes the symmetric part of F^T G as engineering strains: E_kk once, shear components twice.
+/// Computes the symmetric part of F^T G in the order of engineering strains: normal components
+/// once, shear components twice.
 LATSCH_INLINE void strain_of(const V (*F)[3], const V (*G)[3], V* E) {
   for (int r = 0; r < 6; ++r) {
     const int k = voigt::kRow[r], l = voigt::kColumn[r];
@@ -36,7 +38,7 @@ LATSCH_INLINE void strain_of(const V (*F)[3], const V (*G)[3], V* E) {
   }
 }
 
-/// Computes (M.3) of the comparison element's solid.
+/// Computes the sums (M.3) for the solid of the comparison element.
 void curve_full_integration(const ElementLaw& law, const V* x, const V* phi, NodalSums& sums) {
   const HexShape& shape = *law.shape;
   for (int q = 0; q < kPoints; ++q) {

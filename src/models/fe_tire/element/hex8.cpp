@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two element kinds behind one interface, and the mass.
+// Common interface of the two kinds of eight-node elements, and the mass matrix.
 #include "models/fe_tire/element/hex8.h"
 
 #include <fmt/format.h>
@@ -14,9 +14,10 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Coordinate along xi and eta at which the solid-shell's mass samples the shape functions:
-/// sqrt(2/3). The mass is then the average of the consistent and the lumped one, whose errors in
-/// the wave speed cancel to fourth order in the element's length [Guddati & Yue 2004, CMAME 193].
+/// Coordinate along xi and eta at which the shape functions are sampled for the mass of the
+/// solid-shell: sqrt(2/3). The mass is then the mean of the consistent and the lumped mass, whose
+/// errors in the wave speed cancel to fourth order in the element's length [Guddati & Yue 2004,
+/// CMAME 193].
 constexpr double kMassPoint = 0.81649658092772603273;
 
 }  // namespace
@@ -40,8 +41,9 @@ ElementLaw element_law(const HexShape& shape, const Materials& materials, const 
   const Solid& solid = materials.solids[element.solid];
   if (const auto* rubber = std::get_if<Hyperelastic>(&solid.law)) {
     law.rubber = *rubber;
-    // If these gradients resist little, a thick tread's nodes can move alternately along the belt.
-    // Those of a wall bend with it and must stay soft.
+    // Stiffness against gradients of the thickness strain. If it is small, the nodes of a thick
+    // tread can move alternately in and out along the belt. In a wall these gradients occur in
+    // bending, so they must stay soft.
     const double G = 2.0 * (rubber->C10 + rubber->C01);
     law.relaxation = element.wall > 0.0 ? G : 4.0 * G;
     return law;
@@ -86,7 +88,7 @@ Matrix8 mass(const HexShape& shape, const Materials& materials, const Element& e
 Matrix8 between_nodes(const Element& element, const Matrix8& between_corners) {
   const Matrix8& M = between_corners;
   if (element.tie.eta == 0) return M;
-  Matrix8 T = Matrix8::Identity();  // corners from nodes
+  Matrix8 T = Matrix8::Identity();  // matrix from the displacements of nodes to those of corners
   for (const auto& [lower, upper] : element.tie.pairs()) {
     T.row(lower) *= 0.0;
     T.row(upper) *= 0.0;

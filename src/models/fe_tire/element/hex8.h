@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eight-node element: forces, stiffness and mass of one element, total Lagrangian.
+// Forces, stiffness and mass of one eight-node element, in the total Lagrangian formulation.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,29 +11,35 @@
 namespace latsch::fe_tire {
 
 using Matrix38 = Eigen::Matrix<double, 3, 8>;
-using Vector24 = Eigen::Matrix<double, 24, 1>;  // dof 3 a + i: node a, direction i
+// Order of components: 3 a + i for node a and direction i.
+using Vector24 = Eigen::Matrix<double, 24, 1>;
 using Matrix24 = Eigen::Matrix<double, 24, 24>;
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 enum class ElementKind {
-  full_integration,  // 2x2x2 displacement element, CalculiX' C3D8: for comparison, because it locks
-  solid_shell,       // the default, with assumed and enhanced strains: hex8_solid_shell_kernel.h
+  // Displacement element with 2x2x2 Gauss points, as C3D8 of CalculiX; for comparison, because it
+  // locks.
+  full_integration,
+  solid_shell,  // the default, with assumed and enhanced strains: hex8_solid_shell_kernel.h
 };
 
-/// Quantities of an element that do not change with the displacement: gradients, weights, strain
-/// operators. Built once per mesh for every element of a sector.
-struct HexShape;  // hex8_shape.h, a plain value of fixed size
-/// Takes the reference coordinates [3 x 8], m, of the element's corners. `wall`: Element::wall.
+/// Quantities of an element that do not depend on the displacement: gradients, weights, strain
+/// operators. They are computed once per mesh for every element of a sector.
+struct HexShape;  // defined in hex8_shape.h; a plain value of fixed size
+/// Computes the shape from the coordinates [3 x 8], m, of the element's corners without load.
+/// `wall`: thickness of the wall, see Element::wall.
 HexShape make_shape(ElementKind kind, const Matrix38& X, double wall = 0.0);
 
-/// Number of enhanced strain parameters that an element kind stores between evaluations. They are
-/// only a starting point of the inner solution, not a history.
+/// Returns the number of enhanced strain parameters that an element of this kind stores between
+/// evaluations. They are only the starting point of an inner iteration, not a history of the
+/// material.
 int internal_parameters(ElementKind kind);
 
 /// Computes internal forces f = dW/du and, if K is not null, the symmetric tangent K = d2W/du2 of
 /// one element with displacement u (sector frame, m). W includes rebars. alpha:
-/// internal_parameters(kind) numbers, solved from the values given; f and K are condensed. Returns
-/// false if an integration point is inverted or the inner solution fails; f and K are then void.
+/// internal_parameters(kind) enhanced strain parameters, solved by iteration from the given values;
+/// they are condensed out of f and K. Returns false if an integration point is inverted or the
+/// inner solution fails; f and K are then void.
 bool evaluate(const HexShape& shape,
               const Materials& materials,
               const Element& element,
@@ -42,13 +48,13 @@ bool evaluate(const HexShape& shape,
               Vector24& f,
               Matrix24* K);
 
-/// Assigns the corners of a tied element to its nodes: a matrix [8 x 8] between corners becomes one
-/// between nodes. Without a tie it stays.
+/// Converts a matrix [8 x 8] between the corners of an element to one between its nodes. Both are
+/// equal unless the element is tied.
 Matrix8 between_nodes(const Element& element, const Matrix8& between_corners);
 
-/// Returns the mass [kg] between nodes, the same in all three directions, rebars included. It is
-/// consistent for full_integration, and the average of consistent and lumped along the wall for the
-/// solid-shell.
+/// Returns the mass matrix [kg] between nodes, with rebars. It is the same for all three
+/// directions. For full_integration it is consistent; for the solid-shell it is, along the wall,
+/// the mean of the consistent and the lumped one.
 Matrix8 mass(const HexShape& shape, const Materials& materials, const Element& element);
 
 }  // namespace latsch::fe_tire

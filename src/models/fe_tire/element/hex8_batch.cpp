@@ -22,7 +22,8 @@ void copy_lane(const double (&from)[rows][ElementBatch::kLanes],
   for (std::size_t k = 0; k < rows; ++k) to[k][lane] = from[k][lane];
 }
 
-/// Copies the first element to lanes without an element, so that these cannot fail.
+/// Copies the first element to lanes without an element, so that the computation in these lanes
+/// cannot fail.
 void fill_lanes(ElementBatch& batch) {
   for (int lane = batch.count; lane < ElementBatch::kLanes; ++lane) {
     for (auto& u : batch.u) u[lane] = u[0];
@@ -40,7 +41,8 @@ unsigned evaluate_corners(const ElementLaw& law,
   std::copy_n(&batch.alpha[0][0], 8 * ElementBatch::kLanes, &start[0][0]);
   const unsigned valid = kernel(law, surroundings, batch) & all;
   if (valid == all) return valid;
-  // The old alpha may not suit the new displacement: failed elements begin again from zero.
+  // The stored alpha may be a bad starting point for the new displacement, so elements that failed
+  // are evaluated again from alpha = 0.
   ElementBatch again = batch;
   std::fill_n(&again.alpha[0][0], 8 * ElementBatch::kLanes, 0.0);
   const unsigned now = kernel(law, surroundings, again) & all & ~valid;
@@ -71,7 +73,7 @@ void place_corners(const EdgeTie& tie, double (&u)[24][ElementBatch::kLanes]) {
   }
 }
 
-/// Converts forces on tied corners to forces on nodes; `at(k)` are the lanes of unknown k.
+/// Converts forces on tied corners to forces on nodes. `at(k)` returns the lanes of component k.
 template <class At>
 void gather_corners(const EdgeTie& tie, At at) {
   for (const auto& [lower, upper] : tie.pairs()) {
@@ -86,7 +88,7 @@ void gather_corners(const EdgeTie& tie, At at) {
   }
 }
 
-/// Converts K of the corners to K of the nodes, T^T K T.
+/// Converts the stiffness matrix K of the corners to that of the nodes, T^T K T.
 void gather_corners(const EdgeTie& tie,
                     double (&packed)[ElementBatch::kEntries][ElementBatch::kLanes]) {
   constexpr int kLanes = ElementBatch::kLanes;
@@ -130,7 +132,7 @@ unsigned evaluate(const ElementLaw& law,
 
 namespace {
 
-/// Runs `kernel` with positions and motions of corners instead of those of nodes.
+/// Calls `kernel` with the positions and motions of the corners in place of those of the nodes.
 template <class Kernel>
 auto at_corners(const EdgeTie& tie,
                 ElementBatch& batch,
@@ -184,7 +186,7 @@ void sum_motions(std::span<const VariedElement> varied,
   const auto same_tie = [](const VariedElement& a, const VariedElement& b) {
     return a.law->tie == b.law->tie;
   };
-  while (!varied.empty()) {  // the tie itself may be varied
+  while (!varied.empty()) {  // elements may differ in the tie itself
     std::size_t count = 1;
     while (count < varied.size() && same_tie(varied[count], varied.front())) ++count;
     at_corners(varied.front().law->tie, batch, motions, [&] {

@@ -1,56 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of one law at different positions, eight at a time, as the sectors of a ring contain
-// them. Lane k is element k (hex8_lanes.h). The numbers that describe the element are read once for
-// all lanes, and all lanes of a vector are used.
+// Evaluates elements of the same law at different positions, eight at a time, as the sectors of a
+// ring contain them. Lane k of the vector registers holds element k (hex8_lanes.h). The data of the
+// element are read once for all lanes.
 #pragma once
 
 #include "models/fe_tire/element/element_law.h"
 
 namespace latsch::fe_tire {
 
-/// Precision of the stiffness: exact in double, rough with sums in single precision. Rough
-/// stiffness serves steps of Newton's method, never results. Comparison elements are always exact.
+/// Precision of the stiffness: exact in double precision, or rough with sums in single precision.
+/// Rough stiffness is used for steps of Newton's method, never for results. Comparison elements
+/// always compute it exactly.
 enum class Stiffness { none, exact, rough };
 
 struct ElementBatch {
   static constexpr int kLanes = 8;
   static constexpr int kEntries = 24 * 25 / 2;
-  /// Index of K(row, column), row >= column, of the unknowns 3 a + i.
+  /// Returns the index of entry K(row, column), row >= column, in the stored lower triangle.
+  /// Unknowns are numbered 3 a + i for node a and direction i.
   static constexpr int entry(int row, int column) { return row * (row + 1) / 2 + column; }
 
-  int count = 0;                           // number of elements, in the first lanes
-  alignas(64) double u[24][kLanes];        // m, displacements in the sector's frame
-  alignas(64) double alpha[8][kLanes];     // enhanced strains, solved from the values given
+  int count = 0;                     // number of elements, in the first lanes
+  alignas(64) double u[24][kLanes];  // m, displacements in the sector's frame
+  // Enhanced strain parameters: starting values, then the solution.
+  alignas(64) double alpha[8][kLanes];
   alignas(64) double f[24][kLanes];        // N
   Stiffness stiffness = Stiffness::none;   // precision of K
   alignas(64) double K[kEntries][kLanes];  // N/m
 
-  /// Sets displacements of element `lane` and its first `alphas` enhanced strains; others are 0.
+  /// Sets the displacements of element `lane` and its first `alphas` enhanced strain parameters;
+  /// the others are 0.
   void set(int lane, const Matrix38& displacements, const double* enhanced, int alphas);
-  /// Returns the results of element `lane`: f, K with both triangles, enhanced strains.
+  /// Copies the results of element `lane`: force, stiffness with both triangles, enhanced strain
+  /// parameters.
   void take(int lane, Vector24& force, Matrix24* tangent, double* enhanced, int alphas) const;
 };
 
-/// Load on an element besides its own stress, and the frames of its forces.
+/// Pressure on an element, and the frames in which the forces on its nodes are expressed.
 struct ElementSurroundings {
-  double pressure = 0.0;    // Pa on the inner face; zero: none
-  unsigned open_edges = 0;  // sealed edges of that face; bit k: from node k to k + 1
-  /// Nodes whose forces are turned by Q^T into the next sector's frame (bit a: node a, numbered as
+  double pressure = 0.0;  // Pa, on the inner face
+  // Edges of the inner face that are sealed; bit k: edge from node k to k + 1.
+  unsigned open_edges = 0;
+  /// Nodes whose forces are rotated by Q^T into the next sector's frame (bit a: node a, numbered as
   /// in mesh.h). Q is a rotation about the spin axis.
   unsigned turned = 0;
   double cosine = 1.0, sine = 0.0;  // Q(0,0) and Q(0,2)
 };
 
-/// Computes forces and, if asked for, stiffness of every element of the batch. Returns a bit for
-/// each lane that succeeded. An element fails if it is inverted or its enhanced strains cannot be
-/// solved; its results are then void.
+/// Computes the forces and, if requested, the stiffness of every element of the batch. Returns a
+/// mask with a bit for each lane that succeeded. An element fails if it is inverted or its enhanced
+/// strains cannot be solved; its results are then undefined.
 unsigned evaluate(const ElementLaw& law,
                   const ElementSurroundings& surroundings,
                   Stiffness stiffness,
                   ElementBatch& batch);
 
-/// Rubber law of the elements at one strain (rubber_law.h): S and D = dS/dE in Pa. Returns det C.
-/// If det C is not positive, S and D are void.
+/// Evaluates the rubber law (rubber_law.h) at one strain, as the elements do: S and D = dS/dE in
+/// Pa. Returns det C. If det C is not positive, S and D are undefined.
 double rubber_stress(const Hyperelastic& law, const double* E, double* S, double (*D)[6]);
 
 }  // namespace latsch::fe_tire

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces and stiffness of the cord layers inside elements: equations (1) to (4) of hex8_rebar.cpp,
-// law of cord_law.h. The y of a layer are combinations of the element's modal vectors:
+// Forces and stiffness of the cord layers inside elements, by equations (1) to (4) of
+// hex8_rebar.cpp and the law of cord_law.h. The vectors y of a layer are linear combinations of the
+// element's modal vectors x:
 //   y_1 = x_1 + zeta x_13,  y_2 = x_2 + zeta x_23,  y_12 = x_12 + zeta x_123
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_CORDS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_CORDS
 #undef LATSCH_FE_TIRE_HEX8_CORDS
@@ -15,21 +16,21 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// The two modal vectors of each y.
+/// The two modal vectors of which each vector y of a layer consists.
 inline constexpr int kInPlane[3] = {solid_shell::k1, solid_shell::k2, solid_shell::k12};
 inline constexpr int kThrough[3] = {solid_shell::k13, solid_shell::k23, solid_shell::k123};
 
 template <class V>
 struct CordsOf {
   struct Point {
-    V e, S, tangent;  // strain of the displacements; Pa, at the total strain
+    V e, S, tangent;  // strain by the displacements; stress and tangent in Pa at the total strain
   };
   struct Sheet {
     V y[3][3];  // [m][i], m
     Point points[4];
   };
   const std::vector<CordSheet>& laws;
-  Sheet sheets[ElementLaw::kCordLayers];  // one for each law
+  Sheet sheets[ElementLaw::kCordLayers];  // one entry per cord layer
 
   explicit CordsOf(const std::vector<CordSheet>& given) : laws(given) {}
   int count() const { return static_cast<int>(laws.size()); }
@@ -37,7 +38,7 @@ struct CordsOf {
 
 using Cords = CordsOf<V>;
 
-/// Sets y and e for the modal vectors x[m][i].
+/// Computes the vectors y and the strains e of all cord layers from the modal vectors x[m][i].
 LATSCH_INLINE void follow(const V (*x)[3], Cords& cords) {
   for (int k = 0; k < cords.count(); ++k) {
     const CordSheet& law = cords.laws[k];
@@ -61,7 +62,7 @@ LATSCH_INLINE void follow(const V (*x)[3], Cords& cords) {
   }
 }
 
-/// The cord law: S and dS/de at the strain e.
+/// Evaluates the cord law: stress S and tangent dS/de at the strain e.
 LATSCH_INLINE void stretch(const CordLayer& layer, const V& e, V& S, V& tangent) {
   constexpr double w = kCordTransition;
   const double half = 0.5 * (layer.E_tension - layer.E_compression);
@@ -70,7 +71,7 @@ LATSCH_INLINE void stretch(const CordLayer& layer, const V& e, V& S, V& tangent)
   tangent = half * (1.0 + e / root) + layer.E_compression;
 }
 
-/// Sets the stresses for alpha_0, alpha_1.
+/// Computes the stresses of all cords for the enhanced strain parameters alpha_0 and alpha_1.
 LATSCH_INLINE void stretch(Cords& cords, const V& alpha_0, const V& alpha_1) {
   for (int k = 0; k < cords.count(); ++k) {
     const CordSheet& law = cords.laws[k];
@@ -83,7 +84,7 @@ LATSCH_INLINE void stretch(Cords& cords, const V& alpha_0, const V& alpha_1) {
   }
 }
 
-/// Computes de / dy_m at a point.
+/// Computes the derivative de / dy_m of the strain at a point.
 template <class V>
 LATSCH_INLINE void strain_operator(const CordSheet::Point& law, const V (*y)[3], V (*b)[3]) {
   for (int m = 0; m < 3; ++m) {
@@ -116,7 +117,8 @@ void add_forces(const Cords& cords, ModalSums& sums) {
   }
 }
 
-/// Adds a layer's stiffness between y_m and y_n in directions (i, j) to that of the modal vectors.
+/// Adds the stiffness of a layer between y_m and y_n, in the directions (i, j), to the stiffness
+/// between modal vectors.
 template <class V>
 LATSCH_INLINE void add_pair(const V& k, double zeta, int m, int n, bool whole, V (*K)[kModes]) {
   const V k_zeta = zeta * k;
@@ -131,8 +133,8 @@ LATSCH_INLINE void add_pair(const V& k, double zeta, int m, int n, bool whole, V
   add(kThrough[m], kThrough[n], zeta * k_zeta);
 }
 
-/// If `coupling` [alpha][direction][modal vector] is not null, the stiffness between alpha_0,
-/// alpha_1 and the element is added to it.
+/// Adds the stiffness of the cords. If `coupling` [alpha][direction][modal vector] is not null, the
+/// stiffness between alpha_0, alpha_1 and the displacements is added to it.
 template <class V>
 void add_stiffness(const CordsOf<V>& cords, ModalSumsOf<V>& sums, V (*coupling)[3][kModes]) {
   for (int k = 0; k < cords.count(); ++k) {

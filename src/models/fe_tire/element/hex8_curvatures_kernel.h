@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Equations (M.1) to (M.3) of hex8_motions.h, in both elements.
+// Evaluates equations (M.1) to (M.3) of hex8_motions.h for both kinds of elements.
 //
-// Derivatives of strains along a motion are written out. Stresses S, S', S'' follow from them by
-// the law's tangent D and its derivative along a strain.
+// The derivatives of strains along a motion are written out. The stresses S, S', S'' follow from
+// them with the law's tangent D and its derivative along a strain.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_CURVATURES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_CURVATURES
 #undef LATSCH_FE_TIRE_HEX8_CURVATURES
@@ -18,8 +18,8 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Multiplies D by two vectors. Several rows are kept in registers together, so that D is read
-/// once.
+/// Multiplies the matrix D by two vectors a and b. Several rows are computed in registers at once,
+/// so that D is read only once.
 LATSCH_INLINE void times_tangent(const V (*D)[kStrains], const V* a, const V* b, V* D_a, V* D_b) {
   constexpr int kTogether = 6;
   static_assert(kStrains % kTogether == 0);
@@ -40,7 +40,7 @@ LATSCH_INLINE void times_tangent(const V (*D)[kStrains], const V* a, const V* b,
   }
 }
 
-/// Computes (M.1) to (M.3) of the solid-shell.
+/// Computes (M.1) to (M.3) for the solid-shell element.
 void curve_solid_shell(const ElementLaw& law,
                        const MotionState& state,
                        const Cords& cords,
@@ -112,7 +112,7 @@ bool curve_register(const ElementLaw& law,
   if (!every(set_state(law, first, batch, state, cords))) return false;
   if (law.shape->kind == ElementKind::solid_shell) {
     set_tangents(law, state);
-    for (int l = 0; l < cords.count(); ++l) {  // strains with the part of alpha
+    for (int l = 0; l < cords.count(); ++l) {  // strains that include the contribution of alpha
       for (int q = 0; q < 4; ++q) {
         const double* p = cords.laws[l].points[q].p;
         V& e = cords.sheets[l].points[q].e;
@@ -148,8 +148,8 @@ bool curve_register(const ElementLaw& law,
     if (law.shape->kind == ElementKind::full_integration) {
       curve_full_integration(law, state.x, phi, sums);
     }
-    // The gas' energy is of third order in the positions, so the second derivative of its forces is
-    // twice the forces evaluated at the motion instead of the positions.
+    // The energy of the gas is cubic in the positions. The second derivative of its forces along a
+    // motion is therefore twice the forces with the motion in place of the positions.
     if (around.pressure != 0.0)
       add_pressure(kNowhere, phi, around.open_edges, 2.0 * around.pressure, false, sums);
     if (around.turned != 0) turn_forces(around, sums);

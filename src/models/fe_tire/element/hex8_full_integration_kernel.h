@@ -3,10 +3,10 @@
 //   F = x dN^T,  E = (F^T F - 1) / 2
 //   f = sum dV dN^T F S
 //   K(a i, b j) = sum dV dN_a^T (B_i^T D B_j + S delta_ij) dN_b,  B_i = dE / dF_i
-// Used for comparison: it locks in shear, in thickness bending and for nearly incompressible
-// rubber. [Bathe 1996] Finite Element Procedures, section 6.3.5.
+// The element is used for comparison. It locks in shear, in thickness bending and for nearly
+// incompressible rubber. [Bathe 1996] Finite Element Procedures, section 6.3.5.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION
 #undef LATSCH_FE_TIRE_HEX8_FULL_INTEGRATION
@@ -18,8 +18,8 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Computes B_i^T v of a stress-like v. F is row i of the deformation gradient; columns of B_i are
-/// in Voigt order.
+/// Computes B_i^T v for a vector v in the Voigt order of stresses. F is row i of the deformation
+/// gradient.
 LATSCH_INLINE void times_strain_operator(const V* F, const V* v, V* product) {
   product[0] = F[0] * v[0] + (F[1] * v[3] + F[2] * v[5]);
   product[1] = F[0] * v[3] + (F[1] * v[1] + F[2] * v[4]);
@@ -67,13 +67,14 @@ LATSCH_INLINE void add_point_stiffness(
   }
 }
 
-/// Adds to the sums for nodes at x[3 a + i]. In lanes that fail, the sums are void.
+/// Adds the forces and the stiffness of an element with nodes at x[3 a + i] to the sums. In lanes
+/// that fail, the sums are undefined.
 Mask add_full_integration(const ElementLaw& law, bool stiffness, const V* x, NodalSums& sums) {
   using voigt::kColumn, voigt::kRow;
   const HexShape& shape = *law.shape;
   Mask valid = V(1.0) > V(0.0);
   for (int q = 0; q < 8; ++q) {
-    V F[3][3];  // [row i][column k]
+    V F[3][3];  // deformation gradient, [row i][column k]
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) {
         V sum = shape.dN[q][k][0] * x[i];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Complete evaluation of a register of elements: laws, pressure, the next sector's frame.
+// Evaluates one register of elements completely: laws, pressure, and the rotation into the next
+// sector's frame.
 #include "models/fe_tire/element/hex8_full_integration_kernel.h"
 #include "models/fe_tire/element/pressure_kernel.h"
 
@@ -12,14 +13,14 @@ LATSCH_INLINE void turn_pair(const ElementSurroundings& around, V& x, V& z) {
   x = turned_x;
 }
 
-/// Turns forces on the nodes `around.turned` by Q^T.
+/// Rotates the forces on the nodes `around.turned` by Q^T.
 LATSCH_INLINE void turn_forces(const ElementSurroundings& around, NodalSums& sums) {
   for (int a = 0; a < 8; ++a) {
     if (around.turned >> a & 1) turn_pair(around, sums.f[3 * a], sums.f[3 * a + 2]);
   }
 }
 
-/// Turns the stiffness of these nodes.
+/// Rotates the stiffness entries of the nodes `around.turned`.
 void turn_stiffness(const ElementSurroundings& around, NodalSums& sums) {
   const auto at = [&](int row, int column) -> V& {
     return sums
@@ -43,7 +44,7 @@ void turn_stiffness(const ElementSurroundings& around, NodalSums& sums) {
   }
 }
 
-/// State of a solid-shell from which its stiffness is computed.
+/// State of a solid-shell element, from which its stiffness is computed.
 template <class V>
 struct ElementState {
   SolidShellState<V> shell;
@@ -52,7 +53,8 @@ struct ElementState {
   explicit ElementState(const ElementLaw& law) : cords(law.cords) {}
 };
 
-/// Rounds a register's lanes into lanes `first` ... of the batch's state.
+/// Rounds the lanes of a register to single precision and stores them in lanes `first` ... of the
+/// batch's state.
 LATSCH_INLINE void round(const ElementState<V>& from, int first, ElementState<F>& to) {
   round(from.shell, first, to.shell);
   for (int k = 0; k < from.cords.count(); ++k) {
@@ -60,7 +62,8 @@ LATSCH_INLINE void round(const ElementState<V>& from, int first, ElementState<F>
   }
 }
 
-/// Computes the nodes' stiffness, pressure included, from that of the modal vectors.
+/// Computes the stiffness between nodes, pressure included, from the stiffness between modal
+/// vectors.
 void finish_stiffness(const ElementLaw& law,
                       const ElementSurroundings& around,
                       const ModalSums& modal,
@@ -79,7 +82,7 @@ void finish_stiffness(const ElementLaw& law,
   for (int n = 0; n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.K[n] + first);
 }
 
-/// Sums the stiffness of solid and cords.
+/// Adds the stiffness of the solid and of the cords.
 template <class V>
 LATSCH_INLINE void sum_stiffness(const Operators<V>& operators,
                                  const ElementState<V>& state,
@@ -90,9 +93,8 @@ LATSCH_INLINE void sum_stiffness(const Operators<V>& operators,
 }
 
 /// Computes the stiffness with sums over modal vectors in single precision. The nodes' entries
-/// follow from these sums in double precision, so a translation of the element causes no force at
-/// all. This is necessary because the stiffness of a tire is many thousand times less than that of
-/// its elements.
+/// follow from these sums in double precision, so a translation of the element causes exactly no
+/// force. This is necessary because a tire is many thousand times softer than its elements.
 void find_rough_stiffness(const ElementLaw& law,
                           const ElementSurroundings& around,
                           const ElementState<F>& state,
@@ -108,8 +110,8 @@ void find_rough_stiffness(const ElementLaw& law,
   }
 }
 
-/// Computes forces, and stiffness if it is to be exact. If `rough` is not null, it receives the
-/// state.
+/// Computes the forces and, if exact stiffness is requested, the stiffness. If `rough` is not null,
+/// it receives the state from which rough stiffness can be computed.
 unsigned evaluate_solid_shell(const ElementLaw& law,
                               const ElementSurroundings& around,
                               int first,
@@ -195,7 +197,7 @@ unsigned evaluate_batch(const ElementLaw& law,
   return valid;
 }
 
-/// Computes S and dS/de.
+/// Computes the cord stress S and its derivative dS/de at the strain e.
 void cord_at(const CordLayer& layer, double e, double* S, double* tangent) {
   V stress, slope;
   stretch(layer, e, stress, slope);
@@ -206,7 +208,7 @@ void cord_at(const CordLayer& layer, double e, double* S, double* tangent) {
   *tangent = lanes[0];
 }
 
-/// Computes force and stiffness of the pressure on one face.
+/// Computes the force and the stiffness of the pressure on one face.
 void pressure_at(const double* x, double p, double* f, double* K) {
   NodalSums sums;
   for (V& v : sums.f) v = 0.0;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements side by side, one in each lane of a register (numerics/kernels/kernel_registers.h).
+// Number types for several elements at once, one in each lane of a vector register
+// (numerics/kernels/kernel_registers.h).
 //
-// Lanes do not interact: no sum runs across them and no stored value depends on a neighbor. So an
-// element has the same bits in any lane, beside any neighbors, in registers of four or of eight. V
-// is one register, not all eight lanes, because tiles of a product are held in registers: the
-// sixteen of AVX2 hold a tile of three by four.
+// Lanes do not interact: no sum runs across lanes, and no stored value depends on a neighbor.
+// Results of an element therefore have the same bits in any lane, beside any other elements, and in
+// registers of four or eight lanes. V is one register, not all eight lanes of a batch, because
+// tiles of a matrix product are held in registers: the sixteen registers of AVX2 hold a tile of
+// three by four.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_LANES
 #undef LATSCH_FE_TIRE_HEX8_LANES
@@ -33,7 +35,7 @@ static_assert(F::kWidth == ElementBatch::kLanes);
 
 LATSCH_INLINE V load(const double* p) { return V::load(p); }
 
-/// Rounds the lanes of v to floats.
+/// Rounds the lanes of v to single precision and stores them at p.
 LATSCH_INLINE void round(const V& v, float* p) {
 #if LATSCH_KERNEL_WIDTH == 8
   _mm256_storeu_ps(p, _mm512_maskz_cvtpd_ps(V::kEvery, v.v));
@@ -43,7 +45,7 @@ LATSCH_INLINE void round(const V& v, float* p) {
   for (int lane = 0; lane < V::kWidth; ++lane) p[lane] = static_cast<float>(v.v[lane]);
 #endif
 }
-/// Converts a register's worth of floats to doubles.
+/// Reads as many floats as a register has lanes and converts them to doubles.
 LATSCH_INLINE V widened(const float* p) {
 #if LATSCH_KERNEL_WIDTH == 8
   return _mm512_maskz_cvtps_pd(V::kEvery, _mm256_loadu_ps(p));
@@ -53,7 +55,8 @@ LATSCH_INLINE V widened(const float* p) {
   return latsch::LATSCH_KERNELS::Doubles2{p[0], p[1]};
 #endif
 }
-/// Rounds arrays, and structures that consist of V, into lanes `first` ... of the corresponding F.
+/// Rounds arrays, or structures that consist of V, and stores them in lanes `first` ... of the
+/// corresponding structure of F.
 template <class Exact, class Rough>
 LATSCH_INLINE void round(const Exact& from, int first, Rough& to) {
   constexpr std::size_t kCount = sizeof(Exact) / sizeof(V);
@@ -63,7 +66,7 @@ LATSCH_INLINE void round(const Exact& from, int first, Rough& to) {
   for (std::size_t k = 0; k < kCount; ++k) round(v[k], p + k * F::kWidth);
 }
 
-/// Returns a bit for each lane in which the mask is true.
+/// Returns a mask of bits, one for each lane in which `mask` is true.
 LATSCH_INLINE unsigned lanes_of(const Mask& mask) {
   double chosen[V::kWidth];
   select(mask, V(1.0), V(0.0)).save(chosen);
@@ -76,12 +79,12 @@ LATSCH_INLINE Mask negated(const Mask& mask) { return select(mask, V(0.0), V(1.0
 
 LATSCH_INLINE V dot(const V* a, const V* b) { return a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]); }
 
-/// Returns a^(-1/3), a > 0, within a few units in the last place, by two steps of order four. They
-/// start from a value within 4 percent, obtained by dividing the exponent by three. With y = 1 - a
-/// r^3, a^(-1/3) = r (1 - y)^(-1/3).
+/// Returns a^(-1/3) for a > 0, within a few units in the last place. The first value, within 4
+/// percent, is obtained by dividing the exponent by three. Two steps of order four follow: with y =
+/// 1 - a r^3, a^(-1/3) = r (1 - y)^(-1/3).
 LATSCH_INLINE V inverse_cube_root(const V& a) {
-  constexpr std::uint64_t kFromWord = 0x553ef00000000000;  // minimizes the largest error over [1,
-                                                           // 8)
+  // Constant that minimizes the largest error over [1, 8).
+  constexpr std::uint64_t kFromWord = 0x553ef00000000000;
   double values[V::kWidth];
   a.save(values);
   for (double& value : values) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// State of an element, and the enhanced strains that follow a motion about it: (M.1) of
-// hex8_motions.h.
+// State of an element, and the derivative of its enhanced strains along a motion of its nodes:
+// (M.1) of hex8_motions.h.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_MOTION_STATE) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_MOTION_STATE
 #undef LATSCH_FE_TIRE_HEX8_MOTION_STATE
@@ -16,7 +16,7 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// State of an element with the quantities that all motions about it share.
+/// State of an element, with the quantities that are the same for all motions about it.
 struct MotionState {
   Kinematics k;
   V x[24], alpha[kEnhanced], g[kStrains], E[kPoints][6];
@@ -25,8 +25,8 @@ struct MotionState {
   RubberPoint rubber[kPoints];
 };
 
-/// Sets the state except t, D, Da, E and rubber, which only second derivatives need, and the state
-/// of `cords`. Returns false if the element has no state.
+/// Computes the state, except for t, D, Da, E and rubber, which only second derivatives need, and
+/// the state of `cords`. Returns false in lanes in which the element is inverted.
 Mask set_state(
     const ElementLaw& law, int first, const ElementBatch& batch, MotionState& state, Cords& cords) {
   const HexShape& shape = *law.shape;
@@ -48,7 +48,7 @@ Mask set_state(
   return valid;
 }
 
-/// Sets the remaining members, t, D, Da, E and rubber.
+/// Computes the remaining members t, D, Da, E and rubber.
 void set_tangents(const ElementLaw& law, MotionState& state) {
   const SolidShellShape& s = law.shape->solid_shell;
   for (int j = 0; j < kStrains; ++j) state.t[j] = 0.0;
@@ -65,8 +65,8 @@ void set_tangents(const ElementLaw& law, MotionState& state) {
   tangents(s, state.inner, state.D, state.Da);
 }
 
-/// Multiplies W_au by derivatives g of the generalized strains, point by point. For a few motions
-/// this is cheaper than forming Da.
+/// Multiplies W_au by derivatives g of the generalized strains, point by point. For few motions
+/// this is cheaper than computing the matrix Da.
 LATSCH_INLINE void couple(const SolidShellShape& s, const Inner& inner, const V* g, V* sums) {
   for (int j = 0; j < kEnhanced; ++j) sums[j] = 0.0;
   for (int q = 0; q < kPoints; ++q) {
@@ -84,8 +84,8 @@ LATSCH_INLINE void couple(const SolidShellShape& s, const Inner& inner, const V*
   }
 }
 
-/// Response of alpha, (M.1). `response` holds W_au times derivatives of the generalized strains; e
-/// are the derivatives of the cords' strains.
+/// Computes the derivative of alpha along a motion, (M.1). On entry `response` holds W_au times the
+/// derivatives of the generalized strains; e holds the derivatives of the cords' strains.
 LATSCH_INLINE void respond(const Inner& inner, const Cords& cords, const V (*e)[4], V* response) {
   for (int l = 0; l < cords.count(); ++l) {
     for (int q = 0; q < 4; ++q) {
@@ -99,7 +99,7 @@ LATSCH_INLINE void respond(const Inner& inner, const Cords& cords, const V (*e)[
   for (int j = 0; j < kEnhanced; ++j) response[j] = -response[j];
 }
 
-/// Response of alpha by Da.
+/// Computes the derivative of alpha along a motion with the matrix Da.
 LATSCH_INLINE void respond(
     const MotionState& state, const Cords& cords, const V* g, const V (*e)[4], V* response) {
   for (int j = 0; j < kEnhanced; ++j) {
@@ -108,7 +108,7 @@ LATSCH_INLINE void respond(
   respond(state.inner, cords, e, response);
 }
 
-/// First derivatives of the cords' strains along a motion.
+/// Computes the first derivatives of the cords' strains along a motion.
 LATSCH_INLINE void first_strains(const Cords& cords, const Kinematics& m, V (*e)[4]) {
   for (int l = 0; l < cords.count(); ++l) {
     V y[3][3], G[6];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums (M.4) of hex8_motions.h over elements with other numbers, for both element kinds. The
-// strains of the state and of its held motions are computed once for all numbers that keep the
-// shape.
+// Computes the sums (M.4) of hex8_motions.h for elements whose parameters (moduli, angles,
+// coordinates ...) are changed, for both kinds of elements. The strains of the state and of its
+// prescribed motions are computed once for all parameters that do not change the shape.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_MOTION_SUMS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_MOTION_SUMS
 #undef LATSCH_FE_TIRE_HEX8_MOTION_SUMS
@@ -18,7 +18,7 @@
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
 /// Strains at the points of one shape: E of the state, and first and second derivatives along the
-/// motions as used in (M.4).
+/// motions, as (M.4) uses them.
 struct MotionStrains {
   V x[24], modal[kModes][3], alpha[kEnhanced], E[kPoints][6];
   struct Motion {
@@ -99,7 +99,7 @@ void strains_at(const ElementLaw& law,
   }
 }
 
-/// Adds the solid's part of (M.4).
+/// Adds the contribution of the solid to (M.4).
 void sum_solid(const ElementLaw& law,
                std::span<const ElementMotion> motions,
                const MotionStrains& at,
@@ -177,8 +177,8 @@ void sum_cords(const ElementLaw& law,
   }
 }
 
-/// Adds the gas' part of (M.4). Its forces f are homogeneous of second order, so Df[phi] = f(x +
-/// phi) - f(x) - f(phi).
+/// Adds the contribution of the gas to (M.4). The forces f of the gas are homogeneous of second
+/// order in the positions, so Df[phi] = f(x + phi) - f(x) - f(phi).
 void sum_gas(const ElementLaw& law,
              double pressure,
              unsigned open_edges,
@@ -235,7 +235,7 @@ void sum_motions_of_batch(std::span<const VariedElement> varied,
   }
 }
 
-/// Calls sum_motions_of_batch() with storage for the strains.
+/// Calls sum_motions_of_batch() with memory for the strains.
 void sum_motions_batch(std::span<const VariedElement> varied,
                        unsigned open_edges,
                        const ElementBatch& batch,

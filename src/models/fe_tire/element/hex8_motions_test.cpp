@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests third derivatives of an element's energy against differences of its stiffness in every
-// kernel set, and derivatives with respect to its numbers against differences of its forces and
-// stiffness.
+// Tests third derivatives of an element's energy against finite differences of its stiffness in
+// every kernel set. Tests derivatives with respect to parameters against finite differences of its
+// forces and stiffness.
 #include "models/fe_tire/element/hex8_motions.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-// The pressure is zero because gas over one face, which is not closed, has no energy to
-// differentiate.
+// The pressure is zero, because gas on a single face, which encloses no volume, has no energy that
+// could be differentiated.
 constexpr double kGasPressure = 0.0;
 
 Matrix38 corners_of_belt() {
@@ -51,7 +51,7 @@ struct MovedElement {
   }
   ElementLaw law() const { return element_law(shape, materials, element); }
   int alphas() const { return internal_parameters(shape.kind); }
-  /// Returns forces and stiffness at u with alpha in equilibrium.
+  /// Returns forces and stiffness at the displacement u, with alpha in equilibrium.
   ElementBatch at(const ElementLaw& of, const Matrix38& place) const {
     ElementBatch batch;
     batch.count = 1;
@@ -90,7 +90,8 @@ TEST_P(ElementMotions, CurvatureIsTheChangeOfStiffness) {
     std::vector<ElementMotion> motions = {of.motion()};
     ElementSurroundings around{.pressure = kGasPressure};
     ASSERT_TRUE(add_curvatures(law, around, batch, motions));
-    constexpr double h = 1.5e-6;  // m; the error is of order h^4: 2.0e-6 at 4 um, 1.2e-7 at 2 um
+    // Step of the differences, m; their error is of order h^4: 2.0e-6 at 4 um, 1.2e-7 at 2 um.
+    constexpr double h = 1.5e-6;
     const auto change = [&](double step) {
       return Vector24((stiffness_times(of.at(law, of.u + step * of.phi), of.phi) -
                        stiffness_times(of.at(law, of.u - step * of.phi), of.phi)) /
@@ -104,7 +105,8 @@ TEST_P(ElementMotions, CurvatureIsTheChangeOfStiffness) {
   }
 }
 
-// With alpha in equilibrium and the position held, d/dp (phi.K phi + zeta.f) is dL/dp of (M.4).
+// If alpha is in equilibrium and the positions are kept, d/dp (phi.K phi + zeta.f) equals dL/dp of
+// (M.4).
 TEST_P(ElementMotions, SlopesInNumbersAreThoseOfForcesAndStiffness) {
   const MovedElement of(GetParam());
   const ElementLaw law = of.law();
@@ -147,7 +149,7 @@ TEST_P(ElementMotions, SlopesInNumbersAreThoseOfForcesAndStiffness) {
     const double expected = (4.0 * difference(5e-4) - difference(1e-3)) / 3.0;
     const double found = slope(1e-4);
     EXPECT_NEAR(found, expected, 1e-6 * std::abs(expected)) << number;
-    // L is linear in moduli: differences are exact over any step.
+    // L is linear in the moduli, so differences are exact for any step.
     if (number < 4) {
       EXPECT_NEAR(slope(0.1), found, 1e-9 * std::abs(found)) << number;
     }

@@ -4,29 +4,28 @@
 //   W = t int w(e) dA,   e = (l.l - 1) / 2,   l = a1 g_1 + a2 g_2                               (1)
 //   g_1 = x_1 + x_12 eta,  g_2 = x_2 + x_12 xi          (tangents of the layer's bilinear surface)
 // where a1, a2 are the cord's components in the undeformed surface, |a1 G_1 + a2 G_2| = 1. The
-// angle counts from the circumference at the point (of the true circle, not of the chord: cords of
-// 90 degrees are radial and have no torsion) toward +eta in the tangent plane. The stretch is the
-// full one. In bending in the plane of the layer the product 2 a1 a2 g_1 . g_2 varies along xi and
-// eta although it should not, which makes belts of inclined cords too stiff. The solid-shell
-// removes this variation:
+// angle of the cord is measured in the tangent plane, from the circumferential direction at the
+// point (of the true circle, not of the chord: cords of 90 degrees are radial and have no torsion)
+// toward +eta. The strain e is that of the full stretch of the cord. In bending in the plane of the
+// layer the product 2 a1 a2 g_1 . g_2 varies along xi and eta although it should not, which makes
+// belts of inclined cords too stiff. The solid-shell removes this variation:
 //   e -= c ((xi - <xi>) x_1 + (eta - <eta>) x_2) . (x_12 - s_1 x_1 - s_2 x_2),  c = a1 a2       (2)
 // with X_12 = s_1 X_1 + s_2 X_2 in the undeformed plane. The correction vanishes in a constant
 // strain and in the mean over the layer's area, so that patch tests hold. The square of the
 // hourglass vector is removed together with the shear,
 //   e -= (a1 eta + a2 xi)^2 z . z / 2,  z = x_12 - s_1 x_1 - s_2 x_2                           (3)
-// Edges that lean alternately count as unsheared, so the square alone would let them shorten cords
-// in compression (a carcass below belts that narrow as they grow), resisted only by E_11 of long
-// elements. They would buckle alternately from a force of the order of E t (b/L)^2 on, with t the
-// thickness of the rubber that moves along.
-// In a warped surface z . z is not zero undeformed; there e is scaled so that it vanishes.
-// All terms together are e = (sum W_mn y_m . y_n - 1) / 2 with y = (x_1, x_2, x_12).
-// Crossed plies of angle +-a require E_22 = -cot(a)^2 E_11 (six times, at 24 degrees). If E_11
-// varies along eta, the displacements cannot follow; the solid's enhanced strains can, so they are
-// added to the cords' strain,
+// Edges that lean alternately to both sides count as unsheared. The square alone would let such
+// edges shorten cords in compression (as in a carcass below belts, which become narrower as they
+// grow), and only E_11 of long elements would resist. They would buckle alternately at a force of
+// the order of E t (b/L)^2, with t the thickness of the rubber that moves along. In a warped
+// surface z . z does not vanish without load; there e is scaled so that the strain without load is
+// zero. All terms together are e = (sum W_mn y_m . y_n - 1) / 2 with y = (x_1, x_2, x_12). Crossed
+// plies of angle +-a require E_22 = -cot(a)^2 E_11 (six times, at 24 degrees). If E_11 varies along
+// eta, the displacements cannot follow; the solid's enhanced strains can, so they are added to the
+// cords' strain,
 //   e += a1^2 L_1^2 (xi - <xi>) alpha_0 + a2^2 L_2^2 (eta - <eta>) alpha_1                      (4)
-// and take part in the equilibrium of alpha.
-// The rubber displaced by the cords is not subtracted (its modulus is 1e-3 of theirs). Bending and
-// slip of cords are neglected.
+// and take part in the equilibrium of alpha. The stiffness of the rubber that the cords replace is
+// not subtracted (its modulus is 1e-3 of theirs). Bending and slip of cords are neglected.
 #include "models/fe_tire/element/hex8_rebar.h"
 
 #include <Eigen/Geometry>
@@ -38,11 +37,11 @@
 namespace latsch::fe_tire {
 namespace {
 
-// Least projection of the circumference on the layer. A layer that faces the circumference contains
-// none, and its angles count from the xi line.
+// Smallest length of the circumferential direction's projection on the layer. If the layer is at
+// right angles to this direction, angles are counted from the xi line instead.
 constexpr double kLeastProjection = 1e-3;
 
-/// The layer's bilinear surface in the undeformed element.
+/// Bilinear surface of the cord layer in the element without load.
 struct Surface {
   Eigen::Vector3d X0;
   Eigen::Matrix3d Y;  // columns X_1, X_2, X_12
@@ -52,7 +51,7 @@ struct Surface {
   }
 };
 
-/// Components of the unit vector along the cord, and the area element.
+/// Components of the unit vector along the cord, and the area element at a point.
 struct Direction {
   double a1, a2, dA;
 };
@@ -84,8 +83,8 @@ Surface surface_at(const Matrix38& X, double zeta) {
   return surface;
 }
 
-/// Sets equation (1): W, dA (in dV) at the four points. Returns the mean of (xi, eta) over the
-/// area.
+/// Evaluates equation (1): W and dA (stored in dV) at the four points. Returns the mean of (xi,
+/// eta) over the area.
 Eigen::Vector2d set_points(const Surface& surface, double angle, CordSheet::Point* points) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double area = 0.0;
@@ -104,7 +103,7 @@ Eigen::Vector2d set_points(const Surface& surface, double angle, CordSheet::Poin
   return mean / area;
 }
 
-/// Adds equations (2) to (4).
+/// Adds the corrections (2) to (4) to the strain of the cords.
 void assume(const Surface& surface,
             double angle,
             const Eigen::Vector2d& mean,

@@ -1,35 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight-node solid-shell for walls of few, thin, very different layers of nearly incompressible
-// rubber and cords. Total Lagrangian; all laws see the Green-Lagrange strain
+// Eight-node solid-shell element for walls that consist of few, thin, very different layers of
+// nearly incompressible rubber and cords. The formulation is total Lagrangian; the argument of all
+// material laws is the Green-Lagrange strain
 //
 //   E = E_c + (A - <A>) (e - H E_c) + (A - <A>) alpha            <.>: mean over the volume      (1)
 //   E_c = (F^T F - 1) / 2 + w c c,   F = sum_a x_a b_a^T,  b_a = <grad N_a>                     (2)
 //   e = x_m . x_n - X_m . X_n,  x = x_0 + x_1 xi + x_2 eta + ... + x_123 xi eta zeta            (3)
 //   z_m = x_m - F X_m,  c_mj = z_m . F a_j,  a_j: unit vectors along xi, across it, normal (4)
 //
-// E_c is the strain of the mean deformation gradient. e are the twelve coefficients of the
-// convected strains in xi, eta, zeta that bending, twisting and tapering need
-// (hex8_solid_shell_modes.h). H E_c are their values in a constant strain E_c, and A turns
-// convected strain at a point into Cartesian strain. The omitted strains are those that lock: shear
+// E_c is the strain of the mean deformation gradient. The vector e contains the twelve coefficients
+// of the convected strains in xi, eta, zeta that bending, twisting and tapering need
+// (hex8_solid_shell_modes.h). H E_c are the values of e in a constant strain E_c, and A converts
+// convected strain at a point to Cartesian strain. The omitted strains are those that lock: shear
 // that varies along its own direction (2 E_13 along xi, as in the assumed strains of Dvorkin and
 // Bathe), in-plane shear along xi and eta, and the thickness strain of a curved element's middle.
 // Six and twelve strains represent the 24 - 6 deformations exactly once: there is no hourglass mode
 // and no hourglass stiffness.
 //   The twelve modes have zero values and slopes in a constant strain, and <A - <A>> = 0, so
-// elements of any shape pass every patch test [Simo & Hughes 1986]. Curved walls then stretch their
-// nodes' thickness a little instead of locking. The mean of the quadratic terms, w c c, is of
-// second order there too; it keeps the tension of an inflated wall acting on the hourglass shapes.
-// The square of a c belongs in E_11 or E_22 exactly if the strain that is linear in that c is kept:
-// z_12 along xi (E_11), across it (E_22) and along the normal (twist, both); z_13 along xi and
-// across it (E_11); z_23 along xi and across it (E_22). If a shear is omitted, leaning edges count
-// as turned without strain, and their square alone would dilate the element: pressure of the order
-// of G (b/L)^2 or more would then buckle long elements alternately. For the same reason the
-// thickness strain has no such squares.
+// elements of any shape pass every patch test [Simo & Hughes 1986]. In curved walls the thickness
+// at the nodes then changes a little, instead of locking. The mean of the quadratic terms, w c c,
+// is of second order in these tests, too. With this term the tension of an inflated wall acts on
+// the hourglass shapes. The square of a c belongs in E_11 or E_22 exactly if the strain that is
+// linear in that c is kept: z_12 along xi (E_11), across it (E_22) and along the normal (twist,
+// both); z_13 along xi and across it (E_11); z_23 along xi and across it (E_22). If a shear is
+// omitted, an edge that leans counts as rotated without strain, and its square alone would dilate
+// the element. A pressure of the order of G (b/L)^2 or more would then buckle long elements
+// alternately in and out. For the same reason the thickness strain has no such squares.
 //   alpha: E_11 along xi, E_22 along eta, E_33 along zeta, xi zeta and eta zeta (Poisson's
 // contraction in bending, in plane and through the thickness) and E_33 along xi, eta, xi eta.
-// Without the last three an element of fixed volume would tie the thickness of neighboring nodes to
-// its own in-plane strain. These three are stiffened by the shear modulus; otherwise nodes could
-// move alternately in and out.
+// Without the last three, the thickness at the nodes of an element of constant volume would be
+// fixed by its in-plane strain. These three are stiffened by the shear modulus; otherwise nodes
+// could move alternately in and out.
 //   alpha solves sum dV P_alpha^T S = 0 by Newton's method, so f is the gradient and K the Hessian
 // of the condensed energy.
 //   Enhanced strain in E and the Taylor expansion follow [Simo & Rifai 1990, IJNME 29; Klinkel,
@@ -40,7 +41,7 @@
 // and gamma are short sums and every coefficient of e is a product of two vectors. Products with P,
 // 48 x 26 numbers, are most of the work; P is the same for all lanes.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_SOLID_SHELL) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_SOLID_SHELL
 #undef LATSCH_FE_TIRE_HEX8_SOLID_SHELL
@@ -54,15 +55,16 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-inline constexpr double kInnerTolerance = 1e-9;  // strain; the remaining error of alpha enters f
-                                                 // quadratically
-inline constexpr double kLastStep = 1e-6;        // strain; the step after one this small meets
-                                                 // kInnerTolerance
+// Strain, convergence tolerance of alpha. The remaining error of alpha affects f only
+// quadratically.
+inline constexpr double kInnerTolerance = 1e-9;
+// Strain. After a step of alpha this small, the next one meets kInnerTolerance.
+inline constexpr double kLastStep = 1e-6;
 inline constexpr int kInnerIterations = 15;
 
-/// Factorizes a symmetric matrix in place as L D L^T (unit L below the diagonal). Returns false
-/// where a pivot vanishes. Negative pivots occur far from equilibrium, under hydrostatic tension
-/// beyond G.
+/// Factorizes a symmetric matrix in place as L D L^T (unit L below the diagonal). Returns false in
+/// lanes in which a pivot vanishes. Negative pivots occur far from equilibrium, under hydrostatic
+/// tension larger than G.
 LATSCH_INLINE Mask factorize(V (*A)[kEnhanced]) {
   Mask regular = V(1.0) > V(0.0);
   for (int j = 0; j < kEnhanced; ++j) {
@@ -88,16 +90,17 @@ LATSCH_INLINE void solve(const V (*A)[kEnhanced], V* x) {
   }
 }
 
-/// Stresses and tangents at the points, times dV, and the tangent of alpha.
+/// Stresses and tangents at the points, multiplied by dV, and the tangent of alpha.
 template <class V>
 struct InnerOf {
   V S[8][6], D[8][6][6];
-  V A[kEnhanced][kEnhanced];  // factors of the tangent of alpha
+  V A[kEnhanced][kEnhanced];  // factorized tangent of alpha
 };
 
 using Inner = InnerOf<V>;
 
-/// Computes S and D at the strain E, times dV. Returns false where det C <= 0.
+/// Computes stress S and tangent D at the strain E, multiplied by dV. Returns false in lanes in
+/// which det C <= 0.
 LATSCH_INLINE Mask stress(const ElementLaw& law, double dV, const V* E, V* S, V (*D)[6]) {
   V det;
   if (!law.linear) {
@@ -122,7 +125,8 @@ LATSCH_INLINE Mask stress(const ElementLaw& law, double dV, const V* E, V* S, V 
   return det > V(0.0);
 }
 
-/// Evaluates the laws of all points at alpha; `compatible` are the strains without alpha.
+/// Evaluates the laws at all points for the given alpha. `compatible` holds the strains without
+/// alpha.
 Mask stress_at(const ElementLaw& law, const V (*compatible)[6], const V* alpha, Inner& inner) {
   const SolidShellShape& s = law.shape->solid_shell;
   Mask valid = V(1.0) > V(0.0);
@@ -138,7 +142,7 @@ Mask stress_at(const ElementLaw& law, const V (*compatible)[6], const V* alpha, 
   return valid;
 }
 
-/// Computes DP[p][c] = sum over r of D P, for the columns first_column ... of P.
+/// Computes DP[p][c], the sum over r of D P at point p, for the columns of P from first_column on.
 template <int columns, class V>
 LATSCH_INLINE void times_P(const Operators<V>& s,
                            const InnerOf<V>& inner,
@@ -168,7 +172,7 @@ LATSCH_INLINE void times_P(const Operators<V>& s,
   }
 }
 
-/// Computes sum_p P[p][row + r] DP[p][c] for `rows` rows of P^T D P.
+/// Computes the sum over points p of P[p][row + r] DP[p][c], for `rows` rows of P^T D P.
 template <int rows, int columns, class V, class Store>
 LATSCH_INLINE void times_P_transposed(const Operators<V>& s,
                                       int row,
@@ -219,7 +223,7 @@ LATSCH_INLINE void residual_of_alpha(const SolidShellShape& s, const Inner& inne
   }
 }
 
-/// Extrapolates S and the cords' S along the step of alpha.
+/// Extrapolates the stresses S of solid and cords linearly along the step of alpha.
 LATSCH_INLINE void extrapolate(const SolidShellShape& s,
                                const V* step,
                                Cords& cords,
@@ -245,8 +249,8 @@ LATSCH_INLINE void extrapolate(const SolidShellShape& s,
 }
 
 /// Solves for alpha by Newton's method. On return alpha is in equilibrium to first order, `inner`
-/// is its last linearization, and inner.S is the stress extrapolated to that alpha. An element that
-/// has met the tolerance is evaluated again at the same alpha until its neighbors have met it.
+/// is its last linearization, and inner.S is the stress extrapolated to that alpha. Lanes whose
+/// element has converged are evaluated again at the same alpha until all lanes have converged.
 LATSCH_INLINE Mask
 solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& inner) {
   const SolidShellShape& s = law.shape->solid_shell;
@@ -300,7 +304,8 @@ solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& in
   return valid & settled;
 }
 
-/// Computes the tangent D of the generalized strains, and Da between alpha and them.
+/// Computes the tangent D of the generalized strains, and the matrix Da that couples them with
+/// alpha.
 template <class V>
 void tangents(const Operators<V>& s, const InnerOf<V>& inner, V (*D)[kStrains], V (*Da)[kStrains]) {
   for (int column = 0; column < kStrains; column += 3) {
@@ -320,7 +325,8 @@ void tangents(const Operators<V>& s, const InnerOf<V>& inner, V (*D)[kStrains], 
   }
 }
 
-/// Multiplies `rows`, tangents of generalized strains, by (B, d(e)/dx).
+/// Multiplies `rows`, which are tangents of the generalized strains, by their derivatives (B,
+/// de/dx).
 template <class V>
 void times_B(const V (*rows)[kStrains],
              int count,
@@ -344,7 +350,7 @@ void times_B(const V (*rows)[kStrains],
   }
 }
 
-/// Adds (de/dx)^T DB of the rows of e to K.
+/// Adds (de/dx)^T DB to K, for the rows of the strains e.
 template <class V>
 void add_pairs(const V (*x)[3], const V (*DB)[3][kModes], ModalSumsOf<V>& sums) {
   for (int block = 0; block < 6; ++block) {
@@ -359,8 +365,8 @@ void add_pairs(const V (*x)[3], const V (*DB)[3][kModes], ModalSumsOf<V>& sums) 
   }
 }
 
-/// Sets K_a <- L^-1 K_a and scaled = -D^-1 L^-1 K_a, with alpha's tangent L D L^T. The product of
-/// the two is what condensing alpha adds to K.
+/// Computes K_a <- L^-1 K_a and scaled = -D^-1 L^-1 K_a, where L D L^T is the factorized tangent of
+/// alpha. The product of both is what the condensation of alpha adds to K.
 template <class V>
 void condense(const InnerOf<V>& inner, V (*Ka)[3][kModes], V (*scaled)[3][kModes]) {
   for (int k = 0; k < kEnhanced; ++k) {
@@ -376,7 +382,7 @@ void condense(const InnerOf<V>& inner, V (*Ka)[3][kModes], V (*scaled)[3][kModes
   }
 }
 
-/// Adds the stiffness of solid and cords; t are the stresses of the generalized strains.
+/// Adds the stiffness of solid and cords. t: stresses of the generalized strains.
 template <class V>
 void add_stiffness(const Operators<V>& s,
                    const KinematicsOf<V>& k,
@@ -384,7 +390,7 @@ void add_stiffness(const Operators<V>& s,
                    const V* t,
                    const CordsOf<V>& cords,
                    ModalSumsOf<V>& sums) {
-  // Rows of one long product: E_c, squares, alpha.
+  // First rows of the parts of one long product: E_c, squares, alpha.
   constexpr int kSquareRow = 6, kAlphaRow = kSquareRow + kSquareCount,
                 kRows = kAlphaRow + kEnhanced;
   V left[kRows][3][kModes], right[kRows][3][kModes], DB[kStrains][3][kModes];
@@ -402,7 +408,7 @@ void add_stiffness(const Operators<V>& s,
   add_pairs<V>(k.x, DB, sums);
 }
 
-/// Intermediate results from which forces and stiffness of an element are computed.
+/// Intermediate results from which the forces and the stiffness of an element are computed.
 template <class V>
 struct SolidShellState {
   KinematicsOf<V> k;
@@ -410,8 +416,8 @@ struct SolidShellState {
   V t[kStrains];  // stresses of the generalized strains
 };
 
-/// Adds forces of solid and cords at the modal vectors in state.k.x; alpha is solved from the
-/// values given. In lanes that fail, sums and state are void.
+/// Adds the forces of solid and cords for the modal vectors in state.k.x. alpha is solved from the
+/// given starting values. In lanes that fail, sums and state are undefined.
 Mask add_solid_shell_forces(
     const ElementLaw& law, SolidShellState<V>& state, Cords& cords, V* alpha, ModalSums& sums) {
   const SolidShellShape& s = law.shape->solid_shell;

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modal vectors of the solid-shell and their products that appear in its strains.
+// Modal vectors of the solid-shell, and the products of two of them that appear in its strains.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace latsch::fe_tire::solid_shell {
 
-/// Position x = x_0 + x_1 xi + x_2 eta + x_3 zeta + x_12 xi eta + x_23 eta zeta + x_13 xi zeta
-///             + x_123 xi eta zeta
+/// Modal vectors of the position x:
+///   x = x_0 + x_1 xi + x_2 eta + x_3 zeta + x_12 xi eta + x_23 eta zeta + x_13 xi zeta
+///       + x_123 xi eta zeta
 enum ElementMode { k1, k2, k3, k12, k23, k13, k123 };
 
-/// Contribution to a strain: e += x_m . x_n - X_m . X_n.
+/// A product of two modal vectors in a strain coefficient: e += x_m . x_n - X_m . X_n.
 struct Pair {
   int e;
   ElementMode m, n;
 };
 
-/// e_0-2: E_11 along eta, zeta, eta zeta; e_3-5: E_22 along xi, zeta, xi zeta; e_6-8: E_33 along
-/// xi, eta, xi eta; e_9: 2 E_12 along zeta; e_10: 2 E_13 along eta; e_11: 2 E_23 along xi.
+/// Strain coefficients: e_0-2 are E_11 along eta, zeta, eta zeta; e_3-5 are E_22 along xi, zeta, xi
+/// zeta; e_6-8 are E_33 along xi, eta, xi eta; e_9 is 2 E_12 along zeta; e_10 is 2 E_13 along eta;
+/// e_11 is 2 E_23 along xi.
 inline constexpr Pair kPairs[] = {{0, k1, k12},
                                   {1, k1, k13},
                                   {2, k1, k123},
@@ -37,14 +39,14 @@ inline constexpr Pair kPairs[] = {{0, k1, k12},
                                   {11, k2, k13},
                                   {11, k12, k3}};
 
-/// Square of the hourglass vector z_m along an axis of the element.
+/// Square of the component of an hourglass vector z_m along an axis of the element.
 struct Square {
   int z;     // 0: z_12, 1: z_23, 2: z_13
-  int axis;  // 0: along xi, 1: across it, 2: normal
+  int axis;  // 0: along xi, 1: across it, 2: along the normal
 };
 inline constexpr Square kSquares[7] = {{0, 0}, {0, 1}, {0, 2}, {2, 0}, {2, 1}, {1, 0}, {1, 1}};
 
-/// Returns the matrix h with x_m = sum_a x_a h_m[a].
+/// Returns the matrix h that gives the modal vectors: x_m = sum_a x_a h_m[a].
 Eigen::Matrix<double, 7, 8> modal_matrix();
 
 }  // namespace latsch::fe_tire::solid_shell

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The solid-shell's strain operators from its reference coordinates. hex8_solid_shell_kernel.h
-// explains the letters.
+// Computes the solid-shell's strain operators from its coordinates without load, with the symbols
+// of hex8_solid_shell_kernel.h.
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -29,7 +29,7 @@ using ModeOperator = Eigen::Matrix<double, 6, kModes>;
 using solid_shell::kPairs;
 using voigt::kColumn, voigt::kRow;
 
-/// Returns T with E' = A^T E A in Voigt order.
+/// Returns the matrix T of the strain transformation E' = A^T E A in Voigt order.
 Matrix6 strain_transform(const Eigen::Matrix3d& A) {
   Matrix6 T;
   for (int p = 0; p < 6; ++p) {
@@ -42,7 +42,8 @@ Matrix6 strain_transform(const Eigen::Matrix3d& A) {
   return T;
 }
 
-/// Returns convected strains at a point for unit e_1 ... e_12 and unit alpha_1 ... alpha_8.
+/// Returns the convected strains at a point for unit values of e_1 ... e_12 and alpha_1 ...
+/// alpha_8.
 ModeOperator convected_modes(double xi, double eta, double zeta, const Eigen::Vector3d& L2) {
   ModeOperator Q = ModeOperator::Zero();
   Q.block<1, 3>(0, 0) << eta, zeta, eta * zeta;
@@ -58,7 +59,8 @@ ModeOperator convected_modes(double xi, double eta, double zeta, const Eigen::Ve
   return Q;
 }
 
-/// Returns the Voigt strain of unit n.E.n (m = n) or of a unit shear angle between m and n.
+/// Returns the strain in Voigt order with a unit value of n.E.n (if m = n), or with a unit shear
+/// angle between m and n.
 Vector6 unit_strain(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
   Vector6 v;
   for (int k = 0; k < 6; ++k) {
@@ -67,11 +69,12 @@ Vector6 unit_strain(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
   return v;
 }
 
-/// Returns the operator that scales a strain's (engineering) shear angle between the unit vectors m
-/// and n.
+/// Returns the operator that multiplies the (engineering) shear angle between the unit vectors m
+/// and n by `scale`, in a strain.
 Matrix6 scaled_shear(const Eigen::Vector3d& m, const Eigen::Vector3d& n, double scale) {
-  Vector6 angle, of_unit_angle;  // 2 m.E.n of a strain; strain whose only component is the shear
-                                 // angle 1
+  // angle: gives 2 m.E.n of a strain; of_unit_angle: strain whose only component is the shear angle
+  // 1.
+  Vector6 angle, of_unit_angle;
   for (int k = 0; k < 6; ++k) {
     const int i = kRow[k], j = kColumn[k];
     of_unit_angle[k] = i == j ? m[i] * n[i] : m[i] * n[j] + m[j] * n[i];
@@ -80,8 +83,8 @@ Matrix6 scaled_shear(const Eigen::Vector3d& m, const Eigen::Vector3d& n, double 
   return Matrix6::Identity() + (scale - 1.0) * of_unit_angle * angle.transpose();
 }
 
-/// Mean over the parent cube of the squares that the convected normal strains keep, in the order of
-/// kSquares: E_11 has those of z_12 and z_13, E_22 those of z_12 and z_23.
+/// Returns the mean over the parent cube of the squares that the convected normal strains contain,
+/// in the order of kSquares: E_11 contains those of z_12 and z_13, E_22 those of z_12 and z_23.
 Eigen::Matrix<double, 6, kSquareCount> mean_of_squares() {
   constexpr double t = 1.0 / 6.0;  // half of the mean of xi^2
   Eigen::Matrix<double, 6, kSquareCount> W = Eigen::Matrix<double, 6, kSquareCount>::Zero();
@@ -90,8 +93,8 @@ Eigen::Matrix<double, 6, kSquareCount> mean_of_squares() {
   return W;
 }
 
-/// Returns the element's unit axes along xi, across it and normal to both (columns, in the center's
-/// triad), and sets the quantities measured along them.
+/// Returns the element's unit vectors along xi, across it, and normal to both (as columns, in the
+/// axes of its center), and computes the quantities measured along them.
 Eigen::Matrix3d set_axes(SolidShellShape& s, const Eigen::Matrix3d& J0, const Eigen::Matrix3d& R) {
   const Eigen::Vector3d n3 = R.transpose() * J0.col(0).cross(J0.col(1)).normalized();
   const Eigen::Vector3d n1 = R.transpose() * J0.col(0).normalized();
@@ -110,10 +113,10 @@ Eigen::Matrix3d set_axes(SolidShellShape& s, const Eigen::Matrix3d& J0, const Ei
 }  // namespace
 
 double bending_of_shear(double h, double t) {
-  // The ratio is G t h^2 / 12 D with D = E' t^3 / 12; for incompressible rubber E' = E / (1 - nu^2)
-  // = 4 G.
-  constexpr double kMost = 1.0;  // if larger, columns are too long for a bend, and a soft wall
-                                 // folds
+  // Largest ratio G t h^2 / 12 D of shear to bending stiffness, with D = E' t^3 / 12 and, for
+  // incompressible rubber, E' = E / (1 - nu^2) = 4 G. At a larger ratio the columns are too long
+  // for the bend, and a soft wall would fold.
+  constexpr double kMost = 1.0;
   return t > 0.0 ? 1.0 / (1.0 + std::min(0.25 * (h / t) * (h / t), kMost)) : 1.0;
 }
 
@@ -170,7 +173,7 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall) {
   const Eigen::Matrix<double, 4, 8> gamma = h.bottomRows<4>() - G.rightCols<4>().transpose() * b;
   const Eigen::Matrix<double, 6, kSquareCount> w =
       strain_transform(J0.inverse() * R) * mean_of_squares();
-  // The products of modal vectors with each other are 1/8 or zero.
+  // All products of modal vectors with each other are 1/8 or zero.
   using ModalVectors = Eigen::Matrix<double, SolidShellShape::kModes, 3, Eigen::RowMajor>;
   const ModalVectors modal_b = 8.0 * h * b.transpose();
   Eigen::Map<ModalVectors>(&s.b[0][0]) = modal_b;
@@ -202,7 +205,8 @@ Matrix6 layer_stiffness(const Matrix6& D, const SolidShellShape& shape, int laye
   if (layer_rows < 1) return D;
   const double D22 = shape.d22.dot(D * shape.d22), D33 = shape.d33.dot(D * shape.d33);
   const double D2233 = shape.d22.dot(D * shape.d33), G23 = shape.d23.dot(D * shape.d23);
-  const double bending = D22 - D2233 * D2233 / D33;  // along eta, with free thickness change
+  // Stiffness along eta if the thickness can change freely.
+  const double bending = D22 - D2233 * D2233 / D33;
   const double slenderness = shape.length / shape.thickness;
   const double parabola = 0.2;                                              // 6/5 - 1
   const double residual = 2.0 * G23 * slenderness * slenderness / bending;  // h^2 / (6 D)
@@ -210,7 +214,7 @@ Matrix6 layer_stiffness(const Matrix6& D, const SolidShellShape& shape, int laye
   const double s13 = 1.0 / (1.0 + parabola / rows);
   const double s23 = 1.0 / (1.0 + (parabola + residual) / rows);
   const auto scale = [](const Vector6& d, double s) -> Matrix6 {
-    Vector6 angle = d;  // shear angle of a strain E: angle . E
+    Vector6 angle = d;  // the shear angle of a strain E is angle . E
     angle.head<3>() *= 2.0;
     return Matrix6::Identity() + (std::sqrt(s) - 1.0) * d * angle.transpose();
   };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives along a motion of the solid-shell's generalized strains, and of its forces, which are
-// those of hex8_solid_shell_kernel.h differentiated twice by the product rule.
+// Derivatives along a motion of the nodes of the solid-shell's generalized strains and of its
+// forces. The latter are the forces of hex8_solid_shell_kernel.h, differentiated twice by the
+// product rule.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_STRAIN_MOTIONS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_STRAIN_MOTIONS
 #undef LATSCH_FE_TIRE_HEX8_STRAIN_MOTIONS
@@ -14,8 +15,8 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Computes strains at the points for `count` sets of generalized strains g and enhanced strains
-/// alpha. Entries of P are read once for all sets.
+/// Computes the strains at the points for `count` sets of generalized strains g and enhanced
+/// strains alpha. Each entry of P is read once for all sets.
 template <int count>
 LATSCH_INLINE void to_points(const SolidShellShape& s,
                              const V* const (&g)[count],
@@ -40,9 +41,9 @@ LATSCH_INLINE void to_points(const SolidShellShape& s,
   }
 }
 
-/// Applies the transposed operator: adds the contributions of the weighted stresses S at the points
-/// to the stresses of the generalized and of the enhanced strains. Sums of many columns are kept in
-/// registers together.
+/// Applies the transpose of to_points(): adds the contributions of the weighted stresses S at the
+/// points to the stresses that belong to the generalized strains (t) and to the enhanced strains
+/// (alpha). Several columns are summed in registers at once.
 LATSCH_INLINE void from_points(const SolidShellShape& s, const V (*S)[6], V* t, V* alpha) {
   constexpr int kTogether = 9;
   static_assert(kStrains % kTogether == 0);
@@ -61,8 +62,8 @@ LATSCH_INLINE void from_points(const SolidShellShape& s, const V (*S)[6], V* t, 
   add(std::integral_constant<int, kEnhanced>(), kStrains, alpha);
 }
 
-/// Computes first derivatives of the generalized strains, and of the c of the squares, along a
-/// motion.
+/// Computes the first derivatives, along a motion, of the generalized strains and of the components
+/// c whose squares they contain.
 LATSCH_INLINE void first_strains(
     const SolidShellShape& s, const Kinematics& k, const Kinematics& m, V* c1, V* g) {
   using voigt::kColumn, voigt::kRow;
@@ -96,8 +97,8 @@ LATSCH_INLINE void second_strains(
   for (const auto& [e, a, b] : kPairs) g[6 + e] += 2.0 * dot(m.x[a], m.x[b]);
 }
 
-/// Adds the second derivative of f = B^T t along the motion. t[0], t[1], t[2] are t and its
-/// derivatives.
+/// Adds the second derivative of f = B^T t along the motion. t[0], t[1], t[2] hold t and its first
+/// and second derivative.
 void add_second_forces(const SolidShellShape& s,
                        const Kinematics& k,
                        const Kinematics& m,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of forces and stiffness of elements, first in their modal vectors x_m = sum_a h_m[a] x_a, m
-// = 1 ... 7 (hex8_solid_shell_modes.h), in which strains are simple, then of the nodes.
+// Sums of the forces and stiffness of elements, first in terms of their modal vectors x_m = sum_a
+// h_m[a] x_a, m = 1 ... 7 (hex8_solid_shell_modes.h), for which strains are simple, then of the
+// nodes.
 //
-// The eighth modal vector, the mean of the nodes, moves the element without strain. Entries of h
-// are +-1/8, so the transformation to the nodes takes only sums and differences: the fast
+// The eighth modal vector, the mean of the nodes, translates the element without strain. Entries of
+// h are +-1/8, so the transformation to the nodes needs only sums and differences: the fast
 // Walsh-Hadamard transform in the three parent directions.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_HEX8_SUMS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_HEX8_SUMS
 #undef LATSCH_FE_TIRE_HEX8_SUMS
@@ -20,8 +21,8 @@ namespace latsch::fe_tire::LATSCH_KERNELS {
 
 inline constexpr int kModes = SolidShellShape::kModes;
 
-/// Sums by direction and modal vector. The blocks of K belong to pairs of directions (i, j), j >=
-/// i, in Voigt order; blocks (i, i) hold only entries n >= m.
+/// Forces and stiffness by direction and modal vector. The blocks of K belong to pairs of
+/// directions (i, j), j >= i, in Voigt order; blocks (i, i) hold only the entries n >= m.
 template <class V>
 struct ModalSumsOf {
   V f[3][kModes];
@@ -36,18 +37,19 @@ struct ModalSumsOf {
 
 using ModalSums = ModalSumsOf<V>;
 
-/// Sums by node: K[entry(3 a + i, 3 b + j)].
+/// Forces and stiffness by node: f[3 a + i], K[entry(3 a + i, 3 b + j)] for nodes a, b and
+/// directions i, j.
 struct NodalSums {
   V f[24];
   V K[ElementBatch::kEntries];
 };
 
-/// Bit k of a node is set on the side -1 of parent direction k. Modal vectors have the same bits: 0
-/// for xi, 1 for eta, 2 for zeta.
+/// Bits that say on which side of the element a node is: bit k is set on the side -1 of parent
+/// direction k. Modal vectors are numbered by the same bits: 0 for xi, 1 for eta, 2 for zeta.
 inline constexpr int kSideOfNode[8] = {7, 6, 4, 5, 3, 2, 0, 1};
 inline constexpr int kPlaceOfMode[kModes] = {1, 2, 4, 3, 6, 5, 7};
 
-/// Forms sums and differences along the three directions.
+/// Replaces pairs of values by their sums and differences, in each of the three directions.
 LATSCH_INLINE void transform(V* v) {
   for (int step = 1; step < 8; step *= 2) {
     for (int k = 0; k < 8; ++k) {
@@ -59,7 +61,7 @@ LATSCH_INLINE void transform(V* v) {
   }
 }
 
-/// Computes the modal vectors of the nodes' positions x[3 a + i].
+/// Computes the modal vectors from the positions x[3 a + i] of the nodes.
 LATSCH_INLINE void modal_vectors(const V* x, V (*modal)[3]) {
   for (int i = 0; i < 3; ++i) {
     V v[8];
@@ -79,10 +81,11 @@ LATSCH_INLINE void to_nodes(const ModalSums& modal, NodalSums& sums) {
   }
 }
 
-/// Transforms a block (i, j) of the stiffness. `whole`: i != j.
+/// Transforms the stiffness block of the directions (i, j) to the nodes. `whole`: the block has all
+/// entries, because i != j.
 LATSCH_INLINE void block_to_nodes(const V (*block)[kModes], int i, int j, NodalSums& sums) {
   const bool whole = i != j;
-  V rows[8][8];  // [index of the column's node][index of the row's mode]
+  V rows[8][8];  // [index of the column's node][index of the row's modal vector]
   for (V& v : rows[0]) v = 0.0;
   V by_mode[kModes][8];
   for (int m = 0; m < kModes; ++m) {
@@ -113,7 +116,8 @@ void stiffness_to_nodes(const ModalSums& modal, NodalSums& sums) {
   }
 }
 
-/// Computes a block of a product: acc[r][c] += sum_k L[k][first_row + r] R[k][first_column + c].
+/// Computes a tile of a matrix product: acc[r][c] += sum_k L[k][first_row + r] R[k][first_column +
+/// c].
 template <int rows, int columns, class V>
 LATSCH_INLINE void tile(
     const V* left, int left_stride, const V* right, int right_stride, int count, V (*sum)[kModes]) {
@@ -134,7 +138,7 @@ LATSCH_INLINE void tile(
   }
 }
 
-/// Adds sum_k L_k^T R_k to K. L and R are [row k][direction][modal vector].
+/// Adds sum_k L_k^T R_k to the stiffness. L and R are stored as [row k][direction][modal vector].
 template <class V>
 void add_product(const V (*L)[3][kModes],
                  const V (*R)[3][kModes],

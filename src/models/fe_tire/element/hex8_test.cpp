@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of single elements: tangents, rotation, mass.
+// Tests single elements: their tangents, their behavior under rotation, their mass.
 #include "models/fe_tire/element/hex8.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Repeatable numbers in [-1, 1].
+/// Generates reproducible numbers in [-1, 1].
 class Sequence {
  public:
   double next() {
@@ -29,7 +29,8 @@ class Sequence {
   unsigned long long state_ = 1;
 };
 
-/// Returns a distorted, curved tire-like element, 32 x 14 x 5 mm, 0.3 m below the axis.
+/// Returns the coordinates of a distorted, curved element as in a tire, 32 x 14 x 5 mm, 0.3 m below
+/// the axis.
 Matrix38 distorted_element() {
   Sequence random;
   Matrix38 X;
@@ -100,11 +101,11 @@ class Hex8 : public testing::TestWithParam<Case> {
   HexShape shape = make_shape(GetParam().kind, distorted_element());
 };
 
-// The element with corners tied to the line between two nodes equals the free element at the
-// corners' positions, and the forces on the nodes do the work of those on the corners. This holds
-// except for rounding.
+// An element whose corners are tied to the line between two nodes must equal, except for rounding,
+// a free element with corners at the same positions. The forces on the nodes must do the same work
+// as those on the corners.
 TEST_P(Hex8, TiedCornersAreTheFreeElementWithTheSameWork) {
-  Matrix24 T = Matrix24::Identity();  // corners from nodes
+  Matrix24 T = Matrix24::Identity();  // matrix from the displacements of nodes to those of corners
   for (int upper : {6, 7}) {
     const int lower = upper == 6 ? 2 : 3;
     for (int i = 0; i < 3; ++i) {
@@ -130,8 +131,8 @@ TEST_P(Hex8, TiedCornersAreTheFreeElementWithTheSameWork) {
   EXPECT_NEAR(mass(shape, m, tied).sum(), mass(shape, m, e).sum(), 1e-12 * mass(shape, m, e).sum());
 }
 
-// Richardson extrapolation of two central differences has an error of O(h^4); 1e-8 leaves room for
-// rounding.
+// Richardson extrapolation of two central differences has an error of O(h^4). The tolerance of 1e-8
+// also allows for rounding.
 TEST_P(Hex8, TangentIsTheDerivativeOfTheForce) {
   const Matrix38 u = random_displacement(2e-4);
   Vector24 f;
@@ -155,7 +156,7 @@ TEST_P(Hex8, RigidRotationGivesNoForce) {
       Eigen::AngleAxisd(1.3, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   const Matrix38 u = (R * shape.X - shape.X).colwise() + Eigen::Vector3d(0.1, 0.2, -0.3);
   const double scale =
-      force(random_displacement(1e-4)).norm();  // force of a strain of about a percent
+      force(random_displacement(1e-4)).norm();  // norm of the forces at strains of about a percent
   EXPECT_LT(force(u).norm(), 1e-10 * scale);
 }
 
@@ -180,8 +181,8 @@ TEST_P(Hex8, AnInvertedElementIsRefused) {
   EXPECT_FALSE(evaluate(shape, m, e, u, alpha.data(), f, nullptr));
 }
 
-/// Evaluates elements of one law with displacements from none to 0.2 mm, with pressure on their
-/// inner faces and the nodes of one side in another frame.
+/// Evaluates elements of one law with displacements between zero and 0.2 mm, with pressure on their
+/// inner faces, and with the nodes of one side in another frame.
 ElementBatch evaluated_batch(const ElementLaw& law, int first, int count) {
   const ElementSurroundings around{
       .pressure = 2e5, .turned = 0b01100110, .cosine = std::cos(0.1), .sine = -std::sin(0.1)};
@@ -209,10 +210,12 @@ TEST_P(Hex8, NeighborsInABatchDoNotChangeABit) {
   }
 }
 
-// Kernel sets with a fused multiply-add have the same bits; the baseline rounds more often.
+// Kernel sets with a fused multiply-add must give identical bits. The baseline set rounds more
+// often.
 TEST_P(Hex8, KernelSetsAgree) {
   const ElementLaw law = element_law(shape, m, e);
-  const WithKernelSet fused(kernel_sets().back());  // independent of LATSCH_KERNELS
+  // Choice independent of the environment variable LATSCH_KERNELS.
+  const WithKernelSet fused(kernel_sets().back());
   const ElementBatch best = evaluated_batch(law, 0, 5);
   const double size = std::abs(best.K[0][4]);
   for (const KernelSet set : kernel_sets()) {
@@ -230,7 +233,7 @@ TEST_P(Hex8, MassIsThatOfRubberAndCords) {
   double expected = 0.0;
   for (double dV : shape.dV) expected += m.solids[e.solid].density * dV;
   if (GetParam().cords)
-    expected += 3000.0 * 1e-3 * 0.03 * 0.014;  // the area of the sheet is approximate
+    expected += 3000.0 * 1e-3 * 0.03 * 0.014;  // the area of the cord layer is approximate
   EXPECT_NEAR(M.sum(), expected, GetParam().cords ? 1e-2 * expected : 1e-14 * expected);
   EXPECT_LT((M - M.transpose()).norm(), 1e-15 * M.norm());
 }

@@ -56,15 +56,15 @@ TEST(Hyperelastic, SmallStrainIsHookesLaw) {
   }
 }
 
-// Uniaxial tension of an incompressible neo-Hooke solid has sigma = 2 C10 (lambda^2 - 1/lambda)
-// [Holzapfel 2000, 6.5].
+// In uniaxial tension an incompressible neo-Hooke solid has the stress sigma = 2 C10 (lambda^2 -
+// 1/lambda) [Holzapfel 2000, 6.5].
 TEST(Hyperelastic, UniaxialTension) {
   const Hyperelastic law{.C10 = 0.5, .C01 = 0.0, .K = 1e6};
   const double lambda = 1.5;
   double t = 1.0 / std::sqrt(lambda);
   Vector6 E = Vector6::Zero(), S;
   Matrix6 D;
-  for (int i = 0; i < 20; ++i) {  // lateral strain such that the lateral stress vanishes
+  for (int i = 0; i < 20; ++i) {  // finds the lateral strain at which the lateral stress vanishes
     E[0] = 0.5 * (lambda * lambda - 1.0);
     E[1] = E[2] = 0.5 * (t * t - 1.0);
     ASSERT_TRUE(stress(law, E, S, &D));

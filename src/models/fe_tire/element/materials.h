@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Materials of the elements: rubber, smeared composites and cord layers.
 //
-// Voigt order everywhere: 11, 22, 33, 12, 23, 13; strains are engineering (2 E12), stresses are
-// not.
+// The Voigt order is 11, 22, 33, 12, 23, 13 everywhere. Shear strains are engineering strains (2
+// E12).
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 namespace voigt {
 
-/// Component (i, j) of a Voigt index, and the Voigt index of a component.
+/// Row and column (i, j) of each Voigt index, and the Voigt index of each pair (i, j).
 inline constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
 inline constexpr int kPlace[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
 
@@ -30,18 +30,18 @@ struct Hyperelastic {
   double C01 = 0.0;
   double K = 0.0;
 
-  /// Returns neo-Hooke rubber of Young's modulus E (Pa) and Poisson's ratio nu. A `ratio` = C01 /
-  /// C10 other than 0 makes it Mooney-Rivlin.
+  /// Returns neo-Hooke rubber with Young's modulus E (Pa) and Poisson's ratio nu. If `ratio` = C01
+  /// / C10 is not 0, the rubber is of the Mooney-Rivlin kind.
   static Hyperelastic from_young_modulus(double E, double nu, double ratio = 0.0);
 };
 
-/// St. Venant-Kirchhoff S = D E with D in cylindrical axes (radial, circumferential, axial) at
-/// every Gauss point, Pa. Circumferential is the direction of increasing theta, and axial = radial
-/// x circumferential.
+/// St. Venant-Kirchhoff law S = D E, with the stiffness D in Pa. At every Gauss point it is
+/// expressed in cylindrical axes (radial, circumferential, axial). Circumferential is the direction
+/// of increasing theta, and axial = radial x circumferential.
 struct StVenantKirchhoff {
   Matrix6 D = Matrix6::Zero();
 
-  /// Takes Lame's constants: shear modulus G and lambda.
+  /// Returns an isotropic law with Lame's constants: shear modulus G and lambda, Pa.
   static StVenantKirchhoff isotropic(double G, double lambda);
 };
 
@@ -54,12 +54,12 @@ struct Solid {
 ///   S = S0 + E_c e + (E_t - E_c) m(e),   e = (lambda^2 - 1) / 2
 /// with the full stretch lambda and m of cord_law.h.
 struct CordLayer {
-  double E_tension = 0.0;      // Pa, of the cord
+  double E_tension = 0.0;      // Pa, modulus of the cord in tension
   double E_compression = 0.0;  // Pa
-  double thickness = 0.0;      // m: cord area / spacing
+  double thickness = 0.0;      // m, cross-section of a cord divided by the spacing
   double angle = 0.0;          // rad, from the circumference (xi) toward +eta
   double pretension = 0.0;     // Pa, second Piola-Kirchhoff stress at e = 0
-  double density = 0.0;        // kg/m^3 of the cord
+  double density = 0.0;        // kg/m^3, density of the cord
 };
 
 struct Materials {

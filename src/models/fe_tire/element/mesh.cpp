@@ -13,9 +13,10 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kSameAngle = 1e-9;  // rad, largest difference of equal angles
+constexpr double kSameAngle = 1e-9;  // rad, largest difference between angles that count as equal
 
-/// Turns (0, 0, -1) toward +x, the direction in which sectors are counted.
+/// Returns the rotation that turns (0, 0, -1) toward +x, the direction in which sectors are
+/// counted.
 Eigen::Matrix3d turn(double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   Eigen::Matrix3d R;
@@ -23,8 +24,8 @@ Eigen::Matrix3d turn(double theta) {
   return R;
 }
 
-/// Returns six times the volume of the corner tetrahedron at a node, with its three edges in
-/// right-handed order.
+/// Returns six times the volume of the tetrahedron at a corner of an element, spanned by its three
+/// edges in right-handed order.
 double corner_volume(const Eigen::Matrix<double, 3, 8>& X, int corner) {
   static constexpr int kEdges[8][3] = {
       {1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Follower pressure on a bilinear face with 2x2 Gauss points: n dA = (x_xi cross x_eta) dxi deta.
-// The gas has the potential -p V. Over a closed boundary, or one held at its rim, the load
+// The gas has the potential -p V. For a closed surface, or one whose boundary is fixed, the load
 // stiffness is therefore symmetric and equals the sum of the symmetric parts of all faces.
-// [Schweizerhof & Ramm 1984, Computers & Structures 18] An edge that is neither closed nor held
-// would leave the volume, and so the load, undefined: a seal closes it.
+// [Schweizerhof & Ramm 1984, Computers & Structures 18] At an open edge that is not fixed, the
+// volume and thus the load would be undefined, so a seal closes it.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_PRESSURE) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_PRESSURE
 #undef LATSCH_FE_TIRE_PRESSURE
@@ -17,11 +17,11 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-/// Adds pressure p on the face x[3 a + i]. Its corners are the nodes `node` of the sums, or fixed
-/// (-1).
+/// Adds the forces of the pressure p on the face with corners at x[3 a + i]. `node` holds the node
+/// numbers of the corners in the sums; -1: the corner is fixed.
 LATSCH_INLINE void add_face_pressure(
     const V* x, const int* node, double p, bool stiffness, NodalSums& sums) {
-  V w[6][3];  // K_ab = [w]x of the pairs b > a
+  V w[6][3];  // K_ab = [w]x for the pairs b > a
   for (V& v : std::span(&w[0][0], 18)) v = 0.0;
   for (int q = 0; q < 4; ++q) {
     double N[4], N_xi[4], N_eta[4];
@@ -47,7 +47,8 @@ LATSCH_INLINE void add_face_pressure(
     if (!stiffness) continue;
     for (int a = 0, pair = 0; a < 4; ++a) {
       for (int b = a + 1; b < 4; ++b, ++pair) {
-        // dn/dx_b = N_b,eta [x_xi]x - N_b,xi [x_eta]x; a cross matrix is its own negative transpose
+        // Derivative of the normal: dn/dx_b = N_b,eta [x_xi]x - N_b,xi [x_eta]x. The matrix [w]x of
+        // a cross product is minus its own transpose.
         const double s = -0.5 * p * (N[a] * N_eta[b] - N[b] * N_eta[a]);
         const double t = -0.5 * p * (N[a] * N_xi[b] - N[b] * N_xi[a]);
         for (int i = 0; i < 3; ++i) w[pair][i] += s * x_xi[i] - t * x_eta[i];
@@ -59,7 +60,8 @@ LATSCH_INLINE void add_face_pressure(
     for (int b = a + 1; b < 4; ++b, ++pair) {
       if (node[a] < 0 || node[b] < 0) continue;
       const int row = 3 * std::max(node[a], node[b]), column = 3 * std::min(node[a], node[b]);
-      for (int i = 0; i < 3; ++i) {  // below the diagonal -[w]x, or [w]x if a is the lower row
+      // The block below the diagonal is -[w]x, or [w]x if a has the lower row.
+      for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         const V entry = node[a] < node[b] ? w[pair][i] : -w[pair][i];
         sums.K[ElementBatch::entry(row + j, column + k)] += entry;
@@ -69,9 +71,9 @@ LATSCH_INLINE void add_face_pressure(
   }
 }
 
-/// Adds pressure on the face of nodes 0-3 at x[3 a + i] and on the seals of its open edges (bit k:
-/// from node k to node k + 1). A seal is a strip between an edge's current position and its
-/// position in the undeformed element X.
+/// Adds the forces of pressure on the face of nodes 0-3 at x[3 a + i], and on the seals of its open
+/// edges (bit k: from node k to node k + 1). A seal is a strip between the current position of an
+/// edge and its position in the element X without load.
 void add_pressure(
     const double* X, const V* x, unsigned open_edges, double p, bool stiffness, NodalSums& sums) {
   constexpr int kFace[4] = {0, 1, 2, 3};
@@ -79,8 +81,8 @@ void add_pressure(
   for (int k = 0; k < 4; ++k) {
     if (!(open_edges >> k & 1)) continue;
     const int a = k, b = (k + 1) % 4;
-    const int node[4] = {b, a, -1, -1};  // the direction of the edge is opposite to that of the
-                                         // face
+    // The edge runs in the direction opposite to that in the face.
+    const int node[4] = {b, a, -1, -1};
     V strip[12];
     for (int i = 0; i < 3; ++i) {
       strip[i] = x[3 * b + i];

@@ -23,7 +23,7 @@ TEST(Pressure, ForceOnAFlatFaceIsPressureTimesArea) {
   const double area = 0.5 * d1.cross(d2).norm();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int a = 0; a < 4; ++a) sum += f.segment<3>(3 * a);
-  EXPECT_NEAR(sum[2], -2.0 * area, 1e-14);  // internal force: minus the load along the normal
+  EXPECT_NEAR(sum[2], -2.0 * area, 1e-14);  // the internal force is minus the load along the normal
   EXPECT_LT(sum.head<2>().norm(), 1e-15);
 }
 
@@ -32,7 +32,7 @@ TEST(Pressure, LoadStiffnessIsTheSymmetricPartOfTheDerivative) {
   Vector12 f = Vector12::Zero();
   Matrix12 K = Matrix12::Zero(), difference;
   add_pressure(x, 3.0, f, &K);
-  const double h = 1e-3;  // f is quadratic in x: the central difference is exact
+  const double h = 1e-3;  // f is quadratic in x, so the central difference is exact
   for (int j = 0; j < 12; ++j) {
     Matrix34 plus = x, minus = x;
     plus(j % 3, j / 3) += h;

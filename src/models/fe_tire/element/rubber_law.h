@@ -6,7 +6,7 @@
 // Holds for moderate strain (rubber below about 100 %); no Mullins effect, no viscosity.
 // [Holzapfel 2000] Nonlinear Solid Mechanics, sections 6.4-6.6.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_RUBBER_LAW) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_RUBBER_LAW
 #undef LATSCH_FE_TIRE_RUBBER_LAW
@@ -18,7 +18,7 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS::rubber_law {
 
-/// Computes C and its inverse (Voigt) from the strain E.
+/// Computes the matrix C and its inverse (Voigt order) from the strain E.
 LATSCH_INLINE void invert(const V* E, V* C, V* Ci, V& det) {
   for (int k = 0; k < 6; ++k) C[k] = k < 3 ? 2.0 * E[k] + 1.0 : E[k];
   Ci[0] = C[1] * C[2] - C[4] * C[4];
@@ -32,7 +32,7 @@ LATSCH_INLINE void invert(const V* E, V* C, V* Ci, V& det) {
   for (int k = 0; k < 6; ++k) Ci[k] *= inverse;
 }
 
-/// Computes D = ci (C^-1 (.) C^-1) + A x C^-1 + C^-1 x A, symmetric.
+/// Computes the symmetric tangent D = ci (C^-1 (.) C^-1) + A x C^-1 + C^-1 x A.
 LATSCH_INLINE void tangent(const V* Ci, const V* A, const V& ci, V (*D)[6]) {
   using voigt::kPlace;
   const V half = 0.5 * ci;
@@ -46,8 +46,8 @@ LATSCH_INLINE void tangent(const V* Ci, const V* A, const V& ci, V (*D)[6]) {
   }
 }
 
-/// Computes S and D = dS/dE at the strain E, and returns det C. If it is not positive, S and D are
-/// void.
+/// Computes S and D = dS/dE at the strain E and returns det C. If det C is not positive, S and D
+/// are undefined.
 LATSCH_INLINE V stress(const Hyperelastic& law, const V* E, V* S, V (*D)[6]) {
   V C[6], Ci[6], det;
   invert(E, C, Ci, det);
@@ -62,9 +62,9 @@ LATSCH_INLINE V stress(const Hyperelastic& law, const V* E, V* S, V (*D)[6]) {
   const V s = pJ - (aI1 * (1.0 / 3.0) + bI2 * (2.0 / 3.0));  // coefficient of C^-1
   const V cc = (2.0 / 9.0) * (aI1 + 4.0 * bI2) + KJ * (2.0 * J - 1.0);
   const V ci = (2.0 / 3.0) * (aI1 + 2.0 * bI2) - 2.0 * pJ;
-  V A[6];  // includes half of cc C^-1 x C^-1
+  V A[6];  // includes half of the term cc C^-1 x C^-1
   for (int k = 0; k < 6; ++k) {
-    const V B = k < 3 ? I1 - C[k] : -C[k];  // dI2/dC
+    const V B = k < 3 ? I1 - C[k] : -C[k];  // derivative dI2/dC
     const V bB = b * B;
     S[k] = k < 3 ? s * Ci[k] + bB + a : s * Ci[k] + bB;
     A[k] = (0.5 * cc) * Ci[k] - bB * (4.0 / 3.0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Second derivative of rubber's stress (rubber_law.h) along a strain, by power series of the minors
-// of C and of the powers of det C in the size of the strain.
+// Second derivative of the stress of rubber (rubber_law.h) along a strain, computed with power
+// series, in the size of the strain, of the minors of C and of the powers of det C.
 //
-// Included once per kernel set, by hex8_kernels.h only.
+// This file is included once per kernel set, by hex8_kernels.h only.
 #if defined(LATSCH_FE_TIRE_RUBBER_MOTIONS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_RUBBER_MOTIONS
 #undef LATSCH_FE_TIRE_RUBBER_MOTIONS
@@ -14,10 +14,10 @@
 
 namespace latsch::fe_tire::LATSCH_KERNELS {
 
-inline constexpr int kPoints = 8;  // stress points of an element
+inline constexpr int kPoints = 8;  // number of stress points of an element
 
-/// Minors of a symmetric matrix in Voigt order, and mixed minors: cof(a + b) = cof a + mixed + cof
-/// b.
+/// Computes the minors of a symmetric matrix in Voigt order, and the mixed minors in cof(a + b) =
+/// cof a + mixed + cof b.
 LATSCH_INLINE void minors(const V* a, V* cof) {
   cof[0] = a[1] * a[2] - a[4] * a[4];
   cof[1] = a[0] * a[2] - a[5] * a[5];
@@ -34,13 +34,13 @@ LATSCH_INLINE void mixed_minors(const V* a, const V* b, V* cof) {
   cof[4] = (a[3] * b[5] + b[3] * a[5]) - (a[0] * b[4] + b[0] * a[4]);
   cof[5] = (a[3] * b[4] + b[3] * a[4]) - (a[1] * b[5] + b[1] * a[5]);
 }
-/// Returns a : b of symmetric matrices.
+/// Returns the double contraction a : b of symmetric matrices in Voigt order.
 LATSCH_INLINE V double_dot(const V* a, const V* b) {
   const V shear = a[3] * b[3] + (a[4] * b[4] + a[5] * b[5]);
   return 2.0 * shear + (a[0] * b[0] + (a[1] * b[1] + a[2] * b[2]));
 }
 
-/// Quantities of rubber at a point that do not depend on the direction of the strain.
+/// Quantities of rubber at a point that do not depend on the direction of the strain increment.
 struct RubberPoint {
   V C[6], cof[6], det, inverse, J, I1, I2, a, b;
 };
@@ -58,7 +58,7 @@ LATSCH_INLINE void prepare(const Hyperelastic& law, const V* E, RubberPoint& p) 
   p.b = 2.0 * law.C01 * (j * j);
 }
 
-/// Coefficients of e and e^2 in (1 + a1 e + a2 e^2)^n.
+/// Coefficients of e and e^2 in the power series of (1 + a1 e + a2 e^2)^n.
 struct Series {
   V first, second;
 };
@@ -66,7 +66,7 @@ LATSCH_INLINE Series power(double n, const V& a1, const V& a2) {
   return {n * a1, n * a2 + (0.5 * n * (n - 1.0)) * (a1 * a1)};
 }
 
-/// Computes the second derivative of S (rubber_law.h) along the strain E + e E1.
+/// Computes the second derivative by e of the stress S (rubber_law.h) at the strain E + e E1.
 LATSCH_INLINE void second_stress(const Hyperelastic& law, const RubberPoint& p, const V* E1, V* S) {
   V c[6], cof1[6], cof2[6];
   for (int k = 0; k < 6; ++k) c[k] = k < 3 ? V(2.0 * E1[k]) : E1[k];

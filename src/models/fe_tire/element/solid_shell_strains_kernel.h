@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Generalized strains of the solid-shell, equations (2) to (4) of hex8_solid_shell_kernel.h: the
-// strain E_c of the mean deformation gradient and the twelve coefficients e, their derivatives by
-// the modal vectors, and the forces and the stiffness of their stresses.
+// strain E_c of the mean deformation gradient and the twelve coefficients e. Computes them, their
+// derivatives by the modal vectors, and the forces and stiffness that their stresses cause.
 //
-// Included once per kernel set, by hex8_solid_shell_kernel.h only.
+// This file is included once per kernel set, by hex8_solid_shell_kernel.h only.
 #if defined(LATSCH_FE_TIRE_SOLID_SHELL_STRAINS) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_FE_TIRE_SOLID_SHELL_STRAINS
 #undef LATSCH_FE_TIRE_SOLID_SHELL_STRAINS
@@ -23,7 +23,8 @@ inline constexpr int kSquareCount = SolidShellShape::kSquares;
 inline constexpr int kStrains = SolidShellShape::kStrains;
 inline constexpr int kColumns = SolidShellShape::kColumns;
 
-/// Position of the element: F = [f_1 f_2 f_3], hourglass vectors z_m (not z_123) and their c.
+/// Deformation of the element: columns of the mean gradient F = [f_1 f_2 f_3], hourglass vectors
+/// z_m (without z_123) and their components c.
 template <class V>
 struct KinematicsOf {
   V F[3][3];  // [column][i]
@@ -33,11 +34,12 @@ struct KinematicsOf {
 
 using Kinematics = KinematicsOf<V>;
 
-/// The shape's numbers in the precision of V.
+/// Operators of the shape in the precision of V.
 template <class V>
 using Operators = SolidShellOperators<typename V::Constant>;
 
-/// Returns false in lanes where the mean deformation turns the element inside out.
+/// Computes the deformation from the modal vectors. Returns false in lanes in which the mean
+/// deformation inverts the element.
 LATSCH_INLINE Mask follow(const SolidShellShape& s, Kinematics& k) {
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i < 3; ++i) {
@@ -60,7 +62,7 @@ LATSCH_INLINE Mask follow(const SolidShellShape& s, Kinematics& k) {
   return dot(F[0], minors) > V(s.volume > 0.0 ? 0.0 : HUGE_VAL);
 }
 
-/// Computes (E_c, e), equations (2) and (3).
+/// Computes the generalized strains (E_c, e), equations (2) and (3).
 LATSCH_INLINE void generalized_strains(const SolidShellShape& s, const Kinematics& k, V* g) {
   using voigt::kColumn, voigt::kRow;
   for (int r = 0; r < 6; ++r) {
@@ -75,7 +77,8 @@ LATSCH_INLINE void generalized_strains(const SolidShellShape& s, const Kinematic
   for (const auto& [e, m, n] : kPairs) g[6 + e] += dot(k.x[m], k.x[n]);
 }
 
-/// Sets Dc, with dc = Dc dx, [square][direction][modal vector].
+/// Computes the matrix Dc of the derivatives dc = Dc dx, stored as [square][direction][modal
+/// vector].
 template <class V>
 void hourglass_operator(const Operators<V>& s, const KinematicsOf<V>& k, V (*Dc)[3][kModes]) {
   for (int q = 0; q < kSquareCount; ++q) {
@@ -88,7 +91,8 @@ void hourglass_operator(const Operators<V>& s, const KinematicsOf<V>& k, V (*Dc)
   }
 }
 
-/// Sets B, with dE_c = B dx. de is not stored because equation (3) is as short.
+/// Computes the matrix B of the derivatives dE_c = B dx. The derivatives de are not stored, because
+/// equation (3) is as short.
 template <class V>
 void strain_operator(const Operators<V>& s,
                      const KinematicsOf<V>& k,
@@ -111,7 +115,7 @@ void strain_operator(const Operators<V>& s,
   }
 }
 
-/// Adds B^T t to f.
+/// Adds the forces B^T t of the stresses t to f.
 void add_forces(const SolidShellShape& s, const Kinematics& k, const V* t, ModalSums& sums) {
   V T[kSquareCount];
   for (int q = 0; q < kSquareCount; ++q) {
@@ -146,9 +150,9 @@ void add_forces(const SolidShellShape& s, const Kinematics& k, const V* t, Modal
   }
 }
 
-/// Computes the second derivative of the generalized strains times their stresses t. TDc receives
-/// the part of the squares, T in T Dc^T Dc; the remaining part, the same in all directions, is
-/// added here.
+/// Adds the stiffness by the stresses t: the second derivative of the generalized strains times t.
+/// The contribution T of the squares, which enters as T Dc^T Dc, is returned in TDc; the remaining
+/// part, which is the same in all directions, is added here.
 template <class V>
 void add_stress_stiffness(const Operators<V>& s,
                           const KinematicsOf<V>& k,

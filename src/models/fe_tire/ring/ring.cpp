@@ -13,9 +13,9 @@ namespace latsch::fe_tire {
 
 namespace {
 
-constexpr double kSameWidth = 1e-9;  // rad, largest difference of equal sectors
+constexpr double kSameWidth = 1e-9;  // rad, largest difference of sector widths that count as equal
 
-/// Returns the first sector of every width.
+/// Returns the first sector of each width, and sets the index of the width of every sector.
 std::vector<int> different_sectors(const Mesh& mesh, std::vector<int>& width) {
   std::vector<int> first;
   const auto span = [&](int s) { return mesh.angle(s + 1) - mesh.angle(s); };
@@ -28,10 +28,11 @@ std::vector<int> different_sectors(const Mesh& mesh, std::vector<int>& width) {
   return first;
 }
 
-/// Finds edges of inner faces that no other inner face shares and the rim does not hold.
+/// Finds the edges of inner faces that belong to only one inner face and are not held by the rim.
 std::vector<std::array<bool, 4>> open_edges(const Mesh& mesh) {
   const int n = mesh.nodes_per_sector();
-  // The two ends of an edge. Nodes of a sector's last plane are the next plane's first.
+  // Returns the two ends of an edge. The nodes of a sector's second plane are those of the next
+  // sector's first plane.
   const auto ends = [n](const Element& element, int k) -> std::pair<int, int> {
     return std::minmax({element.node[k] % n, element.node[(k + 1) % 4] % n});
   };

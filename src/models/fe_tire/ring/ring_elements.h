@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ring's elements with their materials. Element laws are built once for each set of materials
-// and evaluated in several equally wide sectors at a time.
+// The elements of the ring with their materials. Element laws are computed once for each set of
+// materials and are evaluated for several equally wide sectors at a time.
 #pragma once
 
 #include <span>
@@ -13,14 +13,15 @@ namespace latsch::fe_tire {
 
 class RingElements {
  public:
-  /// The ring must outlive this object. Throws InputError if an element has too many cord layers.
+  /// Computes the laws of all elements. The ring must outlive this object. Throws InputError if an
+  /// element has too many cord layers.
   RingElements(const Ring& ring, Materials materials);
 
   const Ring& ring() const { return ring_; }
   const Materials& materials() const { return materials_; }
 
-  /// Law and surroundings of the elements `element` in sectors as wide as `sector`; the
-  /// surroundings have no pressure.
+  /// Return the law and the surroundings (without pressure) of the section's element number
+  /// `element`, in all sectors as wide as `sector`.
   const ElementLaw& law(int sector, int element) const {
     return laws_[ring_.width(sector)][element];
   }
@@ -28,24 +29,26 @@ class RingElements {
     return surroundings_[ring_.width(sector)][element];
   }
 
-  /// Successive sectors of one width, at most ElementBatch::kLanes of them.
+  /// A group of successive sectors of equal width, at most ElementBatch::kLanes of them.
   struct Sectors {
     int first, count;
   };
-  /// Returns the sectors 0 ... count-1 in such groups.
+  /// Returns the sectors 0 ... count-1, divided into groups of successive, equally wide sectors.
   std::vector<Sectors> groups(int count) const;
 
-  /// Computes forces and, if asked for, stiffness of the elements `element` in sectors as wide as
-  /// `sector`, in the frames of their nodes. The pressure (Pa) acts on inner faces. The batch holds
-  /// the displacements. Returns a bit for each lane that succeeded, see evaluate() of a batch.
+  /// Computes the forces and, if requested, the stiffness of the section's element number `element`
+  /// in sectors as wide as `sector`, in the frames of their nodes. The pressure (Pa) acts on inner
+  /// faces. The batch holds the displacements. Returns a bit for each lane that succeeded, like
+  /// evaluate() of a batch.
   unsigned evaluate(
       int sector, int element, double pressure, Stiffness stiffness, ElementBatch& batch) const;
 
  private:
   const Ring& ring_;
   Materials materials_;
-  std::vector<std::vector<ElementLaw>> laws_;                   // for every width
-  std::vector<std::vector<ElementSurroundings>> surroundings_;  // for every width, without pressure
+  std::vector<std::vector<ElementLaw>> laws_;  // laws of the section's elements, for every width
+  // Surroundings of the section's elements, without pressure, for every width.
+  std::vector<std::vector<ElementSurroundings>> surroundings_;
 };
 
 }  // namespace latsch::fe_tire

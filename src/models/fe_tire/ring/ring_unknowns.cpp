@@ -8,17 +8,18 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kSamePlace = 1e-7;  // m, largest distance of a node from its image
-constexpr double kSameValue = 1e-9;  // difference of material constants, relative or to one in SI
+constexpr double kSamePlace = 1e-7;  // m, largest distance of a node from the position of its image
+// Largest difference of material constants that count as equal, relative or in SI units.
+constexpr double kSameValue = 1e-9;
 
-/// Signs of the displacement of a node's image under the half turn, in sector frames.
+/// Signs of the displacement components of a node's image under the half turn, in sector frames.
 const Eigen::Vector3d kTurn(-1.0, -1.0, 1.0);
 
 std::optional<std::vector<int>> mirrored_nodes(const Mesh& mesh) {
   const int n = mesh.nodes_per_sector();
   std::vector<int> mirror(n, -1);
   for (int i = 0; i < n; ++i) {
-    // Every node must lie in the plane of its sector.
+    // A tire with nodes outside its section planes has no such symmetry.
     if (std::abs(mesh.X(0, i)) > kSamePlace) return std::nullopt;
     const Eigen::Vector3d image(0.0, -mesh.X(1, i), mesh.X(2, i));
     for (int j = 0; j < n && mirror[i] < 0; ++j) {
@@ -35,11 +36,12 @@ std::optional<std::vector<int>> mirrored_nodes(const Mesh& mesh) {
   return mirror;
 }
 
-/// Returns D after the half turn about the radial axis, which reverses circumferential and axial
-/// directions.
+/// Returns the stiffness D after a half turn about the radial axis, which reverses the
+/// circumferential and the axial direction.
 Matrix6 turned(const Matrix6& D) {
   Vector6 sign;
-  sign << 1, 1, 1, -1, 1, -1;  // 12 and 13 couple the radial direction with a reversed one
+  // The components 12 and 13 couple the radial direction with a reversed one.
+  sign << 1, 1, 1, -1, 1, -1;
   return sign.asDiagonal() * D * sign.asDiagonal();
 }
 
@@ -77,8 +79,8 @@ bool same_element(const Element& a, const Element& b, const Materials& materials
   return same_solid(materials.solids[a.solid], materials.solids[b.solid]);
 }
 
-/// Returns the nodes of an element or of its image. The half turn exchanges the sector's own plane
-/// and the next one.
+/// Returns the sorted nodes of an element, or of its image. The half turn exchanges the sector's
+/// own section plane and the next one.
 std::array<int, 8> sorted_nodes(const Element& element, int n, const std::vector<int>* mirror) {
   std::array<int, 8> nodes = element.node;
   if (mirror) {
@@ -134,7 +136,7 @@ void RingUnknowns::number(const std::vector<int>& mirror) {
       size_ += 3;
       if (!own_image || mirror[i] != i) continue;
       for (int k = 0; k < 3; ++k) {
-        if (parity * kTurn[k] > 0.0) continue;  // u = -u on the axis
+        if (parity * kTurn[k] > 0.0) continue;  // on the axis of the half turn u = -u, so u is zero
         node.sign[k] = 0.0;
         held_.push_back(node.first + k);
       }
@@ -185,7 +187,7 @@ Matrix38 RingUnknowns::gather(int sector, int element, const Eigen::VectorXd& x)
 }
 
 void RingUnknowns::bring_in_order(int sector, int element, Matrix24& K) const {
-  // Only planes on the half turn's axis hold their own images.
+  // Only the section planes on the axis of the half turn contain the images of their own nodes.
   if (symmetry_ == RingSymmetry::none || (sector > 0 && sector + 1 < sectors_)) return;
   const int n = ring_.mesh().nodes_per_sector();
   for (int a = 0; a < 8; ++a) {

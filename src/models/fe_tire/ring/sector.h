@@ -19,20 +19,20 @@
 
 namespace latsch::fe_tire {
 
-/// The blocks A (symmetric) and B of a block-circulant matrix, banded: entry (i, j) is stored at (i
-/// - j + band, j).
+/// The blocks A (symmetric) and B of a block-circulant matrix, in banded storage: entry (i, j) is
+/// stored at the row i - j + band of column j.
 class SectorBlocks {
  public:
   explicit SectorBlocks(const Ring& ring);
 
   void set_zero();
-  /// Adds a 24x24 element matrix in node frames. `local_dofs` are the ring's local unknowns of that
-  /// element.
+  /// Adds a 24x24 element matrix in the frames of the nodes. `local_dofs` are Ring::local_dofs() of
+  /// this element.
   void add(const std::array<int, 24>& local_dofs, const Matrix24& K);
   /// Returns A + B exp(i phi) + B^T exp(-i phi) for circumferential number n.
   numerics::BandedHermitian harmonic(int n) const;
-  /// Returns i (A + B exp(i phi) - B^T exp(-i phi)), which is Hermitian, if the added element
-  /// matrices are skew.
+  /// Returns i (A + B exp(i phi) - B^T exp(-i phi)) for skew-symmetric element matrices. The result
+  /// is Hermitian.
   numerics::BandedHermitian harmonic_of_skew(int n) const;
 
   int size() const { return static_cast<int>(A_.cols()); }
@@ -41,16 +41,16 @@ class SectorBlocks {
  private:
   int sectors_;
   int band_;
-  Eigen::MatrixXd A_, B_;  // [2 band + 1 x size]
+  Eigen::MatrixXd A_, B_;  // banded storage [2 band + 1 x size]
 };
 
-/// Returns the largest distance of two coupled unknowns in a sector's numbering, adjacent sectors
-/// overlaid.
+/// Returns the largest distance between two coupled unknowns in the numbering of a sector; unknowns
+/// of the next sector count as those of the same sector.
 int sector_band(const Ring& ring);
 
-/// Computes the internal forces per sector (pressure included) of the axisymmetric state x [sector
+/// Computes the internal forces per sector (pressure included) in the axisymmetric state x [sector
 /// unknowns] and, if `tangent` is not null, the blocks of its tangent. Returns false if an element
-/// fails; `worst` then is its index.
+/// is inverted; `worst` is then its index.
 bool assemble_sector(const RingElements& elements,
                      const Eigen::VectorXd& x,
                      double pressure,
@@ -59,10 +59,11 @@ bool assemble_sector(const RingElements& elements,
                      SectorBlocks* tangent,
                      int* worst);
 
-/// Returns the consistent mass matrix of one element's 24 displacements in its sector's frame, kg.
+/// Returns the consistent mass matrix of an element's 24 displacements in the frame of its sector,
+/// kg.
 Matrix24 element_mass(const Ring& ring, const Materials& materials, int sector, int element);
 
-/// Returns the blocks of the consistent mass matrix.
+/// Returns the blocks of the consistent mass matrix of the ring.
 SectorBlocks sector_mass(const RingElements& elements);
 
 }  // namespace latsch::fe_tire

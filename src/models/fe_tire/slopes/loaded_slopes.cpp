@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of loads and modes of states on the ground, (S.2) and (S.3) of tire_slopes.h.
+// Derivatives of the loads and modes of states on the ground, by (S.2) and (S.3) of tire_slopes.h.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,9 +19,9 @@ constexpr double kExactly = 1e-10;
 
 using Touches = std::vector<TreadContact::Touch>;
 
-/// Returns the forces of a varied tire's tread in the points that touch in the state itself, on
-/// flat ground below the wheel. These points are held, because otherwise a point that just touches
-/// would lift off within a step.
+/// Returns the forces on the tread of a tire with a changed parameter, on flat ground below the
+/// wheel. Exactly those points are in contact that touch in the state of the unchanged tire.
+/// Otherwise a point that barely touches would lift off within the finite difference.
 Touches forces_where(const Touches& touching,
                      const TreadSurface& tread,
                      const TireState& state,
@@ -44,7 +44,7 @@ double vertical(const Touches& touches) {
   return force;
 }
 
-/// Returns phi K phi of the ground.
+/// Returns phi^T K phi for the ground's stiffness K.
 double ground_stiffness(const TreadSurface& tread,
                         const Touches& touches,
                         const Eigen::Matrix3Xd& shape) {
@@ -88,7 +88,8 @@ std::pair<Eigen::VectorXd, double> TireSlopes::Impl::by_height(Systems& all,
   TreadContact contact(all.tread, state.ground);
   const Eigen::VectorXd x = all.unknowns.compress(state.u);
   contact.start(state.pose, x, state.anchors);
-  // If the wheel is higher, every point in contact is farther from the ground by the same distance.
+  // If the wheel is raised, the distance of every touching point from the ground grows by the same
+  // amount.
   std::vector<TreadContact::Touch> touches = contact.stuck(x);
   double stiffness = 0.0;
   for (TreadContact::Touch& touch : touches) {
@@ -131,7 +132,8 @@ Result<const numerics::Factorization*> TireSlopes::Impl::factor(Systems& all,
   return &tangent.factor;
 }
 
-/// Computes w while the solver's factor is near the state, so that no new factorization is needed.
+/// Computes w of (S.2) while the solver's factorization is near the state, so that no new one is
+/// needed.
 void TireSlopes::Impl::pass(Systems& all, const TireState& state) {
   if (state.ground.mu > 0.0) return;
   Tangent& tangent = tangent_for(all);
@@ -153,7 +155,7 @@ Result<Eigen::VectorXd> TireSlopes::Impl::motion_by_height(Systems& all,
   return Eigen::VectorXd(w.col(0));
 }
 
-/// Returns the tread of a varied tire, built once for all states.
+/// Returns the tread of a tire with a changed parameter. It is built once for all states.
 const TreadSurface& TireSlopes::Impl::tread_of(const Varied& tire,
                                                const Systems& all,
                                                bool is_halved) {
@@ -183,7 +185,7 @@ void TireSlopes::Impl::add_tread(Systems& all,
   }
 }
 
-/// Computes (S.2): Fz is -df/dh along w.
+/// Computes (S.2). The vertical force Fz is the work of -df/dh along w.
 Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
   Impl& impl = *impl_;
   Systems& all = impl.base.systems(state.is_halved, state.window);
@@ -208,7 +210,7 @@ Result<TireSlopes::OfState> TireSlopes::of_state(const TireState& state) {
   return slopes;
 }
 
-/// Computes (S.3): g dx/dp of all numbers is -z (df/dp + df/dh dh/dp).
+/// Computes (S.3). For all parameters, g dx/dp is -z (df/dp + df/dh dh/dp).
 Result<Eigen::MatrixXd> TireSlopes::of_modes(const TireState& state,
                                              const std::vector<Mode>& modes,
                                              const Eigen::VectorXd& height) {
@@ -229,8 +231,8 @@ Result<Eigen::MatrixXd> TireSlopes::of_modes(const TireState& state,
 
 namespace {
 
-/// Sharpens those of the modes that are motions of these unknowns. A mode for which another one is
-/// found stays as it was.
+/// Computes more accurate shapes of those modes that the unknowns of this assembly (even or odd)
+/// represent. If the iteration finds another mode, the given one is kept.
 Status sharpen(const RingAssembly& assembly,
                const numerics::SymmetricMatrix& tangent,
                const numerics::SymmetricMatrix& M,

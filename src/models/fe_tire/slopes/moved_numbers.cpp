@@ -6,7 +6,7 @@ namespace {
 
 constexpr int kLanes = ElementBatch::kLanes;
 
-/// Computes phi dM phi of the mode in every lane.
+/// Computes phi^T dM phi for the mode of the motion in every lane.
 void mass_along(const Matrix8& dM, const ElementMotion& motion, double (&sums)[kLanes]) {
   for (double& sum : sums) sum = 0.0;
   for (int a = 0; a < 8; ++a) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes of elements with a number of the tire's description, for the sums (M.4) of
-// hex8_motions.h: differences between the tires with the number moved to either side, over the
-// affected parts of each element only.
+// Changes of the elements by a parameter of the tire's description, for the sums (M.4) of
+// hex8_motions.h. They are differences between two tires whose parameter is decreased and
+// increased, evaluated only for the affected parts of each element.
 #pragma once
 
 #include <functional>
@@ -12,15 +12,15 @@
 
 namespace latsch::fe_tire {
 
-/// Two tires with a number moved to either side; `way` is the distance between the two values.
+/// Two tires whose parameter is decreased and increased; `way` is the difference of the two values.
 struct MovedNumber {
   const RingElements *below, *above;
   double pressure_below, pressure_above;  // Pa
-  double way;                             // in the number's unit
-  /// The parts of a section's element that the number changes.
+  double way;                             // in the unit of the parameter
+  /// Parts of an element of the section that the parameter changes.
   struct Parts {
     bool solid, gas, mass;
-    unsigned cords;  // VariedElement::cords
+    unsigned cords;  // mask of cord layers, see VariedElement::cords
     bool any() const { return solid || cords != 0 || gas; }
     void add(const Parts& other) {
       solid = solid || other.solid;
@@ -32,20 +32,22 @@ struct MovedNumber {
   const std::vector<Parts>* parts;
 };
 
-/// The numbers that change an element, each as two elements, below and above.
+/// The parameters that change an element. For each, there are two elements: with the decreased and
+/// with the increased value.
 struct FeltNumbers {
   std::vector<VariedElement> elements;
   std::vector<std::size_t> numbers;
-  std::vector<std::size_t> masses;  // numbers that change the element's mass
+  std::vector<std::size_t> masses;  // indices of the parameters that change the element's mass
 
   void find(int sector, int element, const std::vector<MovedNumber>& moved);
 };
 
-/// Receives the value of a motion and a number in every lane.
+/// Function that receives the value for a motion and a parameter in every lane.
 using LaneSink = std::function<void(
     std::size_t motion, std::size_t number, const double (&lanes)[ElementBatch::kLanes])>;
 
-/// Computes dL/dp of (M.4) per unit of the number. Returns false if the element has no state.
+/// Computes the derivative dL/dp of (M.4) per unit of each parameter. Returns false if an element
+/// is inverted.
 bool sum_differences(const ElementLaw& law,
                      unsigned open_edges,
                      const FeltNumbers& felt,
@@ -54,7 +56,7 @@ bool sum_differences(const ElementLaw& law,
                      std::vector<ElementMotion>& motions,
                      const LaneSink& sink);
 
-/// Computes phi dM/dp phi of the motions' modes, kg per unit of the number.
+/// Computes phi^T dM/dp phi for the modes of the motions, kg per unit of the parameter.
 void sum_masses(int sector,
                 int element,
                 const FeltNumbers& felt,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of the contact patch: the state moved by (S.1) of tire_slopes.h, number by number.
+// Derivatives of the contact patch. For each parameter the state is moved by (S.1) of
+// tire_slopes.h, and the patch is measured again.
 #include "models/fe_tire/slopes/tire_slopes.h"
 #include "models/fe_tire/slopes/tire_slopes_impl.h"
 

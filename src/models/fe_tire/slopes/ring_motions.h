@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motions of the ring about a state, element by element: sums of (M.3) and (M.4) of hex8_motions.h
-// over the assembled sectors.
+// Sums of (M.3) and (M.4) of hex8_motions.h over the elements of the assembled sectors, for motions
+// of the ring about a state.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +16,8 @@ namespace latsch::fe_tire {
 
 class RingMotions {
  public:
-  /// Keeps references to all arguments. `pressure` is in Pa. `modes` has at most
-  /// ElementMotion::kMost entries; it is empty for slopes of loads.
+  /// The object keeps references to all arguments. `pressure` is in Pa. `modes` has at most
+  /// ElementMotion::kMost columns; it has none for derivatives of loads.
   RingMotions(const RingUnknowns& unknowns,
               const RingElements& elements,
               const Eigen::VectorXd& x,
@@ -25,14 +25,14 @@ class RingMotions {
               double pressure,
               const std::vector<Mode>& modes);
 
-  /// Computes D3W[phi, phi, .] of every mode [unknowns x modes]. Returns false if an element has no
-  /// state.
+  /// Computes the third derivative D3W[phi, phi, .] of the energy W for every mode phi [unknowns x
+  /// modes]. Returns false if an element is inverted.
   bool curvatures(Eigen::MatrixXd& g);
 
-  /// Computes d/dp of D2W[phi~, phi~] - omega^2 phi.M phi + DW[along~] of every motion and number
-  /// [motions x numbers] with motions held. `along` [unknowns x motions] has a column for each mode
-  /// or, without modes, any number of columns. Call it after curvatures(). Returns false if an
-  /// element has no state.
+  /// Computes the derivative of D2W[phi~, phi~] - omega^2 phi^T M phi + DW[along~] with respect to
+  /// every parameter, for every motion, with constant motions [motions x parameters]. `along`
+  /// [unknowns x motions] has one column per mode or, without modes, any number of columns.
+  /// curvatures() must have been called before. Returns false if an element is inverted.
   bool slopes(const Eigen::MatrixXd& along,
               const std::vector<MovedNumber>& numbers,
               Eigen::MatrixXd& sums);
@@ -40,7 +40,8 @@ class RingMotions {
  private:
   void set_batch(int first, int count, int element, ElementBatch& batch) const;
   void set_modes(int first, int count, int element, std::vector<ElementMotion>& motions) const;
-  /// Reads the element's stored values at `alphas` and returns the address of the next element's.
+  /// Reads the stored enhanced strains of an element at `alphas` and returns the address of those
+  /// of the next element.
   const double* recall_alphas(const double* alphas, std::vector<ElementMotion>& motions) const;
   bool add_differences(int first,
                        int count,
@@ -63,7 +64,8 @@ class RingMotions {
   const Eigen::VectorXd &x_, &alpha_;
   double pressure_;
   const std::vector<Mode>& modes_;
-  std::vector<double> alphas_;  // a_phi and a_2 of every group, element and mode
+  // Enhanced strains a_phi and a_2 of every group of sectors, element and mode.
+  std::vector<double> alphas_;
 };
 
 }  // namespace latsch::fe_tire

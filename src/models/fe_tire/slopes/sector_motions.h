@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Harmonic motions about a state that is the same in all sectors: sums of (M.3) and (M.4) of
-// hex8_motions.h over one sector.
+// Sums of (M.3) and (M.4) of hex8_motions.h over one sector, for harmonic motions about a state
+// that is the same in all sectors.
 //
 // A mode of circumferential number n moves sector s by Re(phi exp(i n theta_s)). Its energy over
-// the ring is that of the real and of the imaginary part of phi in one sector, times the number of
-// sectors, and its effect on the state is again the same in all sectors. So an element is evaluated
-// with these parts side by side, the modes in its lanes.
+// the ring is the energy of the real and of the imaginary part of phi in one sector, times the
+// number of sectors. Its effect on the state is again the same in all sectors. Each element is
+// therefore evaluated with these parts as motions, several modes at once in the lanes of a
+// register.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +19,7 @@
 
 namespace latsch::fe_tire {
 
-/// A mode over the unknowns of a sector, with unit mass there.
+/// A mode as a vector of the unknowns of a sector, with unit mass in this sector.
 struct HarmonicShape {
   int n = 0;
   double frequency = 0.0;  // Hz
@@ -27,33 +28,35 @@ struct HarmonicShape {
 
 class SectorMotions {
  public:
-  /// Largest number of modes at a time: each has two parts, and there are as many parts as lanes.
+  /// Largest number of modes at a time. Each mode has two parts, and there are as many parts as
+  /// lanes.
   static constexpr std::size_t kMost = ElementMotion::kMost * ElementBatch::kLanes / 2;
 
-  /// Keeps references to the elements, whose sectors must be equally wide, to the state and to the
-  /// modes.
+  /// The object keeps references to the elements, whose sectors must be equally wide, to the state
+  /// and to the modes.
   SectorMotions(const RingElements& elements,
                 const Inflated& at,
                 std::span<const HarmonicShape> modes);
 
-  /// Computes D3W[phi, phi, .] of every mode [sector unknowns x modes]. Returns false if an element
-  /// has no state.
+  /// Computes the third derivative D3W[phi, phi, .] of the energy W for every mode phi [sector
+  /// unknowns x modes]. Returns false if an element is inverted.
   bool curvatures(Eigen::MatrixXd& g);
 
-  /// Computes d/dp of D2W[phi~, phi~] - omega^2 phi.M phi + DW[along~] of every mode and number
-  /// [modes x numbers] with motions held; `along` is [sector unknowns x modes]. Call it after
-  /// curvatures(). Returns false if an element has no state.
+  /// Computes the derivative of D2W[phi~, phi~] - omega^2 phi^T M phi + DW[along~] with respect to
+  /// every parameter, for every mode, with constant motions [modes x parameters]. `along` is
+  /// [sector unknowns x modes]. curvatures() must have been called before. Returns false if an
+  /// element is inverted.
   bool slopes(const Eigen::MatrixXd& along,
               const std::vector<MovedNumber>& numbers,
               Eigen::MatrixXd& sums);
 
  private:
   static constexpr std::size_t kLanes = ElementBatch::kLanes;
-  /// Content of a lane: the real or imaginary part of a mode.
+  /// Motion in a lane: the real or the imaginary part of a mode.
   struct Part {
     std::size_t mode;
     bool is_imaginary;
-    double share;  // weight in the sum over the mode's parts
+    double share;  // weight of the part in the sum over the mode's parts
   };
   std::size_t lanes_of(std::size_t motion) const;
   void set_batch(int element, ElementBatch& batch) const;
@@ -72,7 +75,7 @@ class SectorMotions {
   struct Alphas {
     double mode[8][kLanes], second[8][kLanes];
   };
-  std::vector<Alphas> alphas_;  // for every element and motion
+  std::vector<Alphas> alphas_;  // enhanced strains for every element and motion
 };
 
 }  // namespace latsch::fe_tire

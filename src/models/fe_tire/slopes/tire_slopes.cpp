@@ -35,7 +35,7 @@ Result<TireSlopes::OfInflated> TireSlopes::of_inflated(const Inflated& inflated)
   return all.inflated->slopes;
 }
 
-/// Solves (S.1) on one sector.
+/// Computes the derivatives (S.1) of the inflated state on one sector.
 Result<TireSlopes::Impl::AtInflated> TireSlopes::Impl::solve_inflated(const Inflated& at) {
   const RingElements& elements = base.even_elements();
   const Ring& ring = elements.ring();
@@ -78,7 +78,7 @@ Result<TireSlopes::Impl::AtInflated> TireSlopes::Impl::solve_inflated(const Infl
   return found;
 }
 
-/// Returns the varied tires inflated, to first order.
+/// Returns the inflated states of the tires with decreased and increased parameter, to first order.
 std::pair<Inflated, Inflated> TireSlopes::Impl::moved_inflated(const Inflated& at,
                                                                const Eigen::VectorXd& x_slope,
                                                                int k) const {
@@ -113,8 +113,8 @@ Result<TireSlopes::OfMass> TireSlopes::of_mass(const Inflated& inflated) {
 
 namespace {
 
-/// Returns the complex shape of a harmonic mode over a sector from its shape on the ring: plane s
-/// has the real part of phi exp(i n theta_s).
+/// Returns the complex shape of a harmonic mode over a sector, from its shape on the ring: section
+/// plane s has the real part of phi exp(i n theta_s).
 Eigen::VectorXcd sector_shape(const Ring& even, const Mesh& mesh, const Mode& mode) {
   const int n = mesh.nodes_per_sector();
   const Eigen::VectorXd first = even.compress(mode.shape.leftCols(n));
@@ -134,7 +134,8 @@ double quadratic(const numerics::BandedHermitian& A, const Eigen::VectorXcd& phi
   return phi.dot(product.col(0)).real();
 }
 
-/// Returns the nearest mode of the same circumferential number, or `mode` itself if none is near.
+/// Returns the mode of the same circumferential number with the nearest frequency, or `mode` itself
+/// if none is near.
 const Mode& nearest(const std::vector<Mode>& modes, const Mode& mode) {
   const Mode* found = &mode;
   double least = 1e-5 * mode.frequency;
@@ -147,13 +148,13 @@ const Mode& nearest(const std::vector<Mode>& modes, const Mode& mode) {
   return *found;
 }
 
-/// True if b is the other member of a's pair.
+/// Returns true if a and b are the two modes of a pair.
 bool are_pair(const Mode& a, const Mode& b) {
   return a.n > 0 && a.n == b.n && a.frequency == b.frequency;
 }
 
-/// Returns shapes over a sector, solved to kSharp, one for each pair. `of_mode` is the index of
-/// each mode's shape.
+/// Returns shapes over a sector with the accuracy kSharp, one for each pair of modes. `of_mode` is
+/// the index of each mode's shape.
 Result<std::vector<HarmonicShape>> sharp_shapes(const Varied::Base& base,
                                                 const Inflated& at,
                                                 const std::vector<Mode>& modes,
@@ -182,7 +183,7 @@ Result<std::vector<HarmonicShape>> sharp_shapes(const Varied::Base& base,
 
 }  // namespace
 
-/// Computes (S.3) on one sector.
+/// Computes the derivatives (S.3) of modes on one sector.
 Result<Eigen::MatrixXd> TireSlopes::of_modes(const Inflated& at, const std::vector<Mode>& modes) {
   Impl& all = *impl_;
   if (const auto of_x = of_inflated(at); !of_x) return of_x.failure();

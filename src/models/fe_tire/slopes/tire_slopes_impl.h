@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internals of slopes: of the inflated tire on one sector (tire_slopes.cpp), and of states on the
-// ground (loaded_slopes.cpp; their patch: patch_slopes.cpp).
+// Internals of TireSlopes, which computes derivatives of the inflated tire on one sector
+// (tire_slopes.cpp), of states on the ground (loaded_slopes.cpp), and of their contact patch
+// (patch_slopes.cpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -34,10 +35,14 @@ struct TireSlopes::Impl {
   struct Tangent {
     numerics::SymmetricMatrix K;
     numerics::Factorization factor;
-    std::optional<TireState> of;  // none: the tangent is not positive definite
+    // State to which the tangent belongs; not set if the tangent is not positive definite.
+    std::optional<TireState> of;
   };
-  std::map<const Systems*, Tangent> own_tangents;  // tangents of the last state that needed one
-  /// w of (S.2) at the intermediate states of a path, found while the solver's factor was near.
+  // Factorized tangents about the last state for which the solver's own factorization could not be
+  // used.
+  std::map<const Systems*, Tangent> own_tangents;
+  /// Solution w of (S.2) at an intermediate state of a path, computed while the solver's
+  /// factorization was near.
   struct Passed {
     TireState state;
     Eigen::VectorXd w;
@@ -51,42 +56,44 @@ struct TireSlopes::Impl {
     base.on_passing = [this](Systems& all, const TireState& state) { pass(all, state); };
   }
   ~Impl() { base.on_passing = nullptr; }
-  Impl(const Impl&) = delete;  // the tire refers to this object
+  Impl(const Impl&) = delete;  // not copied, because the tire refers to this object
   int count() const { return static_cast<int>(variations.size()); }
 
-  /// Pressure of a varied tire, Pa, if the tire itself is under `pressure`.
+  /// Returns the pressure, Pa, of the tire with a changed parameter, if the unchanged tire is under
+  /// `pressure`.
   double pressure_of(int k, const VariedTire& tire, double pressure) const {
     return variations[k].moves_pressure ? tire.pressure : pressure;
   }
 
   Result<AtInflated> solve_inflated(const Inflated& at);
-  /// Slopes in rad^2/s^2 per unit [modes x variables] of at most SectorMotions::kMost modes. Call
-  /// it after of_inflated().
+  /// Returns derivatives of omega^2 in rad^2/s^2 per unit [modes x parameters] of at most
+  /// SectorMotions::kMost modes. of_inflated() must have been called before.
   Result<Eigen::MatrixXd> of_harmonic_modes(const Inflated& at,
                                             std::span<const HarmonicShape> modes);
   std::pair<Inflated, Inflated> moved_inflated(const Inflated& at,
                                                const Eigen::VectorXd& x_slope,
                                                int k) const;
   void pass(Systems& all, const TireState& state);
-  /// Computes w of (S.2) with the right-hand side df/dh.
+  /// Computes w of (S.2) for the right-hand side df/dh.
   Result<Eigen::VectorXd> motion_by_height(Systems& all,
                                            const TireState& state,
                                            const Eigen::VectorXd& f_h);
-  /// Storage in which the tangent about a state can be assembled and factorized.
+  /// Returns the memory in which the tangent about a state can be assembled and factorized.
   Tangent& tangent_for(Systems& all);
-  /// Returns the factorization of the tangent about a state: that of its modes if they were
+  /// Returns the factorization of the tangent about a state: that used for its modes, if they were
   /// computed, or a new one.
   Result<const numerics::Factorization*> factor(Systems& all, const TireState& state);
-  /// Returns the given modes with shapes solved to kSharp.
+  /// Returns the given modes with shapes of the accuracy kSharp.
   Result<std::vector<Mode>> sharpened_modes(const TireState& state, std::vector<Mode> modes);
   Result<Eigen::MatrixXd> of_some_modes(const TireState& state,
                                         const std::vector<Mode>& modes,
                                         const Eigen::VectorXd& height);
-  /// Selects the elements of the pressed ring, or of the ring with equally wide sectors.
+  /// Selects the elements: those of the ring that is pressed on the ground, or of the ring with
+  /// equally wide sectors.
   enum class OfRing { pressed, even };
   std::vector<MovedNumber> moved_numbers(OfRing of, double pressure) const;
-  /// Adds the contribution of the tread of a varied tire with another shape to the sums. `change`
-  /// computes it [motions] from the touching points and their forces.
+  /// Adds the contribution of the tread, if a parameter changes its shape, to the sums. `change`
+  /// computes this contribution [motions] from the touching points and their forces.
   using TouchChange = std::function<Eigen::VectorXd(const TreadSurface& tread,
                                                     const std::vector<TreadContact::Touch>& touches,
                                                     const Eigen::VectorXd& forces)>;
@@ -95,28 +102,30 @@ struct TireSlopes::Impl {
                  const TireState& state,
                  const TouchChange& change,
                  Eigen::MatrixXd& sums);
-  /// Computes dx/dp of (S.1) of a state on the ground [unknowns x variables].
+  /// Computes the derivative dx/dp of a state on the ground by (S.1) [unknowns x parameters].
   Result<Eigen::MatrixXd> moved_state(Systems& all,
                                       const TireState& state,
                                       const Eigen::VectorXd& height);
-  /// Patch with number k moved to a side, -1 or 1, and the state moved with it to first order.
+  /// Returns the contact patch for parameter k decreased (-1) or increased (1), with the state
+  /// moved to first order.
   ContactPatch patch_beside(Systems& all,
                             const TireState& state,
                             const Eigen::VectorXd& x,
                             double height,
                             int k,
                             double side);
-  /// Returns df/dh and -dFz/dh|x of the assembled sectors.
+  /// Returns df/dh and -dFz/dh at constant x for the assembled sectors.
   std::pair<Eigen::VectorXd, double> by_height(Systems& all, const TireState& state) const;
 };
 
-/// Value of SolverSettings::mode_tolerance for shapes from which slopes are computed.
+/// Accuracy of the mode shapes from which slopes are computed; it is used as
+/// SolverSettings::mode_tolerance.
 inline constexpr double kSharp = 3e-8;
 
-/// Returns the failure reported if an element has no state while a number moves.
+/// Returns the Failure for an element that is inverted if a parameter changes.
 Failure beside_state();
 
-/// Converts a slope of omega^2, rad^2/s^2 per unit, to Hz per unit.
+/// Converts a derivative of omega^2, rad^2/s^2 per unit, to one of the frequency, Hz per unit.
 double to_hertz_slope(double omega_squared_slope, double frequency);
 
 }  // namespace latsch::fe_tire

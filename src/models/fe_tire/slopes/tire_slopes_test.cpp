@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests slopes against differences of whole trials, each solved anew, extrapolated to a step of
-// zero. Steps can be wide because the set of touching points is held to that of the unchanged tire.
+// Tests slopes against finite differences of complete computations, extrapolated to a step of zero.
+// Steps may be wide, because exactly those points are kept in contact that touch for the unchanged
+// tire.
 #include "models/fe_tire/slopes/tire_slopes.h"
 
 #include <gtest/gtest.h>
@@ -26,11 +27,11 @@ TireDescription tire_for_slopes() {
   return tire;
 }
 
-/// A number of the description.
+/// A parameter of the tire's description.
 struct Number {
   const char* name;
   std::function<double&(TireDescription&)> of;
-  double size;  // unit of which a step is a share
+  double size;  // typical size of the parameter, to which the step is proportional
 };
 
 std::vector<Number> numbers() {
@@ -78,7 +79,7 @@ std::vector<Variation> variations() {
   return all;
 }
 
-/// Returns a tire that is solved to the last digits.
+/// Returns a tire that is solved to nearly all digits.
 FeTire at_rest(const TireDescription& tire, double mode_tolerance) {
   SolverSettings settings;
   settings.tolerance = 1e-11;
@@ -90,7 +91,7 @@ constexpr int kWidth = 4, kModesFrom = 8, kAnswers = kModesFrom + 2 * kModes;
 
 const std::vector<double> kDeflections = {0.008, 0.015};
 
-/// Presses the tire to the deflections, held at each of them on these points.
+/// Presses the tire to the deflections. At each of them exactly the given points are in contact.
 std::vector<TireState> pressed(FeTire& tire,
                                const Inflated& inflated,
                                const std::vector<TouchingPoints>& held) {
@@ -106,7 +107,8 @@ std::vector<TireState> pressed(FeTire& tire,
 }
 
 /// Returns radius, growth, loads at two deflections, section width, mass, moments of inertia, and
-/// frequencies free and loaded, all solved so accurately that differences do not enlarge the error.
+/// frequencies of the free and the loaded tire. All are so accurate that their differences can be
+/// divided by the step.
 Eigen::VectorXd answers(const TireDescription& description,
                         const std::vector<TouchingPoints>& held) {
   FeTire tire = at_rest(description, 1e-9);
@@ -127,7 +129,7 @@ Eigen::VectorXd answers(const TireDescription& description,
   return all;
 }
 
-/// Returns central differences of two steps, with an error of order h^4.
+/// Returns derivatives by central differences with two steps, with an error of order h^4.
 Eigen::VectorXd differences(const Number& number, const std::vector<TouchingPoints>& held) {
   const auto central = [&](double share) {
     const double h = share * number.size;
@@ -138,7 +140,8 @@ Eigen::VectorXd differences(const Number& number, const std::vector<TouchingPoin
   return (4.0 * central(0.5 * kStep) - central(kStep)) / 3.0;
 }
 
-// Mode shapes have the accuracy of plain trials; the slopes must refine them as needed.
+// The given mode shapes have only the accuracy of an ordinary trial. The slopes must improve them
+// as needed.
 TEST(TireSlopes, AreThoseOfWholeTrials) {
   const TireDescription description = moved(numbers()[0], 0.0);
   FeTire tire = at_rest(description, SolverSettings().mode_tolerance);
@@ -160,7 +163,7 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
   for (int k = 0; k < 2; ++k) {
     const auto of_state = slopes.of_state((*states)[k]);
     ASSERT_TRUE(of_state);
-    // A held deflection counts from the inflated radius.
+    // The deflection is constant, but it is measured from the inflated radius, which changes.
     found.row(2 + k) = of_state->force + of_state->by_height * of_inflated->radius;
   }
   const auto of_mass = slopes.of_mass(*inflated);
@@ -180,15 +183,16 @@ TEST(TireSlopes, AreThoseOfWholeTrials) {
     const Number number = numbers()[k];
     const Eigen::VectorXd expected = differences(number, touching);
     for (int i = 0; i < found.rows(); ++i) {
-      // The error is relative to the change by the number's own size, or to the value itself.
+      // The error is relative to the change of the result if the parameter changes by its own size,
+      // or to the result itself.
       const double size = std::max(std::abs(expected[i]), 1e-2 * std::abs(values[i]) / number.size);
       EXPECT_NEAR(found(i, k), expected[i], 1e-6 * size) << number.name << ", answer " << i;
     }
   }
 }
 
-// The slopes of the first of two states use the factor that led there, or one of their own. The
-// path is the same in both cases.
+// The slopes of the first of two states are computed with the factorization on the path, or with a
+// new one. The path is the same in both cases.
 TEST(TireSlopes, OfAStateThatIsPassedAreThoseFoundAfterwards) {
   const TireDescription description = moved(numbers()[0], 0.0);
   std::vector<TireState> states;
@@ -214,7 +218,7 @@ TEST(TireSlopes, OfAStateThatIsPassedAreThoseFoundAfterwards) {
   EXPECT_TRUE(((forces[0] - forces[1]).array().abs() <= 1e-7 * forces[1].array().abs()).all());
 }
 
-/// Returns the state that carries a load, by Newton's method with exact slopes.
+/// Returns the state that carries the given load, by Newton's method with exact derivatives.
 TireState carrying(FeTire& tire, TireSlopes& slopes, double pressure, double load) {
   const auto inflated = tire.inflate(pressure);
   auto states = tire.press(*inflated, Ground{}, {0.008, 0.016});
@@ -235,7 +239,7 @@ TireState carrying(FeTire& tire, TireSlopes& slopes, double pressure, double loa
 
 constexpr double kLoad = 3000.0;  // N
 
-/// Returns deflection, length, width and area under the load.
+/// Returns deflection, length, width and area of the patch under the load.
 Eigen::Vector4d under_load(const TireDescription& description) {
   FeTire tire = at_rest(description, 1e-5);
   TireSlopes slopes(tire, {});
@@ -259,19 +263,20 @@ TEST(TireSlopes, OfDeflectionAndPatchUnderALoadAreThoseOfWholeTrials) {
   const Eigen::Vector4d values = under_load(description);
   for (int k = 0; k < slopes.variables(); ++k) {
     const Number number = numbers()[k];
-    if (std::string(number.name) == "density") continue;  // has no effect on the load
+    if (std::string(number.name) == "density") continue;  // the density has no effect on the load
     const auto differences = [&](double h) {
       return Eigen::Vector4d((under_load(moved(number, h)) - under_load(moved(number, -h))) /
                              (2.0 * h));
     };
-    // Runs of samples that touch begin and end: the patch is only piecewise smooth, and steps stay
-    // within one piece.
+    // The patch is only piecewise smooth, because lines of touching samples begin and end. The
+    // steps are small enough to stay within one piece.
     Eigen::Vector4d expected = differences(2e-5 * number.size);
     expected[0] = differences(2e-4 * number.size)[0];
     const Eigen::Vector4d found{
         deflection[k], of_patch->length[k], of_patch->width[k], of_patch->area[k]};
     for (int i = 0; i < 4; ++i) {
-      // Central differences leave an error of 1e-5; the patch has more curvature.
+      // Central differences have an error of 1e-5; for the patch, whose second derivative is
+      // larger, the tolerance is wider.
       const double size = std::max(std::abs(expected[i]), 1e-2 * values[i] / number.size);
       EXPECT_NEAR(found[i], expected[i], (i == 0 ? 1e-5 : 1e-3) * size) << number.name << ' ' << i;
     }

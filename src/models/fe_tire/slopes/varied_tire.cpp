@@ -13,8 +13,8 @@ bool same_rebars(const Element& a, const Element& b) {
   });
 }
 
-/// True if shape, walls and positions of cords of an element are the same in two meshes of one
-/// topology.
+/// Returns true if the shape, the walls and the positions of the cords of an element are the same
+/// in two meshes of equal topology.
 bool same_element(const Mesh& mesh, const Mesh& base, std::size_t e) {
   const Element &a = mesh.elements[e], &b = base.elements[e];
   const int n = base.nodes_per_sector();

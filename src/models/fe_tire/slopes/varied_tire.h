@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A varied tire (tire_slopes.h) with its elements. It shares what the base tire already has, and
-// knows for every element which parts the moved number changes. The other parts have zero slope and
-// are not evaluated.
+// A tire with a changed parameter (tire_slopes.h) and its elements. It shares what does not change
+// with the base tire, and knows for every element which parts the parameter changes. The other
+// parts have zero derivatives and are not evaluated.
 #pragma once
 
 #include <optional>
@@ -17,30 +17,32 @@ struct Varied {
   using Base = FeTire::Impl;
   const VariedTire& tire;
   bool same_shape;
-  std::optional<Ring> own_ring, own_even;  // only if its shape differs
+  std::optional<Ring> own_ring, own_even;  // rings of its own; set only if its shape differs
   std::optional<RingElements> elements, even_elements;
-  std::vector<MovedNumber::Parts> parts;  // parts of the section's elements that differ
+  std::vector<MovedNumber::Parts> parts;  // parts of each element of the section that differ
 
-  Varied(const Varied&) = delete;  // elements refer to their ring
+  Varied(const Varied&) = delete;  // not copied, because elements refer to their ring
   Varied(const VariedTire& varied, const Base& base);
 
   const RingElements& even() const { return even_elements ? *even_elements : *elements; }
   const Ring& ring() const { return elements->ring(); }
 };
 
-/// The tread of a varied tire with another shape, on the unknowns of the base tire.
+/// Tread surface of a tire whose changed parameter changes its shape, with the numbering of the
+/// base tire.
 struct VariedTread {
   RingUnknowns unknowns;
   TreadSurface surface;
 
-  VariedTread(const VariedTread&) = delete;  // the surface refers to its unknowns
+  // Not copied, because the surface refers to the unknowns.
+  VariedTread(const VariedTread&) = delete;
   VariedTread(const Varied& varied, const Systems& all, Varied::Base& base, bool is_halved);
 };
 
-/// The tires with a number moved to either side.
+/// The two tires with a decreased and an increased parameter.
 struct VariedPair {
   Varied below, above;
-  std::vector<MovedNumber::Parts> parts;  // parts that differ on either side
+  std::vector<MovedNumber::Parts> parts;  // parts of each element that differ in either tire
   VariedPair(const Variation& variation, const Varied::Base& base);
 };
 

@@ -12,7 +12,7 @@
 namespace latsch::magic_formula {
 
 void InputExtremes::add(const State& s) {
-  if (!(s.Fz > 0.0)) return;  // in the air
+  if (!(s.Fz > 0.0)) return;  // the tire is in the air
   Fz.add(s.Fz);
   kappa.add(s.kappa);
   alpha.add(s.alpha);
@@ -33,7 +33,8 @@ void InputExtremes::add(const InputExtremes& other) {
 
 namespace {
 
-/// Says that a load lies beyond the curve of the file; empty if it does not.
+/// Returns a sentence if a load exceeds the last point of the file's deflection-load curve,
+/// otherwise an empty text.
 std::string beyond_curve(const InputExtremes& inputs, const Parameters& p) {
   constexpr double kRounding = 1e-9;
   const double most = std::max(inputs.Fz.to, inputs.standing.to);
@@ -101,7 +102,8 @@ std::vector<std::string> ranges_left(const InputExtremes& inputs, const Paramete
   below("gamma", inputs.gamma.from, "CAMMIN", p.CAMMIN, kDegrees, " deg");
   above("The pressure", inputs.p.to, "PRESMAX", p.PRESMAX, 1e-5, " bar");
   below("The pressure", inputs.p.from, "PRESMIN", p.PRESMIN, 1e-5, " bar");
-  constexpr double kStands = 0.5;  // m/s; a tire that is slower is meant to stand or to be parked
+  // Speed, m/s. A test in which the tire is never faster is meant for a standing or parked tire.
+  constexpr double kStands = 0.5;
   if (inputs.speed.to > kStands && inputs.speed.to < p.VXLOW)
     sentences.push_back(
         fmt::format("The tire rolls at {:.3g} m/s at most in this test, below VXLOW = {:.3g} m/s "

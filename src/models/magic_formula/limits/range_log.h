@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extremes of the inputs that a rolling tire passes to the formula, and the ranges of its file that
-// they leave. The formula limits its inputs to these ranges, so its forces beyond them are those at
-// the limit, which a user has to know.
+// Records the extremes of the inputs that a rolling tire passes to the Magic Formula, and reports
+// which ranges of its file they leave. The formula clamps its inputs to these ranges, so beyond
+// them its forces are those at the limit. A report of them warns the user.
 #pragma once
 
 #include <memory>
@@ -26,20 +26,19 @@ struct Extremes {
 };
 
 struct InputExtremes {
-  Extremes Fz, kappa, alpha, gamma, p, speed;  // SI; speed is |Vx|
-  Extremes standing;                           // N, loads of a tire that stands
+  Extremes Fz, kappa, alpha, gamma, p, speed;  // SI units; `speed` is |Vx|
+  Extremes standing;                           // N, loads of a standing tire
 
   void add(const State& state);
   void add(const InputExtremes& other);
 };
 
-/// Returns a sentence for every range of the file that was left, and for a load beyond its
-/// [DEFLECTION_LOAD_CURVE]; empty if none was. A load below
-/// FZMIN and a speed below VXLOW count if they never rise above it, because a tire may lift off and
-/// start from rest.
+/// Returns one sentence for every range of the file that was left, and one for a load beyond its
+/// [DEFLECTION_LOAD_CURVE]; empty if there are none. A load below FZMIN or a speed below VXLOW is
+/// reported only if it never exceeds this limit, because a tire may lift off and start from rest.
 std::vector<std::string> ranges_left(const InputExtremes& inputs, const Parameters& parameters);
 
-/// Collects the extremes of several tires, which may be in several threads.
+/// Collects the extremes of the inputs of several tires. It may be used by several threads.
 class RangeLog {
  public:
   void add(const State& state);
@@ -52,8 +51,9 @@ class RangeLog {
   InputExtremes inputs_;
 };
 
-/// Member of a tire that records its inputs and is copied with its state. It passes them to the log
-/// at its end, so that inputs of a rejected step, whose tire was overwritten, do not count.
+/// Member of a tire that records the tire's inputs and is copied with the tire's state. Its
+/// destructor passes the inputs to the log. If a step is rejected, the tire is overwritten by its
+/// former state, so the inputs of this step are not counted.
 class RangeWatch {
  public:
   explicit RangeWatch(std::shared_ptr<RangeLog> log) : log_(std::move(log)) {}
@@ -72,7 +72,7 @@ class RangeWatch {
   InputExtremes inputs_;
 };
 
-/// True if a coefficient of the file lets the forces depend on the inflation pressure.
+/// Returns true if a coefficient of the file makes the forces depend on the inflation pressure.
 bool pressure_acts(const Parameters& parameters);
 
 }  // namespace latsch::magic_formula

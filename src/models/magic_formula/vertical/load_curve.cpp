@@ -21,8 +21,8 @@ double force_on_curve(const Parameters& p, double rho) {
 double force_on_curve_with_spring(const Parameters& p, double rho, double k) {
   if (!(rho > 0.0)) return 0.0;
   const auto &x = p.curve_deflection, &F = p.curve_force;
-  // The deflection without the share of the spring grows along the curve, because k is greater than
-  // every slope.
+  // Finds the line of the curve. x - F/k is the deflection of the curve without that of the series
+  // spring; it increases along the curve, because k is greater than every slope.
   std::size_t i = 1;
   while (i + 1 < x.size() && x[i] - F[i] / k < rho) ++i;
   const double C = slope_of_line(p, i);

@@ -21,18 +21,18 @@ namespace latsch::magic_formula {
 
 inline bool has_load_curve(const Parameters& p) { return !p.curve_deflection.empty(); }
 
-/// Returns the number of the point at the upper end of the line that holds x; the last line holds
-/// everything beyond.
+/// Returns the index of the point at the upper end of the line that contains x. Values beyond the
+/// last point belong to the last line.
 inline std::size_t line_of(const std::vector<double>& points, double x) {
   const auto above = std::upper_bound(points.begin(), points.end(), x) - points.begin();
   return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above, 1, std::ssize(points) - 1));
 }
 
-/// Returns the force, N, at a deflection, m; 0 without deflection.
+/// Returns the force, N, at the deflection `rho`, m; 0 if rho is not positive.
 double force_on_curve(const Parameters& p, double rho);
 
-/// Returns the deflection, m, that carries a force, N; the slope at a point is that of the line
-/// above it. K is double or DualNumber.
+/// Returns the deflection, m, at which the tire carries a force, N. At a point of the curve its
+/// derivative is that of the line above the point. K is double or DualNumber.
 template <class K>
 K deflection_on_curve(const Parameters& p, const K& Fz) {
   const auto &x = p.curve_deflection, &F = p.curve_force;
@@ -40,19 +40,20 @@ K deflection_on_curve(const Parameters& p, const K& Fz) {
   return x[i - 1] + (Fz - F[i - 1]) * ((x[i] - x[i - 1]) / (F[i] - F[i - 1]));
 }
 
-/// Returns the force, N, if a spring of stiffness k, N/m, is in series with the curve and both
-/// together are pressed by rho, m. The spring is stiffer than every line of the curve.
+/// Returns the force, N, of the curve in series with a linear spring of stiffness k, N/m, if both
+/// together are compressed by rho, m. The spring must be stiffer than every line of the curve.
 double force_on_curve_with_spring(const Parameters& p, double rho, double k);
 
-/// Returns the stiffness at the nominal load, N/m: the slope of the curve there; for a file without
-/// a curve VERTICAL_STIFFNESS.
+/// Returns the stiffness at the nominal load, N/m: the slope of the curve there, or
+/// VERTICAL_STIFFNESS if the file has no curve.
 double nominal_stiffness(const Parameters& p);
 
-/// Returns the slope of the first line of the curve, N/m: the secant stiffness without a load.
+/// Returns the slope of the first line of the curve, N/m, which is the secant stiffness at zero
+/// load.
 double initial_stiffness(const Parameters& p);
 
-/// Returns the stiffness of the steepest line of the curve, N/m; for a file without a curve
-/// VERTICAL_STIFFNESS.
+/// Returns the slope of the steepest line of the curve, N/m, or VERTICAL_STIFFNESS if the file has
+/// no curve.
 double greatest_stiffness(const Parameters& p);
 
 }  // namespace latsch::magic_formula

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curve of a file is the vertical force of every model, and its inverse their deflection.
+// Tests that the deflection-load curve of a file is the vertical force in every version of the
+// formula, and that the deflection is its inverse.
 #include "models/magic_formula/vertical/load_curve.h"
 
 #include <gtest/gtest.h>
@@ -14,11 +15,12 @@
 namespace latsch::magic_formula {
 namespace {
 
-/// 200 N/mm up to 10 mm, 300 N/mm beyond; ends at 5 kN.
+/// Returns a tire with a curve of 200 N/mm up to 10 mm and 300 N/mm beyond, whose last point is at
+/// 5 kN.
 Parameters curved_tire(Version version) {
   Parameters p = round_tire();
   p.version = version;
-  p.Q_FZ2 = 10.0;  // has no effect, as the curve replaces the formula
+  p.Q_FZ2 = 10.0;  // this coefficient must have no effect, because the curve replaces the formula
   p.PFZ1 = 0.7;
   p.Q_FCX = 0.5;
   p.curve_deflection = {0.0, 0.01, 0.02};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Energy that the belt's damping (30) takes from a moving tire.
+// Tests how much energy the belt's damping (30) dissipates in a moving tire.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -15,7 +15,7 @@
 namespace latsch::ring_tire {
 namespace {
 
-/// Returns a ring with no other losses.
+/// Returns a ring without losses other than the belt's damping; `time` is the damping time in s.
 RingParameters losing_in_the_belt(double time) {
   RingParameters ring = passenger_ring();
   for (SidewallElement* e :
@@ -27,7 +27,8 @@ RingParameters losing_in_the_belt(double time) {
   return ring;
 }
 
-// A tire in the air struck in the shape of a mode loses 1 - exp(-2 D ω t) of its energy.
+// A tire in the air is given velocities in the shape of a mode. After the time t it has lost the
+// share 1 - exp(-2 D ω t) of this energy.
 TEST(BeltLoss, AStruckTireLosesTheEnergyThatItsModesDampingSays) {
   const RingParameters ring = losing_in_the_belt(2e-5);
   for (const int n : {3, 6}) {
@@ -52,17 +53,18 @@ TEST(BeltLoss, AStruckTireLosesTheEnergyThatItsModesDampingSays) {
       ASSERT_TRUE(tire.advance(motion, road::PlaneRoad(), i * h, h));
     const double kept = std::exp(-4.0 * std::numbers::pi * mode.damping * periods);
     EXPECT_LT(kept, 0.9);
-    // 1 % of the exponent: the shape is that of nodes, not of knots, and of first order.
+    // The tolerance is 1 % of the exponent. The mode shape is valid to first order only, and it is
+    // given at the nodes instead of the belt's knots.
     EXPECT_NEAR(std::log((tire.energy() - rest) / struck), std::log(kept), -0.01 * std::log(kept));
   }
 }
 
-// The wheel spins in the air and rolls on the ground: in the air there is no drag, on the ground it
-// grows with the damping time.
+// The wheel spins in the air or rolls on the ground. In the air there must be no drag; on the
+// ground the drag must grow with the damping time.
 TEST(BeltLoss, RollsAgainstItsOwnBendingAlone) {
   const auto drag = [&](double time, bool loaded) {
     RingParameters ring = losing_in_the_belt(time);
-    if (!loaded)  // initial vibrations decay soon
+    if (!loaded)  // lets initial vibrations decay
       for (SidewallElement* e :
            {&ring.sidewall.radial, &ring.sidewall.tangential, &ring.sidewall.lateral})
         e->damping = 1000.0;
@@ -84,7 +86,7 @@ TEST(BeltLoss, RollsAgainstItsOwnBendingAlone) {
     }
     return sum / 200.0;  // W
   };
-  // The remaining drag without the damping is that of the time steps.
+  // The drag that remains without damping is caused by the time steps.
   EXPECT_NEAR(drag(5e-4, false), drag(0.0, false), 1e-6);
   const double none = drag(0.0, true), some = drag(2e-4, true), more = drag(4e-4, true);
   EXPECT_GT(some - none, 5.0);

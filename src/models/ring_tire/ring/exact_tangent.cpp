@@ -33,7 +33,7 @@ Eigen::Index patch_row(const PatchSlopes& patch,
          of % kModes;
 }
 
-/// Computes E among the unknowns of the patches.
+/// Computes the matrix E among the unknowns of the contact patches.
 void ExactTangent::find_left_out(const SectionBending& section,
                                  const std::vector<PatchSlopes>& exact,
                                  const CyclicBand& approximate,

@@ -24,8 +24,9 @@ Footprint standing_footprint(const RingParameters& ring, double depth, double he
   return *print;
 }
 
-/// Returns a ring whose belt and sidewall yield by less than a thousandth of the rubber: blocks on
-/// a wheel of radius 316 mm with a crown of 600 mm.
+/// Returns a ring whose belt and sidewall deform by less than a thousandth of the rubber's
+/// compression. The tread blocks are then on a rigid wheel with a radius of 316 mm and a crown
+/// radius of 600 mm.
 RingParameters rigid_wheel() {
   RingParameters ring = passenger_ring();
   ring.belt.extension = 1e9;
@@ -38,9 +39,9 @@ RingParameters rigid_wheel() {
   return ring;
 }
 
-// The depth below the road is δ - x²/2R - y²/2R': an ellipse. Blocks are 1.2 mm long, lines 4 mm
-// wide. The outline is linear between them, which shortens an arc by an eighth of their square over
-// R δ.
+// The depth of penetration is δ - x²/2R - y²/2R', so the footprint is an ellipse. Blocks are 1.2 mm
+// long, and lines of blocks are 4 mm wide. The outline is linear between them, which shortens an
+// arc by an eighth of their square over R δ.
 TEST(RingFootprint, OfARigidWheelIsAnEllipse) {
   const double R = 0.316, crown = 0.6, depth = 0.003;
   const Footprint print = standing_footprint(rigid_wheel(), depth);
@@ -50,7 +51,8 @@ TEST(RingFootprint, OfARigidWheelIsAnEllipse) {
   EXPECT_NEAR(print.area, std::numbers::pi * a * b, 0.01 * a * b * std::numbers::pi);
 }
 
-// The sum over the elements is the load, and their positions are inside the patch below the axle.
+// The forces on all elements of the footprint must add up to the load, and their positions must lie
+// in the patch below the axle.
 TEST(RingFootprint, CarriesTheLoadBelowTheAxle) {
   const Footprint print = standing_footprint(passenger_ring(), 0.02);
   double load = 0.0, x = 0.0, y = 0.0;
@@ -67,7 +69,8 @@ TEST(RingFootprint, CarriesTheLoadBelowTheAxle) {
   EXPECT_NEAR(print.width, 0.16, 1e-9);
 }
 
-// Load steps of one percent move the outline by about as much, never by a block of 2.4 mm.
+// If the load grows by one percent, the outline must move by about as much, and never by the length
+// of a block, 2.4 mm.
 TEST(RingFootprint, GrowsSmoothlyWithTheDeflection) {
   double last = standing_footprint(passenger_ring(), 0.0195).length;
   for (const double depth : {0.0197, 0.0199, 0.0201, 0.0203, 0.0205}) {
@@ -78,7 +81,7 @@ TEST(RingFootprint, GrowsSmoothlyWithTheDeflection) {
   }
 }
 
-// Length is measured along the wheel, whatever its heading is.
+// Length is measured along the heading of the wheel, so it must not depend on this heading.
 TEST(RingFootprint, TurnsWithTheWheel) {
   const Footprint ahead = standing_footprint(passenger_ring(), 0.02),
                   aside = standing_footprint(passenger_ring(), 0.02, 1.2);

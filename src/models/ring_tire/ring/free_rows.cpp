@@ -129,7 +129,7 @@ Result<HubForces> RingTire::advance_free(
   return hub_forces(motion.carrier);
 }
 
-/// Changes Newton's step of the belt to that of belt and wheel.
+/// Extends Newton's step of the belt to the step of belt and free wheel.
 bool RingTire::correct_wheel() {
   if (!free_->correct(rim_, q1_, residual_)) return false;
   rim_ = RimFrame::of(free_->motion());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A free wheel (models/tire/free_wheel.h) adds one or two unknowns y to the belt's unknowns x in a
-// ring's step: the spin angle or the axle's height. φ is the motion of nodes that move with the
-// rim, r the residual of (17), and ρ the residual of the wheel's own rule:
+// ring's step: the spin angle or the axle's height. φ is the motion of the nodes if they move with
+// the rim, r the residual of (17), and ρ the residual of the wheel's equation of motion (its
+// trapezoidal rule):
 //   K dx - (1-θ) g dy = r,   -g' dx + (g' φ + D) dy = ρ                                        (36)
 //   g = df/dy = dT/dx,      D: the wheel's inertia by its rule
 // Moving the rim is equivalent to moving the nodes in the opposite direction, and the forces have
@@ -20,43 +21,48 @@
 
 namespace latsch::ring_tire {
 
-/// The rows of a free wheel, which keep their memory from one step to the next.
+/// The additional unknowns and equations of a free wheel. Their memory is reused from one step to
+/// the next.
 class FreeRows {
  public:
-  /// `share` is 1 - θ.
+  /// `share` is 1 - θ in the time integration (17).
   FreeRows(const RingParameters& parameters, double share);
 
-  /// Sets the wheel before a step.
+  /// Sets the state of the wheel before a step.
   void start(const FreeWheel& wheel) { wheel_ = wheel; }
   /// Returns the wheel at the end of the last accepted step.
   const FreeWheel& wheel() const { return wheel_; }
-  /// Returns the motion with the free coordinates from the solution of a step.
+  /// Returns the motion of the wheel; its free coordinates are those found by the solution of the
+  /// step.
   const WheelMotion& motion() const { return motion_; }
 
-  /// Starts a step to a motion and returns the initial guess.
+  /// Begins a step to `motion` and returns the initial guess of the wheel's motion.
   const WheelMotion& begin(const WheelMotion& motion, double time, double step);
-  /// Returns the residual of the wheel's rule as a force, N. `inner` are the forces of belt and
-  /// sidewall on the nodes at q, `on_rim` is the blocks' moment on the rim.
+  /// Returns the residual of the wheel's equation of motion as a force, N. `inner` holds the forces
+  /// of belt and sidewall on the nodes at the positions q; `on_rim` is the moment of the tread
+  /// blocks on the rim.
   double find_left(const NodeValues& q, const NodeValues& inner, const Eigen::Vector3d& on_rim);
-  /// Computes g and s at q, where `forces` were last evaluated. `acceleration` is 1/(β h²), `which`
-  /// identifies the tangent.
+  /// Computes g and s at the positions q, where `forces` was last evaluated. `acceleration` is 1/(β
+  /// h²), and `which` is the number of the tangent.
   void take_tangent(InnerForces& forces,
                     const RimFrame& rim,
                     const NodeValues& q,
                     double acceleration,
                     long which);
-  /// True if g belongs to the tangent `which`.
+  /// Returns true if g was computed for the tangent with the number `which`.
   bool knows_tangent(long which) const;
-  /// Changes p to dx and updates the motion. Returns false if the wheel's rule has no solution.
+  /// Changes Newton's step p of the belt at a fixed rim to the step dx with the free wheel, and
+  /// updates the motion. Returns false if the wheel's equation has no solution.
   bool correct(const RimFrame& rim, const NodeValues& q, NodeValues& p);
-  /// Ends the step.
+  /// Accepts the step and stores the state of the wheel at its end.
   void accept(const NodeValues& q, const NodeValues& inner, const Eigen::Vector3d& on_rim);
 
  private:
   enum Way { kSpin, kHeight, kWays };
 
   bool is_free(int way) const { return way == kSpin ? !!wheel_.spin : !!wheel_.height; }
-  /// Returns φ of a node at x.
+  /// Returns φ, the motion with the rim per unit of the free coordinate, of a node at the position
+  /// x.
   Eigen::Vector3d with_rim(int way, const Eigen::Vector3d& x) const {
     return way == kSpin ? Eigen::Vector3d(motion_.carrier.col(1).cross(x - motion_.center))
                         : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
@@ -66,13 +72,15 @@ class FreeRows {
                          const NodeValues& inner,
                          const Eigen::Vector3d& on_rim) const;
 
-  double share_, radius_, inertia_[kWays];  // inertia of the belt: kg m^2, kg
+  // Inertia of the belt: kg m^2 for the spin, kg for the height.
+  double share_, radius_, inertia_[kWays];
   FreeWheel wheel_;
   WheelMotion motion_;
   double time_ = 0.0, step_ = 0.0;
-  FreeWheel::Pair rates_ = FreeWheel::Pair::Zero(), forces_ = rates_;  // values at the solution
-  std::vector<RimRows> rows_;                                          // g, in the rim's axes
-  double follows_[kWays] = {0.0, 0.0};                                 // s
+  // Rates and forces at the solution of the step.
+  FreeWheel::Pair rates_ = FreeWheel::Pair::Zero(), forces_ = rates_;
+  std::vector<RimRows> rows_;           // vector g of (36), in the axes of the rim
+  double follows_[kWays] = {0.0, 0.0};  // s
   long tangent_[kWays] = {0, 0};
   FreeWheel::Matrix stiffness_ = FreeWheel::Matrix::Zero();  // g' φ - (1-θ) g' K^-1 g
 };

@@ -19,7 +19,8 @@ namespace {
 const road::PlaneRoad kPit({.height = -1.0}), kFlat;
 constexpr double kInertia = 0.8;  // kg m^2, inertia of the wheel
 
-/// Returns a ring that has only springs, with lines and blocks enough for a patch.
+/// Returns a ring without damping or friction, with as many lines and blocks as a contact patch
+/// needs.
 RingParameters undamped_ring() {
   RingParameters ring = passenger_ring();
   for (SidewallElement* of :
@@ -55,7 +56,7 @@ FreeWheel free_spin(const WheelMotion& motion, double moment) {
   return wheel;
 }
 
-/// Advances a free wheel by a step.
+/// Advances a tire with a free wheel by one step.
 Result<HubForces> go_on(RingTire& tire,
                         WheelMotion& motion,
                         FreeWheel& wheel,
@@ -66,8 +67,8 @@ Result<HubForces> go_on(RingTire& tire,
   return tire.advance_free(motion, wheel, road, time, h);
 }
 
-// Off the road wheel and belt oscillate against each other on the sidewall's springs: momentum is
-// constant, the rest oscillates with omega^2 = K (1/I + 1/I_b).
+// Off the road, wheel and belt oscillate against each other on the springs of the sidewall. Angular
+// momentum is constant, and the relative motion oscillates with omega^2 = K (1/I + 1/I_b).
 TEST(FreeRows, TheWheelRingsAgainstTheBeltToOrderTwo) {
   const RingParameters ring = undamped_ring();
   const double R = ring.belt.radius, I_b = belt_inertia(ring);
@@ -94,7 +95,8 @@ TEST(FreeRows, TheWheelRingsAgainstTheBeltToOrderTwo) {
     EXPECT_NEAR(std::log2(off(parts) / off(2 * parts)), 2.0, 0.1) << parts;
 }
 
-// With 20 times the stiffness the frequency is 290 Hz: h omega = 0.9, 3.6 and 18.
+// With the stiffness multiplied by 20 the frequency is 290 Hz, so that h omega is 0.9, 3.6 and 18
+// in the three steps.
 TEST(FreeRows, NoEnergyComesOfLongSteps) {
   RingParameters stiff = undamped_ring();
   for (SidewallElement* of :
@@ -107,13 +109,13 @@ TEST(FreeRows, NoEnergyComesOfLongSteps) {
       ASSERT_TRUE(tire.settle(motion, kPit, 0.0));
       FreeWheel wheel = free_spin(motion, 0.0);
       wheel.spin->rate = 1.0;
-      const double rest = tire.energy();  // includes the energy of the pressure
+      const double rest = tire.energy();  // the energy at rest includes that of the pressure
       const auto energy = [&] {
         return tire.energy() - rest + 0.5 * kInertia * wheel.spin->rate * wheel.spin->rate;
       };
       const double first = energy();
-      // For θ above 0, (17) keeps another energy from growing; this energy returns to its initial
-      // value.
+      // If θ is above 0, the integration (17) keeps an energy other than the mechanical one from
+      // growing. The mechanical energy may therefore rise, but it returns to its initial value.
       double most = 0.0, later = 0.0;
       for (int i = 1; i <= 2000; ++i) {
         const auto hub = tire.advance_free(motion, wheel, kPit, i * h, h);
@@ -127,8 +129,8 @@ TEST(FreeRows, NoEnergyComesOfLongSteps) {
   }
 }
 
-/// Returns Fx and the wheel's speed after a moment has rotated a standing wheel for 20 ms, with all
-/// of the touching tread sticking.
+/// Returns Fx and the speed of the wheel after a moment has acted on a standing wheel for 20 ms,
+/// while all of the touching tread sticks.
 std::pair<double, double> turned_on(double h) {
   RingTire tire(passenger_ring(), {.tolerance = 1e-5});
   WheelMotion motion = standing(tire, 0.018);
@@ -156,7 +158,8 @@ TEST(FreeRows, OnAStickingTreadForceAndSpeedAreOfOrderTwo) {
   }
 }
 
-/// Returns Fx and the wheel's speed every ms over a cleat that rises over 50 mm.
+/// Returns Fx and the speed of the wheel every millisecond, while it rolls over a cleat that rises
+/// over a length of 50 mm.
 std::pair<std::vector<double>, std::vector<double>> over_a_cleat(double h, double from) {
   road::ProfileRoad::Settings settings;
   settings.along = road::cleat_profile(0.010, 0.12, 0.05);
@@ -187,9 +190,10 @@ double sum_of_squares(const std::vector<double>& a, const std::vector<double>& b
   return sum;
 }
 
-// Two halvings of the step reduce the change sixteenfold at order 2, fourfold at order 1. Blocks
-// that come and go within a step scatter the change, by 0.2 N of Fx at the finest steps, as they do
-// with a prescribed spin; the test therefore sums over eight passages.
+// If the step is halved twice, the change of the results decreases by a factor of sixteen at order
+// 2, and of four at order 1. Blocks that come into contact or leave it within a step cause a
+// scatter, 0.2 N of Fx at the finest steps, as they do with a prescribed spin. The test therefore
+// sums over eight passages.
 TEST(FreeRows, OverACleatForceAndSpeedAreOfOrderTwo) {
   double coarse[2] = {}, fine[2] = {};
   for (int passage = 0; passage < 8; ++passage) {
@@ -205,7 +209,8 @@ TEST(FreeRows, OverACleatForceAndSpeedAreOfOrderTwo) {
   EXPECT_GT(std::sqrt(coarse[1] / fine[1]), 7.0);
 }
 
-/// Rolls a wheel and an axle of 300 kg under a load over a cleat and calls `check` after each step.
+/// Rolls a wheel with an axle of 300 kg over a cleat, under a load, and calls `check` after each
+/// step.
 template <class Check>
 void roll_over_a_cleat(const RingParameters& ring, double h, const Check& check) {
   const road::ProfileRoad road = road::cleat_road(0.3, 0.015, 0.03, 0.005);
@@ -228,8 +233,8 @@ void roll_over_a_cleat(const RingParameters& ring, double h, const Check& check)
   }
 }
 
-// Both rules hold at the end of each step, and the step equals one with the resulting motion
-// prescribed.
+// At the end of each step both the ring's and the wheel's equations must hold. The step must equal
+// one in which the resulting motion is prescribed.
 TEST(FreeRows, StepAndWheelAreSolvedTogether) {
   for (const double bending : {0.0, 8.0}) {
     RingParameters ring = passenger_ring();
@@ -297,7 +302,8 @@ TEST(FreeRows, AStepIsAFunctionOfItsArguments) {
                     });
 }
 
-// The rows are exact: Newton's method needs no more evaluations for them.
+// The derivatives of the wheel's equations are exact, so Newton's method must not need more
+// evaluations for a free wheel.
 TEST(FreeRows, AFreeWheelTakesNoMoreEvaluations) {
   constexpr double h = 5e-4;
   std::vector<WheelMotion> motions;
@@ -328,7 +334,8 @@ TEST(FreeRows, AFreeWheelTakesNoMoreEvaluations) {
             1.05 * static_cast<double>(told.counts().evaluations - first));
 }
 
-// A step longer than the limit is divided, and so is the step of the wheel.
+// A step longer than the limit is divided into parts. The step of the free wheel must be divided in
+// the same way.
 TEST(FreeRows, ALongStepIsTwoShortOnes) {
   constexpr double h = 2e-3;
   const auto run = [](int parts) {
@@ -364,14 +371,15 @@ TEST(FreeRows, AFailureLeavesAllAsItWas) {
   EXPECT_EQ(motion, before);
   EXPECT_EQ(wheel.height->rate, -500.0);
   EXPECT_EQ(wheel.spin->rate, 0.0);
-  // NaN and infinity also fail here.
+  // Rates that are NaN or infinite must lead to a Failure, too.
   wheel.height.reset();
   wheel.spin->push = [](double, double) -> Push { return {std::nan(""), 0.0}; };
   EXPECT_FALSE(tire.advance_free(motion, wheel, kFlat, 1e-3, 1e-3));
   EXPECT_EQ(tire.state(), state);
 }
 
-// Off the road (I + I_b) w' = M, once belt and wheel rotate together.
+// Off the road the equation (I + I_b) w' = M holds after belt and wheel have begun to rotate
+// together.
 TEST(FreeRows, ADrivenWheelTakesItsBeltAlong) {
   constexpr double M = 60.0, h = 5e-4;
   RingTire tire(passenger_ring());
@@ -384,14 +392,14 @@ TEST(FreeRows, ADrivenWheelTakesItsBeltAlong) {
     ASSERT_TRUE(tire.advance_free(motion, wheel, kPit, i * h, h));
     if (i == 1000) then = motion.spin_rate;
   }
-  // Its own speed, 60 rad/s, expands the belt and increases its inertia by some tenths of a
+  // The rotation at 60 rad/s expands the belt, which increases its inertia by some tenths of a
   // percent.
   const double rate = M / (kInertia + belt_inertia(passenger_ring()));
   EXPECT_NEAR((motion.spin_rate - then) / (200 * h), rate, 5e-3 * rate);
 }
 
-// At 10 m/s, with twice the moment that friction can hold, the wheel locks, slides and stays
-// locked.
+// The tire rolls at 10 m/s and is braked by twice the moment that friction can bear. The wheel must
+// lock, slide and stay locked.
 TEST(FreeRows, ABrakedWheelLocks) {
   constexpr double h = 5e-4;
   RingTire tire(passenger_ring());
@@ -413,8 +421,8 @@ TEST(FreeRows, ABrakedWheelLocks) {
       locked = i;
     }
   }
-  // An inertia of 1.2 kg m^2 is stopped from 32 rad/s by 2500 N m minus the moment of the road:
-  // none at first, then 1100 N m.
+  // A wheel with an inertia of 1.2 kg m^2 is stopped from 32 rad/s by 2500 N m minus the moment of
+  // the road, which grows from none to 1100 N m.
   EXPECT_GT(locked, 100 + 31);
   EXPECT_LT(locked, 100 + 57);
   const double mu = -forces.force.x() / forces.force.z();
@@ -422,7 +430,7 @@ TEST(FreeRows, ABrakedWheelLocks) {
   EXPECT_LT(mu, 1.1);
 }
 
-// The axle of a flat track follows c z' = Fz - load.
+// The axle of a flat-track rig obeys c z' = Fz - load.
 TEST(FreeRows, AnAxleWithoutMassComesToItsLoad) {
   constexpr double h = 5e-4;
   for (const double load : {4000.0, 50.0}) {

@@ -24,7 +24,7 @@ void Imbalance::add_inertia(const NodeValues& a, NodeValues& force) const {
   for (std::size_t i = 0; i < 4; ++i) force.col(node_[i]).head<3>() += mass_ * weight_[i] * own;
 }
 
-/// Calls `add` with the blocks (k, k + j) of the mass.
+/// Calls `add` for every block (k, k + j) of the additional mass matrix.
 template <class Add>
 void Imbalance::find_mass(double factor, const Add& add) const {
   if (mass_ == 0.0) return;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mass on the belt at a point of the curve, x = Σ w_i x_i of four nodes. It adds
+// An additional mass m (imbalance) on the belt, at a point x = Σ w_i x_i that depends on four
+// nodes. It adds
 //   M_ij += m w_i w_j  of x, y, z                                                            (34)
-// and m w_i g to their weight, if the belt has any. If the wheel spins in the air, the force m r ω²
-// acts on the hub along the mass's radius. The mass matrix is the same in all axes and does not
-// rotate with the wheel.
+// to the mass matrix of the nodes i and j, and m w_i g to their weight, if weight is included. If
+// the wheel spins in the air, the force m r ω² acts on the hub along the mass's radius. The mass
+// matrix is the same in all axes and does not rotate with the wheel.
 #pragma once
 
 #include <array>
@@ -18,12 +19,14 @@ class Imbalance {
  public:
   Imbalance(const Uniformity& uniformity, int nodes);
 
-  /// Adds M a to `force`, where `a` are accelerations or velocities.
+  /// Adds M a to `force`, where M is the additional mass matrix and `a` holds accelerations or
+  /// velocities.
   void add_inertia(const NodeValues& a, NodeValues& force) const;
-  /// Adds factor times M to K.
+  /// Add `factor` times the additional mass matrix M to K.
   void add_mass(double factor, CyclicBand& K) const;
   void add_mass(double factor, CyclicBandFactor& K) const;
-  /// For gravity g, m/s²: the weight on the nodes, and the potential energy, J, above height 0.
+  /// Return, for gravity g (m/s²), the weight of the mass on the nodes, and its potential energy,
+  /// J, relative to the height 0.
   void add_weight(double g, NodeValues& force) const;
   double height_energy(double g, const NodeValues& q) const;
 
@@ -31,7 +34,7 @@ class Imbalance {
   template <class Add>
   void find_mass(double factor, const Add& add) const;
 
-  double mass_;  // kg; 0: none
+  double mass_;  // kg; 0: no imbalance
   std::array<int, 4> node_;
   std::array<double, 4> weight_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The wheel receives from the tire what the road gives, minus the change of the belt's motion:
-// forces, moments about all axes, energy.
+// Tests the balance of the whole tire: the hub receives the forces and moments of the road minus
+// the rate of change of the belt's momentum. Tests moments about all axes, and the energy.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -24,10 +24,11 @@ using Eigen::Vector3d;
 constexpr double kCleatSpeed = 15.0;
 
 struct Wrench {
-  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();  // about the wheel center
+  // Force; moment about the wheel center.
+  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
 };
 
-/// Returns the wrench of the blocks on the road, summed one by one.
+/// Returns force and moment of the road on the tire, as the sum over all blocks.
 Wrench road_wrench(const RingTire& tire, const Vector3d& center) {
   Wrench sum;
   for (const BlockContact& block : tire.contacts()) {
@@ -37,8 +38,8 @@ Wrench road_wrench(const RingTire& tire, const Vector3d& center) {
   return sum;
 }
 
-/// Returns the rates of momentum and angular momentum, from the accelerations, and the belt's
-/// weight.
+/// Returns the rates of change of momentum and angular momentum, computed from the accelerations,
+/// minus the belt's weight.
 Wrench inertia_wrench(const RingParameters& ring, const RingState& state) {
   NodeValues M_a;
   at_knots_and_back(Eigen::Vector4d::Ones(), state.acceleration, M_a);
@@ -53,8 +54,8 @@ Wrench inertia_wrench(const RingParameters& ring, const RingState& state) {
   return sum;
 }
 
-/// Returns the wrench of the mass on the belt at node `at`: its share of the nodes' forces M a and
-/// weight, summed one by one.
+/// Returns force and moment of the imbalance at node `at`: its part of the nodes' inertia forces M
+/// a and of their weight, as a sum over the nodes.
 Wrench of_imbalance(const RingParameters& ring, const RingState& state) {
   const auto N = static_cast<Eigen::Index>(ring.nodes);
   const auto at_knot = [N](const NodeValues& x) -> Vector3d {
@@ -71,7 +72,7 @@ struct Case {
   std::string name;
   double camber, steer, slip;
   double bending_across = 0.0;
-  bool uneven = false;  // a cone of coupled plies, damped, with imbalance and run-out
+  bool uneven = false;  // true: conical belt with coupled plies, damping, imbalance and run-out
   double bottoming = 0.0;
 };
 
@@ -165,7 +166,7 @@ TEST_P(RingMomentum, RollingHubAndRoadAgreeAboutAllAxes) {
         << i;
     EXPECT_LT((motion.carrier * hub->moment + belt.moment - ground.moment).norm(),
               1e-9 * ground.force.norm())
-        << i;  // arms of a meter
+        << i;  // tolerance for arms of about a meter
     most = std::max(most, hub->moment.norm());
   }
   EXPECT_GT(most, 10.0);

@@ -25,7 +25,7 @@ Vector3d rotation_between(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to
   return turn.angle() * turn.axis();
 }
 
-/// Returns unit rotations: e_j × x of all nodes in three columns.
+/// Returns the motions of all nodes for unit rotations about the three axes: e_j × x in column j.
 Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> unit_turns(const NodeValues& x) {
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> to;
   to.setZero(x.size(), 3);
@@ -67,14 +67,15 @@ std::optional<HubSlopes> MotionSlopes::over(RingTire& tire,
   return hub_slopes();
 }
 
-/// Returns the motion at the end of the part if that of the step has a column increased by `by`.
+/// Returns the motion at the end of the current part of a step, if the component `column` of the
+/// step's motion is increased by `by`.
 WheelMotion MotionSlopes::part_motion(int column, double by) const {
   const WheelMotion to = moved(*to_, column, by);
   return share_ == 1.0 ? to : between(from_->motion, to, share_);
 }
 
-/// Sets the tire to the end of the part and computes the tangent there. Returns false if the
-/// tangent is not definite.
+/// Sets the tire to the end of a part of the step and computes the tangent there. Returns false if
+/// the tangent is not positive definite.
 bool MotionSlopes::begin_part(const StepTaken& part) {
   part_time_ = part.time;
   part_step_ = part.step;
@@ -118,7 +119,7 @@ bool MotionSlopes::place(const WheelMotion& motion) {
   return true;
 }
 
-/// Returns the blocks' forces on nodes and sections, and their moment on the rim.
+/// Returns the forces of the tread blocks on nodes and sections, and their moment on the rim.
 Eigen::VectorXd MotionSlopes::tread_forces() {
   RingTire& t = *tire_;
   if (t.section_.on()) t.tread_.bend(t.section_);
@@ -133,8 +134,8 @@ Eigen::VectorXd MotionSlopes::tread_forces() {
   return all;
 }
 
-/// Returns a central difference over `by`, also along the derivative of the state at the beginning,
-/// if there is one.
+/// Returns the derivative of the tread's forces as a central difference with the step `by`. If
+/// `slope` is given, the state at the beginning of the part changes along it, too.
 std::optional<Eigen::VectorXd> MotionSlopes::tread_slope(const RingState* slope,
                                                          const WheelMotion& further,
                                                          const WheelMotion& back,
@@ -147,7 +148,7 @@ std::optional<Eigen::VectorXd> MotionSlopes::tread_slope(const RingState* slope,
   return (more - tread_forces()) / (2.0 * by);
 }
 
-/// Computes ω × x of all nodes.
+/// Computes the cross products ω × x for the positions x of all nodes.
 void MotionSlopes::turn_by(const Vector3d& omega, const Columns& x, Columns& to) const {
   to.resize(4 * q1_.cols(), kPadded);
   for (Eigen::Index k = 0; k < 4 * q1_.cols(); k += 4) {
@@ -158,8 +159,8 @@ void MotionSlopes::turn_by(const Vector3d& omega, const Columns& x, Columns& to)
   }
 }
 
-/// Subtracts the forces of the dampers at the knots and of the belt's damping for given velocities
-/// of the nodes.
+/// Subtracts the forces of the dampers at the belt's knots and of the belt's own damping, for given
+/// velocities of the nodes.
 void MotionSlopes::damp(const Columns& rate, Columns& force) {
   const Eigen::Index N = q1_.cols();
   const auto mean = [N](const Columns& x, Eigen::Index k, auto&& to) {
@@ -181,7 +182,7 @@ void MotionSlopes::damp(const Columns& rate, Columns& force) {
   if (belt_damping_) force += belt_damping_->multiply_columns(rate);
 }
 
-/// Computes the tangent at the end of the part with the tire's factor there.
+/// Computes the tangent at the end of the part, with the tire's factorization there.
 void MotionSlopes::find_tangent() {
   RingTire& t = *tire_;
   const double scale = 1.0 - t.settings_.dissipation;
@@ -238,10 +239,10 @@ void MotionSlopes::find_rim_motion() {
   }
 }
 
-/// Derivatives with the nodes held: forces of belt and sidewall rotate with the rim, and fixed
-/// nodes move relative to it by -c - φ × x, with velocities -v_c - ω × x + Ω × c - φ × (their own
-/// velocities relative to the rim). The stiffness contains the rule's share of these velocities by
-/// positions.
+/// Computes the derivatives with the nodes kept in place. The forces of belt and sidewall rotate
+/// with the rim. Relative to the rim, the fixed nodes move by -c - φ × x, with velocities -v_c - ω
+/// × x + Ω × c - φ × (their velocities relative to the rim). The stiffness contains the derivatives
+/// by these velocities, multiplied by the factor of the time integration.
 void MotionSlopes::find_held_forces() {
   const Eigen::Index N = q1_.cols();
   NodeValues against = v1_;
@@ -266,8 +267,8 @@ void MotionSlopes::find_held_forces() {
   held_ -= more_;
 }
 
-/// Adds the effect of the state at the beginning on velocities, accelerations and the sidewall's
-/// memory.
+/// Adds the effect of a changed state at the beginning of the part on velocities, accelerations and
+/// the memory of the sidewall.
 void MotionSlopes::add_state(int column) {
   const RingState& slope = slopes_[static_cast<std::size_t>(column)];
   const double h = part_step_, by = difference_step(column, step_);
@@ -285,8 +286,9 @@ void MotionSlopes::add_state(int column) {
   held_.col(column) += ((forces[0] - forces[1]) / (2.0 * by)).reshaped();
 }
 
-/// Computes the derivatives of the blocks by the columns that affect them: first the spin axis and,
-/// if sections flow, the spin rate; in later parts also the state at the beginning.
+/// Computes the derivatives of the tread blocks' forces for the columns that affect them: first
+/// those of the spin axis and, if sections bend, of the spin rate; in later parts also those of the
+/// state at the beginning.
 bool MotionSlopes::find_tread_slopes() {
   tread_.setZero(q1_.size() + gamma_.size() + 3, kPadded);
   const auto find = [&](int column) {
@@ -315,7 +317,7 @@ bool MotionSlopes::find_tread_slopes() {
   return true;
 }
 
-/// Computes dr/dm.
+/// Computes the right-hand sides dr/dm of (29).
 void MotionSlopes::find_right_sides() {
   const double theta = tire_->settings_.dissipation, scale = 1.0 - theta;
   x_ = scale * tread_.topRows(q1_.size() + gamma_.size());
@@ -328,8 +330,9 @@ void MotionSlopes::find_right_sides() {
   }
 }
 
-/// Solves (29). The rotation of dampers and (31) are included by iteration: they are 1e-4 of the
-/// tangent in steps of 0.2 ms at 60 m/s, for a belt without damping.
+/// Solves (29). The rotation of dampers and (31) are not contained in the tangent and are included
+/// by iteration. They are 1e-4 of the tangent in steps of 0.2 ms at 60 m/s, for a belt without
+/// damping.
 void MotionSlopes::solve() {
   constexpr double kEnough = 1e-7;  // relative error at which the iteration ends
   constexpr int kMost = 20;
@@ -346,7 +349,7 @@ void MotionSlopes::solve() {
     next_.bottomRows(gamma_.size()).setZero();
     tangent_.solve(tire_->factor_, tire_->section_, next_);
     x_ += next_;
-    // The remaining corrections are estimated as a geometric series.
+    // The corrections still to come are estimated as a geometric series.
     const auto now = size(next_);
     const double ratio = (now.array() / before.array().max(1e-300)).maxCoeff();
     if ((ratio * now.array() <= kEnough * size(x_).array()).all()) break;
@@ -354,7 +357,8 @@ void MotionSlopes::solve() {
   }
 }
 
-/// Computes dF/dm of (18) in the carrier's axes, which rotate too.
+/// Computes the derivatives dF/dm of the hub force (18) in the axes of the carrier, whose rotation
+/// is included.
 HubSlopes MotionSlopes::hub_slopes() {
   const int N = tire_->angles_.nodes();
   Vector3d sum = Vector3d::Zero(), moment = moment_on_rim_;
@@ -363,7 +367,8 @@ HubSlopes MotionSlopes::hub_slopes() {
     sum += f;
     moment -= (q1_.col(k).head<3>() - rim_.center).cross(f);
   }
-  // Terms by dq1/dm: by stiffness and dampers, and by the arms of the forces.
+  // Terms by the motion dq1/dm of the nodes: through stiffness and dampers, and through the arms of
+  // the forces.
   damp(fields_, more_);
   turn_by(rim_.angular_velocity, more_, turned_);
   turned_ += stiff_transposed_;
@@ -392,8 +397,8 @@ HubSlopes MotionSlopes::hub_slopes() {
   return hub;
 }
 
-/// Computes the derivatives of the state after the part: nodes by (16), (17), memory by
-/// differences.
+/// Computes the derivatives of the state at the end of the part: those of the nodes by (16) and
+/// (17), those of the memories by differences.
 bool MotionSlopes::follow_state(const StepTaken& part) {
   const double theta = tire_->settings_.dissipation;
   std::vector<RingState> after;

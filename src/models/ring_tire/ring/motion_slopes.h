@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivatives of a step's forces on the hub with respect to the wheel's motion m at its end.
-// Newton's method has solved r(q1; m) = 0 of (17), so
+// Derivatives of a step's forces on the hub with respect to the wheel's motion m at the end of the
+// step. Newton's method has solved r(q1; m) = 0 of (17), so
 //   J dq1/dm = dr/dm,  J = -dr/dq1;  dF/dm = dF/dm at q1 + dF/dq1 dq1/dm                     (29)
-// with v1 and a1 of (16). The rim's part of dr/dm is analytical: moving the rim is equivalent to
-// moving the belt in the opposite direction and rotating forces. Frames of the blocks and planes of
-// the road follow the spin axis, so this part uses differences of the blocks' forces. A step
-// divided into parts is differentiated part by part: the motion at the end determines those
-// between, and each part begins with the derivatives of the state before it.
-//   Valid: if no block is about to touch, to leave, to slip or to stick, and no friction element
-//   of the sidewall is about to slip. At such a point the derivatives are one-sided, on the side
-//   of the end of the step.
+// with v1 and a1 of (16). The derivatives by the rim's motion are analytical: moving the rim is
+// equivalent to moving the belt in the opposite direction and rotating the forces. The frames of
+// the tread blocks and the planes of the road depend on the spin axis; their derivatives are finite
+// differences of the blocks' forces. A step that was divided into parts is differentiated part by
+// part: the motion at the end determines the motions between, and each part begins with the
+// derivatives of the state before it.
+//
+// The derivatives are valid if no block is about to touch, to leave, to slip or to stick, and no
+// friction element of the sidewall is about to slip. At such a point they are one-sided, on the
+// side of the end of the step.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,18 +28,19 @@ namespace latsch::ring_tire {
 
 class RingTire;
 
-/// One step of a ring's advance and the state at its end.
+/// One step of the ring's time integration, and the state at its end.
 struct StepTaken {
   double time, step;  // s
   RingState end;
 };
 
-/// Computes derivatives of steps and keeps its memory from one step to the next.
+/// Computes derivatives of steps. Its memory is reused from one step to the next.
 class MotionSlopes {
  public:
-  /// Returns the derivatives of a step from `from` to `to` of length `step` that ends at `time`,
-  /// from the steps taken to its end. It overwrites the tire's memory, so restore() has to follow.
-  /// Returns nothing if a tangent is not definite, or if the blocks that may touch the road change.
+  /// Returns the derivatives of a step from the state `from` to the motion `to`, of length `step`
+  /// (s), ending at `time` (s). `taken` holds the parts into which the step was divided. The state
+  /// of `tire` is overwritten, so restore() must be called afterwards. Returns nothing if a tangent
+  /// is not positive definite, or if the set of blocks that may touch the road changes.
   std::optional<HubSlopes> over(RingTire& tire,
                                 const RingState& from,
                                 const WheelMotion& to,
@@ -77,9 +80,10 @@ class MotionSlopes {
   const WheelMotion* to_ = nullptr;
   const road::Road* road_ = nullptr;
   double time_ = 0.0, step_ = 0.0;
-  std::vector<RingState> slopes_;  // derivatives of the first state by column; empty: none
+  // Derivatives of the state at the beginning, by column; empty: none.
+  std::vector<RingState> slopes_;
 
-  // Data of the current part.
+  // Data of the part of the step that is being differentiated.
   const RingState* begin_ = nullptr;
   double part_time_ = 0.0, part_step_ = 0.0, share_ = 1.0;
   WheelMotion motion_;
@@ -88,24 +92,24 @@ class MotionSlopes {
   NodeValues q1_, v1_, inner_;
   Eigen::Vector3d moment_on_rim_;
   Eigen::VectorXd gamma_;
-  std::vector<Eigen::Matrix4d> dampers_;  // dampers of the knots, in inertial axes
-  // The belt's own damping if it has any: C of (30), D of (31).
+  std::vector<Eigen::Matrix4d> dampers_;  // dampers at the belt's knots, in inertial axes
+  // Matrices of the belt's own damping, set if it has any: C of (30) and D of (31).
   std::optional<CyclicBand> belt_damping_;
   std::optional<WholeBand> belt_turning_;
-  // Unit translations and rotations about the center, and the belt's stiffness and its transpose
-  // times these.
+  // Unit translations and rotations of all nodes about the center, and the products of the belt's
+  // stiffness and of its transpose with them.
   Columns fields_, stiff_, stiff_transposed_;
-  // Columns of the rim's motion: its center, rotation with spin, velocity, angular velocity; and
-  // the rotation of the carrier.
+  // Derivatives of the rim's motion, one column per component of the wheel's motion m: center,
+  // rotation with spin, velocity, angular velocity; and rotation of the carrier.
   Vectors center_, turn_, velocity_, rate_, carrier_;
-  // Columns with the nodes held: forces of belt and sidewall; forces of the blocks on nodes and
-  // sections, and their moment on the rim; velocities and accelerations from the state at the
-  // beginning.
+  // Derivatives with the nodes kept in place, by column: forces of belt and sidewall; forces of the
+  // tread blocks on nodes and sections with their moment on the rim; velocities and accelerations
+  // caused by the state at the beginning.
   Columns held_, tread_, velocities_, accelerations_;
   std::vector<PatchSlopes> blocks_;
   ExactTangent tangent_;
-  Columns x_;                                     // dr/dm, then d(q1, γ)/dm
-  Columns rates_, turned_, knots_, more_, next_;  // work memory
+  Columns x_;  // right-hand sides dr/dm, then the solution d(q1, γ)/dm
+  Columns rates_, turned_, knots_, more_, next_;  // temporary matrices
 };
 
 }  // namespace latsch::ring_tire

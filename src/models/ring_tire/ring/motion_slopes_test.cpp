@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares ∂force/∂motion with central differences of trials whose steps are solved down to
+// Tests the derivatives ∂force/∂motion against central differences of steps that are solved down to
 // rounding.
 #include "models/ring_tire/ring/motion_slopes.h"
 
@@ -47,7 +47,7 @@ RingParameters bent(RingParameters ring) {
   return ring;
 }
 
-/// Rolling motion of a wheel with a given free radius.
+/// Motion of a rolling wheel with slips, for a tire with a given free radius.
 struct SlippingWheel {
   double slip = 0.0, camber = 0.0, steer = 0.0, yaw_rate = 0.0, surface = 0.0;
 
@@ -66,15 +66,15 @@ struct SlippingWheel {
   }
 };
 
-/// Returns, for a step after some others, the largest difference between derivatives and central
-/// differences relative to the column.
+/// Returns the largest difference between derivatives and central differences for one step after
+/// several others, relative to the largest value in the column.
 double deviation(const RingParameters& ring,
                  const road::Road& road,
                  const SlippingWheel& rolling,
                  int steps,
                  double step,
                  double largest_step = 2e-3) {
-  constexpr double kBefore = 4e-4;  // s, length of the steps before
+  constexpr double kBefore = 4e-4;  // s, length of the preceding steps
   RingTire tire(ring);
   EXPECT_TRUE(tire.settle(rolling.at(tire.free_radius(), 0.0), road, 0.0));
   for (int i = 1; i <= steps; ++i)
@@ -131,7 +131,7 @@ TEST(MotionSlopes, OfBentSections) {
   EXPECT_LT(deviation(bent(plain()), road::PlaneRoad(), tilted, 10, 5e-4), kTolerance);
 }
 
-// The damping times are those of rubber, and one longer than rubber ever has.
+// One of the damping times is that of rubber, the other is longer than any rubber's.
 TEST(MotionSlopes, OfADampedBelt) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
   const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02, .yaw_rate = 2.0};
@@ -145,7 +145,7 @@ TEST(MotionSlopes, OfADampedBelt) {
   }
 }
 
-// A thin tread is pressed by half its height on the flat and by more on the cleat.
+// A thin tread is compressed by half of its height on the flat road, and by more on the cleat.
 TEST(MotionSlopes, OfATreadThatBottomsOut) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
   const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02};
@@ -172,7 +172,8 @@ TEST(MotionSlopes, OfCoupledPliesAndACone) {
   }
 }
 
-// Motions in the middle depend on that at the end, and each part on the state after the one before.
+// The motions at the ends of the parts depend on the motion at the end of the step, and each part
+// on the state after the part before.
 TEST(MotionSlopes, OfAStepDividedInParts) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
   const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02, .yaw_rate = 2.0};
@@ -181,7 +182,7 @@ TEST(MotionSlopes, OfAStepDividedInParts) {
   EXPECT_LT(deviation(bent(remembering()), cleat, tilted, 27, 9e-4, 3e-4), kTolerance);
 }
 
-// A step without solution within a number of iterations is halved.
+// A step for which Newton's method does not converge is halved.
 TEST(MotionSlopes, OfAStepThatIsHalved) {
   const auto cleat = road::cleat_road(0.2, 0.015, 0.03, 0.005, 0.4);
   const SlippingWheel tilted{.slip = -0.02, .camber = 0.03, .steer = 0.02, .yaw_rate = 2.0};
@@ -199,7 +200,7 @@ TEST(MotionSlopes, OfAStepThatIsHalved) {
             kTolerance);
 }
 
-// Forces and state are identical to the bit with and without derivatives.
+// Forces and state of a trial must be identical to the last bit with and without derivatives.
 TEST(MotionSlopes, LeaveTheTrialAsItIs) {
   const auto cleat = road::cleat_road(0.1, 0.015, 0.03, 0.005, 0.4);
   RingTire tire(remembering());

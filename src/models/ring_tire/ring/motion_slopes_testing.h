@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Differences of trials, for tests and benchmarks of motion_slopes.h.
+// Finite differences of trial steps, for tests and benchmarks of motion_slopes.h.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,13 @@
 
 namespace latsch::ring_tire {
 
-/// Settings that solve steps down to rounding: positions of a meter have a rounding of 1e-16 m,
-/// springs of the belt 1e8 N/m.
+/// Settings with which steps are solved down to rounding. Positions of about a meter are rounded to
+/// 1e-16 m, and the springs of the belt have 1e8 N/m.
 inline const RingSettings kUntilRounding = {.tolerance = 2e-8, .most_iterations = 100};
 
-/// Returns the largest deviation from central differences over the columns, for forces and for
-/// moments, relative to the largest of the column. Infinite if a trial fails.
+/// Compares the derivatives of hub forces and moments with central differences. Returns the largest
+/// deviation over all columns, relative to the largest value in the column, or infinity if a trial
+/// step fails.
 inline double slopes_off_differences(const RingParameters& ring,
                                      const RingSettings& settings,
                                      const RingState& from,

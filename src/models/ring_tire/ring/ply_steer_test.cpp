@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Coupled plies (32) and the cone (33): modes compared with the continuous ring, and lateral forces
-// of a tire rolling straight ahead.
+// Tests coupled plies (32) and the conical belt (33): modes against those of the continuous ring,
+// and lateral forces of a tire that rolls straight ahead.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,17 +19,18 @@ namespace {
 
 using Eigen::Vector4d;
 
-/// Returns the frequencies of n waves of the continuous ring with the rim fixed: u_r = A cos, u_t =
-/// B sin, u_y = C sin, ψ = D sin of nθ for coupled plies; C and D are cosines for a cone. All
-/// energies are of second order.
+/// Returns the frequencies of modes with n waves of the continuous ring with fixed rim. For coupled
+/// plies the shapes are u_r = A cos, u_t = B sin, u_y = C sin, ψ = D sin of nθ; for a conical belt
+/// C and D multiply cosines. All energies are of second order.
 Eigen::VectorXd continuous_frequencies(const RingParameters& ring, int n) {
   const Belt& b = ring.belt;
   const double R = b.radius, T0 = b.pressure * b.pressure_width * R;
   const bool cone = b.conicity != 0.0;
-  const double odd = cone ? 1.0 : -1.0;  // d(C cos)/dθ = -n C sin, d(C sin)/dθ = n C cos
+  const double odd = cone ? 1.0 : -1.0;  // sign in d(C cos)/dθ = -n C sin and d(C sin)/dθ = n C cos
   const Vector4d stretch(1.0 / R, n / R, 0.0, 0.0), turn(-n / R, -1.0 / R, 0.0, 0.0);
   const Vector4d bend(-(n * n + 1.0) / (R * R), -2.0 * n / (R * R), 0.0, 0.0);
-  // s L0^-2 by u, and so (4): u'' - ψ s with s = -1/R + δs; (33) leaves -ψ_0 δs.
+  // Curvature of (4) by the displacements, s L0^-2: u'' - ψ s, with s = -1/R + δs. For a conical
+  // belt (33) adds the term -ψ_0 δs.
   Vector4d across = Vector4d(0.0, 0.0, -n * n / (R * R), 1.0 / R);
   if (cone) across -= b.conicity * bend;
   const Vector4d lean(0.0, 0.0, -odd * n / R, 0.0);
@@ -39,7 +40,8 @@ Eigen::VectorXd continuous_frequencies(const RingParameters& ring, int n) {
                       b.bending_in_plane * square(bend) + b.bending_out_of_plane * square(across) +
                       b.twist * square(twist) +
                       b.bending_twist * (bend * twist.transpose() + twist * bend.transpose());
-  // p w times the second-order change of the area, T0/R² of (u_r² + u_t² + 2 u_r u_t').
+  // Stiffness by the tension T0 of the inflated belt: pressure times width times the second-order
+  // change of the enclosed area, T0/R² (u_r² + u_t² + 2 u_r u_t').
   K(0, 0) -= T0 / (R * R);
   K(1, 1) -= T0 / (R * R);
   K(0, 1) -= n * T0 / (R * R);
@@ -84,7 +86,7 @@ TEST(PlySteer, ModesOfCoupledPliesConvergeToTheContinuousRing) {
     const double order = std::log2(largest_deviation(ring, 40, n) / largest_deviation(ring, 80, n));
     EXPECT_GT(order, 3.5) << n;
   }
-  // The coupling is visible: one frequency changes by more than the remaining error.
+  // The coupling must be visible: one frequency must change by more than the error that remains.
   const auto moved = [&](int n) {
     const Eigen::ArrayXd ratio =
         continuous_frequencies(ring, n).array() / continuous_frequencies(apart, n).array();
@@ -105,8 +107,9 @@ TEST(PlySteer, ModesOfAConeConvergeToTheContinuousRing) {
             1.0);  // Hz
 }
 
-/// Returns the lateral force, N to the left, as a mean over a meter after five, rolling straight
-/// ahead (`way` = 1) or back (-1) with nearly no force along the road.
+/// Returns the lateral force, N, positive to the left, of a tire that rolls straight ahead (`way` =
+/// 1) or back (-1) with nearly no longitudinal force. It is the mean over one meter, after five
+/// meters of rolling.
 double side_force(const RingParameters& ring, double way) {
   RingTire tire(ring);
   const road::PlaneRoad road;
@@ -135,8 +138,8 @@ RingParameters coarse() {
   return ring;
 }
 
-// With positive D16, sections in the front of a standing tire's patch lean right, those behind
-// left.
+// If D16 is positive, the sections in the front half of a standing tire's contact patch lean to the
+// right, those in the rear half to the left.
 TEST(PlySteer, FlattenedPliesLeanOneWayBeforeAndTheOtherBehind) {
   RingParameters ring = coarse();
   ring.belt.bending_twist = 5.0;
@@ -151,9 +154,9 @@ TEST(PlySteer, FlattenedPliesLeanOneWayBeforeAndTheOtherBehind) {
   }
 }
 
-// In axes that stay with the wheel, the force of ply steer changes sign with the direction of
-// rolling, and that of a cone does not. This distinguishes the two [SAE J670, J1988]. Small values
-// are linear.
+// In axes fixed to the wheel, the force of ply steer changes its sign with the direction of
+// rolling, while that of conicity does not. By this the two are distinguished [SAE J670, J1988].
+// Small forces are proportional to their cause.
 TEST(PlySteer, ForceOfPliesTurnsWithTheRollingThatOfAConeKeepsItsSide) {
   const double none = side_force(coarse(), 1.0);
   EXPECT_NEAR(none, 0.0, 1e-3);

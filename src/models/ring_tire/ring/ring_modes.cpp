@@ -17,7 +17,8 @@ using Complex = std::complex<double>;
 using Eigen::Matrix4cd;
 using Eigen::Matrix4d;
 
-/// Returns axes e_r, e_t, a and torsion of node k as columns.
+/// Returns the directions of the displacement components of node k as columns: e_r, e_t, a, and
+/// torsion.
 Matrix4d axes(const RimFrame& rim, const NodeAngles& angles, int k) {
   Matrix4d Q = Matrix4d::Identity();
   Q.block<3, 1>(0, 0) = angles.radial(rim, k);
@@ -26,7 +27,7 @@ Matrix4d axes(const RimFrame& rim, const NodeAngles& angles, int k) {
   return Q;
 }
 
-/// The unloaded ring at rest.
+/// The unloaded ring at rest, from which modes are computed.
 struct RestingRing {
   explicit RestingRing(const RingParameters& ring)
       : angles(ring.nodes),
@@ -44,8 +45,9 @@ struct RestingRing {
     if (inner.belt().damped()) inner.find_belt_damping(q, rim).turn_back(rim, C);
   }
 
-  /// Returns K(n) of (20), or the corresponding matrix of C, for amplitudes at the knots. The node
-  /// used is far enough from the ring's end that blocks on both sides are stored.
+  /// Returns K(n) of (20), or the corresponding matrix of the damping C, for amplitudes at the
+  /// belt's knots. It is computed at a node far enough from the first and the last one that the
+  /// blocks to both sides are stored.
   Matrix4cd harmonic(const CyclicBand& K, int n) const {
     const int N = angles.nodes(), at = CyclicBand::kReach;
     const Matrix4d Q = axes(rim, angles, at);
@@ -64,7 +66,7 @@ struct RestingRing {
     return inverse.adjoint() * sum * inverse;
   }
 
-  /// Returns B of belt_curve.h for waves n.
+  /// Returns the matrix B of belt_curve.h for waves with the circumferential number n.
   Matrix4cd knots_over_nodes(int n) const {
     const int N = angles.nodes();
     const Matrix4d Q = axes(rim, angles, 0);
@@ -82,9 +84,9 @@ struct RestingRing {
   CyclicBand K, C;  // C of (30)
 };
 
-/// Losses of waves n.
+/// Losses of waves with the circumferential number n.
 struct Losses {
-  Eigen::Vector4d damping, maxwell;  // for a node's sidewall
+  Eigen::Vector4d damping, maxwell;  // damping and Maxwell stiffness of the sidewall at a node
   double tau;
   Matrix4cd of_belt;
 
@@ -103,7 +105,7 @@ struct Losses {
 };
 
 RingMode mode_of(double squared, const Eigen::Vector4cd& shape, const Losses& losses) {
-  const Eigen::Vector4d weight = shape.cwiseAbs2();  // mass-normalized
+  const Eigen::Vector4d weight = shape.cwiseAbs2();  // normalizes the shape to unit modal mass
   const double lost = losses.damping.dot(weight) + shape.dot(losses.of_belt * shape).real();
   const auto [frequency, damping] =
       damped_mode(squared, lost, losses.maxwell.dot(weight), losses.tau);
@@ -114,8 +116,8 @@ RingMode mode_of(double squared, const Eigen::Vector4cd& shape, const Losses& lo
   return mode;
 }
 
-/// Appends modes of one plane: in-plane (u_r, u_t) and lateral (u_y, ψ) motion are independent in
-/// the ring at rest.
+/// Appends the modes of one plane. In the ring at rest, motion in the plane of the rim (u_r, u_t)
+/// and lateral motion (u_y, ψ) are independent.
 void append_plane(const Matrix4cd& K,
                   const Eigen::Vector4d& mass,
                   bool lateral,
@@ -123,7 +125,8 @@ void append_plane(const Matrix4cd& K,
                   const Losses& losses,
                   std::vector<RingMode>& modes) {
   const int first = lateral ? 2 : 0;
-  // If the section has no inertia, its torsion follows statically.
+  // If the sections have no inertia about the belt, their torsion follows statically from the
+  // lateral motion.
   if (lateral && mass[3] == 0.0) {
     Eigen::Vector4cd shape = Eigen::Vector4cd::Zero();
     const bool stiff = std::abs(K(3, 3)) > 0.0;
@@ -148,8 +151,8 @@ void append_plane(const Matrix4cd& K,
   }
 }
 
-/// Appends modes of all four components, for plies or a cone that couple the two planes. A mode is
-/// named after the plane with more of its kinetic energy.
+/// Appends the modes of all four components, for coupled plies or a conical belt, which couple the
+/// two planes. A mode is named after the plane in which it has more kinetic energy.
 void append_mixed(const Matrix4cd& K,
                   const Eigen::Vector4d& mass,
                   int n,
@@ -178,8 +181,8 @@ void append_mixed(const Matrix4cd& K,
 DampedMode damped_mode(double squared, double damping, double maxwell, double time_constant) {
   double omega = std::sqrt(std::max(squared, 0.0));
   const auto x = [&] { return omega * time_constant * omega * time_constant; };
-  // The iteration contracts, because the derivative of the bracket by ω² is less than 1; 30 rounds
-  // reach the last bit.
+  // This fixed-point iteration converges, because the derivative of the expression by ω² is smaller
+  // than 1. After 30 rounds the result is exact to the last bit.
   for (int round = 0; maxwell > 0.0 && round < 30; ++round)
     omega = std::sqrt(std::max(squared + maxwell * x() / (1.0 + x()), 0.0));
   return {.frequency = omega / (2.0 * std::numbers::pi),

@@ -20,38 +20,40 @@ double error_of(RingParameters ring, int nodes, int n) {
 
 RingParameters bare_ring() {
   RingParameters ring = passenger_ring();
-  ring.belt.extension = 1.0e10;  // the closed form's belt does not stretch
+  // Nearly infinite, because the belt of the closed form does not stretch.
+  ring.belt.extension = 1.0e10;
   for (SidewallElement* e :
        {&ring.sidewall.radial, &ring.sidewall.tangential, &ring.sidewall.lateral})
     e->dynamic_stiffening = e->friction_stiffening = 0.0;
   return ring;
 }
 
-// Closed form of the inextensible ring under pressure on an elastic foundation.
+// The frequencies must converge to the closed form of the inextensible ring under pressure on an
+// elastic foundation.
 TEST(RingModes, ConvergeToTheClosedFormWithOrderFour) {
   const RingParameters ring = bare_ring();
   EXPECT_LT(error_of(ring, 200, 0), 1e-6);
   for (int n : {1, 2}) EXPECT_LT(error_of(ring, 200, n), 1e-6) << n;
-  for (int n : {4, 7}) {  // at n <= 2 the rest is the belt's extension
+  for (int n : {4, 7}) {  // at n <= 2 the belt's extension causes a further difference
     const double order = std::log2(error_of(ring, 40, n) / error_of(ring, 80, n));
     EXPECT_NEAR(order, 4.0, 0.1) << n;
   }
 }
 
-// A rigid ring on its sidewall has the lateral frequency sqrt(k_y/ρA), and a tilt mode, in which
-// lateral travel and torsion move together: ω² = (k_y r² + c_ψ + T0)/(m r² + J), with T0 for the
-// tension that a tilted ring keeps in the plane of the pressure.
+// A rigid ring on its sidewall has the lateral frequency sqrt(k_y/ρA). It also has a tilt mode, in
+// which lateral displacement and torsion are coupled: ω² = (k_y r² + c_ψ + T0)/(m r² + J). The term
+// T0 is due to the belt's tension, which stays in the original plane when the ring tilts.
 TEST(RingModes, LateralTranslationAndTiltHaveTheirClosedForms) {
   RingParameters ring = bare_ring();
   ring.nodes = 200;
-  ring.belt.bending_out_of_plane = 1e7;  // rigid: the section rotates with the ring
+  ring.belt.bending_out_of_plane = 1e7;  // rigid belt: each section rotates with the ring
   const auto modes = unloaded_modes(ring, 1);
   EXPECT_NEAR(find_mode(modes, 0, true).frequency / lateral_frequency(ring), 1.0, 1e-5);
   EXPECT_NEAR(find_mode(modes, 1, true).frequency / tilt_frequency(ring), 1.0, 2e-4);
 }
 
-// One degree of freedom with a Maxwell element: at ωτ >> 1 its spring adds to the other one, and at
-// any frequency the loss is k_M ωτ/(1 + (ωτ)²).
+// A single degree of freedom has a spring and a Maxwell element. At ωτ >> 1 the spring of the
+// Maxwell element adds to the other one. At any frequency the loss is k_M ωτ/(1 + (ωτ)²).
 TEST(RingModes, DynamicStiffeningRaisesFrequencyAndDamping) {
   RingParameters ring = bare_ring();
   const double before = find_mode(unloaded_modes(ring, 0), 0, true).frequency;
@@ -64,9 +66,9 @@ TEST(RingModes, DynamicStiffeningRaisesFrequencyAndDamping) {
   EXPECT_NEAR(mode.damping, 0.5 * 0.2 / 1.2 / omega, 1e-4 / omega);
 }
 
-// 2 D ω is the viscosity in a mode over its mass. It is τ times the stiffness of bending in the
-// closed form of the frequency, τ EI n²(n²-1)²/R⁴ /(ρA (1 + n²)), plus that of the sidewall, (d_t +
-// n² d_r)/(ρA (1 + n²)).
+// 2 D ω is the viscosity in a mode divided by its mass. The belt contributes τ times the bending
+// stiffness in the closed form of the frequency, τ EI n²(n²-1)²/R⁴ /(ρA (1 + n²)), the sidewall
+// (d_t + n² d_r)/(ρA (1 + n²)).
 TEST(RingModes, BendingOfTheBeltDampsAsItsClosedForm) {
   RingParameters ring = bare_ring();
   ring.nodes = 200;
@@ -85,8 +87,9 @@ TEST(RingModes, BendingOfTheBeltDampsAsItsClosedForm) {
   }
 }
 
-// With sections held upright, the belt bends laterally: τ (EI_o + GJ/n²) n⁴/R⁴ plus d_y. In the
-// breathing ring extension and bend give τ_e EA/R² + τ EI/R⁴ plus d_r.
+// If the sections are held upright, the belt bends laterally with the viscosity τ (EI_o + GJ/n²)
+// n⁴/R⁴, to which the sidewall adds d_y. In the mode n = 0, in which the ring expands uniformly,
+// extension and bending have τ_e EA/R² + τ EI/R⁴, to which the sidewall adds d_r.
 TEST(RingModes, OutOfPlaneBendingTwistAndExtensionDampAsTheirClosedForms) {
   RingParameters ring = bare_ring();
   ring.nodes = 200;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// State of a flexible ring between two steps: a value that is copied, compared and stored. Only the
-// contact patch of the tread is part of it.
+// State of a flexible ring between two steps, as a value that can be copied, compared and stored.
+// Of the tread it contains only the blocks in the contact patch.
 #pragma once
 
 #include "models/ring_tire/belt/rim_frame.h"
@@ -11,9 +11,10 @@
 namespace latsch::ring_tire {
 
 struct RingState {
-  WheelMotion motion;                    // motion of the rim
-  NodeValues place, rate, acceleration;  // values of the nodes: m, rad; per s; per s^2
-  NodeValues force;                      // f of (15), N, N m
+  WheelMotion motion;  // motion of the rim
+  // position, rate and acceleration of the nodes: m, rad; per s; per s^2
+  NodeValues place, rate, acceleration;
+  NodeValues force;  // f of (15), N, N m
   SidewallForces::Memory sidewall;
   TreadMemory tread;
   SectionBending::Field section;  // γ of (23), m

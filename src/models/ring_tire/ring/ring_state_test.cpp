@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr double kStep = 5e-4, kSpeed = 10.0;
 
-/// Returns a ring with memory in the sidewall, in the tread and, if sections bend, in the sections.
+/// Returns a ring whose sidewall, tread and, if they can bend, sections have a memory.
 RingParameters with_memory(double bending_across) {
   RingParameters ring = passenger_ring();
   ring.sidewall.radial.dynamic_stiffening = 0.2;
@@ -41,14 +41,14 @@ WheelMotion at_step(int i) {
 
 class RingStateOn : public testing::TestWithParam<double> {
  protected:
-  /// Returns a tire that has rolled up to a cleat in 40 steps.
+  /// Returns a tire that has rolled 40 steps and is in front of a cleat.
   RingTire before_the_cleat() {
     RingTire tire(with_memory(GetParam()));
     EXPECT_TRUE(tire.settle(at_step(0), road_, 0.0));
     for (int i = 1; i <= 40; ++i) EXPECT_TRUE(tire.advance(at_step(i), road_, i * kStep, kStep));
     return tire;
   }
-  /// Returns the forces of the next steps, each tried twice and then taken.
+  /// Returns the forces of the next steps. Each step is tried twice before it is accepted.
   std::vector<HubForces> over_the_cleat(RingTire& tire, RingState state) {
     std::vector<HubForces> forces;
     for (int i = 41; i <= 60; ++i) {
@@ -91,8 +91,8 @@ TEST_P(RingStateOn, ComesBackAsItWas) {
   EXPECT_TRUE(tire.contacts().empty());
 }
 
-// Nothing is lost by a trial step far into the ground, in one part and in ten, or to a position
-// that is no number.
+// A trial step may fail: far into the ground, in one part or in ten, or to a position that is not a
+// number. The state must then be unchanged.
 TEST_P(RingStateOn, IsAsItWasAfterAStepThatFails) {
   RingTire tire = before_the_cleat();
   const RingState state = tire.state();
@@ -111,7 +111,7 @@ TEST_P(RingStateOn, IsAsItWasAfterAStepThatFails) {
   EXPECT_TRUE(tire.advance(at_step(41), road_, 41 * kStep, kStep));
 }
 
-// A road with a hole that has no height, from x = 0.3 on.
+// A road whose height is not a number from x = 0.3 m on.
 class RoadThatEnds final : public road::Road {
  public:
   road::GroundPoint at(double x, double y, double time) const override {
@@ -165,8 +165,8 @@ TEST_P(RingStateOn, IsAsItWasWhereItFindsNoRest) {
   EXPECT_TRUE(tire.state() == state);
 }
 
-// In these steps rounding of positions causes larger inertia forces than the tolerance. An
-// integrator that ends at a given time takes such steps.
+// In such short steps the rounding of positions causes inertia forces larger than the tolerance.
+// They occur if a simulation ends at a given time.
 TEST_P(RingStateOn, TakesShortStepsFarAway) {
   for (const auto& [way, step] : {std::pair{0.0, 1e-9}, {1e4, 1e-7}, {0.0, 1e-12}}) {
     RingTire tire(with_memory(GetParam()));
@@ -188,7 +188,8 @@ TEST_P(RingStateOn, TakesShortStepsFarAway) {
   }
 }
 
-// The state contains only the patch of the tread.
+// The only part of the tread that the state may contain is the contact patch, so that the state is
+// small.
 TEST_P(RingStateOn, IsSmall) {
   const RingState state = before_the_cleat().state();
   EXPECT_GT(state.tread.tips()->columns.size(), 400u);

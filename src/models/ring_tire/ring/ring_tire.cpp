@@ -23,17 +23,18 @@ Eigen::Vector4d mass_of_node(const RingParameters& p) {
   return {m, m, m, J};
 }
 
-// The tangent of a step drops couplings around the ring that have decayed to this share
-// (cyclic_band.h): the relative error of a correction. A larger value saves work.
+// In the factorized tangent, couplings around the ring that have decayed to this share are omitted
+// (cyclic_band.h). It is the relative error of a Newton correction. A larger value saves work.
 constexpr double kFaded = 1e-6;
-// A tangent that leaves more than this share of the residual is renewed.
+// If a Newton correction leaves more than this share of the residual, the tangent is computed
+// again.
 constexpr double kSlow = 0.2;
 
-/// True if a correction is known to leave less than the tolerance. `left` is the residual before
-/// it, `last` the residual before the correction preceding it, which used the same tangent.
-/// Curvature alone leaves 2 left²/last. Blocks that begin to touch or to slip leave more, and their
-/// stored results belong to the state before the correction, so the test uses a factor of ten and
-/// at most twenty tolerances.
+/// Returns true if a correction is certain to leave less than the tolerance. `left` is the residual
+/// before this correction, `last` the residual before the preceding one, which used the same
+/// tangent. If the equations are smooth, about 2 left²/last remains. Blocks that begin to touch or
+/// to slip leave more, and their stored results belong to the state before the correction, so the
+/// test uses a safety factor of ten and at most twenty tolerances.
 bool known_to_end(double left, double last, double tolerance) {
   return left <= tolerance / kSlow ||
          (left <= 20.0 * tolerance && 10.0 * left * left <= tolerance * last);
@@ -190,8 +191,9 @@ HubForces RingTire::hub_forces(const Eigen::Matrix3d& carrier) const {
   return {carrier.transpose() * force, carrier.transpose() * moment};  // (18)
 }
 
-/// The shape X(χ) over the angle χ = φ - spin is fixed in the carrier, and node k flows through it:
-/// x' = c' + ω × (x - c) - spin' dX/dχ,  x'' = spin'^2 d²X/dχ². Differences are of fourth order.
+/// Sets velocities and accelerations of steady rolling. The shape X(χ) over the angle χ = φ - spin
+/// is fixed in the carrier, and node k moves along it: x' = c' + ω × (x - c) - spin' dX/dχ,  x'' =
+/// spin'^2 d²X/dχ². The derivatives of X are finite differences of fourth order.
 void RingTire::roll_on(const WheelMotion& motion) {
   const int N = angles_.nodes();
   const double step = 2.0 * std::numbers::pi / N, rate = motion.spin_rate;
@@ -220,7 +222,7 @@ Result<HubForces> RingTire::advance(const WheelMotion& motion,
   return hub_forces(motion.carrier);
 }
 
-/// A Failure leaves the tire in the state before.
+/// Advances in parts if the step is long. A Failure leaves the tire in its state before the step.
 Status RingTire::advance_in_parts(const WheelMotion& motion,
                                   const road::Road& road,
                                   double time,
@@ -289,7 +291,7 @@ Result<RingTrial> RingTire::trial(const RingState& from,
   return trial;
 }
 
-/// Takes a step, or two of half the length if it has no solution.
+/// Takes a step. If it has no solution, takes two steps of half the length.
 Status RingTire::substep(const WheelMotion& from,
                          const WheelMotion& to,
                          const road::Road& road,
@@ -303,8 +305,9 @@ Status RingTire::substep(const WheelMotion& from,
   return first.ok() ? substep(middle, to, road, time, 0.5 * step, halvings - 1) : first;
 }
 
-/// Initial guess of Newton's method: in a rolling tire accelerations are fixed in space rather than
-/// at a node, which flows through them by `turn` in the step.
+/// Sets the initial guess of Newton's method. In a rolling tire, accelerations are constant at a
+/// position in space rather than at a node, which moves through them by the angle `turn` in the
+/// step.
 void RingTire::guess_end(double turn) {
   const int N = angles_.nodes();
   const double segments = turn * N / (2.0 * std::numbers::pi), whole = std::floor(segments);
@@ -317,7 +320,8 @@ void RingTire::guess_end(double turn) {
   }
 }
 
-/// Computes the part of (16) that does not depend on the step's end, and the road there.
+/// Computes the terms of (16) that do not depend on the end of the step, and evaluates the road
+/// there.
 void RingTire::predict(const WheelMotion& motion, const road::Road& road, double time, double h) {
   const double theta = settings_.dissipation, gamma = 0.5 + theta;
   const double beta = 0.25 * (1.0 + theta) * (1.0 + theta);
@@ -331,16 +335,16 @@ void RingTire::predict(const WheelMotion& motion, const road::Road& road, double
     section_.flow(motion.spin_rate * h * angles_.nodes() / (2.0 * std::numbers::pi));
     tread_.bend(section_);
   }
-  tread_.approach(q_predicted_, rim_, road, time, rule_);
+  tread_.approach(q_predicted_, rim_, road, time, rule_, {&q_, &v_});
   if (section_.on()) section_.touch(tread_.nodes_near_road());
 }
 
-/// Computes v1_ and a1_ of (16) at q1_.
+/// Computes the velocities v1_ and accelerations a1_ of (16) for the positions q1_.
 void RingTire::follow() { ring_tire::follow(rule_, q1_, q_predicted_, v_predicted_, a_, v1_, a1_); }
 
-/// Renews the tangent at q1_, with more mass if it would not be definite otherwise.
+/// Computes the tangent at q1_ again. If it would not be positive definite, the mass is increased.
 bool RingTire::renew_tangent() {
-  constexpr double kMostMass = 64.0;  // largest factor on the mass
+  constexpr double kMostMass = 64.0;  // largest factor by which the mass is increased
   for (double more = 1.0; more <= kMostMass; more *= 2.0) {
     if (!factorize(q1_, more * rule_.acceleration, 1.0 - settings_.dissipation, rule_)) continue;
     reuse_.made(more * rule_.acceleration);
@@ -351,9 +355,9 @@ bool RingTire::renew_tangent() {
   return false;
 }
 
-/// Updates the forces after a correction that is known to leave less than the tolerance: belt and
-/// sidewall are evaluated, the total follows from (17). The blocks, most of the work, are not
-/// evaluated again.
+/// Updates the forces after a correction that is certain to leave less than the tolerance: belt and
+/// sidewall are evaluated, and the total follows from (17). The tread blocks, which are most of the
+/// work, are not evaluated again.
 void RingTire::balance() {
   const double theta = settings_.dissipation;
   follow();
@@ -362,7 +366,7 @@ void RingTire::balance() {
   total_ = (inertia_ - theta * force_) / (1.0 - theta);
 }
 
-/// Ends the step.
+/// Accepts the state at the end of the step.
 void RingTire::accept() {
   q_.swap(q1_);
   v_.swap(v1_);
@@ -373,7 +377,7 @@ void RingTire::accept() {
   if (section_.on()) section_.accept();
 }
 
-/// Takes one step of (16), (17).
+/// Takes one step of the time integration (16), (17).
 Status RingTire::step_forward(const WheelMotion& motion,
                               const road::Road& road,
                               double time,
@@ -381,7 +385,8 @@ Status RingTire::step_forward(const WheelMotion& motion,
   predict(free_ ? free_->begin(motion, time, h) : motion, road, time, h);
   ++counts_.steps;
   if (!tread_.knows_road()) return no_solution(time, kNoRoad);
-  // The border that bending sections add to a tangent cannot be rotated.
+  // A tangent of an earlier step can be rotated with the wheel, but not the border that bending
+  // sections add to it.
   const bool held = reuse_.serves(rule_.acceleration) && !section_.on() &&
                     (!free_ || free_->knows_tangent(counts_.factorizations));
   const int age = reuse_.age();
@@ -403,16 +408,18 @@ Status RingTire::step_forward(const WheelMotion& motion,
   return {};
 }
 
-/// Solves (17) by Newton's method, at first with the tangent held from an earlier step.
+/// Solves (17) by Newton's method. If `held`, it begins with the tangent of an earlier step.
 Status RingTire::solve_step(bool held, double time) {
   const double theta = settings_.dissipation;
-  // A tangent whose step leaves more than this share of the residual is renewed.
+  // If a correction leaves more than this share of the residual, Newton's method converges slowly,
+  // and the following correction is lengthened.
   constexpr double kCrawling = 0.5;
-  constexpr double kViolent = 1000.0;  // N, residual at a node for the guess of a step
+  // Residual at a node of the initial guess above which the tolerance grows in proportion to it, N.
+  constexpr double kViolent = 1000.0;
   if (held) factor_.turn_to(rim_.axes());
   double last = std::numeric_limits<double>::infinity();
-  // Error of the inertia forces caused by rounding of positions, in very short steps far from the
-  // origin.
+  // Error of the inertia forces caused by the rounding of positions. It matters in very short steps
+  // far from the origin.
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * rule_.acceleration *
                           mass_.maxCoeff() * q1_.cwiseAbs().maxCoeff();
   double tolerance = std::max(settings_.tolerance, rounding);
@@ -452,7 +459,8 @@ Status RingTire::solve_step(bool held, double time) {
 /// Returns a Failure if the belt is so near the axle, or so far from it, that results are
 /// meaningless.
 Status RingTire::check_belt(const NodeValues& q, double time) const {
-  constexpr double kNearest = 0.3, kFarthest = 2.0;  // shares of the belt's radius
+  // Distances from the axle as shares of the belt's radius.
+  constexpr double kNearest = 0.3, kFarthest = 2.0;
   const double R = parameters_.belt.radius;
   for (int k = 0; k < angles_.nodes(); ++k) {
     const double distance = (q.col(k).head<3>() - rim_.center).norm();

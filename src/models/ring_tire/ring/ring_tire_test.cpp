@@ -31,7 +31,7 @@ struct Resultant {
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
 };
 
-/// Returns the resultant of the road's forces about the wheel center.
+/// Returns the resultant force and moment of the road about the wheel center.
 Resultant of_road(const RingTire& tire, const Vector3d& center) {
   Resultant sum;
   for (const BlockContact& block : tire.contacts()) {
@@ -66,7 +66,7 @@ HubForces roll(RingTire& tire, WheelMotion& motion, const road::Road& road, int 
   return forces;
 }
 
-// Newton's third law: the forces on the hub equal those of the road, with camber as well.
+// The forces on the hub must equal those of the road by Newton's third law, with camber as well.
 TEST(RingTire, StandsOnItsPatchInBalance) {
   RingTire tire(passenger_ring());
   const road::PlaneRoad road;
@@ -82,8 +82,9 @@ TEST(RingTire, StandsOnItsPatchInBalance) {
   }
 }
 
-// In steady rolling momentum and angular momentum are constant, so hub and road balance again. The
-// hub's torque is the longitudinal force at the loaded radius plus rolling resistance.
+// In steady rolling, momentum and angular momentum are constant, so the forces on hub and road are
+// in balance. The torque at the hub is the longitudinal force times the loaded radius, plus rolling
+// resistance.
 TEST(RingTire, RollsInBalance) {
   RingTire tire(passenger_ring());
   const road::PlaneRoad road;
@@ -104,7 +105,7 @@ TEST(RingTire, RollsInBalance) {
   EXPECT_NEAR(hub.moment.y(), ground.moment.y(), 2.0);
 }
 
-/// Returns hub forces over a cleat in steps of h.
+/// Returns the hub forces while the tire rolls over a cleat in steps of h (s).
 std::vector<Vector3d> over_a_cleat(double tolerance, double h) {
   const road::ProfileRoad road = road::cleat_road(0.3, 0.015, 0.03, 0.005);
   RingTire tire(passenger_ring(), {.tolerance = tolerance});
@@ -116,8 +117,9 @@ std::vector<Vector3d> over_a_cleat(double tolerance, double h) {
   return forces;
 }
 
-// Steps end with a correction whose forces are not computed, and short steps begin with an earlier
-// tangent: neither changes the result beyond the tolerance of the residual at a node.
+// Steps end with a correction after which forces are not computed again, and short steps begin with
+// an earlier tangent. Neither may change the result by more than the tolerance of the residual at a
+// node.
 TEST(RingTire, LeavesNoMoreThanItsTolerance) {
   constexpr double kTolerance = 0.1;  // N
   for (double h : {5e-4, 1e-4}) {
@@ -130,7 +132,8 @@ TEST(RingTire, LeavesNoMoreThanItsTolerance) {
   }
 }
 
-// An earlier tangent is tried if it saves work: in steps that rotate the wheel by little.
+// An earlier tangent is tried if this saves work, that is, in steps in which the wheel rotates
+// little.
 TEST(RingTire, HoldsItsTangentInShortSteps) {
   for (const auto& [h, most] : {std::pair{5e-4, 1.2}, {5e-5, 0.3}}) {
     RingTire tire(passenger_ring());
@@ -144,7 +147,7 @@ TEST(RingTire, HoldsItsTangentInShortSteps) {
   }
 }
 
-// The ring rotated by one node is the same ring.
+// The ring is the same after a rotation by one node, so its forces must be equal.
 TEST(RingTire, IsTheSameTurnedByANode) {
   const road::ProfileRoad road = road::cleat_road(0.1, 0.015, 0.03, 0.005);
   const RingParameters ring = passenger_ring();
@@ -160,7 +163,7 @@ TEST(RingTire, IsTheSameTurnedByANode) {
   EXPECT_LT((forces[0].moment - forces[1].moment).norm(), 1e-4 * forces[0].force.norm());
 }
 
-/// Energy that the tire has turned into heat so far, J: the work of the rim on the tire by the
+/// Energy that the tire has converted to heat so far, J: the work of the rim on the tire by the
 /// trapezoidal rule, minus the increase of the tire's energy. The road stands still and does no
 /// work.
 class Heat {
@@ -187,8 +190,8 @@ class Heat {
   double stored_, power_, work_ = 0.0, heat_ = 0.0;
 };
 
-// The rim of a standing tire is pushed sideways and forward and held: belt and tread vibrate on the
-// ground and lose energy to dampers and friction, and never gain any.
+// The rim of a standing tire is moved sideways and forward and then held. Belt and tread vibrate on
+// the ground. They must lose energy to dampers and friction, and never gain any.
 TEST(RingTire, OnTheGroundItRingsAndLosesEnergy) {
   RingTire tire(passenger_ring(), {.tolerance = 1e-6});
   const road::PlaneRoad road;
@@ -208,7 +211,7 @@ TEST(RingTire, OnTheGroundItRingsAndLosesEnergy) {
   EXPECT_LT(last, first - 1.0);
 }
 
-// A tire that rolls with side slip and is braked produces heat all the time. In steady rolling,
+// A tire that rolls with side slip and is braked produces heat at all times. In steady rolling,
 // when its energy is constant, the heat equals the work of the rim.
 TEST(RingTire, RollingItTurnsWorkIntoHeat) {
   RingTire tire(passenger_ring(), {.tolerance = 1e-4});
@@ -235,7 +238,7 @@ TEST(RingTire, RollingItTurnsWorkIntoHeat) {
   EXPECT_NEAR(heat.value(), heat.work(), 0.02 * heat.work());
 }
 
-/// Returns forces on a hub that heaves while the wheel rolls, every 2 ms.
+/// Returns the forces on a hub that moves up and down while the wheel rolls, every 2 ms.
 std::vector<Vector3d> rolling_and_heaving(int parts) {
   constexpr double kEvery = 2e-3, kSpeed = 10.0, omega = 2.0 * std::numbers::pi * 25.0;
   constexpr int kRecords = 30;
@@ -258,8 +261,10 @@ std::vector<Vector3d> rolling_and_heaving(int parts) {
   return forces;
 }
 
-// While the tire rolls, blocks come and go within a step: two halvings reduce the change of Fx and
-// Fz about sixteenfold at order 2 and fourfold at order 1.
+// While the tire rolls, blocks come and go within a step: two halvings reduce the change of Fz
+// about sixteenfold at order 2 and fourfold at order 1. The rest of the error of Fx, from tips that
+// slide and leave, is of an order between 1 and 2. Tips that were put down with the velocity at the
+// end of the step had changed Fx by 6.4 N at the first halving.
 TEST(RingTire, IsOfOrderTwoInRolling) {
   std::vector<std::vector<Vector3d>> runs;
   for (const int parts : {2, 4, 8, 16}) runs.push_back(rolling_and_heaving(parts));
@@ -269,11 +274,12 @@ TEST(RingTire, IsOfOrderTwoInRolling) {
       sum += std::pow(runs[from + 1][i][axis] - runs[from][i][axis], 2);
     return std::sqrt(sum / static_cast<double>(runs[from].size()));
   };
-  for (const int axis : {0, 2})
-    EXPECT_GT(change(0, axis), 7.0 * change(2, axis)) << "axis " << axis;
+  EXPECT_GT(change(0, 2), 7.0 * change(2, 2));
+  EXPECT_GT(change(0, 0), 5.0 * change(2, 0));
+  EXPECT_LT(change(0, 0), 5.0);
 }
 
-// In the air the hub carries the belt; on the road the road does.
+// In the air the hub carries the weight of the belt; on the road, the road does.
 TEST(RingTire, TheHubCarriesTheBeltsWeight) {
   RingParameters ring = passenger_ring();
   ring.belt.gravity = 9.81;
@@ -292,7 +298,7 @@ TEST(RingTire, TheHubCarriesTheBeltsWeight) {
   EXPECT_NEAR(standing->force.z(), of_road - ring.belt.mass * 9.81, 0.01);
 }
 
-/// A road that reports nothing about the surroundings of a point.
+/// A road that gives no information about rectangles, only about single points.
 class SilentRoad final : public road::Road {
  public:
   explicit SilentRoad(const road::Road& road) : road_(road) {}
@@ -304,7 +310,7 @@ class SilentRoad final : public road::Road {
   const road::Road& road_;
 };
 
-// Level ground uses a shorter computation of the same forces.
+// On level ground the same forces are computed by a shorter method.
 TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
   const road::PlaneRoad plane;
   const SilentRoad silent(plane);
@@ -313,7 +319,7 @@ TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
     const road::Road& road = i == 0 ? static_cast<const road::Road&>(silent) : plane;
     RingTire tire(passenger_ring());
     WheelMotion motion = rolling(tire.free_radius() - 0.015, 10.0, 0.32);  // braking
-    motion.velocity.y() = 0.5;                                             // and sliding sideways
+    motion.velocity.y() = 0.5;  // the wheel also slides sideways
     ASSERT_TRUE(tire.settle(motion, road, 0.0));
     forces[i] = roll(tire, motion, road, 40, 5e-4);
   }
@@ -321,8 +327,9 @@ TEST(RingTire, RollsOnLevelGroundAsOnAnyGround) {
   EXPECT_LT((forces[0].moment - forces[1].moment).norm(), 1e-9 * forces[0].force.norm());
 }
 
-/// Returns Fx and Fz over a cleat, with everything that has a kernel: damping with memory,
-/// friction, progressive springs, camber; 80 nodes, or 83, which is no multiple of eight.
+/// Returns Fx and Fz while the tire rolls over a cleat, with all effects that have a vectorized
+/// kernel: damping with memory, friction, progressive springs, camber. The ring has 80 nodes, or
+/// 83, which is no multiple of eight.
 std::vector<double> over_a_cleat(KernelSet set,
                                  int nodes,
                                  double belt_damping_time,
@@ -356,8 +363,8 @@ std::vector<double> over_a_cleat(KernelSet set,
   return forces;
 }
 
-// The result is identical to the bit if both sets have a fused multiply-add. The baseline has none,
-// so Newton's method ends elsewhere within its tolerance of 0.1 N at a node.
+// Results must be identical to the bit if both kernel sets have a fused multiply-add. The baseline
+// set has none, so its results may differ within the tolerance of Newton's method, 0.1 N at a node.
 TEST(RingTire, EveryKernelSetRollsTheSame) {
   for (const auto& [nodes, damping_time, bottoming] : {std::tuple{80, 0.0, 0.0},
                                                        std::tuple{83, 0.0, 0.0},
@@ -379,7 +386,8 @@ TEST(RingTire, EveryKernelSetRollsTheSame) {
   }
 }
 
-// Forces of this program of November 2026 over an oblique cleat with side slip, N and N m.
+// Regression test: forces computed by this program in November 2026, for an oblique cleat with side
+// slip, N and N m.
 TEST(RingTire, RegressionOverAnObliqueCleat) {
   RingParameters ring = passenger_ring();
   ring.sidewall.radial.dynamic_stiffening = 0.2;
@@ -394,10 +402,10 @@ TEST(RingTire, RegressionOverAnObliqueCleat) {
     int steps;
     Vector3d force, moment;
   } expected[] = {
-      {232, {-444.24, -1556.23, 5900.56}, {-448.95, -102.16, 51.09}},
-      {13, {-1037.84, -1437.55, 5229.02}, {-535.14, 414.27, 62.62}},
-      {15, {102.26, -1615.68, 3419.02}, {-469.65, 43.34, 142.35}},
-      {40, {-890.82, -1659.53, 4473.31}, {-490.23, -17.20, 90.59}},
+      {232, {-444.24, -1556.23, 5900.56}, {-449.46, -102.54, 51.41}},
+      {13, {-1037.84, -1437.55, 5229.02}, {-534.86, 414.72, 62.90}},
+      {15, {102.26, -1615.68, 3419.02}, {-469.49, 42.77, 141.93}},
+      {40, {-890.82, -1659.53, 4473.31}, {-490.65, -17.91, 89.93}},
   };
   for (const auto& at : expected) {
     const HubForces hub = roll(tire, motion, road, at.steps, 5e-4);
@@ -408,8 +416,9 @@ TEST(RingTire, RegressionOverAnObliqueCleat) {
   }
 }
 
-// Information about rectangles of the road saves time and changes nothing: drum, plane and kerb
-// with it and without, including blocks that do not fill their lanes.
+// The information that a road gives about rectangles saves time but must not change forces. The
+// test compares drum, plane and kerb with and without it, including groups of blocks that do not
+// fill their lanes.
 TEST(RingTire, WhatARoadSaysOfRectanglesChangesNoForce) {
   const road::DrumRoad outside({.diameter = 2.5, .surface = 12.0}),
       inside({.diameter = 3.0, .inner = true, .surface = 12.0});
@@ -438,7 +447,7 @@ TEST(RingTire, WhatARoadSaysOfRectanglesChangesNoForce) {
         const auto by_bounds = known.advance(motion, *road, i * h, h);
         const auto by_points = asked.advance(motion, silent, i * h, h);
         ASSERT_TRUE(by_bounds && by_points);
-        // The mean height over a cell is exact with it and a sum without it.
+        // With this information the mean height over a cell is exact; without it, a sum.
         EXPECT_LT((by_bounds->force - by_points->force).norm(), 1e-3 * by_points->force.norm())
             << "step " << i;
       }

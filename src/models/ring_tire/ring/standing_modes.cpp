@@ -40,7 +40,8 @@ numerics::EigenPairs<double> lowest(const CyclicBandFactor& factor,
   return numerics::lanczos(problem, {.count = count, .tolerance = 1e-10});
 }
 
-/// Returns the shape at the knots, along e_r, e_t, a of each knot.
+/// Returns the shape at the belt's knots, with components along the local axes e_r, e_t, a of each
+/// knot.
 NodeValues along_node_axes(const NodeValues& shape, const RingTire& tire) {
   NodeValues along = at_knots(shape);
   const RimFrame& rim = tire.rim();
@@ -53,7 +54,8 @@ NodeValues along_node_axes(const NodeValues& shape, const RingTire& tire) {
   return along;
 }
 
-/// Returns the kinetic energy in waves n of two rows, in the plane of the rim or out of it.
+/// Returns the kinetic energy of the waves with circumferential number n, of the two components in
+/// the plane of the rim or of the two out of it.
 double energy_in(const NodeValues& shape, const Eigen::Vector4d& mass, int n, bool lateral) {
   const int N = static_cast<int>(shape.cols());
   double sum = 0.0;
@@ -77,10 +79,11 @@ void name_by_waves(StandingMode& mode, const Eigen::Vector4d& mass) {
     }
 }
 
-/// Returns the phase from the overlap with the mirror image in the plane x = 0, for node 0 lowest;
-/// u_t changes sign.
+/// Returns the phase ('s', 'a' or ' ') of a shape from its overlap with its mirror image in the
+/// plane x = 0, in which u_t changes its sign. Node 0 must be the lowest.
 char phase_of(const NodeValues& shape, const Eigen::Vector4d& mass) {
-  constexpr double kClear = 0.5;  // least overlap of a symmetric or antisymmetric shape
+  // Smallest overlap at which a shape counts as symmetric or antisymmetric.
+  constexpr double kClear = 0.5;
   const int N = static_cast<int>(shape.cols());
   const Eigen::Vector4d mirrored(mass[0], -mass[1], mass[2], mass[3]);
   double overlap = 0.0;

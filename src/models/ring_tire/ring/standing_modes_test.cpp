@@ -35,7 +35,8 @@ RingTire standing(const RingParameters& ring, double depth, double camber = 0.0)
 
 using NodesOfBlock = std::array<Eigen::Vector4d, 4>;
 
-/// Returns the weights of a block's nodes at the share s of its segment: the cubic B-spline.
+/// Returns the weights of four nodes for a tread block at the relative position s of its segment:
+/// the cubic B-spline.
 std::array<double, 4> weights_at(double s) {
   const double r = 1.0 - s;
   return {r * r * r / 6.0,
@@ -50,7 +51,8 @@ Vector3d belt_at(const NodesOfBlock& x, double s) {
   return place;
 }
 
-/// Returns (10) for a block at the share s of its segment, with its frame following the belt.
+/// Returns the tip (10) of a tread block at the relative position s of its segment. The frame of
+/// the block follows the belt.
 Vector3d tip_of(const NodesOfBlock& x, double s, double H, double y, const Vector3d& a) {
   const double r = 1.0 - s;
   const double d[4] = {-0.5 * r * r, -2.0 * s + 1.5 * s * s, 2.0 * r - 1.5 * r * r, 0.5 * s * s};
@@ -65,8 +67,8 @@ Vector3d tip_of(const NodesOfBlock& x, double s, double H, double y, const Vecto
   return p.head<3>() + H * (n + p[3] * a) + y * (a - lean * t - p[3] * n);
 }
 
-/// The fourth entry of a tip is the height difference of its cell's ends from the middle. Returns
-/// the share of the cell below z = 0; the next function returns the mean over the cell of the
+/// The fourth entry of a tip is half the height difference between the ends of its cell. This
+/// function returns the share of the cell below z = 0, the next one the mean over the cell of the
 /// squared depth.
 double share_below(const Eigen::Vector4d& tip) {
   const double low = tip[2] - std::abs(tip[3]), high = tip[2] + std::abs(tip[3]);
@@ -79,8 +81,8 @@ double mean_square_below(const Eigen::Vector4d& tip) {
   return low * low * low / (3.0 * (low - high));
 }
 
-/// Returns the excess energy of a neo-Hookean block of height b over a linear spring, at two points
-/// of the cell: 1/6 (λ² + 2/λ - 3) b² - δ²/2.
+/// Returns the energy of a neo-Hookean block of height b minus that of a linear spring, evaluated
+/// at two points of the cell: 1/6 (λ² + 2/λ - 3) b² - δ²/2.
 double beyond_linear_below(const Eigen::Vector4d& tip, double b) {
   if (b == 0.0) return 0.0;
   double sum = 0.0;
@@ -92,7 +94,7 @@ double beyond_linear_below(const Eigen::Vector4d& tip, double b) {
   return sum;
 }
 
-/// Returns second differences of the energy of a sticking block on the road z = 0.
+/// Returns the stiffness of a sticking block on the road z = 0 by second differences of its energy.
 Eigen::Matrix<double, 16, 16> block_stiffness(
     const NodesOfBlock& at,
     const std::function<double(const Eigen::Vector4d&)>& energy,
@@ -113,8 +115,8 @@ Eigen::Matrix<double, 16, 16> block_stiffness(
   return K;
 }
 
-/// Returns the mass matrix of masses at the knots, each of which moves as one sixth, four sixths
-/// and one sixth of its nodes.
+/// Returns the mass matrix of masses at the belt's knots. The motion of a knot is one sixth, four
+/// sixths and one sixth of those of three nodes.
 MatrixXd consistent_mass(const RingTire& tire) {
   const int N = tire.parameters().nodes;
   MatrixXd knots = MatrixXd::Zero(4 * N, 4 * N);
@@ -125,8 +127,8 @@ MatrixXd consistent_mass(const RingTire& tire) {
   return knots.transpose() * tire.knot_mass().replicate(N, 1).asDiagonal() * knots;
 }
 
-/// Returns differences of the belt's and the sidewall's forces and of the blocks' energy for all
-/// unknowns.
+/// Returns the stiffness for all unknowns by differences of the belt's and the sidewall's forces
+/// and of the blocks' energy.
 MatrixXd stiffness_by_differences(const RingTire& tire) {
   const RingParameters& ring = tire.parameters();
   const int N = ring.nodes;
@@ -160,7 +162,8 @@ MatrixXd stiffness_by_differences(const RingTire& tire) {
         for (int m = 0; m < 4; ++m)
           at[static_cast<std::size_t>(m)] = tire.positions().col((segment + m - 1 + N) % N);
         const double cell = 0.5 / ring.tread.blocks;
-        // The tip, with the height difference of the belt at the cell's end as fourth entry.
+        // Position of the tip. The fourth entry is half the height difference of the belt between
+        // the ends of the cell.
         const auto tip = [&](const NodesOfBlock& x) {
           const double rise = 0.5 * (belt_at(x, s + cell) - belt_at(x, s - cell)).z();
           return (Eigen::Vector4d() << tip_of(x, s, H, y, a), rise).finished();
@@ -190,9 +193,10 @@ MatrixXd stiffness_by_differences(const RingTire& tire) {
   return K;
 }
 
-// The reference is a dense generalized eigen-solve of differences: of the belt's and the sidewall's
-// forces, and of an energy of the blocks written independently in this test. Differences with steps
-// of 1e-5 m in an energy of up to 1 J have an error of 4e-6 of a block's stiffness.
+// The reference is a dense generalized eigenvalue problem with matrices from finite differences: of
+// the forces of belt and sidewall, and of an energy of the blocks that this test computes
+// independently. Differences with steps of 1e-5 m of an energy of up to 1 J have an error of 4e-6
+// of a block's stiffness.
 TEST(StandingModes, AreThoseOfADenseMatrixOfDifferences) {
   RingParameters ring = passenger_ring();
   ring.sidewall.progressivity = 1.2;
@@ -213,7 +217,8 @@ TEST(StandingModes, AreThoseOfADenseMatrixOfDifferences) {
   }
 }
 
-// Off the road only the ring at rest is left: every mode with n > 0 occurs twice.
+// Off the road the modes must be those of the ring at rest, where every mode with n > 0 occurs
+// twice.
 TEST(StandingModes, OfATireInTheAirAreTheUnloadedOnes) {
   RingParameters ring = passenger_ring();
   ring.sidewall.radial.dynamic_stiffening = 0.2;
@@ -237,26 +242,27 @@ TEST(StandingModes, OfATireInTheAirAreTheUnloadedOnes) {
   }
 }
 
-/// The modes in the plane that are symmetric to φ = 0: ω² and the downward motion of a tip that
-/// depends on nodes at φ = -3, -1, 1, 3 halves of a segment.
+/// Modes in the plane of the rim that are symmetric to φ = 0: their ω², and the downward motion of
+/// a block's tip that depends on the nodes at φ = -3, -1, 1, 3 half segments.
 struct Poles {
   std::vector<double> squared, moved;
 };
 Poles symmetric_poles(const RingParameters& ring) {
   Poles poles;
   const double x = 2.0 * std::numbers::pi / ring.nodes;
-  // Returns the motion of the curve in the middle of a segment for a wave m of the knots with
-  // amplitude 1.
+  // Returns the motion of the belt's curve in the middle of a segment, for a wave m of the knots
+  // with amplitude 1.
   const auto middle = [&](int m) {
     const double knots = (4.0 + 2.0 * std::cos(m * x)) / 6.0;
     return (23.0 * std::cos(0.5 * m * x) + std::cos(1.5 * m * x)) / 24.0 / knots;
   };
   for (const RingMode& mode : unloaded_modes(ring, ring.nodes / 2)) {
     if (mode.lateral) continue;
-    // u_r = A cos n φ, u_t = -+B sin n φ: minus if the belt keeps its length, u_r + u_t' = 0, in
-    // the lower of two modes; plus in the upper one, by orthogonality.
+    // The shapes are u_r = A cos n φ, u_t = -+B sin n φ. In the lower one of two modes the belt
+    // keeps its length, u_r + u_t' = 0, which requires the minus sign; in the upper one the sign is
+    // plus, by orthogonality.
     const double sign = mode.order == 1 ? -1.0 : 1.0;
-    // The downward motion is u_r cos φ - u_t sin φ: waves n + 1 and n - 1.
+    // The downward motion u_r cos φ - u_t sin φ consists of the waves n + 1 and n - 1.
     const double u_r = mode.shape[0], u_t = sign * mode.shape[1];
     const double down = 0.5 * ((u_r + u_t) * middle(mode.n + 1) + (u_r - u_t) * middle(mode.n - 1));
     const bool single = mode.n == 0 || 2 * mode.n == ring.nodes;
@@ -266,11 +272,11 @@ Poles symmetric_poles(const RingParameters& ring) {
   return poles;
 }
 
-// One block without shear barely touches and acts as a spring c between the road and the ring. The
-// frequencies of modes symmetric to it are roots of the secular equation
+// A single block without shear stiffness touches the road and acts as a spring of stiffness c
+// between road and ring. The frequencies of modes symmetric to it are roots of the secular equation
 //   1/c + Σ φ_i²/(ω_i² - ω²) = 0
-// over the unloaded modes, where φ_i is the motion of the tip in mode i. The depth of 1 µm, 3e-6 of
-// the radius, carries a newton.
+// over the unloaded modes, where φ_i is the motion of the tip in mode i. At the depth of 1 µm, 3e-6
+// of the radius, the block carries one newton.
 TEST(StandingModes, OnOneBlockSolveTheSecularEquation) {
   RingParameters ring = passenger_ring();
   ring.tread.lines = ring.tread.blocks = 1;
@@ -278,7 +284,8 @@ TEST(StandingModes, OnOneBlockSolveTheSecularEquation) {
   RingTire tire(ring);
   WheelMotion motion;
   motion.center.z() = tire.free_radius() - 1e-6;
-  motion.spin = std::numbers::pi / ring.nodes;  // the block of the first segment is lowest
+  // Puts the block of the first segment at the lowest point.
+  motion.spin = std::numbers::pi / ring.nodes;
   ASSERT_TRUE(tire.settle(motion, road::PlaneRoad(), 0.0));
   ASSERT_EQ(tire.contacts().size(), 1u);
   const double c =
@@ -296,7 +303,7 @@ TEST(StandingModes, OnOneBlockSolveTheSecularEquation) {
   ASSERT_TRUE(modes) << modes.failure().reason;
   for (std::size_t i = 0; i < 6; ++i) {
     double low = sorted[i] * (1.0 + 1e-12), high = sorted[i + 1] * (1.0 - 1e-12);
-    if (secular(low) * secular(high) > 0.0) continue;  // this mode does not move the tip
+    if (secular(low) * secular(high) > 0.0) continue;  // no root: this mode does not move the tip
     for (int k = 0; k < 60; ++k) {
       const double middle = 0.5 * (low + high);
       (secular(low) * secular(middle) > 0.0 ? low : high) = middle;
@@ -309,7 +316,7 @@ TEST(StandingModes, OnOneBlockSolveTheSecularEquation) {
   }
 }
 
-// The contact splits the pairs: one mode of each is symmetric to it.
+// The contact splits every pair of modes; one mode of each pair is symmetric to it.
 TEST(StandingModes, ComeSymmetricAndAntisymmetric) {
   const RingTire tire = standing(passenger_ring(), 0.02);
   const auto modes = standing_modes(tire, 10);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linearization of the standing tire for small vibrations. With x' the belt's derivative by s at a
-// block and
+// Linearization of the standing tire for small vibrations. With x' the derivative of the belt's
+// curve by its parameter s at a tread block and
 //   θ = n . dx'/|x'|,  σ = t . dx'/|x'|,  α = a . dx'/|x'|
 // and the frame following the belt, (10) is to second order, for a section that stands upright,
 //   dT = dp - H θ t - y α t + (H a - y n) dψ - 1/2 H (θ^2 n - 2 θ σ t) + y (α σ t - α θ n + dψ θ t)
-// So a block with force F on the tire and stiffness K_b has the energy 1/2 dT K_b dT - F . d²T,
-// plus the contribution of its cell's slope.
+// A block with the force F on the tire and the stiffness K_b therefore has the energy 1/2 dT K_b dT
+// - F . d²T, plus the contribution of its cell's slope.
 #include <Eigen/Core>
 
 #include "models/ring_tire/ring/ring_tire.h"

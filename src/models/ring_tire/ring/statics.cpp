@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Equilibrium of the ring. From first touch the rim is lowered in equal steps; each is an
-// equilibrium found by two loops:
+// Static equilibrium of the ring. From first touch the rim is lowered in equal steps. The
+// equilibrium after each step is found by two nested loops:
 //   renewal    updates frames of the blocks, road below them and friction limits for the shape
-//   relaxing   with these fixed every force is the gradient of an energy: Newton's method with a
-//              line search minimizes it
-// The first is a fixed-point iteration that contracts by the tread's height times the contact force
-// over the belt's tension; the second cannot fail if the energy is bounded. A step of the rim that
-// finds no equilibrium within its iterations is divided.
+//   relaxing   while these are fixed, every force is the gradient of an energy: Newton's method
+//              with a line search minimizes it
+// The first is a fixed-point iteration whose convergence factor is the tread's height times the
+// contact force divided by the belt's tension. The second always succeeds if the energy is bounded.
+// If no equilibrium is found within the largest number of iterations, the step of the rim is
+// divided.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,14 +19,14 @@ namespace latsch::ring_tire {
 namespace {
 
 constexpr double kSmallestShift = 1e4, kLargestShift = 1e12;  // 1/s^2
-constexpr double kLargestMove = 5e-3;                         // m, for a node in one iteration
+constexpr double kLargestMove = 5e-3;  // m, largest displacement of a node in one iteration
 
 }  // namespace
 
-/// Moves q_ along a direction of falling energy until the force along it has nearly vanished.
-/// Returns false if the energy does not fall.
+/// Line search: moves q_ along a direction in which the energy falls, until the force along this
+/// direction nearly vanishes. Returns false if the energy does not fall.
 bool RingTire::advance_along(const NodeValues& direction) {
-  constexpr double kFlat = 0.5;  // share of the first slope
+  constexpr double kFlat = 0.5;  // final slope of the energy as a share of the initial one
   constexpr int kMost = 20;
   const Eigen::VectorXd bent = section_.values(), bending = section_.direction();
   const auto slope_now = [&] {
@@ -45,8 +46,8 @@ bool RingTire::advance_along(const NodeValues& direction) {
       q_ = q1_;
       return true;
     }
-    // Regula falsi (Illinois) between falling and rising energy; bisection if the energy is not
-    // finite.
+    // Regula falsi (Illinois variant) for the point where the energy stops falling; bisection if
+    // the energy is not finite.
     if (falls) {
       low = share;
       at_low = slope;
@@ -62,10 +63,11 @@ bool RingTire::advance_along(const NodeValues& direction) {
   return false;
 }
 
-/// Minimizes the energy from q_ with frames, road and friction limits fixed.
+/// Minimizes the energy, starting at q_, while frames of the blocks, road and friction limits are
+/// fixed.
 bool RingTire::relax() {
   constexpr int kMost = 60;
-  constexpr double kOfTolerance = 0.3;  // share of the static tolerance at which the loop ends
+  constexpr double kOfTolerance = 0.3;  // share of the static tolerance at which the iteration ends
   double shift = 0.0;
   for (int i = 0; i < kMost; ++i) {
     evaluate(q_, v1_);
@@ -83,11 +85,12 @@ bool RingTire::relax() {
   return false;
 }
 
-/// Finds the equilibrium at the rim's position, starting at q_.
+/// Finds the equilibrium at the present position of the rim, starting at q_.
 Status RingTire::equilibrate(const road::Road& road, double time) {
-  constexpr int kRenewals = 40;  // largest number before it counts as no equilibrium
-  // A block on an edge of the road may alternate between its two planes: it keeps its plane after
-  // this number of updates.
+  // Number of renewals after which the search for an equilibrium is given up.
+  constexpr int kRenewals = 40;
+  // A block on an edge of the road may alternate between the two planes of this edge. After this
+  // number of updates it keeps its plane.
   constexpr int kLooksAtRoad = 12;
   rule_ = {};
   v1_.setZero();
@@ -96,7 +99,7 @@ Status RingTire::equilibrate(const road::Road& road, double time) {
   double left = 0.0;
   for (int renewal = 0; renewal < kRenewals; ++renewal) {
     if (renewal < kLooksAtRoad) {
-      tread_.approach(q_, rim_, road, time, rule_);
+      tread_.approach(q_, rim_, road, time, rule_, {&q_, &v_});
       if (section_.on()) section_.touch(tread_.nodes_near_road());
     }
     if (!tread_.knows_road())
@@ -119,7 +122,7 @@ Status RingTire::equilibrate(const road::Road& road, double time) {
                   rim_.center.z())};
 }
 
-/// Moves the rim from one height to another, in parts if one step finds no equilibrium.
+/// Moves the rim from one height to another. If a step finds no equilibrium, it is divided.
 Status RingTire::lower(double from, double to, const road::Road& road, double time, int halvings) {
   const NodeValues before = q_;
   rim_.center.z() = to;

@@ -14,8 +14,8 @@
 namespace latsch::ring_tire {
 namespace {
 
-/// Returns a ring with 960 blocks in a line for any number of segments: the belt is refined, the
-/// tread is not.
+/// Returns a ring that has 960 blocks per line for any number of segments: only the belt is
+/// refined, not the tread.
 RingParameters ring_of(int nodes) {
   RingParameters ring = passenger_ring();
   ring.nodes = nodes;
@@ -39,8 +39,8 @@ double load(const RingParameters& ring, double depth, const road::Road& road, do
   return hub ? hub->force.z() : 0.0;
 }
 
-/// Returns the mean of the loads with a knot below the axle and with the middle of a segment below
-/// it.
+/// Returns the mean of two loads: with a knot of the belt below the axle, and with the middle of a
+/// segment below it.
 double mean_load(int nodes) {
   const RingParameters ring = ring_of(nodes);
   double sum = 0.0;
@@ -49,8 +49,8 @@ double mean_load(int nodes) {
   return sum;
 }
 
-// Bending, extension and pressure of the belt's curve are of fourth order in its segments; the
-// pressure has a kink at the end of the patch.
+// The errors of bending, extension and pressure of the belt's curve are of fourth order in the
+// length of its segments. The pressure has a kink at the end of the contact patch.
 TEST(RingStatics, LoadConvergesWithTheSegments) {
   const double F40 = mean_load(40), F80 = mean_load(80), F160 = mean_load(160);
   EXPECT_GT(std::log2((F40 - F80) / (F80 - F160)), 3.0);
@@ -60,7 +60,7 @@ TEST(RingStatics, LoadConvergesWithTheSegments) {
     EXPECT_NEAR(load(ring_of(nodes), 0.022, road::PlaneRoad()), F320, 1e-3 * F320) << nodes;
 }
 
-// Loads range from the first touch of a few blocks to the load that presses the belt nearly to the
+// Loads range from those at which a few blocks touch to one that presses the belt nearly to the
 // rim.
 TEST(RingStatics, StandsOnEveryRoadUnderEveryLoad) {
   road::DrumRoad::Settings drum{.diameter = 2.0};
@@ -79,8 +79,8 @@ TEST(RingStatics, StandsOnEveryRoadUnderEveryLoad) {
       }
 }
 
-// Parts of the sidewall with memory are active too. The residual forces at the nodes have a norm of
-// at most 1 mN, so their sum is at most sqrt(160) times that.
+// The elements of the sidewall that have a memory are included. The residual forces at the nodes
+// have a norm of at most 1 mN, so their sum is at most sqrt(160) times that.
 TEST(RingStatics, BalancesToTheTolerance) {
   RingParameters ring = ring_of(160);
   ring.sidewall.radial.friction_stiffening = 0.1;

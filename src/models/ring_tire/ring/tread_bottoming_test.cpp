@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire whose tread bottoms out (37): energy, and hard impacts.
+// Tests a tire whose tread bottoms out (37): conservation of energy, and hard impacts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,9 @@ RingParameters bottoming_ring(double bottoming) {
   return ring;
 }
 
-/// Energy, J, that a tire without losses and friction has gained, in itself and at the road, beyond
-/// the work of the rim, while it rolls and the hub heaves: its maximum in the run, and that work.
+/// Energy balance of a run, J, in which a tire without losses and friction rolls while its hub
+/// moves up and down. `most` is the largest increase of the energy, in the tire and at the road,
+/// beyond the work of the rim; `work` is this work.
 struct EnergyDrift {
   double most = 0.0, work = 0.0;
 };
@@ -73,8 +74,9 @@ EnergyDrift heaving(double bottoming, double h) {
   return drift;
 }
 
-// The energy of (37) matches the blocks' forces: the balance includes the energy exchanged with the
-// road. The rest falls with the square of the step, as with linear rubber.
+// The energy of the compressed blocks (37) must match their forces: the balance includes the energy
+// exchanged with the road. The remaining error falls with the square of the step, as it does with
+// linear rubber.
 TEST(TreadBottoming, RollingWithoutLossesKeepsItsEnergy) {
   for (const double bottoming : {0.0, 1.0, 0.35}) {
     const EnergyDrift wide = heaving(bottoming, 2e-4), narrow = heaving(bottoming, 5e-5);
@@ -84,7 +86,8 @@ TEST(TreadBottoming, RollingWithoutLossesKeepsItsEnergy) {
   }
 }
 
-/// Returns the largest compression of a block, m, as the tire hits a plank 50 mm high at 60 m/s.
+/// Returns the largest compression of a tread block, m, when the tire hits a plank 50 mm high at 60
+/// m/s.
 double deepest_at_a_plank(double bottoming) {
   RingParameters ring = bottoming_ring(bottoming);
   ring.tread.damping_time = 1e-4;
@@ -118,8 +121,8 @@ TEST(TreadBottoming, AHardHitDoesNotPressItToNothing) {
     EXPECT_LT(deepest_at_a_plank(bottoming), bottoming * height) << bottoming;
 }
 
-// A barely pressed tread behaves as linear rubber. Under a load it is stiffer, and more so the
-// sooner it bottoms out.
+// A tread under little pressure must behave like linear rubber. Under a load it must be stiffer,
+// the more so the earlier it bottoms out.
 TEST(TreadBottoming, BarelyPressedItIsLinear) {
   const auto standing_load = [](double bottoming, double sink) {
     RingTire tire(bottoming_ring(bottoming));

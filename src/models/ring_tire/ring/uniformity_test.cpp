@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects of imbalance and run-out on a ring: closed forms in the air, the tire's own stiffness on
-// the road.
+// Tests the effects of imbalance and run-out on a ring: in the air against closed forms, on the
+// road against the tire's own stiffness.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -24,8 +24,8 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-/// Returns hub forces over one revolution of the wheel after some others, with `per_turn` steps
-/// each.
+/// Returns the hub forces over one revolution of the wheel, with `per_turn` steps, after `turns`
+/// other revolutions.
 std::vector<HubForces> over_a_turn(
     const RingParameters& ring, double height, double spin_rate, double turns, int per_turn) {
   RingTire tire(ring, {.tolerance = 1e-6});
@@ -49,7 +49,8 @@ std::vector<HubForces> over_a_turn(
   return forces;
 }
 
-/// Returns the n-th harmonic of a force component over the spin: c in Re(c exp(-i n spin)).
+/// Returns the n-th harmonic of a force component over the spin angle: the complex amplitude c in
+/// Re(c exp(-i n spin)).
 std::complex<double> harmonic(const std::vector<HubForces>& forces, int axis, int n) {
   std::complex<double> sum = 0.0;
   const double count = static_cast<double>(forces.size());
@@ -58,7 +59,7 @@ std::complex<double> harmonic(const std::vector<HubForces>& forces, int axis, in
   return (n == 0 ? 1.0 : 2.0) / count * sum;
 }
 
-/// Returns a ring on a carcass so stiff that the belt moves with the rim.
+/// Returns a ring whose carcass is so stiff that the belt moves with the rim.
 RingParameters on_a_stiff_carcass() {
   RingParameters ring = passenger_ring();
   for (SidewallElement* e :
@@ -69,9 +70,10 @@ RingParameters on_a_stiff_carcass() {
   return ring;
 }
 
-// The force m r ω² acts along the radius of the mass. At spin 0 the mass is at its angle from the
-// lowest point to the front; it then moves down to the rear. Other orders are zero. With gravity
-// the mass adds its weight, and the moment of its weight about the axle.
+// The centrifugal force m r ω² acts along the radius of the mass. At spin 0 the mass is at its
+// angle, counted from the lowest point toward the front; from there it moves down and to the rear.
+// All other harmonics are zero. If gravity is included, the weight of the mass and its moment about
+// the axle are added.
 TEST(Uniformity, AnImbalanceInTheAirPullsAtTheHubByItsCentrifugalForce) {
   RingParameters ring = on_a_stiff_carcass();
   ring.uniformity.imbalance = 0.05;
@@ -80,7 +82,7 @@ TEST(Uniformity, AnImbalanceInTheAirPullsAtTheHubByItsCentrifugalForce) {
   for (const double gravity : {0.0, 9.81}) {
     ring.belt.gravity = gravity;
     const auto forces = over_a_turn(ring, 1.0, rate, 3.0, 400);
-    // x: sin(φ - spin), z: -cos(φ - spin)
+    // direction of the force: x is sin(φ - spin), z is -cos(φ - spin)
     const std::complex<double> x = harmonic(forces, 0, 1), z = harmonic(forces, 2, 1);
     const std::complex<double> i(0.0, 1.0), turn = std::polar(1.0, 0.7);
     EXPECT_LT(std::abs(x - force * -i * turn), 1e-3 * force) << gravity;
@@ -97,8 +99,8 @@ TEST(Uniformity, AnImbalanceInTheAirPullsAtTheHubByItsCentrifugalForce) {
   }
 }
 
-// A mass m changes the frequency of a mode of mass 1 by the relative amount -m/2 times the square
-// of its shape there.
+// A small mass m changes the frequency of a mode of unit modal mass by the relative amount -m/2
+// times the square of the mode's shape at the mass.
 TEST(Uniformity, AnImbalanceLowersTheModesThatMoveIt) {
   RingParameters ring = passenger_ring();
   const auto lateral = [&] {
@@ -118,10 +120,10 @@ TEST(Uniformity, AnImbalanceLowersTheModesThatMoveIt) {
       lateral() / without - 1.0, -0.5 * 1e-3 / ring.belt.mass, 0.01 * 1e-3 / ring.belt.mass);
 }
 
-// In slow rolling, a tread thicker by a presses the wheel by a more. Radial force variation is the
-// run-out times the stiffness of the rolling tire, reduced by the share of a wave that a patch of
-// half length l averages, sin(n l/R)/(n l/R), 2 % at n = 1 and 8 % at n = 2. Its maximum occurs
-// when the thickest point is at the bottom.
+// In slow rolling, a tread that is thicker by a compresses the tire by a more. The radial force
+// variation is the run-out times the stiffness of the rolling tire. It is reduced, because a patch
+// of half length l averages over a part of the wave: by the factor sin(n l/R)/(n l/R), that is by 2
+// % at n = 1 and by 8 % at n = 2. The maximum occurs when the thickest point is at the bottom.
 TEST(Uniformity, RadialRunOutOnTheRoadIsFeltByTheStiffness) {
   RingParameters ring = passenger_ring();
   ring.nodes = 60;
@@ -146,9 +148,9 @@ TEST(Uniformity, RadialRunOutOnTheRoadIsFeltByTheStiffness) {
 }
 
 // A belt with lateral run-out has no stress. In rolling, each of its points lands at its lateral
-// position and stays there, so the lateral force is nearly zero. But the load acts alternately left
-// and right of the wheel's plane in each revolution: this is a moment Fz times the run-out, plus
-// the lateral force times the height of the axle.
+// position and stays there, so the lateral force is nearly zero. But in each revolution the load
+// acts first on the left and then on the right of the wheel's plane. This causes a moment about the
+// forward axis: Fz times the run-out, plus the lateral force times the height of the axle.
 TEST(Uniformity, LateralRunOutStandsFreeAndCarriesTheLoadFromSideToSide) {
   RingParameters ring = passenger_ring();
   ring.nodes = 60;
@@ -168,7 +170,8 @@ TEST(Uniformity, LateralRunOutStandsFreeAndCarriesTheLoadFromSideToSide) {
   const auto whole = over_a_turn(ring, height, 10.0, 2.0, 600);
   ring.uniformity.lateral_runout[0].amplitude = 0.5e-3;
   const auto half = over_a_turn(ring, height, 10.0, 2.0, 600);
-  // The moment about the forward axis.
+  // Returns the hub moments in place of the forces, to find the harmonics of the moment about the
+  // forward axis.
   const auto moment = [](std::vector<HubForces> forces) {
     for (HubForces& hub : forces) hub.force = hub.moment;
     return harmonic(forces, 0, 1);
@@ -177,12 +180,14 @@ TEST(Uniformity, LateralRunOutStandsFreeAndCarriesTheLoadFromSideToSide) {
   const std::complex<double> expected =
       std::polar(1e-3 * harmonic(whole, 2, 0).real(), 0.4) + height * side;
   EXPECT_LT(std::abs(side), 1.0);
-  // The patch averages 2 % of the wave, and the carcass is compliant.
+  // The tolerance allows for the averaging of 2 % of the wave in the patch, and for the compliance
+  // of the carcass.
   EXPECT_LT(std::abs(moment(whole) - expected), 0.05 * std::abs(expected));
   EXPECT_LT(std::abs(moment(half) - 0.5 * moment(whole)), 0.005 * std::abs(expected));
 }
 
-// Modes of the unloaded ring are those of a uniform one.
+// Modes of the unloaded ring do not include imbalance and run-out, so they must be those of a
+// uniform ring.
 TEST(Uniformity, UnloadedModesAreThoseOfTheEvenRing) {
   const RingParameters even = passenger_ring();
   RingParameters uneven = even;
@@ -195,8 +200,8 @@ TEST(Uniformity, UnloadedModesAreThoseOfTheEvenRing) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].frequency, b[i].frequency);
 }
 
-// Derivatives of a trial over a cleat, with and without bent sections; steps and statics are solved
-// as usual.
+// Derivatives of a step over a cleat, with and without bent cross-sections, must include imbalance
+// and run-out. Steps and statics are solved with the usual tolerances.
 TEST(Uniformity, SlopesOfATrialKnowAllOfIt) {
   RingParameters ring = passenger_ring();
   ring.nodes = 60;

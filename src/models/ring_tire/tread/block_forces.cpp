@@ -18,6 +18,10 @@ void station_columns(const SegmentStations& at, double* columns) {
   LATSCH_KERNEL(station_columns)(at, columns);
 }
 
+void station_rates(const SegmentStations& at, double* columns) {
+  LATSCH_KERNEL(station_rates)(at, columns);
+}
+
 void lowest_tips(const double* columns, const BlockLines& lines, int stride, double* z) {
   LATSCH_KERNEL(lowest_tips)(columns, lines, stride, z);
 }

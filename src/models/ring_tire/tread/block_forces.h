@@ -41,6 +41,8 @@ struct BlockLines {
 struct BlockMemory {
   const double *tip[3], *touches;  // tip on the road; share of the block's cell on it
   const std::uint8_t* entering;    // for each eight stations: true if not all touch
+  const double*
+      start;  // at stations that are entering: columns of station_columns and station_rates
 };
 
 /// Results of (11) to (14). On level ground z of F and of the tip are not written, because they are
@@ -96,6 +98,9 @@ void station_frames(const double* const nodes[4],
 /// Computes (10) at all stations: nine columns p, G = n - ν_n t + ψ a and A = a - ν_a t - ψ n, so
 /// that T = p + H G + y A.
 void station_columns(const SegmentStations& at, double* columns);
+
+/// Computes the rates of p, G and A at all stations, nine columns; t, n and a are held.
+void station_rates(const SegmentStations& at, double* columns);
 
 /// Computes z of the lowest of the lines' tips at all stations from `columns` of station_columns.
 void lowest_tips(const double* columns, const BlockLines& lines, int stride, double* z);

@@ -12,15 +12,39 @@ LATSCH_INLINE Lanes push(const BlockLaw& law, const Touch& touch, const Lanes& r
   return law.normal * (touch.depth + larger(fast, -touch.depth));
 }
 
-/// Returns the time, s, since the part of a cell that did not touch at the beginning of the step
-/// came down, from the mean depth of this part.
-LATSCH_INLINE Lanes since_touch(const BlockLaw& law,
-                                const Touch& touch,
-                                const Lanes& rate,
-                                const Lanes& before) {
+/// A motion within a step, over its share u: the cubic with these places, and these velocities
+/// times the step, at both ends. Tips come down where the belt bends within some steps, so a
+/// velocity at one end does not determine the way.
+struct StepCubic {
+  Lanes begin, end, leaving, arriving;
+
+  LATSCH_INLINE Lanes at(const Lanes& u) const {
+    const Lanes left = 1.0 - u, u2 = u * u, left2 = left * left;
+    return begin * (left2 * (1.0 + 2.0 * u)) + end * (u2 * (3.0 - 2.0 * u)) +
+           leaving * (u * left2) - arriving * (u2 * left);
+  }
+  LATSCH_INLINE Lanes slope(const Lanes& u) const {
+    const Lanes left = 1.0 - u;
+    return (6.0 * (u * left)) * (end - begin) + leaving * (left * (left - 2.0 * u)) +
+           arriving * (u * (u - 2.0 * left));
+  }
+};
+
+/// Returns the share of the step after which the part of a cell that did not touch at its beginning
+/// came down. `depth` is that of the cell's middle, from which follows the mean depth of this part.
+LATSCH_INLINE Lanes share_at_touch(const Touch& touch, const Lanes& before, StepCubic depth) {
+  constexpr int kCorrections = 4;  // Newton's method, starting from the straight line
+  // Least slope of a correction over that of the straight line: a flatter cubic would throw it off.
+  constexpr double kLeastSlope = 0.2;
   const Lanes behind = 0.5 * (smaller(touch.share, before) + touch.share);
-  const Lanes depth = larger(touch.deepest - behind * touch.range, all(0.0));
-  return select(rate * law.step > depth, depth / rate, all(law.step));
+  const Lanes sunk = depth.end - depth.begin, straight = larger(sunk, all(1e-12));
+  depth.end = larger(touch.deepest - behind * touch.range, all(0.0));
+  depth.begin = depth.end - sunk;
+  const auto in_step = [](const Lanes& u) { return larger(smaller(u, all(1.0)), all(0.0)); };
+  Lanes u = in_step(-depth.begin / straight);
+  for (int i = 0; i < kCorrections; ++i)
+    u = in_step(u - depth.at(u) / larger(depth.slope(u), kLeastSlope * straight));
+  return select(depth.begin < 0.0, u, all(0.0));
 }
 
 /// Returns the share of the touching part that already touched at the beginning of the step.
@@ -101,7 +125,7 @@ struct LevelBlocks {
                              const Lanes3& half,
                              const Height& H,
                              double y,
-                             bool entering,
+                             const BeltBefore& was,
                              int block,
                              Lanes3& moment) const {
     const Lanes depth = ground.height - at_line(s.place.p.z, s.place.G.z, s.place.A.z, H, y);
@@ -110,11 +134,15 @@ struct LevelBlocks {
     const Lanes rate = -at_line(s.rate.p.z, s.rate.G.z, s.rate.A.z, H, y);
     Lanes tip_x = lanes(before.tip[0] + block) + law.step * ground.velocity[0];
     Lanes tip_y = lanes(before.tip[1] + block) + law.step * ground.velocity[1];
-    if (entering) {
-      const Lanes3 T = at_line(s.place, H, y), V = at_line(s.rate, H, y);
+    if (was.entering) {
+      const double h = law.step, *v = ground.velocity;
+      const Lanes3 T = at_line(s.place, H, y), V = at_line(s.rate, H, y),
+                   T0 = at_line(was.place, H, y), V0 = at_line(was.rate, H, y);
       const Lanes touched = lanes(before.touches + block), old = kept(touch, touched);
-      const Lanes since = since_touch(law, touch, rate, touched);
-      const Lanes new_x = T.x - V.x * since, new_y = T.y - V.y * since;
+      const Lanes u = share_at_touch(
+          touch, touched, {ground.height - h * v[2] - T0.z, depth, h * (v[2] - V0.z), h * rate});
+      const Lanes new_x = StepCubic{T0.x + h * v[0], T.x, h * (V0.x - v[0]), h * V.x}.at(u);
+      const Lanes new_y = StepCubic{T0.y + h * v[1], T.y, h * (V0.y - v[1]), h * V.y}.at(u);
       tip_x = new_x + old * (tip_x - new_x);
       tip_y = new_y + old * (tip_y - new_y);
     }
@@ -204,7 +232,7 @@ struct UnevenBlocks {
                              const Lanes3& half,
                              const Height& H,
                              double y,
-                             bool entering,
+                             const BeltBefore& was,
                              int block,
                              Lanes3& moment) const {
     const Plane plane(ground, block);
@@ -216,10 +244,17 @@ struct UnevenBlocks {
     const Lanes3 V = plane.carried(at_line(s.rate, H, y), -1.0);
     const Lanes rate = -plane.height(V), Fn = push(law, touch, rate);
     Lanes3 tip = plane.carried(lanes3(before.tip, block), law.step);
-    if (entering) {
+    if (was.entering) {
+      const double h = law.step;
+      // Relative to the road, with T at the beginning carried by the road to the end.
+      const Lanes3 T0 = plane.carried(at_line(was.place, H, y), h),
+                   V0 = plane.carried(at_line(was.rate, H, y), -1.0);
       const Lanes touched = lanes(before.touches + block), old = kept(touch, touched);
-      const Lanes since = since_touch(law, touch, rate, touched);
-      const Lanes3 fresh = {T.x - V.x * since, T.y - V.y * since, T.z - V.z * since};
+      const Lanes u = share_at_touch(
+          touch, touched, {level - plane.height(T0), depth, -h * plane.height(V0), h * rate});
+      const Lanes3 fresh = {StepCubic{T0.x, T.x, h * V0.x, h * V.x}.at(u),
+                            StepCubic{T0.y, T.y, h * V0.y, h * V.y}.at(u),
+                            StepCubic{T0.z, T.z, h * V0.z, h * V.z}.at(u)};
       tip = {fresh.x + old * (tip.x - fresh.x),
              fresh.y + old * (tip.y - fresh.y),
              fresh.z + old * (tip.z - fresh.z)};
@@ -304,6 +339,17 @@ void station_columns(const SegmentStations& at, double* columns) {
     store3(s.p, to, j);
     store3(s.G, to + 3, j);
     store3(s.A, to + 6, j);
+  }
+}
+
+void station_rates(const SegmentStations& at, double* columns) {
+  double* to[9];
+  for (int c = 0; c < 9; ++c) to[c] = columns + c * at.stride;
+  for (int j = at.begin; j < at.end; j += kWide) {
+    const BeltStation rates = section(at, at.rates, j, 0.0);
+    store3(rates.p, to, j);
+    store3(rates.G, to + 3, j);
+    store3(rates.A, to + 6, j);
   }
 }
 

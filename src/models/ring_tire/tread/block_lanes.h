@@ -85,6 +85,26 @@ LATSCH_INLINE Lanes3 at_line(const BeltStation& s, const Height& H, double y) {
           at_line(s.p.z, s.G.z, s.A.z, H, y)};
 }
 
+/// The belt at eight stations at the beginning of the step, known if not all of their blocks
+/// touched then.
+struct BeltBefore {
+  bool entering;
+  BeltStation place, rate;
+
+  LATSCH_INLINE BeltBefore(const BlockMemory& before, int stride, int j)
+      : entering(before.entering[j / kWide] != 0), place(), rate() {
+    if (!entering) return;
+    const auto belt = [&](int first) {
+      const double* const at = before.start + first * stride;
+      return BeltStation{lanes3(at, stride, j),
+                         lanes3(at + 3 * stride, stride, j),
+                         lanes3(at + 6 * stride, stride, j)};
+    };
+    place = belt(0);
+    rate = belt(9);
+  }
+};
+
 /// Forces of the lines at eight stations, F, H F and y F, and their moments on half a cell.
 struct StationSums {
   Lanes3 F, FH, Fy, moment;
@@ -162,7 +182,7 @@ LATSCH_INLINE Lanes3 half_cell(const SegmentStations& at, int j) {
 }
 
 /// Processes all blocks of a segment. `Blocks` has at(stations, j, place, rate), the belt in the
-/// form its ground needs, and force(belt, half, H, y, entering, block, moment), which returns the
+/// form its ground needs, and force(belt, half, H, y, before, block, moment), which returns the
 /// force of eight blocks of a line on the tire and adds to the moment on their half cells.
 template <class Blocks, class Shape>
 LATSCH_INLINE void add_block_forces(const BlockStep& step,
@@ -176,13 +196,13 @@ LATSCH_INLINE void add_block_forces(const BlockStep& step,
     const BeltStation place = section(at, at.nodes, j, 1.0);
     const auto belt = blocks.at(at, j, place, section(at, at.rates, j, 0.0));
     const Lanes3 half = half_cell(at, j);
-    const bool entering = step.before.entering[j / kWide] != 0;
+    const BeltBefore before(step.before, at.stride, j);
     StationSums sums = {};
     for (int line = 0; line < lines.count; ++line) {
       const auto H = shape.height(lines, line, j);
       const double y = lines.y[line];
       const int block = line * at.stride + j;
-      sums.add(blocks.force(belt, half, H, y, entering, block, sums.moment), H, y);
+      sums.add(blocks.force(belt, half, H, y, before, block, sums.moment), H, y);
     }
     spread(at, j, place, sums, to_node, to_rim);
   }

@@ -29,7 +29,7 @@ struct StandingBlocks {
                              const Lanes3& half,
                              const Height& H,
                              double y,
-                             bool,
+                             const BeltBefore&,
                              int block,
                              Lanes3& moment) const {
     const Lanes3 T = at_line(s, H, y);

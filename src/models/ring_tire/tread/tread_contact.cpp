@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -76,6 +77,7 @@ RingTreadContact::RingTreadContact(const Tread& tread,
   }
   none_.resize(static_cast<std::size_t>(lines_ * stride_), 0.0);
   stations_.resize(static_cast<std::size_t>(kStationColumns) * stride_);
+  start_frames_.resize(static_cast<std::size_t>(kFrameColumns) * stride_);
   station_stiffness_.resize(static_cast<std::size_t>(stride_));
   if (radial_runout.empty()) return;
   for (int k = 0; k < nodes; ++k)
@@ -167,7 +169,8 @@ void RingTreadContact::approach(const NodeValues& q,
                                 const RimFrame& rim,
                                 const road::Road& road,
                                 double time,
-                                const StepRule& rule) {
+                                const StepRule& rule,
+                                const BeltStart& start) {
   rule_ = rule;
   margin_ = rule.statics() ? kStandingMargin : bends_ ? kBentMargin : kMargin;
   margin_ += half_cell_rise_;
@@ -193,12 +196,28 @@ void RingTreadContact::approach(const NodeValues& q,
       patches_.pop_back();
       continue;
     }
-    entering_.resize(patches_.size() * static_cast<std::size_t>(stride_ / kWide));
-    find_entering({stride_, patch.begin, patch.end},
-                  lines_,
-                  before(segment, TreadTips::kShare),
-                  entering(patches_.size() - 1));
+    place_entering(start);
   }
+}
+
+void RingTreadContact::place_entering(const BeltStart& start) {
+  const std::size_t patch = patches_.size() - 1, stride = static_cast<std::size_t>(stride_);
+  const Patch& of = patches_.back();
+  entering_.resize(patches_.size() * stride / kWide);
+  start_.resize(patches_.size() * kStartColumns * stride);
+  std::uint8_t* const enter = entering(patch);
+  find_entering({stride_, of.begin, of.end}, lines_, before(of.segment, TreadTips::kShare), enter);
+  if (rule_.statics() ||
+      !std::any_of(enter + of.begin / kWide, enter + of.end / kWide, std::identity()))
+    return;
+  double *const to = &start_[patch * kStartColumns * stride], *const frames = start_frames_.data();
+  SegmentStations at = stations_of(patch, *start.q, *start.v);
+  station_frames(at.nodes, at.weights, at.a, stride_, frames);
+  at.t = frames + kT * stride;
+  at.n = frames + kN * stride;
+  at.length = frames + kLength * stride;
+  station_columns(at, to);
+  station_rates(at, to + 9 * stride);
 }
 
 /// Returns the rectangle of the ground below the tips of some lines. The lines are nearly straight
@@ -429,7 +448,8 @@ BlockStep RingTreadContact::step_of(std::size_t patch, const NodeValues& q, cons
           .lines = lines(segment),
           .before = {.tip = {was(TreadTips::kX), was(TreadTips::kY), was(TreadTips::kZ)},
                      .touches = was(TreadTips::kShare),
-                     .entering = entering(patch)},
+                     .entering = entering(patch),
+                     .start = &start_[patch * kStartColumns * static_cast<std::size_t>(stride_)]},
           .law = block_law(),
           .results = results(patch),
           .force = {},

@@ -73,6 +73,11 @@ struct PatchSlopes {
   Eigen::Matrix<double, 3, kAll> moment_on_rim = Eigen::Matrix<double, 3, kAll>::Zero();
 };
 
+/// The belt at the beginning of a step: positions and velocities of its nodes.
+struct BeltStart {
+  const NodeValues *q, *v;
+};
+
 class RingTreadContact {
  public:
   RingTreadContact(const Tread& tread,
@@ -98,11 +103,13 @@ class RingTreadContact {
                       Eigen::MatrixXd& B,
                       Eigen::MatrixXd& A) const;
   /// Computes frames, candidate blocks and the road below them at a predicted end of the step.
+  /// `start` is the belt at the beginning of the step; statics does not read it.
   void approach(const NodeValues& q,
                 const RimFrame& rim,
                 const road::Road& road,
                 double time,
-                const StepRule& rule);
+                const StepRule& rule,
+                const BeltStart& start);
   /// Adds the forces of all blocks at q, v; keeps them for add_stiffness and commit.
   void add_force(const NodeValues& q, const NodeValues& v, NodeValues& force);
   /// The part of the blocks' moment in the last add_force, N m, that the forces on the nodes do not
@@ -168,6 +175,7 @@ class RingTreadContact {
   static constexpr double kNoRoad = 1e6;  // m, below blocks of a line that are not evaluated
   /// Columns t, n and |x'| at the stations of a patch.
   enum FrameColumn { kT = 0, kN = 3, kLength = 6, kFrameColumns = 7 };
+  static constexpr int kStartColumns = 18;  // number of columns of BlockMemory::start
   /// Columns for the current segment: those of (10), or sums over the lines.
   enum StationColumn { kP = 0, kG = 3, kA = 6, kStationColumns = 18 };
 
@@ -219,6 +227,9 @@ class RingTreadContact {
   road::GroundBox below(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const;
   /// Adds a patch with all of a segment, its frames, and columns of (10) in at_stations.
   void add_patch(const NodeValues& q, int segment);
+  /// Finds out which stations of the last patch have blocks that do not touch yet, and the belt
+  /// there at the beginning of the step.
+  void place_entering(const BeltStart& start);
   /// The road under all of a patch, or of a line of it, if it is one plane or drum.
   struct Plane {
     road::GroundPoint ground;
@@ -308,6 +319,7 @@ class RingTreadContact {
   Eigen::Vector3d a_ = Eigen::Vector3d::UnitY();
   std::vector<Patch> patches_;  // around the ring
   std::vector<double> frames_, memory_, stations_;
+  std::vector<double> start_, start_frames_;  // BlockMemory::start of the patches; its frames
   TreadRow row_;
   Eigen::Vector3d moment_on_rim_ = Eigen::Vector3d::Zero();
   std::vector<std::uint8_t> entering_;  // for each eight stations of a patch

@@ -67,11 +67,11 @@ struct Pressed {
       q.col(k) << rim.center + ring.belt.radius * angles.radial(rim, k), 0.01 * std::sin(k);
       q(1, k) += 0.003 * std::cos(2.0 * k);  // a slope and a twist everywhere
     }
-    tread.approach(q, rim, road, 0.0, rule);
+    tread.approach(q, rim, road, 0.0, rule, {&q, &v});
     NodeValues force = NodeValues::Zero(4, ring.nodes);
     tread.add_force(q, v, force);
     tread.commit();  // all touching blocks get a tip on the road
-    tread.approach(q, rim, road, 0.0, rule);
+    tread.approach(q, rim, road, 0.0, rule, {&q, &v});
   }
 
   /// Returns the forces if the unknowns move by dq within the step.

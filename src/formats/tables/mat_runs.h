@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings in the structs of a MAT file, and its constants.
+//
+//   run1.Fz, run1.alpha, run2.Fz ...   two recordings; "run1" is the path of the first one
+//   runs(2).Fz.data                    the second element of an array of structs, "runs(2)"
+//   P = 82.7, in kPa                   a constant: the same in all samples of the vectors
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "formats/tables/mat_file.h"
+
+namespace latsch::formats {
+
+/// Returns the paths of structs with at least two vectors that are known channels, in the order of
+/// the file; "" is the file itself.
+std::vector<std::string> runs_in(const MatFile& file);
+
+/// Returns the members of a struct under their names in it: "Fz" for "run1.Fz". Throws InputError
+/// if there is no such struct; the message has the structs of the file.
+MatFile run_of(const MatFile& file, const std::string& path);
+
+/// Turns single numbers into vectors of equal values with as many samples as the other vectors of
+/// the file, and returns their names. This is done for every number that is a known channel with a
+/// unit or whose name is in `units`. Nothing is done for a number if the file has a vector of the
+/// same channel, or for any number if the vectors of known channels differ in length.
+std::set<std::string> spread_constants(const std::map<std::string, std::string>& units,
+                                       MatFile& file);
+
+}  // namespace latsch::formats
