@@ -38,7 +38,8 @@ struct NewOptions {
   // files of a tire test, names of their columns, and held-out parts
   std::vector<std::string> recordings, columns, held_out;
   std::string axes, radius;
-  // the model that is measured, or kExample; and the known flexible ring
+  // --ring-data: the model that is measured to fit a ring to it, or kExample; --known: the file of
+  // the flexible ring at which the fit begins
   std::string ring_data, known;
   bool suspension = false, car = false;
   std::vector<std::string> drum;  // recordings of a drum with a cleat
