@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""For bench_python: measures the seconds per turn of ask and tell from Python, for the searches of the benchmark.
+"""Measures the seconds per turn of ask and tell from Python, for bench_python, with the search methods of that
+benchmark.
 
-    ask_tell_turns.py METHOD VARIABLES    prints seconds per turn, the turns, and the last point as hexadecimal numbers
-"""
+    ask_tell_turns.py METHOD VARIABLES    prints seconds per turn, the number of turns, and the last point in
+                                          hexadecimal floating point"""
 import sys
 import time
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Problems of Hock and Schittkowski with bounds, linear and nonlinear constraints.
-//
-// A problem is solved if every constraint is fulfilled (optimization/problem/score.h) and the
-// target is within 1e-4 of the published one, 1 % for the search by penalties; relative, or
-// absolute for values below 1. Penalties with kinks are for comparison: they are known to end less
-// accurately.
+// Constrained optimization on the problems of Hock and Schittkowski, with bounds, linear and
+// nonlinear constraints. A problem counts as solved if all constraints are fulfilled
+// (optimization/problem/score.h) and the objective is within 1e-4 of the published optimum, or
+// within 1 % for the search that uses penalties. The difference is relative, or absolute for optima
+// below 1. Nonsmooth penalties are included for comparison: they are known to end less accurately.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Same bits with 1, 2, 4 workers and after 100 x kill -9; no trial lost or repeated (F1).
-//
-// Two studies are fitted by the program itself: by one, two and four workers without a disturbance,
-// then killed at random moments and resumed until they end. One has a coarse tire with trials of
-// some tenths of a second. The other has an outside program that takes milliseconds, so that many
-// kills hit a commit.
+// Checks that a study gives the same bits with 1, 2 and 4 workers and after up to 100 kills by kill
+// -9, and that no trial is lost or repeated. Two studies are fitted by the program itself:
+// undisturbed with one, two and four workers, and then killed at random moments and resumed until
+// they end. One study is a coarse tire with trials of some tenths of a second. The other runs an
+// outside program that takes milliseconds, so that many kills hit the write of a result to the
+// journal.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -32,7 +32,8 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr std::uint64_t kSeed = 1;
 
-// The mesh makes a trial short; the result is not judged. A step tolerance is appended.
+// The coarse mesh makes a trial short, because the identified values are not judged. The benchmark
+// appends a step tolerance to this text.
 constexpr const char* kStudy = R"(title = "A coarse tire B, to be killed"
 model = "tire.toml"
 [variable.matrix]
@@ -69,7 +70,7 @@ fs::path write_tire_study(const fs::path& folder, const CoarseMesh& mesh, double
   return folder / "study.toml";
 }
 
-/// Returns false if the child had ended before it was killed.
+/// Kills the process after `time`. Returns false if it had ended before.
 bool kill_after(pid_t child, Seconds time) {
   std::this_thread::sleep_for(time);
   ::kill(child, SIGKILL);
@@ -99,8 +100,8 @@ struct Killed {
   bool same_bits = true;
 };
 
-/// Returns the number of workers of the study in `folder` that outlive it. A busy system needs time
-/// to end them.
+/// Returns the number of workers of the study in `folder` that are still running after the run has
+/// ended. A busy system gets some seconds to end them.
 int left_running(const fs::path& folder) {
   constexpr Seconds kPatience{2.0};
   const auto give_up = std::chrono::steady_clock::now() + kPatience;
@@ -112,8 +113,8 @@ int left_running(const fs::path& folder) {
   return static_cast<int>(left);
 }
 
-/// Runs one study, killed until it ends or has been killed often enough, and then resumed to its
-/// end.
+/// Runs one study and kills it until it ends or has been killed often enough, then resumes it to
+/// its end.
 void kill_and_resume(const Prey& prey,
                      Seconds longest,
                      RandomStream& random,

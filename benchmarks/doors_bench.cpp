@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Good files changed in some 25 ways: read the same, refused, or reported by name; none silent.
+// Changes good input files in some 25 ways and checks that no reader misreads a change silently.
 //
 //   ./bench.sh doors [--named] [--smoke]
 //
 // The files are the tables of measurements and the Magic Formula tires of the repository, one for
-// each header. A mutant counts as
+// each header. A changed file counts as
 //   same      if its numbers equal those of the good file to 1e-12 and the change keeps its meaning
-//   refused   if an error names the file
-//   told      if a doubt of the ledger, an unknown name in it, or a note names the change
-//   rest      if the changed column is no channel of its name and dimension any more: users of that
+//   refused   if the reader ends with an error that names the file
+//   told      if the reader names the change in a warning, an unknown name or a note
+//   rest      if the changed column is no longer a channel of its name and dimension: users of that
 //             channel are refused, and all other channels have the same numbers
-//   silent    otherwise: --named lists them
+//   silent    otherwise: --named lists these files
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,7 +36,8 @@ namespace fs = std::filesystem;
 constexpr double kSame = 1e-12;
 constexpr int kFewestFiles = 40;
 
-/// Result of reading a file: numbers by name, and every sentence that names something.
+/// Result of reading a file: the numbers by name, and every message in which the reader names
+/// something.
 struct Reading {
   std::map<std::string, std::vector<double>> numbers;
   std::vector<std::string> told;
@@ -55,13 +56,13 @@ Reading read_table(const fs::path& file) {
   return reading;
 }
 
-/// Reads a table of deflections or radii and forces with its special reader.
+/// Reads a table of deflections, or radii, and forces with the reader for load-deflection curves.
 Reading read_forces(const fs::path& file) {
   const LoadDeflectionCurve curve = formats::read_load_deflection(file);
   return {{{"position", curve.position}, {"force", curve.force}}, {}};
 }
 
-/// Reads a table of modes with its special reader.
+/// Reads a table of modes with the reader for mode tables.
 Reading read_mode_table(const fs::path& file) {
   Reading reading;
   for (const auto& mode : formats::read_modes(file).modes)
@@ -96,7 +97,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Compares names without case: a file in capitals may keep its own spelling of unknown names.
+/// Compares the numbers by name without regard to case, because unknown names in a file written in
+/// capitals may keep their spelling.
 bool is_same(const Reading& a, const Reading& b) {
   std::map<std::string, const std::vector<double>*> there;
   for (const auto& [name, values] : b.numbers) there[lower(name)] = &values;
@@ -108,7 +110,8 @@ bool is_same(const Reading& a, const Reading& b) {
   return true;
 }
 
-/// True if all common channels are the same and a channel of the good file is missing.
+/// True if all channels that both files have are the same and the changed file lacks a channel of
+/// the good one.
 bool is_rest(const Reading& good, const Reading& read) {
   bool one_is_gone = false;
   for (const auto& [name, values] : good.numbers) {
@@ -119,8 +122,8 @@ bool is_rest(const Reading& good, const Reading& read) {
   return one_is_gone;
 }
 
-/// True if the reader reports more than for the good file, or names the change if the change has a
-/// name.
+/// True if the reader reports something that it does not report for the good file, or mentions the
+/// changed name.
 bool tells(const Mutant& mutant, const Reading& good, const Reading& read) {
   const std::set<std::string> usual(good.told.begin(), good.told.end());
   for (const std::string& sentence : read.told)
@@ -141,11 +144,13 @@ class Doors {
  public:
   using Reader = Reading (*)(const fs::path&);
 
-  /// Reads the good file, then every mutant, each from a file with its ending.
+  /// Reads the good file, then every changed version of it. Each version is written to a file with
+  /// the ending of the good one.
   void go_through(const fs::path& file, const std::vector<Mutant>& mutants, Reader reader) {
     const fs::path copy = folder_ / ("changed" + file.extension().string());
     write_text_file(copy, read_text_file(file));
-    const Reading good = reader(copy);  // copied to one name, because sentences contain it
+    // all versions have one file name, because messages contain it
+    const Reading good = reader(copy);
     ++counts.files;
     for (const Mutant& mutant : mutants) {
       const fs::path changed = folder_ / ("changed" + file.extension().string());
@@ -188,7 +193,8 @@ class Doors {
   ScratchFolder folder_;
 };
 
-/// Returns the tables of the repository that are measurements, one for each header, and its tires.
+/// Returns the good files: the measured tables of the repository, one for each header, and its
+/// tires.
 std::vector<fs::path> good_files() {
   const fs::path tree = LATSCH_SOURCE_DIR;
   std::vector<fs::path> files;
@@ -201,7 +207,7 @@ std::vector<fs::path> good_files() {
   return files;
 }
 
-/// Returns the reader of a table: its special reader if it has one.
+/// Returns the reader for a table: the special reader of its kind if there is one.
 Doors::Reader reader_of(const TableText& table) {
   const auto has = [&](const char* name) {
     return std::find(table.names.begin(), table.names.end(), name) != table.names.end();
@@ -222,7 +228,8 @@ int run(const Options& options) {
       continue;
     }
     auto table = table_text(text);
-    if (!table || table->names.front() == "mode") continue;  // shapes are read with their modes
+    // mode shapes are read together with their modes
+    if (!table || table->names.front() == "mode") continue;
     constexpr std::size_t kMostRows = 200;
     if (table->rows.size() > kMostRows) table->rows.resize(kMostRows);
     const bool is_new_head = heads.insert(fmt::format("{}", table->text().substr(0, 400))).second;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `latsch test` of 10^5 steady states in a whole process, and memory for tables of any length.
-//
-// An argument sets the size of the table in MB; the memory has to be bounded.
+// Time of `latsch test` for 10^5 steady states, measured as a whole process, and the memory that
+// tables of any length need. An argument sets the size of the table in MB; the memory must stay
+// below a limit.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -24,11 +24,11 @@ namespace fs = std::filesystem;
 constexpr double kMegabyte = 1e6;
 
 struct Cost {
-  double seconds = 0.0, peak = 0.0;  // wall time; bytes
+  double seconds = 0.0, peak = 0.0;  // wall time, s; peak memory, bytes
   bool done = false;
 };
 
-/// Returns the cost of another process, from its start to its end.
+/// Returns wall time and peak memory of a command, from the start to the end of its process.
 Cost cost_of(const std::function<int()>& run) {
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = ::fork();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// 1,000 injected hangs, crashes, garbage outputs, exits, exceptions, floods: no study lost.
-//
-// Further faults are a full disk, a damaged journal, a second run on one journal, and Ctrl-C.
+// Injects 1,000 hangs, crashes, garbage outputs, exits, exceptions and floods of output into trials
+// and checks that no study is lost. Further faults are a full disk, a damaged journal, a second run
+// on one journal, and Ctrl-C.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -56,7 +56,8 @@ constexpr std::array kNames{"none",
                             "out of memory"};
 constexpr int kKinds = 8;
 
-/// Returns the fault of a point: every third point fails in a random way.
+/// Returns the fault injected at a point: every third point has none, the others fail in a random
+/// way.
 Fault fault_of(int point) {
   return point % 3 != 0 ? none : static_cast<Fault>(1 + RandomStream(1, point).below(kKinds));
 }
@@ -165,7 +166,8 @@ void evaluator_faults(Table& table, int points) {
                  longest <= 1.0);
 }
 
-/// Proposes one point after the other and nothing else, so a point that hangs has all workers.
+/// Proposes one point at a time and waits for its outcome, so that a point that hangs stops the
+/// whole search.
 class OneByOne : public Optimizer {
  public:
   explicit OneByOne(std::vector<DesignPoint> points) : points_(std::move(points)) {}
@@ -194,8 +196,8 @@ std::vector<DesignPoint> points_with_hangs(int good, int hanging) {
   return points;
 }
 
-/// Runs a search that reaches points which always hang, and counts the evaluations it starts beyond
-/// the first of each.
+/// Runs a search that reaches points which always hang, and counts how often each of them is
+/// started again.
 void hanging_points(Table& table, const Options& options) {
   constexpr int kGood = 20, kHanging = 3;
   const std::vector<int> counts = options.size(std::vector<int>{1, 2, 4}, std::vector<int>{2});
@@ -241,8 +243,8 @@ void kill_a_worker(RandomStream& random) {
   if (!children.empty()) ::kill(children[random.below(children.size())], SIGKILL);
 }
 
-/// Points hang, their workers are killed and the disk becomes full, all at once; then the run is
-/// resumed.
+/// Injects several faults at once (hanging points, killed workers, a full disk), and then resumes
+/// the run.
 void several_at_once(Table& table, const Options& options) {
   const int good = options.size(200, 60), hanging = options.size(6, 2);
   SamplingPlan plan;
@@ -333,8 +335,8 @@ Trial stored_trial(int number) {
   return {{{1.0 * number}}, {channels, 1.5, 1.25, 0}};
 }
 
-/// True if the trials read from a damaged journal are those written, and either all are there or
-/// there is a complaint.
+/// True if every trial that can be read from a damaged journal equals the written one, and if a
+/// missing trial is reported.
 bool is_honest(const JournalReport& report, int trials) {
   for (const auto& row : report.rows) {
     const auto read = row.decode();
@@ -377,7 +379,7 @@ void damaged_journal(Table& table, int damages) {
             fmt::format("{}", dishonest),
             "0",
             dishonest == 0);
-  // A bit is in one row only.
+  // A flipped bit damages one row, so it may cost one trial at most.
   table.row("trials that a bit flip costs, at most",
             fmt::format("{}", most_lost),
             "<= 1",
@@ -460,7 +462,7 @@ pid_t start_run(const fs::path& study) {
   ::_exit(1);
 }
 
-/// Counts processes that work in the given folder: outside programs that outlived their run.
+/// Counts processes whose working folder is `folder`: outside programs that outlived their run.
 int count_left_in(const fs::path& folder) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -471,8 +473,8 @@ int count_left_in(const fs::path& folder) {
   return count;
 }
 
-/// Returns the time, s, from a signal, sent `times` times, to the end of a run whose trials never
-/// end.
+/// Returns the time, s, between a signal, sent `times` times, and the end of a run whose trials
+/// never end.
 double time_to_stop(int signal, int times, int& left) {
   const ScratchFolder folder;
   const fs::path study = write_endless_study(folder.path());

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Magic Formula of a Formula Student tire: fitted at 69 and 83 kPa, predicted at 97 kPa, errors by
-// pressure beside those of each channel's own stage
+// A Magic Formula of a Formula Student tire is fitted at 69 and 83 kPa and predicts the measurement
+// at 97 kPa. The errors at each pressure stand beside those at the end of the stage that fits the
+// channel.
 //
 // The study is the one that `latsch new --magic-formula --hold-out "p = 97 kPa +- 7 kPa"` writes,
-// with experiments beside it that compare each fitted pressure alone. Errors are RMS over the peak
-// of the measured channel at that pressure. Mx of 97 kPa has no limit: the formula has no term by
-// which pressure changes what the side force adds to Mx, and on this record that slope falls from
-// 17.4 to 12.9 mm between 69 and 97 kPa at 2.7 kN.
+// with further experiments that compare each fitted pressure alone. Errors are RMS over the peak of
+// the measured channel at that pressure. Mx at 97 kPa has no limit: the formula has no term by
+// which pressure changes the effect of the side force on Mx, and in this measurement that effect
+// falls from 17.4 to 12.9 mm between 69 and 97 kPa at 2.7 kN.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include "correlation/search/own_stages.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/study/study_stages.h"
+#include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/executors/inline_executor.h"
 #include "table.h"
@@ -34,9 +36,12 @@ using namespace latsch::correlation;
 
 constexpr const char* kRecord =
     LATSCH_SOURCE_DIR "/../shared/data/measured/ttc_hoosier_43075_cornering_10Hz.csv";
-constexpr double kWorse = 1.05;     // largest ratio to the error of the own stage
-constexpr double kMostFy = 0.05;    // share of the peak at the predicted pressure
-constexpr double kMostMz = 0.0754;  // share of the peak at the predicted pressure
+// largest ratio of the final error to that at the end of the channel's own stage
+constexpr double kWorse = 1.05;
+// RMS error of Fy as a share of its peak, at the predicted pressure
+constexpr double kMostFy = 0.05;
+// RMS error of Mz as a share of its peak, at the predicted pressure
+constexpr double kMostMz = 0.0754;
 constexpr const char* kChannels[] = {"Fy", "Mz", "Mx"};
 
 void write_study(const fs::path& folder) {
@@ -51,7 +56,8 @@ void write_study(const fs::path& folder) {
       kRecord));
 }
 
-/// Adds to the study an experiment for each channel that compares a single pressure.
+/// Adds to the study an experiment for each channel that compares the measurement at a single
+/// pressure.
 std::string with_pressure(std::string study, const std::string& name, const std::string& window) {
   std::smatch found;
   std::regex_search(
@@ -84,7 +90,7 @@ Errors errors_at(const Study& study, const DesignPoint& point) {
 }
 
 struct Fitted {
-  std::map<std::string, Errors> own;  // errors at the end of each channel's own stage
+  std::map<std::string, Errors> own;  // errors of each channel at the end of the stage that fits it
   Errors errors;
   DesignPoint point;
 };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A million spoiled files for every reader: each gives numbers or an InputError, nothing else.
+// Feeds a million damaged files to every reader: each must give numbers or an InputError, nothing
+// else.
 //
 //   ./bench.sh fuzz [--inputs N] [--reader NAME] [--first I]
 //
-// Small good files are spoiled by one to four changes each (base/spoiled_text_testing.h), the i-th
+// Small good files are damaged by one to four changes each (base/spoiled_text_testing.h), the i-th
 // input always in the same way; the result is then used as a program uses it. Every reader runs in
 // a separate process with 4 GB of memory. A crash, ten seconds without a result, and any exception
 // except InputError are counted and reported with the number of the input; `--first I --inputs 1`
@@ -65,7 +66,8 @@ struct Reader {
   std::function<void(const std::string&)> use;
 };
 
-/// Shared state of a reader's process, readable after its death by the process that watches it.
+/// Shared state of a reader's process. The watching process can read it after the reader's process
+/// has died.
 struct Progress {
   std::atomic<long> next;  // current input
   std::atomic<long> rejected;
@@ -194,8 +196,8 @@ Reader crg_reader() {
           }};
 }
 
-/// Returns an element of a MAT file: type, length, contents padded to eight bytes; in this
-/// machine's byte order.
+/// Returns an element of a MAT file: type, length, and contents padded to eight bytes, in the byte
+/// order of this machine.
 std::string mat_element(std::uint32_t type, const std::string& contents, bool padded = true) {
   std::string bytes(8, '\0');
   const auto size = static_cast<std::uint32_t>(contents.size());
@@ -304,7 +306,8 @@ Reader bus_reader() {
           }};
 }
 
-/// Returns a reader of only the form of the file, as used by callers that know its sections.
+/// Returns a reader that parses only the sections and keys of the file, as callers do that know the
+/// sections.
 Reader teim_orbit_reader() {
   Reader reader = tir_reader();
   reader.name = "TeimOrbit";
@@ -380,9 +383,10 @@ std::string input(const Reader& reader, long number) {
   return spoiled(seed, reader.pieces, random);
 }
 
-/// Runs in the reader's process, from `progress.next` to `end`.
+/// Reads the inputs from number `progress.next` to `end`, in the reader's process.
 [[noreturn]] void work(const Reader& reader, long end, Progress& progress) {
-#if !defined(__SANITIZE_ADDRESS__)  // its shadow memory needs terabytes of addresses
+// the shadow memory of the address sanitizer needs terabytes of addresses
+#if !defined(__SANITIZE_ADDRESS__)
   const rlimit limit{kMemory, kMemory};
   ::setrlimit(RLIMIT_AS, &limit);
 #endif
@@ -407,7 +411,8 @@ std::string input(const Reader& reader, long number) {
   ::_exit(0);
 }
 
-/// Waits until the process ends or makes no progress; returns true in the latter case.
+/// Waits until the reader's process ends or makes no progress. Returns true if it makes no
+/// progress.
 bool hung(pid_t child, const Progress& progress, int& status) {
   auto since = std::chrono::steady_clock::now();
   long last = progress.next;

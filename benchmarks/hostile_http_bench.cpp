@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio's server under attack: 4xx, little memory, fast pings, nothing else readable.
+// Attacks the studio's HTTP server. It must answer 4xx, need little memory, keep answering pings
+// fast, and give no file that it must not serve.
 //
 //   ./bench.sh hostile_http [--alone]
 //
-// `latsch serve` runs in a separate process, over a folder with a study and beside files that it
-// must not read. With --alone it is the server of src/studio/http by itself, with a handler of a
-// few lines, which publishes a hundred events a second.
+// `latsch serve` runs in a separate process, over a folder with a study; files that it must not
+// read are beside the folder. With --alone the server of src/studio/http runs without the studio,
+// with a handler of a few lines that publishes a hundred events a second.
 //
-// All the time a user's page requests /api/ping a hundred times a second, on a kept connection and
-// on new ones. Memory is the increase of the server's peak over that after a few dozen usual
-// requests. The seed of the spoiled requests is fixed.
+// During the whole run a user's page requests /api/ping a hundred times a second, on a kept
+// connection and on new ones. Memory is the increase of the server's peak over that after a few
+// dozen usual requests. The seed of the damaged requests is fixed.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -46,7 +47,7 @@ constexpr int kSlow = 1000, kEventClients = 200;
 constexpr std::uint64_t kSeed = 20260;
 const std::string kSecret = "nobody may read this";
 
-/// Serves until SIGTERM arrives or the benchmark has ended.
+/// Runs the server until SIGTERM arrives or the benchmark's process has ended.
 int serve() {
   const pid_t benchmark = ::getppid();
   sigset_t end;
@@ -67,7 +68,7 @@ int serve() {
   return 0;
 }
 
-/// Checks applied to all replies.
+/// Counts and judges all replies of the server.
 struct Seen {
   long replies = 0;
   long with_secrets = 0;
@@ -98,8 +99,8 @@ class Attack {
     });
   }
 
-  /// Adds one row: repeats the attack for `duration` and counts the replies with 4xx, which all
-  /// have to be.
+  /// Adds one row: repeats the attack for `duration` and counts the replies with status 4xx. All
+  /// replies must have it.
   void repeated(const std::string& what, const std::function<std::vector<Reply>()>& attack) {
     std::map<int, long> count;
     long all = 0, refused = 0;
@@ -136,7 +137,7 @@ class Attack {
   std::vector<double> all_pings_;
 };
 
-/// Sends up to `bytes` while the server accepts them, then returns its reply.
+/// Sends a request of up to `bytes` while the server accepts data, then returns the server's reply.
 Reply reply_to_endless(std::uint16_t port,
                        const std::string& beginning,
                        std::size_t bytes,
@@ -152,7 +153,7 @@ Reply reply_to_endless(std::uint16_t port,
   return client.reply(15s);
 }
 
-/// Sends endless bodies. A smoke run sends less of the gigabyte that it announces.
+/// Sends requests whose bodies do not end. A smoke run sends less than the announced gigabyte.
 void endless(const AttackedServer& server, std::size_t sent, Attack& attack) {
   const std::string piece(1 << 20, 'x');
   const std::string length = fmt::format("Content-Length: {}\r\n", kGigabyte);
@@ -228,7 +229,7 @@ void slow_sockets(const AttackedServer& server,
   attack.ping_note("slow sockets");
 }
 
-/// Opens event clients of which half read nothing.
+/// Opens connections for server-sent events, half of which read nothing.
 void event_clients(const AttackedServer& server, Attack& attack, Table& table) {
   std::vector<RawClient> clients;
   for (int i = 0; i < kEventClients; ++i) {
@@ -250,7 +251,8 @@ void event_clients(const AttackedServer& server, Attack& attack, Table& table) {
   attack.ping_note("event clients");
 }
 
-/// Sends spoiled requests. Every status except 5xx is allowed, because a request may still be good.
+/// Sends damaged requests. Every status except 5xx is allowed, because a damaged request may still
+/// be valid.
 void spoiled_requests(
     const AttackedServer& server, int count, Attack& attack, Table& table, Seen& seen) {
   const std::vector<std::string> seeds = {
@@ -374,7 +376,7 @@ int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--serve") == 0) return serve();
   rlimit files{};
   ::getrlimit(RLIMIT_NOFILE, &files);
-  files.rlim_cur = files.rlim_max;  // for a thousand sockets of this process
+  files.rlim_cur = files.rlim_max;  // lets this process open a thousand sockets
   ::setrlimit(RLIMIT_NOFILE, &files);
   return run_benchmark(
       argc, argv, {{"--alone", "", "the server by itself, with a handler of its own"}}, attack);

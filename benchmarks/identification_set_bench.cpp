@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// `auto` as shipped on 48 identification problems, smooth, rough, noisy, with a failing corner.
+// The optimizer `auto`, as shipped, on 48 identification problems: smooth, rough, noisy, and with a
+// region of the design space in which the model fails. Half of the problems were available for
+// tuning, half are held out (verification/identification_set).
 //
-// Half of the problems were available for tuning, half are held out
-// (verification/identification_set). The peers are SciPy's least_squares, with its own differences
-// and those of 1e-2, NLopt's BOBYQA and COBYLA in the same run, and DFO-LS 1.6.5, whose figures
-// were measured on 47 other problems of the same kind (233 runs) and are a table here. Required: no
-// cell is worse than any of them, and at 20 (n + 1) .93 and .90 of all. `--tuning` runs only that
-// half and lists the unsolved runs.
+// It is compared with SciPy's least_squares, with its own differences and with differences of 1e-2,
+// and with NLopt's BOBYQA and COBYLA, all in the same run. DFO-LS 1.6.5 is a table here: its
+// figures were measured on 47 other problems of the same kind (233 runs). Required: `auto` solves
+// at least the share of problems of each of them in every cell, and within 20 (n + 1) evaluations
+// .93 and .90 of all. `--tuning` runs only the tuning half and lists the unsolved runs.
 //
-// A run that ends gives the same digits whatever the rounding: the smooth problems are repeated
-// with a relative error of 1e-12 in the residuals.
+// The end of a search must not depend on rounding: the smooth problems are repeated with a relative
+// error of 1e-12 in the residuals.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlopt.h>
@@ -33,7 +34,8 @@ using identification_set::Variant;
 
 constexpr double kTaus[] = {1e-3, 1e-5};
 
-/// One problem in one variant: the values every solver reached, evaluation by evaluation.
+/// One problem with one kind of disturbance: the value that each solver reached after every
+/// evaluation.
 struct Trial {
   std::string problem;
   Variant variant;
@@ -42,7 +44,8 @@ struct Trial {
   double start, least;
   std::map<std::string, std::vector<double>> exact;
 
-  /// Returns the evaluations in units of n + 1; infinite: not reached.
+  /// Returns the number of evaluations, in units of n + 1, that the solver needed to reach the
+  /// tolerance tau; infinite if it did not reach tau.
   double solved(const std::string& solver, double tau) const {
     const double below = least + tau * (start - least);
     const auto& values = exact.at(solver);
@@ -84,7 +87,7 @@ Trial run(const DisturbedProblem& problem, SciPy& scipy) {
   return trial;
 }
 
-using Shares = std::vector<double>;  // one for each budget
+using Shares = std::vector<double>;  // share of problems solved within each evaluation budget
 
 Shares shares(const std::vector<Trial>& trials,
               const std::string& solver,
@@ -103,8 +106,8 @@ Shares shares(const std::vector<Trial>& trials,
   return found;
 }
 
-/// Returns the shares of DFO-LS 1.6.5 on 47 other problems of this kind: all, rough (its noise
-/// setting), failing corner.
+/// Returns the shares of problems that DFO-LS 1.6.5 solved among 47 other problems of this kind:
+/// all, rough (with its noise setting), or with a failing region.
 Shares dfo_ls(const std::string& group, double tau) {
   if (group == "all")
     return tau > 1e-4 ? Shares{.674, .837, .893, .901} : Shares{.481, .760, .837, .854};
@@ -168,8 +171,8 @@ void list_unsolved(const std::vector<Trial>& trials) {
   }
 }
 
-/// Returns the root of the least sum of squares that a run finds with a relative residual error of
-/// `rounding`.
+/// Returns the square root of the least sum of squares that a search finds if every residual has a
+/// relative error of up to `rounding`.
 double end_of(const identification_set::Problem& problem, double rounding) {
   ResidualTrustRegion method(problem.space);
   double least = std::numeric_limits<double>::infinity();

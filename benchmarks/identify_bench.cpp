@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch identify of 31 variables: bytes, time, and what a kill -9 in the middle costs
-//
-// The study is studies/race_tire_mf with nine coefficients more. Its recordings bring the slopes of
-// 2,400 residuals, so one whole trial takes a third of a megabyte, and profiles take thousands.
+// `latsch identify` of a study with 31 variables: size of its journal, time, and the work lost by a
+// kill -9 in the middle. The study is studies/race_tire_mf with nine further coefficients. Its
+// trials return the derivatives of 2,400 residuals, so one trial takes a third of a megabyte in the
+// journal, and profiles take thousands of trials.
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -34,7 +34,7 @@ constexpr const char* kMore =
     "vary = [\"PHY2\", \"PVY2\", \"PVY3\", \"PKY3\", \"PKY7\", \"PVY4\", \"PPY5\", \"QHZ1\", "
     "\"QBZ2\"]\n";
 
-/// Writes the study with every n-th state (`every`), with or without the nine further coefficients.
+/// Writes the study with every n-th state (`every`); `is_whole` adds the nine further coefficients.
 void write_study(const fs::path& folder, long every, bool is_whole) {
   const fs::path from = fs::path(LATSCH_SOURCE_DIR) / "studies" / "race_tire_mf";
   fs::create_directories(folder);
@@ -52,7 +52,7 @@ std::string program() {
   return (fs::read_symlink("/proc/self/exe").parent_path() / "latsch").string();
 }
 
-/// Result of a verb: its JSON answer, its progress output, its duration.
+/// Result of a command of the program: its JSON output, its progress output, its duration.
 struct Done {
   nlohmann::json answer;
   std::string progress;
@@ -87,14 +87,14 @@ std::vector<Trial> all_trials(const fs::path& folder) {
   return all;
 }
 
-/// Returns the bits of a trial's point and outcome, without its times.
+/// Returns the bits of a trial's design point and outcome, without its computing times.
 std::string bits_of(const Trial& trial) {
   std::string bits = trial.point.bits();
   return trial.outcome.result ? bits + encode(*trial.outcome.result)
                               : bits + trial.outcome.result.failure().reason;
 }
 
-/// Kills the identification when this number of refits is stored.
+/// Starts the identification and kills it when this number of refits is stored.
 void kill_at(const fs::path& folder, long refits, int workers) {
   const pid_t child = start_latsch("identify", folder / "study.toml", workers);
   const fs::path file = correlation::RefitTrials::file(folder / "study.latsch");

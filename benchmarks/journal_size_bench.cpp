@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Size of a journal relative to its plain numbers, and the time to write and to read it.
-//
+// Size of a journal relative to its numbers as plain doubles, and the time to write and to read it.
 // The channels are those of real searches: a Magic Formula 6.1 with 600 measured states, fitted to
-// a race tire and profiled; flexible rings over a cleat, a design of points across the bounds of a
-// study. Both are computed, to the rounding of their sums, at states with a measurement's noise.
-// The cost of noise of the model itself is shown by channels to which noise was added: it cannot be
-// predicted, so it is stored in full.
+// a race tire and profiled; and flexible ring tires over a cleat, at points that cover the bounds
+// of a study. Both are smooth functions to within the rounding of their sums, at states that
+// contain measurement noise. Further channels have added noise, which stands for noise of a model
+// itself: it cannot be predicted, so it is stored in full.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -28,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRipple = 1e-6;  // share of every value
+constexpr double kRipple = 1e-6;  // amplitude of the added noise, as a share of every value
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -53,7 +52,7 @@ correlation::Study magic_formula(const fs::path& folder) {
   return study;
 }
 
-/// Runs the fit of the study and its profiles, up to `most` trials.
+/// Runs the fit of the study and its profiles, up to `most` trials in all.
 std::vector<Trial> search(const correlation::Study& study, long most) {
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
   ThreadExecutor executor([&] { return correlation::evaluator(study); }, 2);
@@ -93,14 +92,15 @@ std::vector<Trial> with_ripple(std::vector<Trial> trials) {
 }
 
 struct Cost {
-  double share = 0.0;              // size of the file over that of the plain numbers
-  double write = 0.0, read = 0.0;  // s for each trial
-  double plain = 0.0;              // bytes for each trial
+  double share = 0.0;              // file size over the size of the plain doubles
+  double write = 0.0, read = 0.0;  // s per trial
+  double plain = 0.0;              // bytes per trial
   bool is_same = true;
 };
 
 Cost cost_of(const std::vector<Trial>& trials) {
-  constexpr std::size_t kGroup = 16;  // size of a group of commits from several workers
+  // number of trials that several workers commit to the journal together
+  constexpr std::size_t kGroup = 16;
   const ScratchFolder folder;
   const fs::path file = folder / "a.latsch";
   Cost cost;

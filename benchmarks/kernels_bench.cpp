@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kernel set of this processor: its time in units of a yardstick, and identity of the bits.
+// Time of every SIMD kernel set that this processor supports, in units of a simple operation
+// (yardstick.h), and equality of their results to the bit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -77,7 +78,8 @@ Run many_at_once(int rounds) {
   return run;
 }
 
-/// Runs 0.15 s at 60 km/h over a cleat of 10 x 30 mm and returns the cost of a step of 0.5 ms.
+/// Simulates 0.15 s at 60 km/h over a cleat of 10 x 30 mm in steps of 0.5 ms, and returns the
+/// results and the time of one step.
 Run ring_over_cleat(int rounds) {
   auto ring = ring_tire::passenger_ring();
   ring.nodes = 80;
@@ -113,7 +115,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// Returns the FNV-1a hash of the bits, which is the same on every processor with fused
+/// Returns the FNV-1a hash of the values' bits. It is the same on every processor with fused
 /// multiply-adds.
 std::uint64_t digest(const std::vector<double>& values) {
   std::uint64_t hash = 0xcbf29ce484222325;
@@ -125,7 +127,8 @@ std::uint64_t digest(const std::vector<double>& values) {
   return hash;
 }
 
-/// Returns the largest difference, absolute in SI units for small values, relative for large ones.
+/// Returns the largest difference between the two lists: absolute, in SI units, for small values
+/// and relative for large ones.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Magic Formula 5.2, 6.1, 6.2: agreement with an independent program; time of one, many, slopes.
+// Magic Formula 5.2, 6.1 and 6.2: agreement with an independent program, and the time of one state,
+// of many states, and of derivatives.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,8 +69,8 @@ void agreement(benchmarks::Table& table) {
   }
 }
 
-/// Time of an arc tangent of the C library, s, on a processor with AVX2 at about 3.4 GHz, for which
-/// the limits in seconds are meant. On other processors the limit is the same number of arc
+/// Time, s, of an arc tangent of the C library on a processor with AVX2 at about 3.4 GHz. The
+/// limits in seconds hold for that processor; on another one the limit is the time of as many arc
 /// tangents.
 constexpr double kAtanThere = 9.5e-9;
 
@@ -110,7 +111,8 @@ void speed(const benchmarks::Options& options, benchmarks::Table& table) {
   table.note("sum of side forces, so that nothing is left out", fmt::format("{:.3f} N", sum));
 }
 
-/// Compares exact slopes of a fit's size with the evaluations that differences would need.
+/// Compares the time of exact derivatives for a fit of usual size with that of the evaluations that
+/// finite differences would need.
 void slopes(const benchmarks::Options& options, benchmarks::Table& table) {
   const auto sample = verification::sample_tire(Version::mf61);
   if (!sample) return;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Optimizers on many problems of one kind, by which constants of a search are judged.
+// Optimizers on many problems of one kind, for choosing the constants of a search method.
 //
-// The 53 Moré-Wild problems are each moved, rotated and scaled five times (varied_problems.h): 795
-// problems in three states: smooth; with 1 % noise on every residual; with a tenth of the points
-// without outcome. One problem more or less is .001 of a share, while single sets of 53 leave the
-// result to chance.
+// Each of the 53 Moré-Wild problems is moved, rotated and scaled (varied_problems.h), five times
+// each: 795 problems in three states, namely smooth, with 1 % noise on every residual, and with a
+// tenth of the points without outcome. One problem changes a share by .001, while a comparison on a
+// single set of 53 depends on chance.
 //
 //   more_wild_varied                    the methods as shipped, with solvers of NLopt
 //   more_wild_varied --contraction 0.5  GSS as shipped and with another contraction, also by family
@@ -30,7 +30,8 @@ struct Family {
   std::vector<more_wild::Problem> problems;
 };
 
-/// Returns every family five times; in a smoke run only the first problems.
+/// Returns the families of problems, each with five variants; in a smoke run only the first
+/// problems.
 std::vector<Family> families(const Options& options) {
   const int variants = options.size(5, 1);
   std::vector<Family> all = {{"moved", {}}, {"rotated", {}}, {"scaled", {}}};
@@ -55,7 +56,7 @@ struct State {
 const State kStates[] = {
     {"smooth", {}}, {"noise", {.noise = 0.01}}, {"failing", {.failures = 0.1}}};
 
-/// Returns the profile of every family in turn, then of all problems.
+/// Returns the data profile of every family of problems in turn, then the profile of all problems.
 std::vector<Profile> profiles(const Solver& solver,
                               const std::vector<Family>& families,
                               const Disturbance& disturbance) {
@@ -71,8 +72,8 @@ std::vector<Profile> profiles(const Solver& solver,
   return found;
 }
 
-/// Adds a row for each budget and tau: the share of a method, and the largest of its peers as the
-/// required value.
+/// Adds a row for each budget and tau: the share that a method solves, and as its requirement the
+/// largest share of the other solvers.
 void beside(Table& table,
             const std::string& what,
             const Profile& own,
@@ -110,7 +111,7 @@ int methods_as_shipped(const Options& options) {
   return table.exit_code();
 }
 
-/// Compares two columns: as shipped, and with the other contraction.
+/// Compares two columns of shares: GSS as shipped, and GSS with the other contraction factor.
 int judge_contraction(double other, const Options& options) {
   Table table("more_wild_varied", options);
   const auto problems = families(options);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranks of an MPI job are killed, throw or lose their master: no hang, nothing finished lost (F8).
+// Ranks of an MPI job are killed, throw an exception or lose their master. The job must not hang,
+// and no finished trial may be lost.
 //
 //   bench_mpi_faults [REPETITIONS]          recovery on: with mpirun --enable-recovery
 //
 // The program itself runs under mpirun on a small study and is disturbed after a random number of
-// trials. Every history ends in a resume, and its path is compared with an undisturbed one.
+// trials. Every disturbed job is resumed until it ends, and its search path is compared with an
+// undisturbed one.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -33,7 +35,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kRanks = 4;  // including the master
 constexpr double kPause = 0.05;
-constexpr double kLongest = 30.0;  // s, from a disturbance to the end of the job
+// s, longest allowed time from a disturbance to the end of the job
+constexpr double kLongest = 30.0;
 
 enum class Recovery { off, on };
 
@@ -47,7 +50,8 @@ pid_t start_job(const fs::path& study, Recovery recovery) {
   return start(arguments);
 }
 
-/// Returns the process of this rank of the job on the given study, or of its worker.
+/// Returns the process id of this rank of the job that runs the given study, or of the rank's
+/// worker.
 pid_t process_of(const fs::path& study, int rank, const std::string& verb) {
   for (const pid_t pid : processes_with(study.string())) {
     const fs::path process = fs::path("/proc") / std::to_string(pid);
@@ -68,20 +72,22 @@ pid_t process_of(const fs::path& study, int rank, const std::string& verb) {
 struct Fault {
   std::string name;
   Recovery recovery;
-  bool finishes;  // the job itself ends without a resume
+  bool finishes;  // true: the job itself ends without a resume
   std::function<void(const fs::path& study)> strike;
 };
 
 void kill_rank(const fs::path& study, int rank) { ::kill(process_of(study, rank, "run"), SIGKILL); }
 
-/// Makes a rank throw, because it cannot start a worker any more, as if a node lost its disk.
+/// Makes a rank throw an exception: it can no longer start a worker, as if its node had lost a
+/// disk.
 void make_throw(const fs::path& study) {
   const std::string whole = read_text_file(study);
   write_text_file(study, "no study");
   const pid_t rank = process_of(study, 1, "run");
   ::kill(process_of(study, 1, "worker"), SIGKILL);
   const auto start = Clock::now();
-  // The ranks keep the study they have read; a resume needs the file again.
+  // The running ranks have already read the study; a resume needs the file again, so it is
+  // restored.
   while (::kill(rank, 0) == 0 && Clock::now() - start < std::chrono::seconds(3)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Certified regressions of NIST and varied Moré-Wild problems, by which methods are chosen.
-//
-// `./bench.sh nist_strd --training` adds the varied problems: the Moré-Wild functions from other
-// starts and in other variables, and NIST's with the same first step for all variables, which for
-// some of them is ten times the largest start. Constants of the residual trust region are decided
-// by these, never by ./bench.sh more_wild. Required: every cell is no less than the better of
-// SciPy's least_squares, made for such problems, and NLopt's BOBYQA in the same run.
+// Solvers on NIST's certified nonlinear regressions and on varied Moré-Wild problems, used to
+// choose between methods. `./bench.sh nist_strd --training` adds the varied problems: the Moré-Wild
+// functions from other starts and in other variables, and NIST's with the same first step for all
+// variables, which for some of them is ten times the largest start value. Constants of the residual
+// trust region method are chosen by these problems, never by ./bench.sh more_wild. Required: every
+// cell is no less than the better of SciPy's least_squares, which is made for such problems, and
+// NLopt's BOBYQA in the same run.
 #include <fmt/format.h>
 #include <nlopt.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Overhead of an evaluation beside the model: in this process, in a worker, with its journal entry.
-//
-// Times are the least of five passes, because other work on the machine slows passes down.
+// Time that an evaluation takes in addition to the model: in this process, in a worker process, and
+// with its entry in the journal. Times are the least of five repetitions, because other work on the
+// machine slows some of them down.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace latsch::benchmarks {
 namespace {
 
-// A trial of a tire study has as many channels: forces and frequencies.
+// A model that returns as many channels as a trial of a tire study: forces and frequencies.
 Result<Channels> model(const DesignPoint& point) {
   Channels channels;
   channels.add({"stiffness/Fz", "N", std::vector<double>(5, point.values[0])});
@@ -93,8 +93,8 @@ double time_with_journal() {
   return (now() - start) / static_cast<double>(plan.points.size());
 }
 
-/// Every step waits for the disk: there is one worker, and no point is proposed before the last
-/// outcome is known.
+/// There is one worker, and each point is proposed only after the outcome before it is known, so
+/// every step waits for the disk.
 double time_of_a_step_with_journal() {
   const ScratchFolder folder;
   Journal journal = Journal::open(folder / "overhead.latsch", {{"model", "none"}});

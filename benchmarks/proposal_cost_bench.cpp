@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cost of a proposal of a search as a function of the number of variables and of known points.
-//
-// Times depend on the machine. On any machine the cost of a proposal must not grow with the history
-// as copying it would, and many variables must not be a trap.
+// Cost of a proposal of a search method as a function of the number of variables and of known
+// points. Times depend on the machine. On any machine the cost of a proposal must not grow with the
+// history as copying it would, and must stay acceptable for many variables.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -41,7 +40,7 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Steps until converged or `most` steps are done; returns seconds per step.
+/// Runs the method until it has converged or done `most` steps; returns seconds per step.
 double a_step(Optimizer& method, int look_ahead, int most, int& steps) {
   steps = 0;
   const double time = seconds([&] {
@@ -53,7 +52,7 @@ double a_step(Optimizer& method, int look_ahead, int most, int& steps) {
   return time / std::max(1, steps);
 }
 
-/// Returns the seconds of a look ahead of four proposals with `known` known points.
+/// Returns the seconds for proposing four points ahead if `known` points are already known.
 double with_history(Optimizer& method, const DesignSpace& space, int known) {
   RandomStream random(7, 0);
   for (int k = 0; k < known; ++k) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Overhead of Python: for a turn of ask and tell compared with C++; for a start, by import.
-//
-// Both languages run the same search once, which is checked by its last point to the bit, and
-// repeat it with the stored outcomes: a turn consists only of propose and observe, the best of five
-// repetitions.
+// Time that Python adds to a turn of ask and tell, compared with C++, and to the start of a program
+// that imports the module. Both languages run the same search once, which is checked by its last
+// point to the bit, and repeat it with the stored outcomes, so that a turn consists only of propose
+// and observe. The time is the best of five repetitions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +28,7 @@ using namespace latsch;
 
 constexpr std::size_t kMostTurns = 400;  // see ask_tell_turns.py
 constexpr int kRepeats = 5;
-constexpr double kMostOverhead = 20e-6;  // s for each turn
+constexpr double kMostOverhead = 20e-6;  // s added to each turn
 constexpr double kMostImport = 0.2;      // s
 
 std::string output_of(const std::string& arguments) {
@@ -100,8 +99,8 @@ Turns in_cpp(Method method, int n) {
 }
 
 Turns in_python(Method method, int n) {
-  std::istringstream text(output_of(fmt::format(
-      "{}/benchmarks/ask_tell_turns.py {} {}", LATSCH_SOURCE_DIR, name(method), n)));
+  std::istringstream text(output_of(
+      fmt::format("{}/benchmarks/ask_tell_turns.py {} {}", LATSCH_SOURCE_DIR, name(method), n)));
   Turns turns;
   text >> turns.seconds >> turns.count;
   for (std::string value; text >> value;) turns.last.push_back(std::strtod(value.c_str(), nullptr));
@@ -123,7 +122,8 @@ void compare(benchmarks::Table& table, Method method, int n) {
             ours.last == theirs.last && ours.count == theirs.count);
 }
 
-/// Returns the median of `count` imports with the files already read.
+/// Returns the median time of `count` imports of the module, whose files the system has already
+/// read into memory.
 double import_seconds(int count) {
   std::vector<double> times;
   for (int k = 0; k < 1 + count; ++k)

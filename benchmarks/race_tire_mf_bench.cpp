@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Magic Formula 6.1 fitted to the measured cornering of a race tire by a generated study.
-//
-// The study is written by `latsch new --magic-formula`. Rows: recordings of each stage, errors over
-// the whole run, and a pressure held out.
+// A Magic Formula 6.1 is fitted to the measured cornering of a race tire by a generated study. The
+// study is written by `latsch new --magic-formula`. Rows: size of the recordings of each stage,
+// errors over the whole test, and the prediction of a pressure that was not fitted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +30,7 @@ using namespace latsch::correlation;
 constexpr const char* kRun =
     LATSCH_SOURCE_DIR "/../shared/data/measured/ttc_hoosier_43075_cornering_10Hz.csv";
 
-/// Returns the study as the program writes it for the run.
+/// Returns the study that the program writes for the measurement.
 std::string written_study(const fs::path& folder) {
   (void)benchmarks::run_command(fmt::format(
       "{} new {} --magic-formula {} --axes {} --column 'time = t_s [s]' --column 'Vx = V_kph "
@@ -86,14 +85,14 @@ double relative_error(const Study& study, const std::string& name, const Channel
   throw std::runtime_error("no experiment " + name);
 }
 
-/// Returns the study with only the side force.
+/// Returns the study with the side force as the only compared channel.
 std::string of_side_force(const std::string& study) {
   const std::string text =
       std::regex_replace(study, std::regex("(experiment[.]M|stage[.]M|variable[.]Q).*\n"), "");
   return std::regex_replace(text, std::regex(", \"(Q|PPZ|PPM)[A-Z0-9]+\""), "");
 }
 
-/// Returns the study with those pressures fitted and the other ones predicted.
+/// Returns the study in which the `fitted` pressures are fitted and the others are predicted.
 std::string held_out(const std::string& study, const std::string& fitted, const std::string& held) {
   std::string text = std::regex_replace(study, std::regex("\"PPY4\", |, \"PPY4\""), "");
   const std::smatch all = [&] {
@@ -168,7 +167,7 @@ int bench(const benchmarks::Options& options) {
   std::string study = written_study(folder);
   table.note("lines of TOML written",
              fmt::format("{}", std::count(study.begin(), study.end(), '\n')));
-  study = std::regex_replace(  // all of the run; in a smoke run every hundredth sample
+  study = std::regex_replace(  // the whole measurement; in a smoke run every hundredth sample
       study,
       std::regex(", every = \\d+"),
       options.size("", ", every = 100"));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drum recordings: agreement with SciPy, alignment within a sample, the rig identified, time.
-//
-// SciPy runs as a separate program on the same samples (python3-scipy). The recordings come from a
-// rig of which everything is known (measurement/synthetic_rig.h): 92 Hz, 6 % damping, A/f^2 = 0.45,
-// c = 0.55, drifting speed, no period a whole number of samples, noise of 15 N.
+// Processing of drum recordings: agreement with SciPy, alignment of passages within a sample,
+// identification of the rig's dynamics, and computing time. SciPy runs as a separate program on the
+// same samples (python3-scipy). The recordings are synthetic and come from a rig whose parameters
+// are known (measurement/synthetic_rig.h): 92 Hz, 6 % damping, A/f^2 = 0.45, c = 0.55, a drifting
+// speed, periods that are no whole number of samples, and noise of 15 N.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -71,7 +71,8 @@ std::vector<double> read(const fs::path& file) {
   return values;
 }
 
-/// Returns the largest difference over the largest value.
+/// Returns the largest difference between SciPy's values in `file` and ours, divided by the largest
+/// value.
 double difference(const fs::path& file, const std::vector<double>& ours) {
   std::ifstream in(file);
   double largest = 0.0, difference = 0.0, theirs = 0.0;
@@ -104,8 +105,8 @@ void compare_with_scipy(Table& table) {
   auto coefficients = f.b;
   coefficients.insert(coefficients.end(), f.a.begin(), f.a.end());
   row("butter", "butter, order 4, 60 Hz at 2 kHz", coefficients);
-  // filtfilt depends on b, a and x, so it is compared with equal ones. The last bits of the
-  // coefficients alone change the result by 1e-16 / (2 pi 0.03)^4 times their number.
+  // The result of filtfilt depends on b, a and x, so SciPy and we use equal ones. The rounding of
+  // the coefficients alone would change it by 1e-16 / (2 pi 0.03)^4 times their number.
   const auto theirs = read(scratch.path / "butter");
   const RationalFilter same{{theirs.begin(), theirs.begin() + 5},
                             {theirs.begin() + 5, theirs.end()}};
@@ -152,7 +153,8 @@ RigFile known_file(const std::vector<double>& speeds) {
   return rig;
 }
 
-/// Returns the scatter of the starts of the passages relative to the hits, in samples.
+/// Returns the scatter, in samples, of the detected starts of the passages relative to the true
+/// times at which the cleat hits.
 double jitter(const SyntheticRun& run, const ProcessedPlateau& p) {
   const auto hits = synthetic_hits(known_rig(), run);
   std::vector<double> offsets;
@@ -183,7 +185,8 @@ void align(Table& table, double hold) {
         scatter = std::max(scatter, jitter(run, plateau));
       }
     }
-    // Without noise only interpolation and drift remain; noise adds about 1/20 of a sample.
+    // Without noise, only interpolation and the drifting speed cause an error; noise adds about
+    // 1/20 of a sample.
     const double reach = noise == 0.0 ? 0.01 : 0.1;
     table.row(fmt::format("alignment against the hits, noise {:g} N", noise),
               fmt::format("{:.4f} samples", worst),
@@ -239,8 +242,8 @@ void find_rig(Table& table) {
   }
 }
 
-/// Processes ten channels at 2 kHz: three plateaus of `hold` s, every channel averaged. For ten
-/// minutes hold is 196 s.
+/// Processes ten channels at 2 kHz: three constant speeds of `hold` s each, every channel averaged.
+/// Ten minutes of recording are `hold` = 196 s.
 void process_ten_minutes(Table& table, double hold) {
   const std::vector<double> speeds{30 * kKph, 60 * kKph, 90 * kKph};
   RigFile rig = known_file(speeds);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cost of one query on every kind of road, and its independence of the size of the file.
+// Cost of one height query on every kind of road, and its independence of the size of the road's
+// file. The queries are those of a tire: heights in a footprint of 0.2 m x 0.2 m that moves along
+// the road. Times are those of the process, the best of five. A road's index passes if a query on a
+// road with a hundred times the data costs at most twice as much: a full search would cost a
+// hundred times as much, a tree one level more for every doubling.
 //
-// The queries are those of a tire: a footprint of 0.2 m x 0.2 m that moves along the road, only
-// heights. Times are those of the process, the best of five. The indices pass if a query on a road
-// with a hundred times the data costs at most twice as much: a full search would cost a hundred
-// times as much, a tree one level for every doubling.
-//
-// The tandem cams of the rigid ring roll over the same roads: effective height and slope are
-// compared with the literal definition, the highest of points 0.01 mm apart and of those beside the
-// edges.
+// The tandem cams of the rigid ring tire roll over the same roads: effective height and slope are
+// compared with their literal definition, the highest of points 0.01 mm apart and of points at the
+// edges of the road profile.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,10 +32,11 @@ namespace {
 using namespace road;
 
 constexpr int kSteps = 200;
-constexpr int kPoints = 30;  // along and across the footprint
+constexpr int kPoints = 30;  // points in each direction of the footprint
 constexpr double kFootprint = 0.2;
 
-/// Returns s for each query, along the circle or line that `place` describes over 0 ... 1.
+/// Returns the time, s, of a query. The queries follow the line or circle that `place` describes
+/// for arguments from 0 to 1.
 template <class Place>
 double cost(const Road& road, const Place& place) {
   double best = 1e300, sum = 0.0;
@@ -91,8 +91,8 @@ struct Effective {
   double w, slope;
 };
 
-/// Returns the height of a cam with half axes a, b of order c, with its middle over x, by the
-/// literal definition; `edges` are those of the road.
+/// Returns the height of an elliptical cam with half axes a and b and exponent c whose center is
+/// over x, by the literal definition; `edges` are those of the road profile.
 double standing(
     const Road& road, double a, double b, double c, double x, const double (&edges)[2]) {
   constexpr double kApart = 1e-5;
@@ -109,12 +109,13 @@ double standing(
   return highest;
 }
 
-/// Adds the largest differences over the positions of a wheel.
+/// Adds the largest differences between our cams and the literal definition over many positions of
+/// a wheel.
 void cams(Table& table, const std::string& what, const Road& road, const double (&edges)[2]) {
   magic_formula::Parameters p;
   p.UNLOADED_RADIUS = 0.31;
   p.ELLIPS_NWIDTH = 1.0;
-  constexpr double kHalf = 0.055;  // m, half of the patch
+  constexpr double kHalf = 0.055;  // m, half the length of the contact patch
   const double a = p.ELLIPS_LENGTH * p.UNLOADED_RADIUS, b = p.ELLIPS_HEIGHT * p.UNLOADED_RADIUS;
   const double l_s = p.ELLIPS_SHIFT * 2.0 * kHalf;
   const rigid_ring::TandemCams cams(p);

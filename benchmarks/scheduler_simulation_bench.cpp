@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// 10,000 seeded histories of a search in virtual time in which everything may go wrong.
+// Runs 10,000 seeded searches in virtual time in which everything may go wrong, and checks the
+// rules of the scheduler.
 //
-// Points hang or fail, workers die or stall (and in every third history some are lost before they
-// begin), in each of the sixteen mixtures of these and with a timeout. Messages are late, overtake
-// each other and arrive twice, the store refuses, and the master dies and is started again with
-// another number of workers, one to eight. In every second group of sixteen histories the timeout
-// is so short that stalled workers expire too.
+// Points hang or fail, workers die or stall, and in every third search some workers are lost before
+// they begin; all sixteen combinations of these faults occur, with a timeout. Messages are late,
+// overtake each other and arrive twice, the journal refuses to store, and the master dies and is
+// started again with another number of workers, one to eight. In every second group of sixteen
+// searches the timeout is so short that stalled workers exceed it too.
 //
-//   bench_scheduler_simulation [HISTORIES [FIRST_SEED]]    a printed seed repeats one history
+//   bench_scheduler_simulation [HISTORIES [FIRST_SEED]]    a printed seed repeats one search
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,8 +24,8 @@ namespace {
 
 struct Counts {
   long histories = 0, restarts = 0, repeats = 0, evaluations = 0, expired = 0;
-  std::map<std::string, long> wrong;  // violated rule, and number of histories that violate it
-  int most_starts_over = 0;           // number beyond retries + 2
+  std::map<std::string, long> wrong;  // number of searches that violate a rule, by the rule
+  int most_starts_over = 0;           // most starts of one trial, minus (retries + 2)
 };
 
 void add(const History& history, Counts& counts) {
@@ -40,8 +41,8 @@ void add(const History& history, Counts& counts) {
   fmt::print(stderr, "seed {}: {}\n", history.seed, history.wrong);
 }
 
-/// Runs 1, 2, 4, 8 workers x 3 seeds of the faults without death of the master, and counts the
-/// paths that differ.
+/// Runs searches with 1, 2, 4 and 8 workers and 3 seeds of all faults except the death of the
+/// master. Returns the number whose search path differs from the undisturbed one.
 long count_other_bits(Undisturbed& reference) {
   const SearchProblem& problem = reference.problem();
   long differ = 0;
@@ -62,7 +63,7 @@ long count_other_bits(Undisturbed& reference) {
   return differ;
 }
 
-/// Returns the mean virtual time, s, of `searches` searches in which one trial of twenty stalls.
+/// Returns the mean virtual time, s, of `searches` searches in which one of twenty trials stalls.
 double time_with_stalls(const SearchProblem& problem,
                         int workers,
                         bool stop_unwanted,

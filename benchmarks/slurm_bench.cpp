@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Slurm of one node: srun latsch run, an array of studies, ranks killed: the bits of one process.
+// The program under Slurm on one node: `srun latsch run`, an array job of studies, and killed ranks
+// must all give the bits of a single process.
 //
 //   bench_slurm [REPETITIONS]
 //
-// Slurm is started here, on separate ports, and ended again (one_node_slurm.h; needs root). Every
-// history ends in a resume, and its path is compared with that of one process.
+// The benchmark starts Slurm on separate ports and ends it (one_node_slurm.h; this needs root).
+// Every disturbed run is resumed until it ends, and its search path is compared with that of one
+// process.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -30,18 +32,20 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kCores = 8;    // number configured in Slurm; most of them sleep
+// number of cores configured in Slurm; most processes sleep, so the machine may have fewer
+constexpr int kCores = 8;
 constexpr int kRanks = 4;    // ranks of a job, including the master
-constexpr int kStudies = 4;  // studies of an array, each on two ranks
+constexpr int kStudies = 4;  // number of studies in the array job, each on two ranks
 constexpr double kPause = 0.05;
-constexpr double kLongest = 30.0;  // s, from a disturbance to the end of the job
+// s, longest allowed time from a disturbance to the end of the job
+constexpr double kLongest = 30.0;
 
 std::string srun(const std::string& verb, const fs::path& study, const std::string& options) {
   return fmt::format(
       "timeout 300 srun {} {} {} {}", options, program().string(), verb, study.string());
 }
 
-/// Writes a study of the array with a different start for each number.
+/// Writes a study for the array job. Each number has another start point.
 fs::path write_study_of_array(const fs::path& folder, int number) {
   fs::create_directories(folder);
   const fs::path study = write_small_study(folder, kPause);
@@ -52,7 +56,7 @@ fs::path write_study_of_array(const fs::path& folder, int number) {
   return study;
 }
 
-/// Returns the path of one process on a copy of the study.
+/// Returns the search path of one process on a copy of the study.
 std::string undisturbed(const fs::path& study) {
   const ScratchFolder folder;
   fs::copy(study.parent_path(), folder.path(), fs::copy_options::recursive);
@@ -82,8 +86,8 @@ void kill_task(const fs::path& study, int task) {
   throw std::runtime_error(fmt::format("the step has no task {}", task));
 }
 
-/// Counts processes that were started with this Slurm's settings, or whose command line contains
-/// its folder.
+/// Counts the processes that were started with the settings of this Slurm or whose command line
+/// contains its folder.
 long processes_of(const fs::path& folder) {
   long count = 0;
   for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -112,7 +116,7 @@ void plain(Table& table, const std::string& reference) {
             said.exit_code == 0 && same);
 }
 
-/// Without PMIx the tasks do not form one job, which has to be refused.
+/// Without PMIx the tasks do not form one MPI job, so the program has to refuse to run.
 void refused(Table& table) {
   for (const char* kind : {"none", "pmi2"}) {
     const ScratchFolder folder;
@@ -138,7 +142,8 @@ struct Counts {
   double longest = 0.0;  // s, from the fault to the end of the job
 };
 
-/// Runs a step whose task is killed after `trials` trials, and its resume.
+/// Runs the study in a Slurm step, kills one of its tasks after `trials` trials, and resumes the
+/// run.
 void live_through(int task, long trials, const std::string& reference, Counts& counts) {
   const ScratchFolder folder;
   const fs::path file = write_small_study(folder.path(), kPause);
@@ -190,8 +195,7 @@ void report(Table& table, const std::string& fault, const Counts& counts) {
             counts.same_bits == counts.histories);
 }
 
-/// Runs an array of studies, each on two ranks; in two of them a rank is killed, then all are
-/// resumed.
+/// Runs an array job of studies, each on two ranks; kills a rank in two of them, then resumes all.
 void array(Table& table) {
   const ScratchFolder folder;
   std::vector<fs::path> files;
@@ -212,7 +216,7 @@ void array(Table& table) {
     for (const int i : {1, 2}) {
       wait_for_trials(studies[i], 5);
       before[i] = Journal::read(studies[i].run.journal).trials();
-      kill_task(files[i], i - 1);  // a rank that works, and one that leads
+      kill_task(files[i], i - 1);  // a worker rank in one study, the master in another
     }
   } catch (...) {
     job.join();
@@ -267,7 +271,7 @@ int run(const Options& options) {
       }
       report(table, task == 0 ? "rank that leads killed" : "rank killed", counts);
     }
-    if (!options.is_smoke()) array(table);  // half a minute, for the intervals at which Slurm acts
+    if (!options.is_smoke()) array(table);  // takes half a minute, because Slurm acts at intervals
   }
   const long left = processes_of(folder.path());
   table.row("processes left of Slurm", fmt::format("{}", left), "0", left == 0);

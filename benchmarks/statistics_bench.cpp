@@ -70,7 +70,8 @@ Analyzed analyze(const DesignSpace& space,
   return a;
 }
 
-/// Returns the least squares, by refits from the initial point until nothing is gained.
+/// Returns the least-squares point. Fits are repeated, each from the point of the one before, until
+/// the sum of squares no longer decreases.
 DesignPoint fitted(const DesignSpace& space, const Model& model) {
   DesignPoint point = space.initial();
   std::vector<int> all(space.size());
@@ -92,7 +93,7 @@ DesignPoint fitted(const DesignSpace& space, const Model& model) {
 
 struct Coverage {
   std::vector<int> linear = std::vector<int>(3), profile = std::vector<int>(3);
-  int identifiable = 0;  // number of such verdicts
+  int identifiable = 0;  // number of verdicts "identifiable"
   long evaluations = 0;
 };
 
@@ -254,7 +255,7 @@ void noise_rows(Table& table, const Curve& curve, const Noise& noise, int sets) 
 
 constexpr int kMostEvaluations = 200;
 
-/// Returns the study of a race tire with five of its numbers.
+/// Returns the study of a race tire with five of its coefficients as variables.
 correlation::Study twin_study() {
   correlation::Study study = correlation::read_study(
       std::filesystem::path(LATSCH_SOURCE_DIR) / "studies" / "race_tire_mf" / "study.toml",
@@ -340,13 +341,13 @@ void twin_row(Table& table, int twins) {
                  ">= 90",
                  least >= 90);
   // PCY1 and PEY1 have similar effects on the curve: only the profile shows how far both may change
-  // together.
+  // together, so the linear intervals are shown and not judged.
   table.note("  the linear intervals of the same fits", counts(held_by_linear));
 }
 
 struct Case {
   std::string name;
-  std::vector<DesignVariable> variables;  // initial: the fitted point
+  std::vector<DesignVariable> variables;  // their initial values are the fitted point
   Model model;
   std::vector<Verdict> right;
 };
@@ -358,7 +359,8 @@ DesignVariable variable(const char* name, double lower, double fitted, double up
 constexpr Verdict kIdentifiable = Verdict::identifiable, kOneSided = Verdict::one_sided,
                   kFlat = Verdict::flat, kSeveral = Verdict::several_minima;
 
-/// The noise is 1 %; every verdict follows from the formula.
+/// The data of these cases have 1 % of noise, and every correct verdict follows from the formula of
+/// the model.
 std::vector<Case> constructed_cases() {
   const auto series = [](double a, double b) { return a * b / (a + b); };
   return {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio's page in a browser: first point, 50,000 trials, stop, sizes, accessibility (axe).
+// The studio's page in a browser: time to the first point, 50,000 trials, stopping a run, sizes of
+// the scripts, accessibility (axe).
 //
 //   ./bench.sh studio          needs the page (Node) and Debian's chromium
 //
-// The journals are written by `latsch doe` on a Magic Formula of two numbers, 224 and 71 levels
-// each; the watched study has an outside program that sleeps.
+// The journals are written by `latsch doe` on a Magic Formula with two variables, at 224 and 71
+// levels each; the study that is watched while it runs has an outside program that sleeps.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -72,7 +73,7 @@ void evaluate_grid(const fs::path& study, int levels) {
       fmt::format("'{}' doe '{}' --levels {}", program().string(), study.string(), levels));
 }
 
-/// Returns the figures that the browser's script prints, by name.
+/// Returns by name the figures that the script in the browser prints.
 std::map<std::string, double> figures(const fs::path& folder, const Options& options) {
   const fs::path page = program().parent_path().parent_path() / "apps/web/page";
   std::istringstream in(run_command(fmt::format("cd '{}' && node tests/bench.mjs '{}' '{}' {}",
@@ -91,7 +92,7 @@ bool is_script(const studio::Asset& asset) {
   return asset.path.ends_with(".js") && !asset.path.starts_with("/report/");
 }
 
-/// Returns the bytes of all scripts, and of those that index.html loads at first.
+/// Returns the total size, bytes, of all scripts, and of those that index.html loads first.
 std::pair<double, double> script_sizes() {
   double all = 0.0, first = 0.0;
   for (const studio::Asset& asset : studio::web_assets()) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tire twins from 20 random starts: evaluations of the residual trust region and of GSS.
+// Fits of synthetic tire measurements from 20 random starts: number of evaluations of the residual
+// trust region method and of GSS.
 //
 //   ./bench.sh tire_fits [residuals | gss]     both unless one of them is named
 //
-// The meshes are coarse (20 columns, 30 sectors): the number of evaluations is compared, for which
-// a coarse tire is as good as a fine one. GSS needs ten times as many and starts from three of the
-// twenty points: its median is one of three and is labeled so.
+// The meshes are coarse (20 columns, 30 sectors), because only the number of evaluations is
+// compared, for which a coarse tire is as good as a fine one. GSS needs ten times as many
+// evaluations and starts from three of the twenty points; its median is one of three and is labeled
+// so.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,23 +25,25 @@
 namespace latsch::benchmarks {
 namespace {
 
-// On 15 columns tire A has a second minimum of 0.08 % (docs/notebook/tire_fits.md).
+// On a mesh of 15 columns the objective of tire A has a second minimum with a value of 0.08 %
+// (docs/notebook/tire_fits.md), so the mesh has 20.
 constexpr CoarseMesh kMesh{.meridional = 20, .sectors = 30};
 constexpr int kStarts = 20;
-constexpr int kGssStarts = 3;          // the first of them
-constexpr int kMostEvaluations = 300;  // for each start
-constexpr int kReach = 60;             // evaluations without a Jacobian
-constexpr double kTarget = 5e-3;       // value of the target function
+constexpr int kGssStarts = 3;          // GSS uses only the first of the random starts
+constexpr int kMostEvaluations = 300;  // limit for each start
+constexpr int kReach = 60;             // limit of the median, in evaluations without a Jacobian
+constexpr double kTarget = 5e-3;       // value of the objective at which a start counts as solved
 constexpr double kModulusError = 0.01;
 
-/// Number of starts, and largest number of evaluations for each.
+/// Number of random starts, and the largest number of evaluations for each.
 struct Effort {
   int starts, evaluations;
 };
 
 struct Tries {
   int starts = 0;
-  std::vector<int> evaluations = {};  // evaluations of each solved start until it was solved
+  // number of evaluations until the start was solved, for each start that was
+  std::vector<int> evaluations = {};
   int solved() const { return static_cast<int>(evaluations.size()); }
   int most() const { return *std::max_element(evaluations.begin(), evaluations.end()); }
   int median() {
@@ -67,14 +71,14 @@ bool found(const correlation::Study& study, const DesignPoint& point, const Scor
   return true;
 }
 
-/// Result of a start.
+/// Result of the fit from one start.
 struct Solved {
-  std::optional<int> evaluations;  // until the moduli were found; none: not found
+  std::optional<int> evaluations;  // evaluations until the moduli were found; none: not found
   int failed = 0;                  // number of failed evaluations
-  std::string reason;              // reason of the first failure
-  double least = 1e300;            // least value of the target
+  std::string reason;              // reason of the first failed evaluation
+  double least = 1e300;            // least value of the objective
   DesignPoint best;                // point with the value `least`
-  std::string ending;              // reason the method ended, in words
+  std::string ending;              // reason for which the method ended, in words
 };
 
 Solved solve(const correlation::Study& study,
@@ -144,7 +148,8 @@ std::string text(Tries tries) {
                      tries.most());
 }
 
-/// Returns the tries of a method on a twin of the tire called `title`.
+/// Returns the results of a method from all starts on synthetic measurements of the tire called
+/// `title`.
 Tries tries_of(Method method,
                const std::string& title,
                const correlation::Study& study,
@@ -171,7 +176,7 @@ void by_residuals(Table& table, const Twins& tires, const Effort& effort) {
   }
 }
 
-/// Adds rows without requirement, for comparison.
+/// Adds rows for GSS, which are shown for comparison and not judged.
 void by_directions(Table& table, const Twins& tires, const Effort& effort) {
   for (const auto& [tire, study] : tires) {
     table.note(fmt::format("{}: GSS, {} starts", what(tire, study), effort.starts),
@@ -197,13 +202,14 @@ int run(const Options& options) {
               target < 1e-8);
   }
   if (options.is_smoke()) tires.pop_back();
-  // The methods are compared without the slopes that the studies' own search uses.
+  // The methods are compared without the derivatives that the search of these studies normally
+  // uses.
   for (auto& [tire, study] : tires) study.asks_slopes = false;
   if (half != "gss")
     by_residuals(table, tires, options.size(Effort{kStarts, kMostEvaluations}, Effort{1, 8}));
   if (half != "residuals")
     by_directions(table, tires, options.size(Effort{kGssStarts, kMostEvaluations}, Effort{1, 4}));
-  if (half == "gss") return 0;  // figures for comparison, without requirement
+  if (half == "gss") return 0;  // the rows of GSS are not judged
   return table.exit_code();
 }
 

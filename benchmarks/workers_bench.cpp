@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trials per second of two worker processes compared with one, on the finite-element tire B.
+// Trials per second with two worker processes compared with one, for the finite-element tire B.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,9 +21,11 @@ namespace latsch::benchmarks {
 namespace {
 
 constexpr double kReach = 1.8;
-constexpr int kRounds = 2;  // the better one counts, because other programs only slow a round down
+// the faster round counts, because other programs can only slow a round down
+constexpr int kRounds = 2;
 
-/// Lets every worker do one trial, so that reading the study and the symbolic work are done before.
+/// Lets every worker do one trial, so that reading the study and the symbolic factorization are not
+/// part of the measured time.
 void warm_up(Executor& executor, const DesignPoint& point) {
   const int workers = executor.workers();
   for (int i = 0; i < workers; ++i) executor.start(point);

@@ -15,7 +15,7 @@
 
 using namespace latsch;
 
-Eigen::VectorXd residuals(const DesignPoint& p) {  // measured - computed, divided by the noise
+Eigen::VectorXd residuals(const DesignPoint& p) {  // (measured - computed) / noise
   const Eigen::ArrayXd t{{0, 1, 2, 3, 4, 5}}, y{{2.03, 1.21, 0.75, 0.44, 0.27, 0.18}};
   return (y - p.values[0] * (-p.values[1] * t).exp()) / 0.02;
 }
@@ -32,12 +32,14 @@ int main() {
     if (r.squaredNorm() < least) least = r.squaredNorm(), best = p;
     optimizer.observe(p, Score{r.squaredNorm(), {r.begin(), r.end()}});
   };
-  for (const DesignPoint& p : sobol(space, 16).points) evaluate(p);  // a first look everywhere
-  while (!optimizer.converged()) evaluate(optimizer.propose(1)[0]);  // propose(8) for 8 workers
+  // tries points all over the design space first
+  for (const DesignPoint& p : sobol(space, 16).points) evaluate(p);
+  while (!optimizer.converged()) evaluate(optimizer.propose(1)[0]);  // for 8 workers: propose(8)
 
   Identification what(space, best, {.confidence = {.sigma = 1.0}});
   while (!what.wanted().empty()) {
-    std::vector<Result<Evaluated>> outcomes;  // residuals, and their derivatives where one has them
+    // residuals, and their derivatives if the model knows them
+    std::vector<Result<Evaluated>> outcomes;
     for (const DesignPoint& p : what.wanted()) outcomes.push_back(Evaluated(residuals(p)));
     what.observe(outcomes);
   }

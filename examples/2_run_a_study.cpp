@@ -50,7 +50,7 @@ int main(int argc, char** argv) try {
         format_quantity(best->point.values[static_cast<std::size_t>(i)], variable.unit, 4).c_str());
   }
   return 0;
-} catch (const std::exception& error) {  // a study file with a fault: file, line, what was expected
+} catch (const std::exception& error) {  // the message names file, line and the expected value
   std::fprintf(stderr, "%s\n", error.what());
   return 2;
 }

@@ -25,14 +25,15 @@ using namespace latsch::experiment;
 
 namespace {
 
-/// The specimen: F = k x + d v. Its capability is its own class, because no other specimen is pulled.
+/// The specimen: F = k x + d v. It is its own capability, because no other specimen can be pulled.
 struct Spring : Specimen {
   static constexpr const char* kName = "is pulled";
   Spring(double stiffness, double damping) : k(stiffness), d(damping) {}
   double k, d;  // N/m, N s/m
 };
 
-/// The kind: how a file becomes numbers, and numbers a specimen. Every number of the file may become a design variable.
+/// The kind of model: it reads the numbers of a file and makes a specimen from them. Every number
+/// of the file may become a design variable.
 struct SpringKind : SpecimenKind {
   std::string name() const override { return "spring"; }
   std::string in_words() const override { return "spring with a damper"; }
@@ -49,7 +50,7 @@ struct SpringKind : SpecimenKind {
   }
 };
 
-/// The test: the force at given travels, at one speed.
+/// The test: it returns the forces at given travels, at one speed.
 struct Pull : Test {
   Pull(std::vector<double> travels, double speed) : x(std::move(travels)), v(speed) {}
   std::string in_words() const override { return "pulled"; }
@@ -68,7 +69,8 @@ struct Pull : Test {
   double v;               // m/s
 };
 
-/// The getters read, check and document the keys of a test, and record them in the identity of its trials.
+/// The functions of `keys` read, check and document each key of the test, and record it in the
+/// identity of the test's trials.
 std::unique_ptr<Test> read_pull(const Node& keys, const TestSource&) {
   auto travels = keys.quantities("travels", "m", Range::positive());
   const double speed = keys.quantity("speed", "m/s", Range::not_negative());

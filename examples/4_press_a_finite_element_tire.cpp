@@ -23,7 +23,7 @@ int main(int argc, char** argv) try {
   const fe_tire::TireDescription description = fe_tire::read_tire(Document::read(argv[1]).root());
   fe_tire::FeTire tire(description);
   const auto inflated = tire.inflate(description.pressure);
-  if (!inflated) {  // the physics says no: a value, not an exception
+  if (!inflated) {  // a failed simulation is a value, not an exception
     std::fprintf(stderr, "%s\n", inflated.failure().reason.c_str());
     return 1;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Example 5. Rolls a flexible-ring tire over a cleat at a held axle height and prints the hub force. Any other tire that
-// rolls (Magic Formula, rigid ring) is driven through the same interface, models/tire/tire.h.
+// Example 5. Rolls a flexible-ring tire over a cleat at a constant axle height and prints the hub
+// force. Any other rolling tire (Magic Formula, rigid ring) has the same interface,
+// models/tire/tire.h.
 //
 //   target_link_libraries(roll PRIVATE latsch::ring_tire)
 //
@@ -25,8 +26,8 @@ int main(int argc, char** argv) try {
   ring_tire::RingTire tire(ring_tire::read_ring_tire(Document::read(argv[1]).root()));
 
   constexpr double kSpeed = 10.0;       // m/s
-  constexpr double kDeflection = 0.02;  // m, of the standing tire
-  constexpr double kStep = 0.5e-3;      // s, of the simulation
+  constexpr double kDeflection = 0.02;  // m, vertical deflection of the tire at rest
+  constexpr double kStep = 0.5e-3;      // s, time step of the simulation
   // A cleat 15 mm high and 30 mm long lies across the road, half a meter ahead of the wheel's start.
   const road::ProfileRoad road(
       {.along = road::cleat_profile(0.015, 0.03, 0.0), .origin = {0.5, 0.0}});
@@ -41,7 +42,8 @@ int main(int argc, char** argv) try {
   std::printf("at rest: Fz = %.0f N\n", rest->force.z());
 
   motion.velocity.x() = kSpeed;
-  motion.spin_rate = kSpeed / (tire.free_radius() - kDeflection / 3.0);  // free rolling, nearly
+  // rad/s, close to that of free rolling
+  motion.spin_rate = kSpeed / (tire.free_radius() - kDeflection / 3.0);
   for (int i = 1; i <= 200; ++i) {
     const double time = i * kStep;
     motion.center.x() = kSpeed * time;

@@ -23,7 +23,8 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const correlation::Study study = correlation::read_study(argv[1], experiment::language());
-  // The identity makes the journal refuse a study whose model or tests have changed since.
+  // The journal throws if the model or the tests of the study have changed since its trials were
+  // run.
   const Journal journal = Journal::read(argv[2], correlation::identity(study));
   const Objective objective = correlation::objective(study);
   for (const DesignVariable& variable : study.space.variables())

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""Counts the lines of the program by module: all, and code alone (neither blank nor comment). Tests and their helpers are
-not counted (x_test, x_testing), nor what is generated; the tests of tires in src/experiment/tests are the program. Readers of foreign files and recordings are told
-apart.
+"""Counts the lines of the program by module: all lines, and lines of code (neither blank nor comment). Tests and
+their helpers (x_test, x_testing) and generated files are not counted; src/experiment/tests counts, because the tests
+of tires in it are part of the program. Readers of foreign files and recordings are counted separately.
 
-    tools/count_lines.py    of the files that git knows, in the folder above this one
-"""
+   tools/count_lines.py    counts the files that git tracks in the repository of this script"""
 import argparse
 import collections
 import pathlib
@@ -26,7 +25,7 @@ def module_of(file):
 
 
 def lines_of(text):
-    """All lines, and those of code."""
+    """Returns the number of all lines and of lines of code."""
     lines = text.splitlines()
     return len(lines), sum(1 for line in lines if line.strip() and not line.lstrip().startswith("//"))
 

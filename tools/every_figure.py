@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Nothing that states a figure may lack the run that renews it: every benchmark of ./bench.sh --list has its smoke test,
-every study below studies/ its expected results, which are those of a run or say that there was none.
+"""Checks that every published figure has a run that renews it: every benchmark of ./bench.sh --list has a smoke test,
+and every study below studies/ has expected results that come from a run or state that there was none.
 
-    every_figure.py SOURCE BUILD        ends with 1 and names what lacks one
-"""
+   every_figure.py SOURCE BUILD        ends with 1 and names what is missing"""
 import json
 import pathlib
 import subprocess

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Checks that every #include follows the architecture: a folder may use itself and what is listed here, a room the
-rooms before it; that no folder holds more files than one overlooks; that comments, which clang-format leaves as they
-are, end where the code does; that studies and verbs know no model; that a simulation which fails says so by a Result or
-a Status; that x.cpp implements x.h or a header that names it; and that what is written for the user goes through
-base/file.h, which knows of links, pipes, devices and full disks. `--test` shows that the checks of texts find what they
-are for."""
+"""Checks rules of the source tree. Every #include follows the architecture: a folder may use itself and the folders
+listed here, and a room of a module the rooms before it. No folder has too many files. Comments end at the column
+limit, because clang-format does not wrap them. Studies and verbs know no model. A simulation that fails returns a
+Result or a Status. Every x.cpp implements x.h or a header that names it. Files for the user are written through
+base/file.h, which handles links, pipes, devices and full disks. `--test` shows that the checks find what they must
+find."""
 import pathlib
 import re
 import sys
@@ -46,36 +46,38 @@ ROOMS = {
 # Rooms that may use less than their module.
 NARROW_ROOMS = {"studio/http": ["base"]}
 
-# One model does not use another, except these: every tire rolls on a road, the rigid ring's slip forces are the
-# Magic Formula's, suspensions are rigid bodies with their elements, and a car has suspensions and tires.
+# A model must not use another one, with these exceptions: every tire rolls on a road, the slip forces of the rigid
+# ring are those of the Magic Formula, suspensions consist of rigid bodies and their elements, and a car has
+# suspensions and tires.
 MODELS = {"road": [], "tire": ["road"], "rigid_ring": ["road", "tire", "magic_formula"], "multibody": [],
           "suspension": ["multibody"], "car": ["road", "tire", "multibody", "suspension"]}
 EVERY_TIRE = ["road", "tire"]
 
 # Studies work with models of any kind, so the code shared by all of them knows no model.
 KNOWS_NO_MODEL = "correlation"
-# Nor does any of these know a test: what a test tells beyond its channels is a virtual function of Test.
+# Folders that know no kind of test either: everything that a test reports beyond its channels is returned by a
+# virtual function of the class Test.
 KNOW_NO_TEST = ("correlation", "studio", "report")
-# The verbs of the program know no model either, except those that concern one by their purpose.
+# Verbs of the program whose purpose concerns a certain model. No other verb may know one.
 VERBS_OF_MODELS = {"export", "exported_bushings", "mesh", "road", "shown_bushing", "shown_file", "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
 
-MOST_FILES = 40  # directly in one folder
+MOST_FILES = 40  # largest number of files directly in one folder
 MOST_COLUMNS = 100  # ColumnLimit of .clang-format
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent / "src"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
-APPENDS = "apps/cli/console/console.cpp"  # a log, written to any kind of file
+APPENDS = "apps/cli/console/console.cpp"  # the log, which is appended to and so may be a file of any kind
 WRITING = re.compile(r"\b(ofstream|fopen|rename)\b(?!\))")
 
 
 def model_of(path):
-    """src/models/fe_tire/... -> fe_tire."""
+    """The model to which a path belongs: src/models/fe_tire/... -> fe_tire."""
     return path.parts[1] if path.parts[0] == "models" and len(path.parts) > 2 else None
 
 
 def room_of(path):
-    """(module, room) of a path below src/; a room of None: the module's own folder."""
+    """(module, room) of a path below src/. The room is None for files in the module's own folder."""
     for module in ROOMS:
         if str(path).startswith(module + "/"):
             inside = pathlib.Path(path).relative_to(module).parts
@@ -135,8 +137,8 @@ def models_in_verbs():
                 yield f"{file.relative_to(SOURCE.parent)}:{number}: a verb for any model and test knows none: it asks the language"
 
 
-# A type of a module has a name that no other header gives a type; the C interfaces of the two FMI standards keep the
-# standards' names.
+# Declarations of types. A type's name must not occur in two headers; exceptions are the C interfaces of the two FMI
+# standards, which keep the names of the standards.
 TYPE = re.compile(r"^(?:class|struct|enum class|enum|union)\s+(\w+)\b(?!\s*::)(?!.*;\s*$)|^using\s+(\w+)\s*=")
 NAMES_OF_STANDARDS = {"apps/exchange/fmi2.h", "apps/exchange/fmi3.h"}
 
@@ -194,7 +196,8 @@ def writers():
                     yield f"{file.relative_to(SOURCE.parent)}:{number}: {match[1]}: files are written by base/file.h"
 
 
-# A simulation that fails returns a Result or a Status (base/result.h), and its reason travels as a Failure.
+# Return types that a simulation must not use for a failure. It has to return a Result or a Status (base/result.h),
+# which carries the reason as a Failure.
 OTHER_OUTCOMES = {
     re.compile(r"\boptional<\s*(?:latsch::)?Failure\s*>"): "a Status says whether there is a Failure",
     re.compile(r"\bResult<\s*(?:bool|void|std::monostate)\s*>"): "a Result without a value is a Status",
@@ -256,7 +259,7 @@ def lonely_files():
 
 
 def test():
-    """Every spelling that is refused is found, and the two that are meant are not."""
+    """Tests the checks of texts: every forbidden spelling is found, and the two allowed ones are not."""
     header = "Result<Rest> settle();  // statics.cpp\nvoid add_check(App&);\nextern const TestKind kAxleKcTest;\nJson home_view(int);"
     for named in ("statics", "check", "axle_kc", "home_view", "car_settling"):
         assert is_named_by(named, "car", header), named

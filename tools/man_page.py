@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes latsch(1) from what the program says of itself: one page, a section for every verb.
+"""Writes the manual page latsch(1) from the program's own help: one page with a section for every verb.
 
-    tools/man_page.py PATH/TO/latsch latsch.1
-"""
+   tools/man_page.py PATH/TO/latsch latsch.1"""
 import re
 import subprocess
 import sys
@@ -14,7 +13,7 @@ def said(program, *arguments):
 
 
 def plain(text):
-    """Lines as they are: columns and examples keep their places."""
+    """Converts lines to roff that keeps them as they are, so that columns and examples keep their places."""
     escaped = text.replace("\\", "\\e").replace("-", "\\-")
     lines = ["\\&" + line if line.startswith((".", "'")) else line for line in escaped.splitlines()]
     return ".nf\n" + "\n".join(lines) + "\n.fi\n"

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that every system header the build has read is of a package that install_packages.sh
-installs, or of one that these depend on: where more is installed than that, nothing else would show
-that a bare machine lacks it.
+"""Checks that every system header that the build has read belongs to a package that install_packages.sh installs, or
+to a dependency of one. Otherwise a machine on which more packages are installed would hide that a bare machine lacks
+one.
 
-    tools/packages.py BUILD_FOLDER
+   tools/packages.py BUILD_FOLDER
 
-Recommended packages do not count: they are not installed. Needs ninja and dpkg; without either, or
-where a header belongs to no package, nothing is checked of it."""
+Recommended packages do not count, because they are not installed. The check needs ninja and dpkg; without them, or
+for a header that belongs to no package, nothing is checked."""
 import os
 import re
 import shutil
@@ -29,7 +29,8 @@ def listed():
 
 
 def closure(packages):
-    """With all that they depend on, as installed here; of alternatives each that is installed."""
+    """Returns the packages with all their dependencies as installed here; of alternatives, each one that is
+    installed."""
     needs, provided = {}, {}
     fields = "${Package}\t${Pre-Depends}, ${Depends}\t${Provides}\t${db:Status-Status}\n"
     for line in output("dpkg-query", "-W", "-f", fields).splitlines():
@@ -51,7 +52,8 @@ def closure(packages):
 
 
 def headers(build):
-    """Paths as the compiler saw them; links of /usr lead to where the package has them."""
+    """Returns the paths of the system headers as the compiler saw them, and with symbolic links in /usr resolved, as
+    packages list them."""
     read = set(re.findall(r"^    (/usr/.*)$", output("ninja", "-C", build, "-t", "deps"), re.M))
     return {os.path.realpath(path) for path in read} | {os.path.normpath(path) for path in read}
 

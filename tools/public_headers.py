@@ -29,12 +29,12 @@ def listed():
 
 
 def source(name):
-    """The file of a header: src/NAME, or apps/NAME for the program's."""
+    """Returns the file of a header: src/NAME, or apps/NAME for headers of the program."""
     return next((path for path in (ROOT / "src" / name, ROOT / "apps" / name) if path.is_file()), None)
 
 
 def closure(names):
-    """The headers and all that they include, in alphabetical order."""
+    """Returns the listed headers and all that they include, in alphabetical order."""
     known, waiting = set(), list(names)
     while waiting:
         name = waiting.pop()
@@ -73,14 +73,14 @@ def faults():
 
 
 def escaped(text):
-    """Text without anything that Doxygen takes for a command; code between backticks stays."""
+    """Returns the text with everything escaped that Doxygen would read as a command, except code between backticks."""
     parts = re.split(r"(`[^`]*`)", text)
     return "".join(part if part.startswith("`") else re.sub(r"([\\@<>#%&~\"])", r"\\\1", part)
                    for part in parts)
 
 
 def head_of(lines):
-    """The comment at the head of a file, below its SPDX line: (text, number of the line below)."""
+    """Returns the comment at the head of a file, below its SPDX line, as (text, number of the line that follows)."""
     end = 1
     while end < len(lines) and lines[end].startswith("//"):
         end += 1
@@ -88,7 +88,8 @@ def head_of(lines):
 
 
 def members_of(code):
-    """The type of `T a, b = 1;` with each of its members, or None if it declares one or none."""
+    """Splits the declaration `T a, b = 1;` into its type and members. Returns None if it declares one member or none.
+    """
     declared = re.match(r"(\s+(?:(?:static|constexpr|mutable|const) )*)(\w.*);\s*$", code)
     depth, cuts = 0, []
     for k, letter in enumerate(declared[2] if declared else ""):
@@ -104,9 +105,9 @@ def members_of(code):
 
 
 def filtered(path):
-    """A header as Doxygen reads it, line by line: comments behind a member and at the head of the file are
-    documentation. The class that has the file's name is described by the first paragraph of the head if it
-    has no comment of its own. Declarations that the compiler defines need no description."""
+    """Returns a header line by line as Doxygen has to read it. Comments behind a member and at the head of the file
+    become documentation. The class that has the file's name is described by the first paragraph of the head if it has
+    no comment of its own. Declarations that the compiler defines need no description."""
     lines = path.read_text().splitlines()
     head, end = head_of(lines)
     title = "".join(word.capitalize() for word in path.stem.split("_"))

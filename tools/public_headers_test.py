@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""tools/public_headers.py: installed headers include each other below latsch/, and what Doxygen reads says
-of every member what its comment says. With Doxygen installed, a member without a comment is an error."""
+"""Tests tools/public_headers.py: installed headers include each other below latsch/, and the text for Doxygen has the
+comment of every member at that member. With Doxygen installed, a member without a comment is an error."""
 import contextlib
 import io
 import pathlib

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Counts comments that a reader stumbles over: comments that begin with a bare relative word (Of, What, Where, How,
-The same ...) and so have no main clause; lines that a formatter has torn; and turns of phrase that CONTRIBUTING.md
-bans. `tools/sentences.py` prints each place and fails if there are any; with a seed and a number it draws comments at
-random, for reading them without their context: `tools/sentences.py --draw 110 --seed 7`."""
+"""Counts comments that are hard to read: comments that begin with a bare relative word (Of, What, Where, How, The
+same ...) and so have no main clause; lines that end too early after an edit; and phrases that CONTRIBUTING.md bans.
+`tools/sentences.py` prints each place and fails if there are any. With a seed and a number it draws comments at
+random, to be read without their context: `tools/sentences.py --draw 110 --seed 7`."""
 import argparse
 import pathlib
 import random
@@ -17,12 +17,13 @@ BARE = re.compile(r"(of|what|where|whose|as|from|by|how|which|that|who|whom|whet
 BANNED = re.compile(r"\b(hangs? on|hung on)\b", re.I)
 NO_SENTENCE = re.compile(r"namespace\b|SPDX|clang-format|NOLINT|Copyright|-\*-|!/")
 
-NARROW = 60  # A text that ends before this column although the next word would fit was torn,
-WIDE = 80  # if another line of its comment is as long as this.
+NARROW = 60  # A line of a comment is torn if it ends before this column although the next word would fit,
+WIDE = 80  # and if another line of the comment is at least this long.
 
 
 def comment_of(line, mark):
-    """The column of the comment's mark in a line, the comment's text and whether code stands before; or None."""
+    """Returns the column of the comment mark in a line, the comment's text, and whether code stands before it; or
+    None."""
     inside = None  # The quote of the string that the position is in.
     at = 0
     while at < len(line):
@@ -43,14 +44,14 @@ def comment_of(line, mark):
 
 
 def without_texts(text, suffix):
-    """A file's text with blanks in place of Python's texts of several lines, in which # begins no comment."""
+    """Returns a file's text with the multi-line strings of Python blanked, because # begins no comment in them."""
     if suffix != ".py":
         return text
     return re.sub(r'"""(?:.|\n)*?"""', lambda match: re.sub(r"[^\n]", " ", match[0]), text)
 
 
 def blocks_of(path):
-    """Each comment of a file as (line, [its lines]): lines in a row, the second of which may go on one after code."""
+    """Returns each comment of a file as (line, [its lines]). A comment behind code may continue in the lines below."""
     found, block, column, first, raw = [], [], 0, 0, False
     for number, line in enumerate(without_texts(path.read_text(encoding="utf-8"), path.suffix).split("\n") + [""], 1):
         if not raw and 'R"' in line:
@@ -71,7 +72,8 @@ def blocks_of(path):
 
 
 def torn_line(block):
-    """The index of a line in a block that ends early within a sentence, as an edited line does that nobody filled."""
+    """Returns the index of a line in a block that ends early within a sentence, as in an edited text that was not
+    wrapped again."""
     for at, (line, after) in enumerate(zip(block, block[1:])):
         words = after.split()
         if not words or re.match(r"\s{2,}", line) or re.match(r"\s{2,}|\s*[-*|(\d\[#`=]", after):

@@ -80,13 +80,13 @@ HEAD = """\
 
 
 class Wrong(Exception):
-    """A study that cannot be run, or whose expected results cannot be read."""
+    """Raised if a study cannot be run or its expected results cannot be read."""
 
 
 # --- files ---
 
 def folder_of(name):
-    """The folder whose expected.toml speaks of a name: that of the study file, or one above it."""
+    """Returns the folder whose expected.toml contains the study: the folder of the study file, or one above it."""
     if not name.endswith(".toml"):
         return STUDIES / name
     above = [one for one in (STUDIES / name).parents if STUDIES in one.parents]
@@ -94,7 +94,7 @@ def folder_of(name):
 
 
 def expected_files(names):
-    """expected.toml of the folders named, or of all."""
+    """Returns the expected.toml of the named folders, or of all folders."""
     folders = sorted({folder_of(name) for name in names} if names else {file.parent for file in STUDIES.rglob("expected.toml")})
     for folder in folders:
         if not (folder / "expected.toml").exists():
@@ -103,7 +103,7 @@ def expected_files(names):
 
 
 def chosen(names, folder, study):
-    """Whether a study file of the folder is among what was named."""
+    """Returns whether a study file of the folder is among the names."""
     place = folder.relative_to(STUDIES)
     return not names or str(place) in names or str(place / study) in names
 
@@ -128,7 +128,7 @@ def read(file):
 
 
 def is_renewed(entry):
-    """Whether its numbers are those of a run, or of a trial where nothing is searched."""
+    """Returns whether the numbers of the entry come from a run, or from a trial if the study searches nothing."""
     return "results" in entry or "target" in entry and ("cpu_seconds" in entry or not entry.get("search", True))
 
 
@@ -160,14 +160,15 @@ def write(file, content):
 
 
 def is_study(content):
-    """Whether a file below studies/ is run for a result: a fit, a comparison, a suite of checks, a rig's recordings."""
+    """Returns whether a file below studies/ is run for a result: a fit, a comparison, a suite of checks, or
+    recordings of a rig."""
     if "experiment" in content:
         return set(content.get("variable", {})) != {"none"}  # a study with no variable writes measurements
     return "check" in content or "channels" in content and bool({"tire", "model"} & set(content)) or {"run", "hammer"} <= set(content)
 
 
 def without_results():
-    """In words, every study of which no expected.toml speaks, or without the numbers of a run."""
+    """Returns in words every study that is in no expected.toml or has no numbers of a run."""
     wrong = []
     for file in sorted(STUDIES.rglob("*.toml")):
         with open(file, "rb") as stream:
@@ -185,13 +186,14 @@ def without_results():
 # --- running ---
 
 def copy_of_studies(folder):
-    """studies/ without journals and reports, below a folder; its tree besides, for scripts that look for it."""
+    """Copies studies/ without journals and reports into a folder, and the rest of the tree that scripts of the
+    studies need."""
     shutil.copytree(STUDIES, folder / "studies", ignore=shutil.ignore_patterns("*.latsch*", "*.html", "*.scratch"))
     return folder / "studies"
 
 
 def answer(latsch, *words, folder=None):
-    """The result and the CPU seconds of `latsch WORDS --json` in a folder."""
+    """Returns the result and the CPU seconds of `latsch WORDS --json`, run in a folder."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run([latsch, *map(str, words), "--json"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           text=True)
@@ -207,7 +209,8 @@ def answer(latsch, *words, folder=None):
 
 
 def trial(latsch, study, values):
-    """Target and errors by experiment of one trial; values: quantities in words by variable."""
+    """Returns the target and the errors by experiment of one trial. `values` has the variables' values as text with
+    units."""
     words = [word for name, value in values.items() for word in ("--set", f"{name}={value}")]
     result, seconds = answer(latsch, "simulate", study, *words)
     errors = {one["name"]: {"mean": one["mean_error"], "largest": one["largest_error"], "fitted": one["fitted"]}
@@ -216,12 +219,13 @@ def trial(latsch, study, values):
 
 
 def trial_there(latsch, study, entry):
-    """One trial at the values of expected.toml."""
+    """Runs one trial at the values in expected.toml."""
     return trial(latsch, study, {name: quantity(value) for name, value in entry["values"].items()})
 
 
 def numbers_of(value, name=""):
-    """Every number of a result by its place, with the unit beside it; items of a list go by their names or their channels."""
+    """Returns every number of a result by its path, with its unit; items of a list are named by their name or
+    channel."""
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         return {name: value}
     numbers = {}
@@ -241,9 +245,9 @@ def numbers_of(value, name=""):
 
 
 def results(latsch, folder, entry):
-    """What a command of an entry prints, of the numbers that the entry keeps."""
+    """Returns those numbers of a command's output that the entry keeps."""
     for study in entry.get("after", []):
-        if not (folder / study).with_suffix(".latsch").exists():  # a second run would go on
+        if not (folder / study).with_suffix(".latsch").exists():  # a second run would continue the first
             answer(latsch, "run", folder / study)
     result, seconds = answer(latsch, *entry["command"], folder=folder)
     numbers, kept = numbers_of(result), {}
@@ -260,7 +264,8 @@ def quantity(value):
 
 
 def run(latsch, study):
-    """All that a run comes to, and one trial there for the errors. The study has no journal yet."""
+    """Returns the results of a run, and the errors from one further trial at its end. The study must have no journal
+    yet."""
     result, seconds = answer(latsch, "run", study)
     values = {}
     for row in result["variables"]:
@@ -276,14 +281,14 @@ def run(latsch, study):
 # --- comparing ---
 
 def off(found, expected, relative, absolute=0.0):
-    """Whether a number is farther off than it may be; none and none are alike."""
+    """Returns whether a number differs by more than the tolerance. Two missing numbers are equal."""
     if found is None or expected is None:
         return (found is None) != (expected is None)
     return abs(found - expected) > relative * abs(expected) + absolute
 
 
 def differences(entry, found):
-    """In words, everything of a run or a trial that is not as expected."""
+    """Returns in words every result of a run or a trial that differs from the expected one."""
     tolerance, wrong = entry["tolerance"], []
     if "results" in entry:
         return differences_of_results(entry["results"], found["results"], tolerance["results"])
@@ -322,7 +327,8 @@ NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 
 
 def changed_numbers(old, new, tolerance):
-    """How many numbers of two files differ; all of them where words do."""
+    """Returns how many numbers of two files differ; if other words of the files differ, all numbers count as
+    different."""
     if NUMBER.sub("#", old) != NUMBER.sub("#", new):
         return max(1, len(NUMBER.findall(new)))
     pairs = zip(NUMBER.findall(old), NUMBER.findall(new))
@@ -331,7 +337,7 @@ def changed_numbers(old, new, tolerance):
 
 
 def computed_data(latsch, folder, data):
-    """Computes the data of a folder, in a copy, anew."""
+    """Computes the data of a folder again, in a copy."""
     command = [word.replace("{latsch}", str(latsch)) for word in data["command"]]
     done = subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
@@ -369,7 +375,7 @@ def with_unit(value):
 
 
 def variables_of(entry):
-    """A table, of many one line."""
+    """Returns a table of the values; with more than MOST_ROWS values, one line that gives their number."""
     values = entry["values"]
     if len(values) > MOST_ROWS:
         two_sided = sum("lower" in value and "upper" in value for value in values.values())
@@ -384,7 +390,7 @@ def variables_of(entry):
 
 
 def errors_of(entry):
-    """A table, of many experiments two lines."""
+    """Returns a table of the errors by experiment; with more than MOST_ROWS experiments, two lines."""
     lines = ["| experiment | | mean error | largest |", "| --- | --- | --- | --- |"]
     for fitted, how in ((True, "fitted"), (False, "predicted")):
         errors = {name: error for name, error in entry["errors"].items() if error["fitted"] == fitted}
@@ -399,7 +405,7 @@ def errors_of(entry):
 
 
 def results_of(entry):
-    """Tables of results: the last word of a name is its column, the words before it its row."""
+    """Returns tables of results. The last word of a result's name is its column, the words before it are its row."""
     rows = {}
     for name, value in entry["results"].items():
         row, column = name.rsplit(".", 1) if "." in name else ("", name)
@@ -450,7 +456,7 @@ def readme_differences(folder, content):
 # --- commands ---
 
 def check(latsch, names, quick):
-    """Exit code 1 where anything is not as expected."""
+    """Checks the named studies. Returns 1 if any result differs from the expected one."""
     wrong_ones = 0
     with tempfile.TemporaryDirectory() as scratch:
         studies = copy_of_studies(pathlib.Path(scratch))
@@ -507,7 +513,7 @@ def study_check(latsch, folder, study, entry, quick):
 
 
 def computed(latsch, folder, study, entry):
-    """All numbers of an entry: of its command, of one trial, or of a run from the beginning."""
+    """Returns all numbers of an entry: from its command, from one trial, or from a run from the beginning."""
     if "command" in entry:
         return results(latsch, folder, entry)
     if not entry.get("search", True):
@@ -532,7 +538,8 @@ def renew(latsch, names, with_data):
                     content[study].pop("no_run", None)
                     target = f"target {content[study]['target']:.6g}, " if "target" in content[study] else ""
                     print(f"{folder.relative_to(STUDIES)}/{study}: {target}{seconds_of(content[study])} s", flush=True)
-                    write(file, content)  # also if a later study fails or is interrupted
+                    # written after each study, so that results remain if a later one fails or is interrupted
+                    write(file, content)
                     write_readme(folder, read(file))
     return 0
 
@@ -543,7 +550,7 @@ def write_readme(folder, content):
 
 
 def seconds_of(entry, quick=False):
-    """Processor time of a check as last measured, None if it was not."""
+    """Returns the processor time of a check as last measured; None if it was not measured."""
     if quick and entry["quick"] == "none":
         return 0.0
     of_trial = not entry.get("search", True) or quick and entry["quick"] == "trial"
@@ -551,13 +558,13 @@ def seconds_of(entry, quick=False):
 
 
 def entries(names):
-    """Pairs of a study's name below studies/ and its entry."""
+    """Returns pairs of a study's name below studies/ and its entry in expected.toml."""
     return [(str(file.parent.relative_to(STUDIES) / study), entry) for file in expected_files(names)
             for study, entry in read(file).items() if study != "data"]
 
 
 def sums(named):
-    """In words, the processor time of all checks and of those of the tests."""
+    """Returns in words the processor time of all checks and of those that the tests run."""
     whole, quick = (sum(seconds_of(entry, how) or 0.0 for _, entry in named) for how in (False, True))
     untimed = sum("no_run" in entry for _, entry in named)
     more = f", without {untimed} that no run has timed yet" if untimed else ""
@@ -579,7 +586,7 @@ def main():
     try:
         epilog = sums(entries([]))
     except (Wrong, tomllib.TOMLDecodeError):
-        epilog = None  # the command says what is wrong
+        epilog = None  # the message of a wrong command line states what is wrong
     parser = argparse.ArgumentParser(description=__doc__, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter)
     action = parser.add_mutually_exclusive_group(required=True)
     for name in ("--list", "--check", "--quick", "--renew", "--readme"):

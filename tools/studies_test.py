@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tools/studies.py on a tree of its own with a program that answers as latsch does: what it has to find, it finds."""
+"""Tests tools/studies.py on a small tree with a program that answers as latsch does: it must find every difference."""
 import contextlib
 import io
 import pathlib
@@ -150,7 +150,7 @@ class Studies(unittest.TestCase):
         self.add(COMPARISON, "comparison.toml")
         code, said = self.asked(studies.renew, ["spring/comparison.toml"], False)
         text = (self.folder / "expected.toml").read_text()
-        self.assertIn('"models.fitted.error.Fx" = 0.125\n', text)  # the study before it was run
+        self.assertIn('"models.fitted.error.Fx" = 0.125\n', text)  # results of the study before the changed run
         self.assertIn('"models.soft.value [N/m]" = 0.5\n', text)
         self.assertNotIn("seconds\" =", text)
         self.assertIn("| models.fitted.error | 0.125 | 0.0625 |", (self.folder / "README.md").read_text())
@@ -198,7 +198,7 @@ class Studies(unittest.TestCase):
         self.assertEqual((code, "long.toml: no run has given its numbers yet: It takes a day." in said), (0, True), said)
         self.assertEqual(self.asked(studies.check, [], False)[0], 1)
         self.assertIn("without 1 that no run has timed yet", studies.sums(studies.entries([])))
-        with open(self.folder / "expected.toml", "a") as file:  # the numbers of one trial
+        with open(self.folder / "expected.toml", "a") as file:  # replaces the numbers by those of one trial
             file.write('["long.toml".values]\nspring = {value = 6, unit = "N/mm"}\n'
                        '["long.toml".errors]\nforce = {mean = 0.2, largest = 0.2, fitted = true}\n')
         self.edit("expected.toml", 'no_run = "It takes a day."', 'no_run = "It takes a day."\ntarget = 0.04')

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""docs/study_reference.md: all that may stand in a study, as the program says it.
+"""Writes docs/study_reference.md, the reference of all keys of a study, from the program's own key tables.
 
-    tools/study_reference.py PATH/TO/latsch           writes the page
-    tools/study_reference.py PATH/TO/latsch --check   ends with 1 if the page is not what the program says
-"""
+   tools/study_reference.py PATH/TO/latsch           writes the page
+   tools/study_reference.py PATH/TO/latsch --check   ends with 1 if the page differs from the program's text"""
 import pathlib
 import subprocess
 import sys

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Shows that the steps of tools/thorough.sh find what they are for, in a small tree of their own. Ends with 77, as a
-skipped test, where clang-format or clang-tidy is not installed."""
+"""Tests that the steps of tools/thorough.sh find the faults that they look for, in small trees made for this test.
+Ends with 77, as a skipped test, if clang-format or clang-tidy is not installed."""
 import json
 import pathlib
 import shutil
@@ -62,7 +62,7 @@ class Thorough(unittest.TestCase):
         self.assertEqual(said.split("failed:")[1].count("build/thorough/format.log"), 2)
 
     def test_a_step_of_several_commands_fails_with_its_first(self):
-        code, said = self.steps("alone")  # there is nothing to configure here
+        code, said = self.steps("alone")  # this step needs a configured build, which the small tree lacks
         self.assertEqual(code, 1, said)
         self.assertRegex(said, r"alone +FAILED")
 
@@ -81,7 +81,7 @@ class Thorough(unittest.TestCase):
         self.assertIn("1 groups of files, 0 of them unchanged", said)
         self.assertIn("1 groups of files, 1 of them unchanged", self.tidy()[1])
         self.write(SUSPICIOUS)
-        for _ in range(2):  # a fault is not forgotten
+        for _ in range(2):  # a fault is reported again by a second run
             code, said = self.tidy()
             self.assertEqual(code, 1, said)
             self.assertIn("bugprone-sizeof-expression", said)

@@ -19,13 +19,13 @@ import sys
 import time
 
 TREE = pathlib.Path(__file__).resolve().parents[1]
-# Options that only GCC knows, and those that make clang-tidy's work longer without another finding.
+# Options that only GCC knows, and options that slow clang-tidy down without further findings.
 OF_GCC = re.compile(r"-m(move|store)-max=.*|--param=.*|-fsanitize=.*|-D_GLIBCXX_(ASSERTIONS|SANITIZE_VECTOR)|-W.*")
 IS_TEST = re.compile(r"_test(ing)?\.cpp$")
 
 
 def is_of_program(file, directory):
-    """Whether the file, or the group of files that CMake wrote below `directory`, belongs to the program."""
+    """Returns whether the file, or the group of files that CMake wrote below `directory`, belongs to the program."""
     if file.is_relative_to(TREE / "src") or file.is_relative_to(TREE / "apps"):
         return not IS_TEST.search(file.name)
     target = re.search(r"/latsch_(\w+)\.dir/Unity/", str(file))
@@ -40,7 +40,7 @@ def for_clang(command):
 
 
 def includes(file, known):
-    """All our files that a file includes, itself among them; `known` keeps what was read before."""
+    """Returns all files of this repository that a file includes, and the file itself; `known` keeps the results."""
     found, open_ones = set(), [file]
     while open_ones:
         one = open_ones.pop()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch: the command line. See `latsch --help`.
+// The program latsch. `latsch --help` describes its command line.
 #include "cli/run_cli.h"
 
 int main(int argc, char** argv) {

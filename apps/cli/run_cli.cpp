@@ -29,7 +29,8 @@ std::string description(const experiment::Language& language) {
       fmt::join(models, ", "));
 }
 
-/// A verb that is offered if a model of the program has the capability.
+/// A verb, and the capability that at least one model of the program needs for the verb to be
+/// offered.
 struct OfferedVerb {
   void (*add)(CommandLine& app, Program& program);
   const char* capability = "";  // empty: any model
@@ -73,7 +74,7 @@ int run(int argc, char** argv, const experiment::Language& language) {
   const auto offers = [&](const OfferedVerb& verb) {
     return !*verb.capability || !language.kinds_for({verb.capability}).empty();
   };
-  // An impossible LATSCH_KERNELS ends every verb here.
+  // An invalid LATSCH_KERNELS makes every verb fail here.
   CommandLine app(description(language),
                   std::string("\nStart here:") + (offers(kVerbs[0]) ? kNew : "") + kFooter,
                   version_text());

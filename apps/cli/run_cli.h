@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program for any set of models and tests. To add a model, write its kind, add it to a table of
-// the shipped ones (experiment/language.cpp) and write a main() of one line: the program is its own
-// worker, so that fits, designs and intervals run in many processes.
+// Runs the program with any set of models and tests. To add a model, write its kind, add it to a
+// table of the shipped ones (experiment/language.cpp), and write a main() of one line. The program
+// also serves as its own worker process, so fits, designs and intervals run in parallel.
 #pragma once
 
 #include "experiment/language.h"

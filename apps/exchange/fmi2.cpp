@@ -13,7 +13,8 @@ struct Fmu {
   std::unique_ptr<Instance> instance;
 };
 
-/// Escapes a message, which is a format of printf in which # begins a value reference [2.1.5].
+/// Escapes a message. FMI 2.0 passes it as a printf format in which # begins a value reference
+/// [2.1.5].
 std::string as_format(const std::string& message) {
   std::string result;
   for (const char c : message) {
@@ -25,7 +26,7 @@ std::string as_format(const std::string& message) {
 
 Status from(exchange::CallStatus status) { return static_cast<Status>(static_cast<int>(status)); }
 
-/// Returns the result of `work` with the instance; an error if there is none.
+/// Calls `work` with the instance and returns its status; `error` if there is no instance.
 template <class Work>
 Status with(Component component, const Work& work) {
   auto* fmu = static_cast<Fmu*>(component);
@@ -36,7 +37,7 @@ Status refused(Component component, const char* what) {
   return with(component, [&](Instance& instance) { return instance.refuse(what); });
 }
 
-/// Access to variables of a type that the unit does not have: only an empty request succeeds.
+/// Status of a call for variables of a type that the unit lacks: only an empty list succeeds.
 Status none(Component component, std::size_t count, const char* what) {
   return count == 0 && component ? ok : refused(component, what);
 }
@@ -179,7 +180,7 @@ Status fmi2DoStep(Component component, double time, double step, int) {
 Status fmi2CancelStep(Component component) { return refused(component, kSynchronous); }
 
 Status fmi2GetStatus(Component component, StatusKind, Status*) {
-  return component ? discard : error;  // there are no asynchronous steps
+  return component ? discard : error;  // steps are never asynchronous
 }
 Status fmi2GetRealStatus(Component component, StatusKind kind, double* value) {
   return with(component, [&](Instance& instance) {
@@ -194,7 +195,7 @@ Status fmi2GetIntegerStatus(Component component, StatusKind, int*) {
 Status fmi2GetBooleanStatus(Component component, StatusKind kind, int* value) {
   if (!component) return error;
   if (kind != terminated || !value) return discard;
-  *value = 0;  // a unit never requests termination
+  *value = 0;  // a unit never requests the end of the simulation
   return ok;
 }
 Status fmi2GetStringStatus(Component component, StatusKind, Text*) {

@@ -13,7 +13,7 @@ Status from(exchange::CallStatus status) { return static_cast<Status>(static_cas
 
 Instance* of(Handle handle) { return static_cast<Instance*>(handle); }
 
-/// Returns the result of `work` with the instance; an error if there is none.
+/// Calls `work` with the instance and returns its status; `error` if there is no instance.
 template <class Work>
 Status with(Handle handle, const Work& work) {
   return handle ? from(work(*of(handle))) : error;
@@ -23,7 +23,7 @@ Status refused(Handle handle, const char* what) {
   return with(handle, [&](Instance& instance) { return instance.refuse(what); });
 }
 
-/// Access to variables of a type that the unit does not have: only an empty request succeeds.
+/// Status of a call for variables of a type that the unit lacks: only an empty list succeeds.
 Status none(Handle handle, std::size_t count) {
   return count == 0 && handle ? ok : refused(handle, "has only variables of type Float64");
 }
@@ -175,7 +175,7 @@ Status fmi3SetClock(Handle handle, const Reference[], std::size_t count, const b
   return none(handle, count);
 }
 
-// Dependencies are those of modelDescription.xml and do not change.
+// modelDescription.xml states the dependencies between variables, and they do not change.
 Status fmi3GetNumberOfVariableDependencies(Handle handle, Reference, std::size_t*) {
   return refused(handle, "has no dependencies of elements");
 }

@@ -70,7 +70,8 @@ LATSCH_C Status fmi3ExitInitializationMode(Handle);
 LATSCH_C Status fmi3Terminate(Handle);
 LATSCH_C Status fmi3Reset(Handle);
 
-// The access functions of all types are alike: references, values with their counts.
+// Declares the getter and setter of one type. All types have the same arguments: value references
+// and values, with their counts.
 #define LATSCH_TYPE(Name, Value)                                                             \
   LATSCH_C Status fmi3Get##Name(                                                             \
       Handle, const Reference[], std::size_t references, Value values[], std::size_t count); \

@@ -10,7 +10,8 @@
 namespace latsch::exchange {
 namespace {
 
-// Share of a communication step by which its beginning may differ from the end of the last step.
+// Allowed difference between the start of a communication step and the end of the one before, as a
+// share of the step.
 constexpr double kTimeSlack = 1e-6;
 
 }  // namespace
@@ -167,7 +168,7 @@ CallStatus Instance::copy_state(void** state) {
   return guarded([&] {
     if (!state) return refuse("was given no place for its state");
     auto copy = std::make_unique<State>(now_.copy());
-    if (*state) {  // overwrites an existing copy
+    if (*state) {  // the caller passes an existing copy, which is overwritten
       *static_cast<State*>(*state) = std::move(*copy);
     } else {
       *state = copy.release();

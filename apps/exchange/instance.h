@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// One instance of a functional mock-up unit, of FMI 2.0 or 3.0: the life cycle and the values, for
-// any unit. The C functions of the two standards (fmi2.cpp, fmi3.cpp) call it.
+// One instance of a functional mock-up unit (FMU) of FMI 2.0 or 3.0: its life cycle and its values,
+// for any unit. The C functions of the two standards (fmi2.cpp, fmi3.cpp) call it.
 //
-//   instantiated ─► initializing ─► stepping ─► terminated       reset(): instantiated, from any
+//   instantiated ─► initializing ─► stepping ─► terminated
 //
-// It throws nothing: errors are logged and become a status. A refused call changes nothing. In
-// `initializing` the unit starts when an output is read or at the end, again after every change of
-// inputs.
+// reset() returns from any state to `instantiated`. No function throws: errors are logged and
+// become a status. A refused call changes nothing. In the state `initializing` the unit computes
+// its initial outputs when an output is read or at the end of the state, and again after every
+// change of inputs.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,7 @@
 
 namespace latsch::exchange {
 
-/// CallStatus values that both standards use.
+/// Status values of a call that both standards share.
 enum class CallStatus : int { ok = 0, warning = 1, discard = 2, error = 3, fatal = 4 };
 
 class Instance {
@@ -29,16 +30,16 @@ class Instance {
 
   Instance(std::unique_ptr<ExchangedModel> unit, Log log);
 
-  /// Sets the beginning and, if any, the end of time, s.
+  /// Sets the start time and, if there is one, the stop time, s.
   CallStatus set_up(double start, std::optional<double> stop);
   CallStatus begin_initialization();
   CallStatus end_initialization();
-  /// Logs as warnings which limits of its model the unit has met.
+  /// Ends the simulation. Logs as warnings the limits of the model that the unit has met.
   CallStatus terminate();
   CallStatus reset();
 
   CallStatus get(const unsigned* references, std::size_t count, double* values);
-  /// Sets all values or none. Returns `discard` for a value that is not finite.
+  /// Sets all given values or, on an error, none. Returns `discard` for a value that is not finite.
   CallStatus set(const unsigned* references, std::size_t count, const double* values);
   CallStatus step(double time, double step);
   double time() const { return now_.time; }
@@ -48,7 +49,7 @@ class Instance {
   CallStatus restore_state(void* state);
   static void free_state(void** state);
 
-  /// Logs a feature that the unit does not have; returns an error.
+  /// Logs that the unit lacks a feature; returns `error`.
   CallStatus refuse(const std::string& what);
 
  private:
@@ -58,7 +59,7 @@ class Instance {
     Stage stage = Stage::instantiated;
     double time = 0.0;
     std::optional<double> stop = {};
-    bool begun = false;  // true if the outputs belong to the inputs
+    bool begun = false;  // true if the outputs are up to date with the inputs
 
     State copy() const { return {unit->clone(), stage, time, stop, begun}; }
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Creates an instance from the arguments of an importer.
+// Creates the instance of an FMU from the arguments that an importing program passes.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,13 @@
 
 namespace latsch::exchange {
 
-/// Returns the folder of a URI of FMI 2.0: "file:///tmp/a%20b" is "/tmp/a b" [RFC 3986; RFC 8089];
-/// a path is returned unchanged. Throws InputError for another scheme or another machine.
+/// Returns the folder of the resource URI of FMI 2.0: "file:///tmp/a%20b" is "/tmp/a b" [RFC 3986;
+/// RFC 8089]; a path is returned unchanged. Throws InputError for another scheme or another
+/// machine.
 std::string folder_of_uri(const std::string& uri);
 
-/// Returns nullptr, with the reason in the log, if the folder contains no unit or one with another
-/// token.
+/// Creates the instance from the folder. Returns nullptr, with the reason in the log, if the folder
+/// contains no unit or one with another token.
 std::unique_ptr<Instance> load_instance(const std::string& folder,
                                         const std::string& token,
                                         const Instance::Log& log);

@@ -38,7 +38,8 @@ struct Seat {
   std::string message;
 };
 
-/// Returns the tire of that IDTYRE among all tires of the process.
+/// Returns the tire with this IDTYRE, the number that the calling program gives each tire of the
+/// process.
 std::shared_ptr<Seat> seat(int idtyre) {
   static std::mutex busy;
   static std::map<int, std::shared_ptr<Seat>> seats;
@@ -66,7 +67,7 @@ void load(Seat& seat, const std::string& file, const std::string& road) {
   seat.road = road.empty() ? nullptr : std::shared_ptr(formats::read_road_file(road).road);
 }
 
-/// The arguments of DTYRE, unchanged.
+/// The arguments of the subroutine DTYRE, unchanged.
 struct Call {
   const double *time, *dis, *tramat, *angtwc, *vel, *omega, *omegar;
   int* ntypar;

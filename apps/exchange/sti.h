@@ -62,9 +62,10 @@ using Dtyre = void(const int* ndev,
                    int* ierr);
 
 extern "C" {
-/// Names for Fortran compilers of Linux and for C.
+/// Symbols for Fortran compilers on Linux (with underscore) and for C.
 [[gnu::visibility("default")]] Dtyre dtyre_, dtyre;
-/// Says why IERR of the tire's last call was not 0; "" if it was. Valid until its next call.
+/// Returns the reason why IERR of the tire's last call was not 0; "" if it was 0. The text is valid
+/// until the next call for this tire.
 [[gnu::visibility("default")]] const char* latsch_sti_message(const int* idtyre);
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Car of bodies and bushings on a kerb: CPU over real time, refinement, order, energy; ring tires.
+// Benchmark of the full-car model, which consists of rigid bodies and bushings: the car drives over
+// a kerb. The rows show CPU time over simulated time, the effect of smaller time steps, the order
+// of convergence and the energy balance, on spring tires and on flexible ring tires.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,8 +52,8 @@ struct Run {
   std::vector<Forces> pushrods;
 };
 
-/// Drives and records push-rod forces every `every` steps; 0 records none. Returns nothing if a
-/// step has no solution.
+/// Drives the car from the state `from` and records the push-rod forces every `every` steps; 0
+/// records none. Returns nothing if a step has no solution.
 std::optional<Run> drive(Car& car,
                          const CarState& from,
                          const road::Road& road,
@@ -70,7 +72,8 @@ std::optional<Run> drive(Car& car,
   return run;
 }
 
-/// Returns the mean over the push-rods of rms(a - b) over rms(b - b at first).
+/// Returns the mean over the push-rods of rms(a - b) / rms(b - b0), where b0 is the first value of
+/// b.
 double error(const std::vector<Forces>& a, const std::vector<Forces>& b, const Forces& rest) {
   double mean = 0.0;
   for (std::size_t rod = 0; rod < kCorners; ++rod) {
@@ -175,7 +178,7 @@ CarParameters without_damping(CarParameters car) {
   return car;
 }
 
-/// Returns the energy of bodies, springs, weight and tires.
+/// Returns the total energy, J, of bodies, springs, weight and tires.
 double energy_of(const Car& car, const CarState& state, const multibody::Assembly& assembly) {
   constexpr double kTire = 117e3;  // N/m, stiffness of spring_tires()
   double sum = assembly.kinetic_energy(state.bodies.poses, state.bodies.rates) +
@@ -184,8 +187,9 @@ double energy_of(const Car& car, const CarState& state, const multibody::Assembl
   return sum;
 }
 
-/// Returns the largest change of energy over `duration`, relative to the energy of an initial heave
-/// and roll as fast as possible without the tires leaving the road.
+/// Returns the largest change of the total energy within `duration`, s, relative to the energy of
+/// the initial heave and roll velocity. That velocity is the largest at which no tire leaves the
+/// road.
 double energy_change(bool locked, double step, double duration) {
   const auto car = made(without_damping(race_car(locked)), spring_tires(0.0), {.dissipation = 0.0});
   car->guide.lateral = car->guide.yaw = car->guide.along = 0.0;
@@ -229,7 +233,7 @@ void energy_rows(Table& table, double duration) {
     }
 }
 
-/// Returns the race car at the height that fits tires of this radius.
+/// Returns the race car with its ride height set for tires of this radius, m.
 CarParameters on_tires(double radius) {
   CarParameters car = race_car(true);
   const Eigen::Vector3d up(0.0, 0.0, radius - car.front.corner.wheel_center.z());

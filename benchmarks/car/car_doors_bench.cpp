@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of a car: rest under downforce, rigid joints, drag, mirrored tires, four posts.
-//
-// Downforce is 1 to 5 times the weight, and the transfer functions of the four posts are those of a
-// test with default settings.
+// Checks of the full-car model: equilibrium under downforce, rigid joints, drag, mirrored tires,
+// and the four-post test. Downforce is 1 to 5 times the weight, and the transfer functions on the
+// four posts are those of a test with default settings.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -40,8 +39,8 @@ void make_rigid(car::CarParameters& parameters) {
     }
 }
 
-/// Returns the race car with bump stops, downforce of `times` weights at the given speed, larger
-/// the lower the floor is, and drag.
+/// Returns the race car with bump stops, drag, and downforce of `times` weights at the given speed.
+/// The downforce grows as the floor comes nearer to the road.
 car::CarParameters pressed(bool rigid, double speed, double times, double drag) {
   car::CarParameters parameters = car::race_car(false);
   if (rigid) make_rigid(parameters);
@@ -74,8 +73,8 @@ struct Rested {
   double force = 0.0, moment = 0.0, slowed = 0.0;  // relative, relative, m/s
 };
 
-/// Compares the forces of the road with weight and air, and their moments about a line on the
-/// ground.
+/// Compares the forces of the road on the tires with weight plus aerodynamic forces, and both
+/// moments about a line on the ground.
 void judge(const Car& car, const car::CarState& state, double speed, Rested& rested) {
   const car::CarParameters& of = car.parameters();
   const car::AeroMap& air = *of.aero;
@@ -131,9 +130,8 @@ Rested rest_under_air(bool rigid, bool smoke) {
   return rested;
 }
 
-/// Returns the wheel rate over the spring rate of a corner at rest, by virtual work: the twist of
-/// an upright that five rods allow while its contact rises, and the resulting motion of wishbone
-/// and rocker.
+/// Returns wheel rate over spring rate of one corner at rest, by virtual work: the five rods leave
+/// the upright one free twist, which raises the contact point and moves wishbone and rocker.
 double ratio_of_rates(const car::Axle& axle) {
   using W = suspension::DoubleWishbone;
   const auto& p = axle.corner.points;
@@ -188,7 +186,7 @@ double error_of_wheel_rate() {
   return worst;
 }
 
-/// A car as a test drives it.
+/// A full car as a specimen that driving tests can use.
 class LinearCarSpecimen : public experiment::Specimen, public experiment::Drives {
  public:
   Result<std::unique_ptr<Car>> car(const car::CarInputs&) const override {
@@ -196,9 +194,9 @@ class LinearCarSpecimen : public experiment::Specimen, public experiment::Drives
   }
 };
 
-/// The largest |H - H of the linear model|/|H| from 0.5 to 20 Hz, of all sensors, in a test that
-/// states its mode and nothing else. The body does not rise in roll, by symmetry: there |H| is that
-/// of a hub.
+/// Returns the largest error |H - H_linear| / |H_linear| of the transfer functions of all sensors
+/// from 0.5 to 20 Hz, in a test that states its mode and uses defaults otherwise. By symmetry the
+/// body does not heave in the roll mode: there the sensor's error is relative to |H| of a hub.
 double error_of_responses(experiment::PostMode mode, const std::string& name) {
   LinearCarSpecimen specimen;
   const auto car = specimen.car({});

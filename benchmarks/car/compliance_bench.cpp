@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bushings of synthetic cars from sixteen K&C numbers: error of the fit, coverage of its bands.
+// Identifies the bushing stiffnesses of synthetic cars from sixteen K&C numbers each. Rows: the
+// error of the fit and the coverage of its uncertainty bands.
 //
 //   compliance [CARS] [SEED]     default: 1000 cars of a seed not used in development
 //
 // The study is studies/compliance/axes.toml: thirty stiffnesses with a prior. Everything runs as in
-// `latsch run`: the study is read from its file, its search, a journal, the intervals.
+// `latsch run`: the study and its search are read from the file, with a journal and the intervals.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,13 +33,13 @@ using benchmarks::cpu_seconds;
 using correlation::Study;
 using correlation::StudyExperiment;
 
-constexpr double kLevel = 0.9;      // level of the bands
+constexpr double kLevel = 0.9;      // confidence level of the bands
 constexpr double kLevelOff = 0.03;  // allowed deviation of the coverage
-constexpr int kFitted = 100;        // number of cars in the first rows
+constexpr int kFitted = 100;        // number of cars that the rows of fit error and time use
 constexpr double kClose = 0.05;
-constexpr int kFewestClose = 14;  // out of sixteen
+constexpr int kFewestClose = 14;  // least number of K&C values, out of sixteen, that must be close
 
-/// One number of one car, fitted or held out.
+/// One K&C value of one car, either fitted or held out of the fit.
 struct Number {
   double error = 0.0;  // error of the fit relative to the car's value
   bool inside = false;
@@ -102,7 +103,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Share of the numbers of all cars that are inside their bands.
+/// Share of the K&C values of all cars that lie inside their uncertainty bands.
 struct Coverage {
   double all = 0.0, least = 1.0, most = 0.0;  // least, most: shares of single outputs
   std::string text() const {
@@ -125,7 +126,7 @@ Coverage coverage_of(const std::vector<FittedCar>& cars, std::vector<Number> Fit
   return coverage;
 }
 
-/// Adds rows for the first cars: error and time of the fit.
+/// Adds rows for the first kFitted cars: error and time of the fit.
 void add_fits(const std::vector<FittedCar>& cars, benchmarks::Table& table) {
   std::vector<double> errors, times, wall_times, steps;
   int close = 0;
@@ -172,7 +173,8 @@ void add_coverage(const std::vector<FittedCar>& cars, benchmarks::Table& table) 
                  held_out.holds());
 }
 
-/// Result of a search of the study at `file`, judged by the cost of `by`.
+/// Result of a search that is run on the study at `file` and whose best point is judged by the cost
+/// function of the study `by`.
 struct Searched {
   double cost = 0.0;
   std::size_t trials = 0;
@@ -191,7 +193,7 @@ Searched searched(const std::filesystem::path& file, const Study& by) {
   return {correlation::objective(by)(best, *recording)->value, run.steps.size()};
 }
 
-/// Compares the thesis' method with ours on one car, studies/compliance.
+/// Compares the pattern search of the thesis with our search on one car of studies/compliance.
 void add_pattern_search(const std::filesystem::path& folder, benchmarks::Table& table) {
   namespace fs = std::filesystem;
   fs::copy(fs::path(LATSCH_SOURCE_DIR) / "studies" / "compliance", folder / "study");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of ten bushings: statics and compliance matrices per second; a curve of rigid links.
+// Times of one suspension corner with ten bushings: static equilibria and compliance matrices per
+// second, and the kinematic curve of the same corner with rigid links.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ using latsch::suspension::race_corner;
 
 constexpr int kRounds = 15;
 
-/// Returns forces up to 5 kN and moments up to 200 N m in any direction.
+/// Returns random loads: forces up to 5 kN and moments up to 200 N m in any direction.
 std::vector<Load> random_loads(const DoubleWishbone& corner, int count) {
   latsch::RandomStream random(15, 1);
   std::vector<Load> loads;
@@ -36,7 +37,7 @@ std::vector<Load> random_loads(const DoubleWishbone& corner, int count) {
   return loads;
 }
 
-/// Computes 100 points from -30 to 30 mm with rates.
+/// Times a kinematic curve: 100 points from -30 to 30 mm of wheel travel, with their rates.
 void kinematics(latsch::benchmarks::Table& table, int rounds) {
   using namespace latsch::suspension;
   constexpr int kPoints = 100, kCurves = 20;

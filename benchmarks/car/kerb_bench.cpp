@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car on kerbs: time of a grid of runs, aero forces from noisy push-rods, a measured track.
+// A car driven over kerbs: computing time of a grid of runs, aerodynamic forces estimated from
+// noisy push-rod forces, and a measured track.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,8 +58,8 @@ experiment::KerbTest long_kerb(double speed, double line) {
   return test;
 }
 
-/// True if every tire that carries load has an area at every sample. A tire that leaves the road
-/// may touch it without load.
+/// True if the contact area of every tire that carries load is known at every sample. A tire that
+/// leaves the road may touch it without load, and then needs no area.
 bool areas_are_known(const Channels& channels) {
   for (const char* corner : {"FL", "FR", "RL", "RR"}) {
     const auto& area = channels[std::string("area_") + corner];
@@ -102,8 +103,8 @@ void time_of_a_grid(Table& table, const benchmarks::Options& options) {
             known == static_cast<int>(tests.size()));
 }
 
-/// Known loaders act on level road. The push-rods have noise and are low-passed over a stretch; the
-/// row shows the error of the computed loaders.
+/// The car drives on a level road under known downforce. The push-rod forces have noise and are
+/// low-pass filtered; the row shows the error of the downforce computed from them.
 void aero_forces(Table& table, int draws) {
   constexpr double kEdge = 10.0;                     // Hz
   constexpr double kStretch = 0.5, kSettling = 0.1;  // s

@@ -19,8 +19,9 @@ bool has_calculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0
 
 namespace {
 
-/// Makes the load step print forces at every increment. That step is the last one that writes
-/// displacements of all nodes only at its end; afterward it writes after every increment.
+/// Makes the load step print the contact forces at every increment. The text searched for ends the
+/// last step that writes all displacements only at its end; that step then writes after every
+/// increment.
 void print_every_force(std::string& text) {
   constexpr std::string_view kEnd = "RF\n*NODE FILE,FREQUENCY=100";
   const auto at = text.find(kEnd);
@@ -28,7 +29,8 @@ void print_every_force(std::string& text) {
   text.replace(at, kEnd.size(), "RF\n*NODE FILE,FREQUENCY=1");
 }
 
-/// Reads the forces. Upward is y in the deck, whose load step begins at time 1.
+/// Reads the contact forces of the load step, which begins at time 1. The vertical axis is y in the
+/// deck.
 std::vector<std::pair<double, double>> forces_of(const std::string& dat) {
   std::vector<std::pair<double, double>> forces;
   constexpr std::string_view kTitle = "for set GROUND and time";

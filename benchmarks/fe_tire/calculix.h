@@ -20,7 +20,8 @@ bool has_calculix();
 struct CalculixRun {
   formats::CcxResults results;
   double cpu_seconds = 0.0;
-  /// At every increment of the load step, if requested: share of the travel, N upward on the tire.
+  /// Filled if forces at every increment are requested: the share of the ground's travel, and the
+  /// upward force on the tire, N.
   std::vector<std::pair<double, double>> ground_forces;
 };
 
@@ -35,8 +36,9 @@ std::optional<CalculixRun> run_calculix(const fe_tire::Mesh& mesh,
                                         const formats::CcxRun& run,
                                         const DeckChanges& changes = {});
 
-/// Returns a whole trial of a tire: inflation, motion of the ground by `travel` from `clear` below
-/// the undeformed tire, and `modes` modes there or of the unloaded tire.
+/// Returns the definition of a whole trial of a tire for CalculiX: the tire is inflated, the ground
+/// starts `clear` below the undeformed tire and moves up by `travel`, and `modes` modes are
+/// computed in that state, or for the unloaded tire.
 formats::CcxRun calculix_trial(const std::string& title,
                                const fe_tire::Mesh& mesh,
                                double pressure,

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Agreement with CalculiX 2.20 on the same decks; CPU time compared with it, one thread.
-//
-// In the first part, the decks ../shared/data/ccx beside the project, computed by CalculiX, are
-// read by our own .inp reader and computed with the comparison elements. In the second part, the
-// tires A and B of [Hempel & Oertel 2016], exported by our own writer, are computed by both
-// programs. A whole trial inflates the tire, presses it by 25 mm in five steps, and computes 20
-// modes of the loaded (B) or unloaded (A) tire. The shipped tires, with the default element and
-// cords as rebars on half as many unknowns again, are compared with the same run of CalculiX, which
-// has no rebars.
+// Compares the finite-element tire with CalculiX 2.20 on the same input decks: agreement of the
+// results, and CPU time with one thread. In the first part, the decks in ../shared/data/ccx, beside
+// the project and already computed by CalculiX, are read by our own .inp reader and computed with
+// the comparison element. In the second part, the tires A and B of [Hempel & Oertel 2016], exported
+// by our own writer, are computed by both programs. A whole trial inflates the tire, presses it by
+// 25 mm in five steps, and computes 20 modes of the loaded (B) or unloaded (A) tire. The shipped
+// tires have the default element, cords as rebars, and half as many unknowns again; their time is
+// compared with that of the same run of CalculiX, which has no rebars.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,16 +32,16 @@ const std::filesystem::path kDecks = LATSCH_SOURCE_DIR "/../shared/data/ccx";
 constexpr double kTravel = 0.025;  // m
 constexpr int kModes = 20;
 constexpr double kClear = 2e-3;  // m, distance of the undeformed tire from the ground
-constexpr double kRatio = 30.0;  // CPU time of CalculiX over ours
+constexpr double kRatio = 30.0;  // least ratio of the CPU time of CalculiX to ours
 
 struct Trial {
   double growth = 0.0;  // m, radial growth of the crown
-  double Fz = 0.0;      // N, at the last deflection
+  double Fz = 0.0;      // N, vertical force at the last deflection
   std::vector<double> frequencies;
 };
 
-/// Moves the ground, at `ground_radius` from the wheel center, by `travel` in five steps; no ground
-/// if travel is 0.
+/// Computes a trial: the ground, `ground_radius` below the wheel center, moves up by `travel` in
+/// five steps. There is no ground if `travel` is 0.
 Trial run_trial(FeTire& tire,
                 double pressure,
                 double ground_radius,
@@ -87,13 +86,13 @@ void compare_row(Table& table, const std::string& what, double error, double rea
             error <= reach);
 }
 
-/// Compares with the decks beside the project.
+/// Compares our results with the CalculiX decks in ../shared/data/ccx, beside the project.
 void compare_decks(Table& table) {
   if (!std::filesystem::exists(kDecks)) {
     table.note("agreement with the decks", "skipped: no ../shared/data/ccx beside the project");
     return;
   }
-  // None of the decks prints the growth of the crown; CalculiX' result file contained 0.833 mm.
+  // No deck prints the growth of the crown; the result file of CalculiX contained 0.833 mm.
   constexpr double kGrowth = 0.833e-3;
   for (const bool loaded : {true, false}) {
     const std::string name = loaded ? "tire_b_loaded" : "tire_b_unloaded";
@@ -117,9 +116,10 @@ void compare_decks(Table& table) {
   }
 }
 
-/// Returns the CPU seconds of a trial of a shipped tire, including mesh and symbolic work. It is
-/// the median of several, because one trial takes a second, to which other work on the machine adds
-/// or removes a third; the minute of CalculiX averages this.
+/// Returns the CPU seconds of a trial of a shipped tire, including mesh generation and symbolic
+/// factorization. It is the median of several trials, because one takes only a second and other
+/// work on the machine changes it by a third; CalculiX runs for a minute, which averages such
+/// changes.
 double seconds_as_shipped(const TireDescription& description, bool loaded_modes) {
   constexpr int kTrials = 7;
   std::vector<double> seconds;
@@ -138,7 +138,7 @@ double seconds_as_shipped(const TireDescription& description, bool loaded_modes)
   return seconds[kTrials / 2];
 }
 
-/// Compares one tire in both programs, and the shipped tire.
+/// Computes one tire in both programs and the shipped tire in ours, and compares results and times.
 void race(Table& table,
           const std::string& name,
           const TireDescription& description,
@@ -169,13 +169,13 @@ void race(Table& table,
   const formats::CcxResults& expected = calculix->results;
 
   const int crown =
-      1 + mesh.sensors[2];  // number in the deck; the node is at the bottom, outward is -y
+      1 + mesh.sensors[2];  // node number in the deck of the bottom node; -y points outward
   compare_row(table,
               name + ": crown growth, both programs now",
               std::abs(ours.growth * 1e3 / -expected.displacement.at(crown).y() - 1.0),
               1e-3);
-  // Facets are as long as the patch of a coarse mesh, and each program integrates their pressure in
-  // its own way.
+  // In the two programs a facet is as long as the contact patch of a coarse mesh, and each
+  // integrates the pressure on it in its own way, so Fz is judged with a wide tolerance.
   const double Fz = std::abs(ours.Fz / expected.total_force.at("GROUND").y() - 1.0);
   table.full_row(name + ": Fz, both programs now",
                  fmt::format("{:.4f} %", 100.0 * Fz),
@@ -204,9 +204,9 @@ void race(Table& table,
                  theirs >= kRatio * as_shipped);
 }
 
-/// Compares rows that meet on plies and end at tied corners, which are equations between nodes in
-/// the deck: tire B's shipped section in 24 sectors, cords smeared, comparison element, off the
-/// ground.
+/// Compares meshes whose rows of elements end at plies, where corner nodes are tied by linear
+/// equations of the deck. The tire is the shipped section of tire B in 24 sectors with smeared
+/// cords and the comparison element, not touching the ground.
 void compare_ties(Table& table) {
   TireDescription description = shipped_tire("passenger_225_50R16");
   description.section.sectors = 24;
@@ -239,7 +239,7 @@ void compare_ties(Table& table) {
 
 }  // namespace
 
-/// Returns the tire, in a smoke run on a mesh that CalculiX solves in a second.
+/// Returns the tire itself, or in a smoke run a copy on a mesh that CalculiX solves in a second.
 TireDescription for_race(TireDescription tire, const Options& options) {
   tire.section.meridional = options.size(tire.section.meridional, 13);
   tire.section.sectors = options.size(tire.section.sectors, 12);

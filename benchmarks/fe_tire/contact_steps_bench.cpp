@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fz at every step from the first millimeter on, here and in CalculiX, on the same mesh.
-//
-// Tires B and A of [Hempel & Oertel 2016] have the comparison element, smeared cords, and sectors
-// of 6 and 4 degrees. In the first millimeters the patch is shorter than a facet of the tread, and
-// Fz depends on how the pressure on a facet is integrated. Both programs use the facets of the mesh
-// and one penalty; CalculiX intersects facets with those of the ground and has separate integration
-// points on the pieces. The error of such a mesh compared with finer ones is shown by ./bench.sh
-// footprint. With friction the load path affects the result: our loads every 2.5 mm, as in studies,
-// are compared with CalculiX' steps of a fifth.
+// Compares the vertical force Fz at every load step, from the first millimeter on, with CalculiX on
+// the same mesh. Tires B and A of [Hempel & Oertel 2016] have the comparison element, smeared
+// cords, and sectors of 6 and 4 degrees. In the first millimeters the contact patch is shorter than
+// a facet of the tread, and Fz depends on how the pressure on a facet is integrated. Both programs
+// use the facets of the mesh and one penalty stiffness; CalculiX intersects the facets with those
+// of the ground and has integration points on each part. The benchmark `footprint` shows the error
+// of such a mesh compared with finer ones. With friction the load path affects the result: our
+// steps of 2.5 mm, as in studies, are compared with CalculiX' steps of a fifth of that.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -26,18 +25,19 @@ namespace {
 
 using namespace fe_tire;
 
-constexpr double kReach = 0.01, kFrictionReach = 0.003;  // relative to the step's Fz
+// tolerances of Fz without and with friction, relative to Fz of the step
+constexpr double kReach = 0.01, kFrictionReach = 0.003;
 
 struct Way {
   double step;  // m, our step
   int steps;
   double mu = 0.0;
-  int theirs = 1;  // steps of CalculiX for one of ours
+  int theirs = 1;  // number of CalculiX' steps for each of ours
   double reach = kReach;
 };
 
-/// Returns the force at a share of the travel. CalculiX halves steps in which it does not find an
-/// equilibrium; the requested ones are among them.
+/// Returns the force at a share of the travel. CalculiX halves a step whose equilibrium it does not
+/// find, so its list has further shares beside the requested ones.
 double at_share(const std::vector<std::pair<double, double>>& forces, double share) {
   for (const auto& [reached, force] : forces)
     if (std::abs(reached - share) < 1e-4) return force;
@@ -81,7 +81,7 @@ void compare(Table& table,
 
 }  // namespace
 
-/// Returns the tire, in a smoke run on a mesh that CalculiX solves in a second.
+/// Returns the tire itself, or in a smoke run a copy on a mesh that CalculiX solves in a second.
 TireDescription on_mesh(TireDescription tire, const Options& options) {
   tire.section.meridional = options.size(tire.section.meridional, 13);
   tire.section.sectors = options.size(tire.section.sectors, 24);

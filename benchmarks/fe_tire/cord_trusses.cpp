@@ -17,12 +17,14 @@ using fe_tire::CordLayer;
 using fe_tire::Element;
 using fe_tire::Mesh;
 
-constexpr int kGroundNumbers = 8;        // nodes of the block below the tire, which is one element
+// number of nodes of the ground below the tire, which is one solid element
+constexpr int kGroundNumbers = 8;
 constexpr double kMm = 1e3;              // per meter
 constexpr double kMm2 = 1e6;             // per m^2
 constexpr double kMPa = 1e-6;            // per Pa
 constexpr double kTonnesPerMm3 = 1e-12;  // per kg/m^3
-constexpr double kSteep = 0.05;          // sine of the smallest angle
+// least sine of the cord angle that is supported, except for hoops at 0
+constexpr double kSteep = 0.05;
 
 /// Signs of xi, eta, zeta at the corners (mesh.h).
 constexpr double kSigns[8][3] = {{-1, -1, -1},
@@ -58,11 +60,12 @@ Eigen::Vector3d position(const Corners& X, const Place& p) {
 /// Direction of the cord through a point on the facet zeta = const.
 struct Course {
   double slope;         // dxi / deta
-  double width_per_xi;  // m between two cords that are dxi = 1 apart
+  double width_per_xi;  // distance, m, between two cords whose xi differ by 1
 };
 
 Course course(const Corners& X, const Place& p, double angle) {
-  constexpr double h = 0.5;  // X is linear along xi and along eta
+  // step of the central differences, which are exact because X is linear along xi and along eta
+  constexpr double h = 0.5;
   const Eigen::Vector3d along_xi =
       (position(X, {p.xi + h, p.eta, p.zeta}) - position(X, {p.xi - h, p.eta, p.zeta}));
   const Eigen::Vector3d along_eta =
@@ -117,7 +120,7 @@ class Drawing {
   }
 
  private:
-  /// Places cords wound around the tire.
+  /// Places cords that run around the tire in the circumferential direction.
   void draw_hoops(int element, const fe_tire::RebarPlacement& rebar) {
     const Corners X = mesh_.coordinates(mesh_.elements[element]);
     for (int k = 0; k < family_.along; ++k) {
@@ -132,8 +135,8 @@ class Drawing {
     }
   }
 
-  /// Places a cord from the edge eta = -1 to the opposite one. If it leaves the sector, the cord
-  /// that enters on the other side, its rotated copy, continues it.
+  /// Places a cord from the edge eta = -1 to the opposite edge. Where it leaves the sector, it
+  /// continues on the other side of the sector as its own copy, rotated by one sector.
   void draw(int element, const fe_tire::RebarPlacement& rebar, double xi) {
     const CordLayer& layer = materials_.layers[rebar.layer];
     const Corners X = mesh_.coordinates(mesh_.elements[element]);
@@ -155,8 +158,8 @@ class Drawing {
     }
   }
 
-  /// Returns the slope by the midpoint rule. Halfway along, a cord may be in the next sector, where
-  /// its direction is the same.
+  /// Returns the slope of the cord by the midpoint rule. The point halfway along may be in the next
+  /// sector, where the cord has the same direction.
   static double middle_slope(const Corners& X, const Place& from, double step, double angle) {
     const double first = course(X, from, angle).slope;
     double xi = from.xi + 0.5 * step * first;
@@ -170,7 +173,8 @@ class Drawing {
            const fe_tire::RebarPlacement& rebar,
            const Place& from,
            const Place& to) {
-    constexpr double kNothing = 1e-6;  // share of an element: a corner that is barely cut
+    // share of an element below which a piece of cord in its corner is ignored
+    constexpr double kNothing = 1e-6;
     if (to.eta - from.eta < kNothing) return;
     const CordLayer& layer = materials_.layers[rebar.layer];
     const Place middle{0.5 * (from.xi + to.xi), 0.5 * (from.eta + to.eta), from.zeta};
@@ -198,7 +202,7 @@ class Cards {
     each_end([this](int s, int number, const Piece& piece, const Place& place) {
       const Eigen::Vector3d x =
           mesh_.frame(s) * position(mesh_.coordinates(mesh_.elements[piece.element]), place);
-      // Deck frame of ccx_deck.h: its y is our z, its z our -y.
+      // Frame of the deck (ccx_deck.h): its y is our z, and its z is our -y.
       add("{},{:.12g},{:.12g},{:.12g}\n", number, kMm * x.x(), kMm * x.z(), -kMm * x.y());
     });
     for (int p = 0; p < count(); ++p) {
@@ -233,9 +237,9 @@ class Cards {
           pieces_[p].area * kMm2);
   }
 
-  /// Adds springs with force over elongation, linear between closely spaced points.
+  /// Adds springs, whose force over elongation is linear between closely spaced points.
   void add_springs(const fe_tire::Materials& materials) {
-    constexpr int kPoints = 20;       // number on each side
+    constexpr int kPoints = 20;       // number of points on either side of zero
     constexpr double kStrain = 0.05;  // largest strain
     for (int p = 0; p < count(); ++p) {
       const double EA = materials.layers[pieces_[p].layer].E_tension * pieces_[p].area;

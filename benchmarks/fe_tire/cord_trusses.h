@@ -28,20 +28,20 @@ namespace latsch::benchmarks {
 enum class CordPiece { spring, truss };
 
 struct CordFamily {
-  int a_sector = 2;  // cords across the middle of a sector's width; hoops use `along`
-  int along = 4;     // pieces of a cord, or hoops, along the section in an element
+  int a_sector = 2;  // number of cords across a sector's width, at mid-length; hoops use `along`
+  int along = 4;     // number of pieces of a cord, or of hoops, in an element along the section
   CordPiece piece = CordPiece::spring;
 };
 
 struct CordTrusses {
   std::string cards;    // cards of the model, before its boundary conditions (mm, N, tonne, s)
   int count = 0;        // number of pieces
-  double volume = 0.0;  // m^3 of cord in the whole ring
+  double volume = 0.0;  // m^3, volume of all cords in the whole ring
 };
 
-/// Creates the trusses. Numbers of nodes and elements begin after those of the mesh and its ground.
-/// Elements must have no tied corners; layers must have equal moduli in compression and tension, no
-/// pretension, and angles of 0 or beyond a few degrees.
+/// Creates the cords as trusses or springs. Their node and element numbers begin after those of the
+/// mesh and its ground. Elements must have no tied corners; layers must have equal moduli in
+/// compression and tension, no pretension, and angles of 0 or of more than a few degrees.
 CordTrusses cord_trusses(const fe_tire::Mesh& mesh,
                          const fe_tire::Materials& materials,
                          const CordFamily& family);

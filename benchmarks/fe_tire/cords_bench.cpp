@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cords as rebars here, as springs and trusses tied to the rubber in CalculiX: the same tire.
-//
-// A 205/55R16 with all its plies, the comparison element and equal rubber in both programs is
-// inflated, its modes are computed off the ground, and it is pressed on the ground. Only the cords
-// differ (cord_trusses.h): in CalculiX they are separate, three a sector in pieces of a sixth of an
-// element; a run with fewer shows the remaining error. Cords have no mass and equal moduli in
-// compression and tension. CalculiX' trusses are compared with its springs on a mesh as coarse as
-// their unknowns require.
+// Compares cords modeled as rebars in our program with cords modeled as springs and trusses tied to
+// the rubber in CalculiX, on the same tire. A 205/55R16 with all its plies, the comparison element
+// and equal rubber in both programs is inflated, its modes are computed off the ground, and it is
+// pressed on the ground. Only the cords differ (cord_trusses.h): in CalculiX they are separate,
+// three in a sector, in pieces of a sixth of an element; a run with fewer shows the remaining
+// error. Cords have no mass and equal moduli in compression and tension. CalculiX' trusses are
+// compared with its springs on a mesh as coarse as their unknowns require.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -25,7 +24,7 @@ namespace {
 using namespace fe_tire;
 
 constexpr int kModes = 20, kSteps = 5;
-// M, undeformed tire to ground; travel of the ground.
+// Distance, m, from the undeformed tire to the ground, and travel, m, of the ground.
 constexpr double kClear = 2e-3, kTravel = 27e-3;
 constexpr double kForce = 3e-3, kFrequency = 5e-3, kPieces = 1e-3;
 constexpr CordFamily kFew{2, 4}, kMany{3, 6};
@@ -37,7 +36,7 @@ TireDescription tire_of(int meridional, int sectors) {
   section.meridional = meridional;
   section.sectors = sectors;
   section.sector_zones.clear();
-  section.faces.clear();  // rows that end would have tied corners
+  section.faces.clear();  // rows of elements that end inside the mesh would have tied corners
   section.first_face_to_bead = false;
   tire.element = ElementKind::full_integration;
   for (CordPly& ply : tire.plies) {
@@ -67,7 +66,7 @@ Answer ours(const TireDescription& description) {
   return answer;
 }
 
-/// The results requested from CalculiX.
+/// Results that CalculiX has to compute.
 struct Asked {
   bool modes = true, load = false;
 };
@@ -115,7 +114,7 @@ void within(
   table.row(what, value, fmt::format("<= {:g} %", 100.0 * reach), std::abs(error) <= reach);
 }
 
-/// On the mesh of a smoke run the pieces of cords are too few for a judgment.
+/// In a smoke run the mesh has too few pieces of cord for a judgment.
 void compare_rebars(Table& table,
                     const TireDescription& tire,
                     const CordFamily& few_cords,

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Footprint and load of shipped tires from the first millimeter on, compared with refined meshes.
+// Compares footprint and load of shipped tires, from the first millimeter of deflection on, with
+// refined meshes. The quantities are length, width, area and peak pressure of the contact patch,
+// and Fz. The test "footprint" uses a separate mesh with short elements below the tread; Fz is also
+// computed on the tire's own mesh, which all other tests use. Rows are judged from a deflection of
+// one millimeter on, because before that a patch is shorter than an element.
 //
-// The quantities are length, width, area and peak pressure of the patch, and Fz, of every shipped
-// tire. The test "footprint" uses a separate mesh with short elements below the tread; Fz is also
-// computed on the tire's own mesh, which all other tests use. Rows are judged from the first
-// millimeter on, because before that a patch is shorter than an element. The reference is the same
-// tire with every sector of the first of its zones, which contains the contact, divided into four,
-// and so every element along the section, or into two if its columns are half as long. A mesh shows
-// pressures as means over the area of a node, smaller for a finer mesh, so peaks are compared as
-// measured by sensors of 15 mm, wherever they are (P.1). Lengths of elements were chosen on all
-// four tires from a few candidates. The race tire is pressed to 10 mm: beyond that it stands on the
-// edges of its tread. The first rows show friction for every shipped tire: loads every 2.5 mm, as
-// in studies, compared with steps of a tenth.
+// In the reference mesh, every sector of the first zone of sectors, which contains the contact, is
+// divided into four. Every element along the section is divided into four too, or into two if its
+// columns are half as long. A mesh shows pressures as means over the area of a node, so peaks rise
+// with refinement; they are therefore compared as sensors of 15 mm would measure them, at any
+// place. The lengths of the elements were chosen on all four tires from a few candidates. The race
+// tire is pressed to 10 mm only: beyond that it stands on the edges of its tread. The first rows
+// show friction for every shipped tire: loads every 2.5 mm, as in studies, compared with steps of a
+// tenth of that.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,15 +33,16 @@ namespace {
 
 using namespace fe_tire;
 
-constexpr double kEarly = 2.5e-3;  // m, end of the first millimeters
-// M, from which a patch is as long as an element of the tire's own mesh.
+constexpr double kEarly = 2.5e-3;  // m, deflection up to which errors count as early
+// Deflection, m, from which a patch is as long as an element of the tire's own mesh.
 constexpr double kFirst = 1e-3;
-// Tolerance of the reference: sums of its many elements have more rounding than the default allows.
+// Residual tolerance for the reference mesh: sums over its many elements have more rounding error
+// than the default allows.
 constexpr double kTolerance = 3e-4;
-constexpr double kSensor = 15e-3;  // m, side of a sensor
+constexpr double kSensor = 15e-3;  // m, side of a square pressure sensor
 
-/// Returns the tire with four times as many elements around in the contact zone, and
-/// `along_section` times as many along the section.
+/// Returns the tire with every sector of the contact zone divided into four, and every element
+/// along the section into `along_section`.
 FeTire refined(TireDescription tire, int along_section) {
   constexpr int kParts = 4;
   SectorZone& contact = tire.section.sector_zones.front();
@@ -81,7 +83,7 @@ std::vector<Standing> pressed(FeTire& tire,
   return standing;
 }
 
-/// A list "+0.3 -1.2 ..." and the worst of its errors.
+/// Relative errors as text, "+0.3 -1.2 ...", and the largest of their magnitudes.
 struct Errors {
   std::string text;
   double worst = 0.0;
@@ -109,8 +111,8 @@ void compare(const std::string& name, double deepest, int along_section, Table& 
           "{} {:.4g} ({:.4g})  ", quantity.name, quantity.of(ours[i]), quantity.of(judge[i]));
     table.note(fmt::format("{}, {:.4g} mm, SI (refined)", name, 1e3 * deflections[i]), text);
   }
-  // Errors of a quantity, early and deeper; they are judged from some deflection on, and only
-  // printed below it.
+  // Adds rows for the errors of a quantity, at small and at larger deflections. Errors below a
+  // given deflection are printed but not judged.
   const auto rows = [&](const std::string& what,
                         const Quantity& quantity,
                         const std::vector<Standing>& of,
@@ -143,7 +145,7 @@ void compare_friction(const std::string& name, const Options& options, Table& ta
   constexpr double kStep = 2.5e-3;  // m
   constexpr int kFewParts = 3;
   const int load_count = options.size(4, 1), fine_parts = options.size(10, 4);
-  // Returns Fz at the loads, each reached in `parts` steps.
+  // Returns Fz at the prescribed deflections, each reached from the one before in `parts` steps.
   const auto loads = [&](int parts) {
     std::vector<double> deflections, Fz;
     for (int i = 1; i <= load_count * parts; ++i) deflections.push_back(kStep * i / parts);
@@ -166,8 +168,8 @@ void compare_friction(const std::string& name, const Options& options, Table& ta
       fmt::format("{} %, at most {:.2f} %", errors_of_few.text, 100.0 * errors_of_few.worst));
 }
 
-/// Shows friction on a coarse tire, and its patch: symmetric, and of the area that load and
-/// pressure imply within a factor.
+/// Shows friction on a coarse tire. Its contact patch must be symmetric and have the area that load
+/// and pressure imply, within a factor.
 void smoke(const Options& options, Table& table) {
   compare_friction("passenger_205_55R16", options, table);
   FeTire tire(tire_for(options, "passenger_205_55R16"));

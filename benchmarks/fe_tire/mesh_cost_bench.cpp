@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// CPU time of a trial of the finite-element tire as a function of the size of its mesh.
-//
-// Tire B as shipped (inflated, pressed by 25 mm in five steps, 20 modes there) is computed with two
-// and four times its sectors, and with twice the elements along and through the wall. The cost of
-// nested dissection of a ring is proportional to its sectors; the part that touches the ground is a
-// dense matrix, whose share grows.
+// CPU time of a trial of the finite-element tire as a function of the size of its mesh. Tire B as
+// shipped (inflated, pressed by 25 mm in five steps, 20 modes in the loaded state) is computed with
+// two and four times its sectors, and with twice the elements along the section and through the
+// wall. The cost of nested dissection of a ring is proportional to its number of sectors; the nodes
+// that touch the ground form a dense matrix, whose share of the cost grows.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,11 +21,12 @@ using namespace fe_tire;
 
 constexpr double kTravel = 0.025;  // m
 constexpr int kModes = 20, kSteps = 5;
-constexpr double kReach = 1.2;  // largest exponent in the sectors
+// largest exponent e in: CPU time is proportional to (number of sectors)^e
+constexpr double kReach = 1.2;
 
 struct Trial {
   int unknowns = 0;
-  double seconds = 0.0;  // CPU, including the making of the tire
+  double seconds = 0.0;  // CPU seconds, including the construction of the tire
 };
 
 Trial run_trial(const TireDescription& description, const MeshRefinement& refinement) {

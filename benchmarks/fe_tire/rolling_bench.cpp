@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accuracy of the finite-element tire in motion, against CalculiX, closed forms and finer meshes.
-//
-// Spin: the disc ring of verification/spinning_ring at 100 rad/s against CalculiX 2.20 and an
-// independent program on the same mesh; a free ring against Bryan's split of waves with and against
-// the spin; growth and standing-wave speed of shipped tires on their own sectors against twice and
-// four times as many.
+// Accuracy of the rotating finite-element tire, compared with CalculiX, closed forms and finer
+// meshes. The disc ring of verification/spinning_ring at 100 rad/s is compared with CalculiX 2.20
+// and with an independent program on the same mesh. A free ring is compared with Bryan's closed
+// form for the frequencies of waves that travel with and against the rotation. Growth and
+// standing-wave speed of shipped tires on their own sectors are compared with meshes of twice and
+// four times as many sectors.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ void free_ring(const Options& options, Table& table) {
                  by_flow.product <= 5e-3);
 }
 
-/// Growth by rotation, m, and standing-wave speed, rad/s.
+/// Radial growth by rotation, m, and the speed at which standing waves begin, rad/s.
 struct Spun {
   double growth = 0.0, standing_wave = 0.0;
   int n = 0;
@@ -76,7 +76,8 @@ Spun spun(const TireDescription& tire, int around) {
               {.element = tire.element});
   const Inflated at_rest = value_of(fine.inflate(tire.pressure));
   SpinningTire spinning(fine);
-  constexpr double kSpeed = 15.0;  // m/s, below the standing waves of soft treads on fine sectors
+  // m/s, below the speed at which standing waves begin for soft treads on fine sectors
+  constexpr double kSpeed = 15.0;
   const Inflated state = value_of(spinning.inflate(at_rest, kSpeed / at_rest.radius));
   const StandingWave wave = value_of(spinning.standing_wave(at_rest));
   return {state.growth - at_rest.growth, wave.speed, wave.n};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Roundness of inflated rings whose sectors are not equally wide, and their load just after touch.
-//
-// Off the ground a tire on its own zones of sectors should have the shape of the same section on
-// equal sectors; deflections count from that shape. The judge is the limit of equal sectors: 240
-// around the tire. The largest distance of a node from the judge's counts, over the growth, and the
-// growth at the contact. On the ground the judge has 240 equal sectors too, the whole ring and not
-// the zone of the contact alone.
+// Roundness of inflated tires whose sectors are not equally wide, and their load just after they
+// touch the ground. Off the ground such a tire should have the shape of the same section on equal
+// sectors, because deflections are measured from that shape. The reference is 240 equal sectors
+// around the tire. Two errors are judged: the largest distance of a node from the reference shape,
+// relative to the growth by inflation, and the error of the growth at the contact. On the ground
+// the reference has 240 equal sectors around the whole ring too, not only in the zone of the
+// contact.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,11 +23,12 @@ namespace {
 
 using namespace fe_tire;
 
-constexpr int kJudge = 240;          // equal sectors
-constexpr double kClear = 0.02;      // m, between the tire and the ground
-constexpr double kRound = 5e-4;      // share of the growth
-constexpr double kEarlyLoad = 0.01;  // share of Fz at kTouch
-constexpr double kTouch = 5e-4;      // m of deflection
+constexpr int kJudge = 240;      // equal sectors
+constexpr double kClear = 0.02;  // m, between the tire and the ground
+constexpr double kRound = 5e-4;  // tolerance of the shape, relative to the growth by inflation
+// tolerance of the load at small deflection, relative to Fz at the deflection kTouch
+constexpr double kEarlyLoad = 0.01;
+constexpr double kTouch = 5e-4;  // m of deflection
 
 TireDescription on_equal_sectors(TireDescription description, int sectors) {
   description.section.sector_zones.clear();
@@ -35,10 +36,10 @@ TireDescription on_equal_sectors(TireDescription description, int sectors) {
   return description;
 }
 
-/// Distances from the judge, relative to its growth.
+/// Distances from the shape of the reference mesh, relative to its growth by inflation.
 struct Roundness {
-  double bottom = 0.0;  // growth of the lowest point
-  double worst = 0.0;   // largest of any node of any plane
+  double bottom = 0.0;  // at the lowest point
+  double worst = 0.0;   // largest over all nodes of all cross sections
 };
 
 Roundness roundness(FeTire& tire, double pressure, const Inflated& judge) {

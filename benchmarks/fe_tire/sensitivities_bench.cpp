@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of a tire's loads and modes in ten numbers: CPU time in trials, accuracy by differences.
+// Derivatives of a tire's loads and modes with respect to ten parameters: CPU time in units of a
+// trial, and accuracy judged by differences.
 //
-//   ./bench.sh sensitivities [SEED]           all tires, some of their numbers drawn at random
-//   ./bench.sh sensitivities all [TIRE [PATH]]  all numbers, of one tire, one of its numbers
+//   ./bench.sh sensitivities [SEED]           all tires, some of their parameters drawn at random
+//   ./bench.sh sensitivities all [TIRE [PATH]]  all parameters, of one tire, one of them
 //
 // A trial inflates the tire, presses it in five steps and finds 20 modes: of the loaded tire, or
-// for tire A of the unloaded one, as in its study. Slopes are those of the five loads and of all
-// modes in ten numbers of the tire's file; their time is the additional time of the trial with
-// slopes.
+// for tire A of the unloaded one, as in its study. The derivatives are those of the five loads and
+// of all modes with respect to ten numbers in the tire's file. Their time is the increase of the
+// trial's time if derivatives are requested.
 //
-// The reference is whole trials with one number changed, each solved to the last digits, and
-// polynomials fitted to them, which estimate their own error (fitted_slope.h). The error of the
-// trials is measured with tiny changes of a number. Points that begin to touch or to leave cause
-// kinks of loads and jumps of modes, and slopes are those between two such events. Changed tires
-// therefore touch at the same points as the unchanged one under each load (Ground::held), as far as
-// steps allow. One row shows that free tires have the same loads' slopes, with a step so short that
-// their points seldom change.
+// The reference is whole trials with one parameter changed, each solved as accurately as possible,
+// and polynomials fitted to them, which estimate their own error (fitted_slope.h). The noise of the
+// trials is measured with tiny changes of a parameter. Points of the tread that begin to touch or
+// to leave the ground cause kinks of the loads and jumps of the modes; the computed derivatives
+// hold between two such events. Therefore changed tires are forced to touch at the same points as
+// the unchanged one under each load (Ground::held), as far as step sizes allow. One row shows that
+// free tires have the same derivatives of the loads, with a step so short that their touching
+// points seldom change.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,9 +43,10 @@ namespace {
 using namespace fe_tire;
 
 constexpr int kLoads = 5, kModes = 20;
-constexpr int kRepeats = 5;  // repetitions of timed work, without and with slopes in turn
+// repetitions of timed trials, alternately without and with derivatives
+constexpr int kRepeats = 5;
 constexpr double kShare = 0.5, kError = 1e-6;
-constexpr std::size_t kDrawn = 2;  // numbers for each tire
+constexpr std::size_t kDrawn = 2;  // number of parameters drawn for each tire
 constexpr std::uint64_t kSeed = 1;
 
 struct Case {
@@ -97,7 +100,7 @@ std::vector<Case> cases() {
 
 struct Trial {
   Inflated inflated;
-  std::vector<TireState> states;  // states at the loads; the modes belong to the last
+  std::vector<TireState> states;  // states at the loads; the modes are those of the last state
   std::vector<Mode> modes;
 };
 
@@ -116,7 +119,7 @@ Trial run(FeTire& tire, double pressure, const Case& of, int modes) {
   return trial;
 }
 
-/// Returns the slopes of loads, then of frequencies [results x numbers].
+/// Returns the derivatives of the loads, then of the frequencies [results x parameters].
 Eigen::MatrixXd slopes_of(const Trial& trial, bool loaded_modes, TireSlopes& slopes) {
   const auto of_inflated = value_of(slopes.of_inflated(trial.inflated));
   Eigen::MatrixXd all(kLoads + kModes, slopes.variables());
@@ -130,8 +133,8 @@ Eigen::MatrixXd slopes_of(const Trial& trial, bool loaded_modes, TireSlopes& slo
   return all;
 }
 
-/// Returns the CPU seconds of a trial, including reading the tire's file, with slopes in these
-/// numbers unless the list is empty.
+/// Returns the CPU seconds of a trial, including reading the tire's file. The trial computes
+/// derivatives with respect to the parameters at `paths`, or none if the list is empty.
 double time_of(const Case& of, const Document& numbers, const std::vector<std::string>& paths) {
   const TireDescription description = read_tire(numbers.root());
   const double start = cpu_seconds();
@@ -160,10 +163,10 @@ void time_row(Table& table, const Case& of, const Document& numbers) {
             share <= kShare);
 }
 
-/// Points that touch under every load.
+/// The points of the tread that touch the ground under each of the loads.
 using Branch = std::vector<TouchingPoints>;
 
-/// Returns the states under all loads with the touching points held.
+/// Returns the equilibria under all loads with the set of touching points prescribed.
 std::vector<TireState> stand_on(FeTire& tire,
                                 const Inflated& inflated,
                                 const Case& of,
@@ -179,11 +182,12 @@ std::vector<TireState> stand_on(FeTire& tire,
   return states;
 }
 
-/// Returns a tire whose trials are solved so accurately that differences show no error of the
-/// solution.
+/// Returns a tire whose trials are solved so accurately that finite differences show no error of
+/// the solver.
 FeTire exact_tire(const TireDescription& description) {
   SolverSettings settings{.element = description.element};
-  settings.tolerance = 1e-10;  // a third of it remains as rounding errors where the tread touches
+  // smallest useful value: rounding leaves a third of it where the tread touches
+  settings.tolerance = 1e-10;
   settings.mode_tolerance = 1e-9;
   return {build_mesh(description), build_materials(description), settings};
 }
@@ -195,7 +199,7 @@ Eigen::VectorXd forces(FeTire& tire, const std::vector<TireState>& states) {
   return all;
 }
 
-/// Returns the loads of a free tire, and the points that touch.
+/// Returns the loads of a tire whose touching points are not prescribed, and its touching points.
 std::pair<Eigen::VectorXd, Branch> free_loads(const Document& numbers, const Case& of) {
   const TireDescription description = read_tire(numbers.root());
   FeTire tire = exact_tire(description);
@@ -206,14 +210,15 @@ std::pair<Eigen::VectorXd, Branch> free_loads(const Document& numbers, const Cas
   return {forces(tire, states), branch};
 }
 
-/// Results of a trial as plain values.
+/// Results of a trial as plain numbers.
 struct Exact {
   Eigen::VectorXd loads;
   std::vector<Mode> modes;
 };
 
 Exact exact(const Document& numbers, const Case& of, const Branch& branch) {
-  constexpr int kSpare = 2;  // modes that may move down among the others
+  // number of further modes computed, because one of them may become lower than others
+  constexpr int kSpare = 2;
   const TireDescription description = read_tire(numbers.root());
   FeTire tire = exact_tire(description);
   const Inflated inflated = value_of(tire.inflate(description.pressure));
@@ -223,9 +228,9 @@ Exact exact(const Document& numbers, const Case& of, const Branch& branch) {
                                    : tire.modes(inflated, kModes + kSpare))};
 }
 
-/// Returns the frequency of mode i of `at` in another trial. Loaded modes are matched by shape.
-/// Unloaded modes, whose pairs have any phase, are matched by their rank among those of their
-/// circumferential number.
+/// Returns the frequency that mode i of the trial `at` has in the trial `other`. Modes of a loaded
+/// tire are matched by shape. Modes of an unloaded tire, which are pairs of any phase, are matched
+/// by their rank among the modes of their circumferential number.
 std::optional<double> followed(const Exact& at, int i, const Exact& other, bool loaded) {
   constexpr double kSame = 0.8;
   const Mode& mode = at.modes[static_cast<std::size_t>(i)];
@@ -245,7 +250,8 @@ std::optional<double> followed(const Exact& at, int i, const Exact& other, bool 
   return std::nullopt;
 }
 
-/// Returns the numbers with one of them changed by a share of its size.
+/// Returns a copy of the tire's parameters in which the one at `path` is changed by a share of its
+/// size.
 Document moved(const Document& numbers, const std::string& path, double share) {
   Document other = numbers;
   const double number = numbers.get(path);
@@ -253,7 +259,7 @@ Document moved(const Document& numbers, const std::string& path, double share) {
   return other;
 }
 
-/// The slopes in one number according to trials.
+/// Computes the reference derivatives with respect to one parameter, from whole trials.
 class Judge {
  public:
   using Slopes = std::vector<std::optional<FittedSlope>>;
@@ -264,7 +270,8 @@ class Judge {
         branch_(free_loads(numbers, of).second),
         at_(exact(numbers, of, branch_)) {
     for (int i = 0; i < kLoads + kModes; ++i) noise_[i] = kRounding * std::abs(value(i));
-    constexpr double kNothing = 1e-8;  // share of a number
+    // relative change of a parameter that leaves only the noise of the trials
+    constexpr double kNothing = 1e-8;
     for (const double by : {kNothing, 2.0 * kNothing, 3.0 * kNothing}) {
       const Exact below = at(kMoves, -by), above = at(kMoves, by);
       for (int i = 0; i < kLoads + kModes; ++i) {
@@ -275,7 +282,8 @@ class Judge {
   }
 
   double value(int i) const { return *answer(at_, i); }
-  /// Returns the largest relative noise of loads or of modes.
+  /// Returns the largest relative noise among `count` results, beginning with number `first`: loads
+  /// or modes.
   double noise(int first, int count) const {
     double largest = 0.0;
     for (int i = first; i < first + count; ++i)
@@ -283,12 +291,14 @@ class Judge {
     return largest;
   }
 
-  /// Returns the slopes of all results. Steps are halved until all slopes are known well enough. If
-  /// that is not sufficient, more steps are added in between, where they help the uncertain slopes.
+  /// Returns the reference derivatives of all results. The step is halved until all of them are
+  /// accurate enough. If the shortest step is not sufficient, further steps are added where they
+  /// help the inaccurate ones.
   Slopes slopes(const std::string& path) const {
     constexpr int kHalvings = 9, kFewest = 4;
-    constexpr double kWidest = 6.4e-2;                       // step, as a share of the number
-    constexpr double kBeyond = 1.5, kTooShort = 1.0 / 30.0;  // relative to the range of the fits
+    constexpr double kWidest = 6.4e-2;  // largest step, as a share of the parameter
+    // ends of the further steps, relative to the step range of the fits
+    constexpr double kBeyond = 1.5, kTooShort = 1.0 / 30.0;
     std::vector<std::vector<StepValues>> steps(kLoads + kModes);
     Slopes found(steps.size());
     const double number = numbers_.get(path);
@@ -307,10 +317,10 @@ class Judge {
     return found;
   }
 
-  /// Returns the difference between slopes of loads with held points and those of free tires, by
-  /// the same short step.
+  /// Returns the difference between the derivatives of loads with prescribed touching points and
+  /// those of free tires, both by the same short step.
   double off_free_loads() const {
-    constexpr double kShort = 1e-5;  // share of the number
+    constexpr double kShort = 1e-5;  // share of the parameter
     const double number = numbers_.get(kMoves), way = 2.0 * kShort * std::abs(number);
     const Document below = moved(numbers_, kMoves, -kShort);
     const Document above = moved(numbers_, kMoves, kShort);
@@ -324,18 +334,20 @@ class Judge {
     return off;
   }
 
-  /// Returns the scale of an error: the change for a change of the number by its own size, or a
-  /// hundredth of the result itself.
+  /// Returns the scale of a derivative's error: the magnitude of the derivative itself, or a
+  /// hundredth of the result over the parameter if that is larger.
   double size(int i, double slope, double number) const {
     return std::max(std::abs(slope), 1e-2 * std::abs(value(i)) / std::abs(number));
   }
 
  private:
-  static constexpr const char* kMoves = "pressure";  // affects every result, of any tire
-  static constexpr double kSafety = 2.0;             // factor on noise seen several times
-  static constexpr double kRounding = 1e-13;         // least noise, relative to the result
+  // parameter that affects every result of any tire
+  static constexpr const char* kMoves = "pressure";
+  static constexpr double kSafety = 2.0;  // factor on the largest of several observed noise values
+  static constexpr double kRounding = 1e-13;  // least noise assumed, relative to the result
 
-  /// Returns the widest range of fits whose slope is not known well enough; 0 if all are.
+  /// Returns the widest step range among the fits whose derivative is not accurate enough; 0 if all
+  /// are accurate.
   double reach_of_unsure(const Slopes& slopes, double number) const {
     constexpr double kEnough = 0.5 * kError;
     double reach = 0.0;
@@ -365,7 +377,8 @@ class Judge {
     return exact(moved(numbers_, path, share), of_, branch_);
   }
 
-  /// Returns nothing if the mode is not found again.
+  /// Returns result number i of the trial: a load or a frequency. Returns nothing if the mode is
+  /// not found in the trial.
   std::optional<double> answer(const Exact& trial, int i) const {
     if (i < kLoads) return trial.loads[i];
     return followed(at_, i - kLoads, trial, of_.loaded_modes);
@@ -410,7 +423,8 @@ std::string in_words(const Errors& errors) {
   return text;
 }
 
-/// Returns the slopes of loads and modes in all numbers of the case, from an equally exact trial.
+/// Returns the program's derivatives of loads and modes with respect to all parameters of the case,
+/// from a trial that is as accurate as the references.
 Eigen::MatrixXd exact_slopes(const Case& of, const Document& numbers) {
   const TireDescription description = read_tire(numbers.root());
   SolverSettings settings{.element = description.element};
@@ -422,7 +436,8 @@ Eigen::MatrixXd exact_slopes(const Case& of, const Document& numbers) {
   return slopes_of(trial, of.loaded_modes, slopes);
 }
 
-/// Adds a row for every number, and one for the touching points.
+/// Adds a row for every parameter, and one with the parameters whose touching points are not
+/// prescribed.
 void error_rows(Table& table, const Case& of, const Document& numbers) {
   constexpr double kFree = 1e-4;
   const Judge judge(of, numbers);
@@ -453,7 +468,8 @@ void draw(std::vector<std::string>& paths, RandomStream& random) {
     paths.erase(paths.begin() + static_cast<std::ptrdiff_t>(random.below(paths.size())));
 }
 
-/// Compares slopes of loads of a coarse tire with those of one short step, within its accuracy.
+/// Compares the derivatives of the loads of a coarse tire with the difference of one short step,
+/// within that step's accuracy.
 void smoke(Table& table) {
   constexpr double kShort = 1e-5, kReach = 1e-3;
   Case of = cases()[1];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tires of studies/tires, and access to the result of a simulation.
+// Functions that benchmarks share: reading the tires of studies/tires, and taking the value out of
+// a simulation's result.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +17,7 @@
 
 namespace latsch::benchmarks {
 
-/// Returns the file of a tire named for example "passenger_225_50R16", without the file's ending.
+/// Returns the path of a tire's file by its name without ending, for example "passenger_225_50R16".
 inline std::filesystem::path tire_file(const std::string& name) {
   return std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/tires" / (name + ".toml");
 }
@@ -36,8 +37,8 @@ inline fe_tire::TireDescription tire_for(const Options& options, const std::stri
   return options.is_smoke() ? coarse_tire(name) : shipped_tire(name);
 }
 
-/// Returns the value. Throws the reason of a failure, with which the benchmark ends (options.h,
-/// run_benchmark).
+/// Returns the value. Throws the reason if the result is a failure; run_benchmark (options.h) then
+/// prints the reason and ends.
 template <class T>
 T value_of(Result<T> result) {
   if (!result) throw std::runtime_error(result.failure().reason);

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Claims of the studies of tires A and B: uniqueness, transfer of stiffness, a foreign truth.
+// Checks the claims of the studies of tires A and B: uniqueness of the fit, transfer of stiffness
+// between parameters, and a fit to results of another program.
 //
 //   ./bench.sh tire_studies [uniqueness | tire_a | transfer | foreign_truth]   all: ten minutes
 //
 // The studies are run by the program as by a user, in copies of their folders with separate
-// journals. Uniqueness: fits of force and modes from three starts, two of them opposite corners of
-// the grid, end at one point. With the carcass held at half and at twice its value and the matrix
-// fitted, the force alone is matched as well (a valley); force and modes are not: their error
-// excludes both values at 99 %. The distance between ends of fits of the force alone does not
-// measure the valley, because fits move down to its floor however flat it is. Tire A: more moduli,
-// then densities, each reduce the error. Transfer: the signs of Fig. 8 of [Hempel & Oertel 2016]
-// with the intervals of the fits. Foreign truth: the results of CalculiX are committed in the
-// study, because they take minutes; measure.py there computes them again.
+// journals.
+//
+// Uniqueness: fits of force and modes from three starts, two of them opposite corners of the grid,
+// must end at one point. With the carcass modulus fixed at half and at twice its value and the
+// matrix modulus fitted, the force alone is matched as well (a valley of the objective). Force and
+// modes are not matched: their error excludes both values at 99 %. The distance between the ends of
+// fits of the force alone does not measure the valley, because fits reach its floor however flat it
+// is.
+//
+// Tire A: fitting more moduli, then densities, must reduce the error each time. Transfer: the signs
+// of Fig. 8 of [Hempel & Oertel 2016], judged with the intervals of the fits. Foreign truth: the
+// measurements are results of CalculiX. They are committed in the study, because they take minutes;
+// measure.py there computes them again.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,20 +50,23 @@ using Json = nlohmann::json;
 
 using Settings = std::map<std::string, std::string>;  // initial values by variable
 
-constexpr double kLevel = 1e-4;  // level of the target: 1 % of error, root mean square
-constexpr double kSame = 0.02;   // relative distance up to which two fits end at one point
+// value of the objective below which a fit counts as converged: 1 % of error, root mean square
+constexpr double kLevel = 1e-4;
+constexpr double kSame = 0.02;  // relative distance up to which two fits end at one point
 constexpr double kExcluded = 0.99,
-                 // Confidence levels that distinguish a single point from a valley.
+                 // Confidence levels from which a profile counts as a single point, or as a valley.
     kNotExcluded = 0.95;
-// Factor between the lengths of intervals without and with modes.
+// Least factor between the length of an interval without modes and of one with modes.
 constexpr double kWider = 4.0;
-constexpr double kFall = 2.0;  // factor of tire A's error [Hempel & Oertel 2016: 15 to 7.4 %]
+// least factor by which the error of tire A falls [Hempel & Oertel 2016: 15 to 7.4 %]
+constexpr double kFall = 2.0;
 
-// Tolerance of the moduli, on the shipped mesh and on one refined twofold. The deck's own mesh
-// changes the rubber by 1 % and the carcass by 3 % (studies/foreign_truth/README.md).
+// Relative tolerance of the moduli, on the shipped mesh and on one refined twofold. The mesh of the
+// CalculiX deck itself changes the rubber by 1 % and the carcass by 3 %
+// (studies/foreign_truth/README.md).
 constexpr double kMeshReach = 0.03;
 
-/// A copy of studies/ without journals.
+/// A copy of the folder studies/ without its journals.
 class Studies {
  public:
   Studies() {
@@ -73,7 +82,7 @@ class Studies {
 
   fs::path at(const std::string& file) const { return folder_.path() / file; }
 
-  /// Writes the study under another name with other initial values.
+  /// Writes a copy of the study under another name, with other initial values.
   std::string started_at(const std::string& study,
                          const std::string& name,
                          const Settings& initial) const {
@@ -85,8 +94,8 @@ class Studies {
     return write_beside(study, name, text);
   }
 
-  /// Writes the study of uniqueness without a variable for the carcass: its modulus is `carcass`,
-  /// N/mm^2.
+  /// Writes a copy of the uniqueness study in which the carcass modulus is no variable but is fixed
+  /// at `carcass`, N/mm^2.
   std::string held_at(double carcass, bool with_modes) const {
     const std::string study = "tire_b_uniqueness/study.toml";
     const std::string name = fmt::format("held_at_{:.0f}{}", carcass, with_modes ? "_modes" : "");
@@ -106,8 +115,8 @@ class Studies {
     return write_beside(study, name, text);
   }
 
-  /// Writes the study of the shipped element on the mesh of its own [refined], in place of its
-  /// mesh.
+  /// Writes a copy of the study in which the tire has the refined mesh that the key [refined]
+  /// describes, instead of its own.
   std::string on_refined_mesh(const std::string& study, const std::string& tire_file) const {
     std::string text = read_text_file(at(study)), tire = read_text_file(at(tire_file));
     const std::regex number("\nmodel\\.mesh\\.(\\w+) = (\\d+)");
@@ -125,12 +134,12 @@ class Studies {
     return write_beside(study, "refined", text);
   }
 
-  /// Puts the tire on a coarse mesh.
+  /// Gives the tire a coarse mesh.
   void coarsen(const std::string& tire) const {
     write_text_file(at(tire), with_coarse_mesh(read_text_file(at(tire))));
   }
 
-  /// Writes the study without intervals, ended after two steps.
+  /// Writes a copy of the study without intervals that ends after two steps of the optimizer.
   std::string shortened(const std::string& study) const {
     std::string text = read_text_file(at(study)) + "\n[optimizer]\nmax_steps = 2\n";
     text = std::regex_replace(text, std::regex("\\[run\\]"), "[run]\nintervals = false");
@@ -172,7 +181,8 @@ class Studies {
 struct Value {
   double value = 0.0;
   std::string unit;
-  std::optional<double> lower, upper;  // ends of its interval; none: set by the bounds
+  // ends of the confidence interval; none: the interval ends at the bound of the variable
+  std::optional<double> lower, upper;
   bool has_interval = false;
 
   bool is_inside(double truth) const {
@@ -213,14 +223,14 @@ Values fitted(const Studies& studies, const std::string& study) {
 
 // --- uniqueness ---
 
-/// Starts of fits of force and modes in addition to the study's own: two opposite corners of its
-/// grid, N/mm^2.
+/// Further initial values for fits of force and modes: two opposite corners of the study's grid,
+/// N/mm^2.
 const std::vector<Settings> kCorners = {{{"matrix", "14 N/mm^2"}, {"carcass", "50 N/mm^2"}},
                                         {{"matrix", "36 N/mm^2"}, {"carcass", "3200 N/mm^2"}}};
-// Multiples of the carcass found with modes.
+// Fixed values of the carcass modulus, as multiples of the value that the fit with modes finds.
 constexpr std::array<double, 3> kHeld = {0.5, 1.0, 2.0};
 
-/// Returns the largest ratio of a variable between the ends of fits from several starts.
+/// Returns the largest ratio of one variable between the ends of fits from several starts.
 double farthest(const std::vector<Values>& ends) {
   double ratio = 1.0;
   for (const auto& [name, first] : ends.front()) {
@@ -240,17 +250,18 @@ int rows_of(const fs::path& file) {
   return static_cast<int>(std::ranges::count(text, '\n')) - 1;
 }
 
-/// Returns the factor of the least target from which on a held variable is excluded at this level.
-/// The least target is the mean of `values` squared errors with two variables: F = (values - 2)
-/// (ratio - 1) with 1 and values - 2 degrees of freedom, which is t^2 [Bates & Watts, Nonlinear
-/// Regression Analysis and Its Applications, Wiley 1988, section 6.1: profile t].
+/// Returns the ratio of the objective to its minimum above which a fixed value of a variable is
+/// excluded at this confidence level. The objective is the mean of `values` squared errors,
+/// minimized over two variables: F = (values - 2) (ratio - 1) has 1 and values - 2 degrees of
+/// freedom and equals t^2 [Bates & Watts, Nonlinear Regression Analysis and Its Applications, Wiley
+/// 1988, section 6.1: profile t].
 double excluded_from(double level, int values) {
   const double nu = values - 2.0, t = numerics::student_t_quantile(0.5 * (1.0 + level), nu);
   return 1.0 + t * t / nu;
 }
 
 void compare_valley(const Studies& studies, double carcass, Table& table) {
-  std::array<double, kHeld.size()> force{}, modes{};  // targets with the matrix fitted
+  std::array<double, kHeld.size()> force{}, modes{};  // minima over the matrix modulus
   for (std::size_t i = 0; i < kHeld.size(); ++i) {
     force[i] = studies.ask("run", studies.held_at(kHeld[i] * carcass, false)).at("target");
     modes[i] = studies.ask("run", studies.held_at(kHeld[i] * carcass, true)).at("target");
@@ -306,8 +317,8 @@ void compare_uniqueness(const Studies& studies, Table& table) {
 
 // --- transfer ---
 
-/// Compares whether a modulus is higher with one mode than with five, or lower, and whether the
-/// intervals do not overlap.
+/// Compares the modulus fitted with one mode with that fitted with five modes: which is higher, and
+/// whether their intervals are disjoint.
 void compare_sign(
     const std::string& name, const Value& five, const Value& one, bool rises, Table& table) {
   const bool is_right = rises ? one.value > five.value : one.value < five.value;
@@ -375,7 +386,8 @@ void compare_truth(const Studies& studies,
   }
 }
 
-/// Runs every variation of a study in this table once on a coarse tire: two steps for each fit.
+/// Runs every variant of a study in this benchmark once on a coarse tire, with two optimizer steps
+/// for each fit.
 void smoke(const Studies& studies, Table& table) {
   const std::string modes = "tire_b_uniqueness/study.toml";
   studies.coarsen("tires/passenger_225_50R16.toml");
@@ -409,7 +421,8 @@ int run(const Options& options) {
   if (asks("foreign_truth")) {
     compare_truth(
         studies, "same mesh and element", "foreign_truth/same_mesh.toml", 1e-3, false, table);
-    // With intervals that include [refined]'s mesh error, then without.
+    // The fit is judged first with intervals that include the mesh error from [refined], then with
+    // intervals that do not.
     compare_truth(studies,
                   "shipped element, quadratic deck",
                   "foreign_truth/shipped_element.toml",

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Default element compared with extrapolated meshes; modes by harmonics with the full solve.
+// Compares the default finite element with extrapolated meshes, and modes found by circumferential
+// harmonics with those of the full eigenvalue problem.
 //
 // The tires have the default element: all shipped ones, with cords as rebars, inflated and pressed
-// on the ground; three sizes drawn at random, inflated; A and B with smeared cords, inflated and,
-// for B, pressed. Every mesh is refined in all three directions with nodes on the true contour and
-// the same physical boundary. Inflation and unloaded modes use one sector, refined 2, 3 and 4 times
-// and extrapolated. The loaded ring is judged with the default method that users get, and for three
-// tires thoroughly (loaded_limits.h), which shows the accuracy of the default. `--sizes` judges
-// other sizes, on the ground too. As many tires are judged at a time as the machine has cores.
+// on the ground; three sizes drawn at random, inflated; tires A and B with smeared cords, inflated
+// and, for B, pressed. Every mesh is refined in all three directions with nodes on the true contour
+// and the same physical boundary. Inflation and unloaded modes use one sector, refined 2, 3 and 4
+// times and extrapolated. The loaded ring is judged by the default method that users get, and for
+// three tires by a thorough one (loaded_limits.h), which shows the accuracy of the default.
+// `--sizes` judges other sizes, also on the ground. As many tires are judged at a time as the
+// machine has cores.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,20 +45,21 @@ namespace {
 
 using namespace fe_tire;
 
-// Error of the default element with 1.5 times the paper's unknowns.
+// Largest relative error of the default element with 1.5 times the unknowns of the paper.
 constexpr double kReach = 0.01;
-constexpr double kTravel = 0.025;         // m, for the tires as shipped
+constexpr double kTravel = 0.025;         // m, deflection of the shipped tires
 constexpr double kRaceTravel = 0.015;     // m
 constexpr double kSmearedTravel = 0.010;  // m
 constexpr double kSizesTravel = 0.022;    // m
 constexpr double kLimitsAgree = 0.003;
 constexpr int kUnknownsOfB = 15480 * 3 / 2, kUnknownsOfA = 27000 * 3 / 2;
-constexpr double kFullRatio = 50.0;  // CPU time of the full eigen-solve over that of harmonics
+// least ratio of the CPU time of the full eigenvalue problem to that of harmonics
+constexpr double kFullRatio = 50.0;
 constexpr int kModes = 20;
 constexpr int kRuns = 5;  // number of timed runs of modes
 
-/// Returns the median CPU seconds of both kinds of work, taken in turn: `runs` of the long one and
-/// runs squared of the short one.
+/// Returns the median CPU seconds of two kinds of work that are run in turn: the long one `runs`
+/// times and the short one `runs` squared times.
 std::pair<double, double> times_of(int runs,
                                    const std::function<void()>& short_one,
                                    const std::function<void()>& long_one) {
@@ -152,14 +155,14 @@ void add_rows(const std::string& name,
 struct Case {
   std::string name;
   std::function<TireDescription()> tire;
-  double travel = 0.0;          // m, on the ground; 0: inflated only
+  double travel = 0.0;          // m, deflection on the ground; 0: the tire is only inflated
   int unknowns = kUnknownsOfB;  // at most
   bool thoroughly = false;      // judges the loaded ring thoroughly, which takes one or two minutes
-  bool is_judged = true;        // else only the references are compared with each other
+  bool is_judged = true;        // false: only the two references are compared with each other
 };
 
-/// Compares limits of a few loaded meshes with those found thoroughly: the largest relative
-/// difference, and the number of differences larger than both estimates of their error.
+/// Compares the default limits of a few loaded meshes with the thorough ones: the largest relative
+/// difference, and the number of differences that exceed both error estimates.
 void compare_limits(const std::string& name, const DiscretizationStudy& found, Table& table) {
   double farthest = 0.0;
   int outside = 0;
@@ -237,7 +240,7 @@ void study(const std::vector<Case>& cases, Table& table) {
     add_rows(cases[k], judged[k].get_future().get(), table);
 }
 
-/// Returns a passenger tire of any size as written by `latsch new --size`.
+/// Returns the case of a passenger tire of any size, as written by `latsch new --size`.
 Case of_size(const std::string& size, double travel) {
   const std::string from = cli::template_of(size);
   const std::string text = cli::sized_tire(read_text_file(tire_file(from)), size);
@@ -265,7 +268,7 @@ std::vector<Case> random_sizes(std::uint64_t seed) {
   return cases;
 }
 
-/// Judges the given sizes, separated by commas, also on the ground.
+/// Judges tires of the given sizes, separated by commas, also on the ground.
 int run_sizes(const std::string& sizes, const Options& options) {
   Table table("verification", options);
   std::istringstream each(sizes);
@@ -276,12 +279,13 @@ int run_sizes(const std::string& sizes, const Options& options) {
   return table.exit_code();
 }
 
-/// Returns the comparison tire with columns and the required number of sectors, in the zones of the
-/// shipped tire: its own sectors, all alike, are those of CalculiX.
+/// Returns the tire with smeared cords, with columns and sectors placed so that it has `unknowns`
+/// unknowns. The ends and the zones of its sectors are those of the shipped tire `as`; the equal
+/// sectors of `tire` itself are those of the CalculiX deck.
 TireDescription smeared(TireDescription tire, const TireDescription& as, int unknowns) {
-  // The deck of tire B holds the outer half of the bead. Its stiff inner half then hinges on an
-  // edge, a singularity that spoils the convergence of any element. Held at the inner half the tire
-  // has as many unknowns and no such edge.
+  // The deck of tire B clamps the outer half of the bead. Its stiff inner half then bends about an
+  // edge, and this singularity spoils the convergence of any element. Clamped at the inner half,
+  // the tire has as many unknowns and no such edge.
   if (tire.section.clamp == BeadClamp::outside) tire.section.clamp = BeadClamp::inside;
   tire.section.ends = as.section.ends;
   tire.section.sector_zones = as.section.sector_zones;
@@ -290,7 +294,8 @@ TireDescription smeared(TireDescription tire, const TireDescription& as, int unk
   return with_columns(std::move(tire), placed.columns);
 }
 
-/// Compares modes by harmonics with the full solve on a coarse tire, and studies its meshes.
+/// Compares modes found by harmonics with those of the full eigenvalue problem on a coarse tire,
+/// and studies its meshes.
 int smoke(const Options& options) {
   Table table("verification", options);
   const TireDescription tire =
@@ -333,8 +338,8 @@ int run(const Options& options) {
   cases.push_back({.name = "tire B, smeared",
                    .tire = [&] { return smeared(reference_tire_b(), b, kUnknownsOfB); },
                    .travel = kSmearedTravel});
-  // The default reference is tested where rows have the largest error, with the fewest unknowns:
-  // those of the paper.
+  // The default reference is tested on the case with the largest error, which has the fewest
+  // unknowns: those of the paper.
   cases.push_back({.name = "tire B, smeared, as many unknowns as the paper's",
                    .tire = [&] { return smeared(reference_tire_b(), b, kUnknownsOfB * 2 / 3); },
                    .travel = kSmearedTravel,

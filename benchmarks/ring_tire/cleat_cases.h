@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The load cases of studies/cleat_fit, the specimen measured in them, and its noise: used by
-// bench_cleat_fit for its fits and for counting intervals.
+// The load cases of studies/cleat_fit, the specimen that is measured in them, and the noise of its
+// measurement. bench_cleat_fit uses them for its fits and for counting correct intervals.
 #pragma once
 
 #include <atomic>
@@ -17,9 +17,10 @@
 
 namespace latsch::benchmarks::cleat {
 
-constexpr double kHighest = 200.0;           // Hz, limit of the comparison
-constexpr double kNoise[2] = {50.0, 100.0};  // N, noise of Fx and Fz in one passage, every sample
-constexpr double kRecord = 24.5;             // s, duration of one load case
+constexpr double kHighest = 200.0;  // Hz, highest frequency that is compared
+/// N, standard deviation of the noise of Fx and Fz in every sample of one passage
+constexpr double kNoise[2] = {50.0, 100.0};
+constexpr double kRecord = 24.5;  // s, duration of one load case
 constexpr const char* kChannels[2] = {"Fx", "Fz"};
 
 /// Discretization of a simulated tire.
@@ -27,16 +28,17 @@ struct Numerics {
   int nodes, blocks, lines;
 };
 constexpr Numerics kModel{100, 16, 4}, kSpecimen{140, 15, 6};
-constexpr int kPassages = 8;  // passages of the specimen, at half the model's step
+/// number of passages simulated for the specimen, at half the model's step
+constexpr int kPassages = 8;
 
-/// Radial dry friction of the specimen's sidewall: none, or a fifth more stiffness before slip,
-/// which occurs in its five elements between 1.4 and 6.8 mm.
+/// Radial dry friction of the specimen's sidewall: none, or friction that adds a fifth to the
+/// stiffness before it slips. Its five elements slip at deflections between 1.4 and 6.8 mm.
 struct Friction {
   double stiffening = 0.0, force = 0.0;  // N/m
 };
 constexpr Friction kFriction{0.2, 500.0};
 
-/// Runs `work` for 0 .. count - 1 on all cores.
+/// Calls `work` with 0 .. count - 1 in parallel on all cores.
 template <class Work>
 void at_once(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next = 0;
@@ -48,8 +50,8 @@ void at_once(std::size_t count, const Work& work) {
   go();
 }
 
-/// A number of the tire: its path in the file, its value in the specimen relative to the known one,
-/// and the range of its possible error.
+/// A parameter of the tire: its path in the file, the specimen's value relative to the one in the
+/// file, and the range of its possible error.
 struct Number {
   const char* path;
   double truth, range;
@@ -67,42 +69,44 @@ constexpr Number kNumbers[12] = {{"sidewall.radial.stiffness", 1.12, 1.5},
                                  {"tread.shore_a", 0.95, 1.15},
                                  {"tread.damping_time", 1.30, 2.0}};
 
-/// A load case of studies/cleat_fit with the step and the passages of the model.
+/// A load case of studies/cleat_fit, with the time step and the number of passages of the model.
 struct Case {
   std::string name;
   bool fitted;
   experiment::DrumTest test;
   std::string words = {};
   std::vector<double> measured[2] = {};  // densities
-  std::vector<double> force[2] = {};     // N, the averages of which these are the densities
+  /// N, the averaged force over time, from which the densities are computed
+  std::vector<double> force[2] = {};
   std::vector<double> noiseless[2] = {};
 };
 
 std::filesystem::path study_folder();
 std::vector<Case> cases();
 
-/// Returns the tire as known before.
+/// Returns the tire's file with the parameters as known before the fit.
 Document file();
 ring_tire::RingParameters tire_at(const Document& known, const DesignPoint& point);
 ring_tire::RingParameters with(ring_tire::RingParameters ring, const Numerics& numerics);
 ring_tire::RingParameters with(ring_tire::RingParameters ring, const Friction& friction);
-/// Reduces the lines: upright on a straight cleat all lines across the width are equivalent, so one
-/// suffices.
+/// Reduces the lines of tread blocks: on a straight cleat an upright wheel loads all lines across
+/// its width equally, so one suffices.
 Numerics enough(Numerics numerics, const Case& of);
 
-/// Returns the noise, N, of an average over the passages that a record contains.
+/// Returns the standard deviation, N, of the noise that remains after averaging the passages that a
+/// record contains.
 double noise(const experiment::DrumTest& test, int channel);
 std::vector<double> with_noise(std::vector<double> force, double deviation, RandomStream random);
 std::vector<double> density(const std::vector<double>& force);
 double rms(const std::vector<double>& values);
 
-/// Measures the specimen with draw number `draw` of the noise; 0 is that of the study's own
-/// measurements. Throws InputError if the specimen has no solution.
+/// Simulates the measurement of the specimen with draw number `draw` of the noise; 0 is that of the
+/// study's own measurements. Throws InputError if a simulation of the specimen has no solution.
 void measure(std::vector<Case>& all,
              const ring_tire::RingParameters& specimen,
              int draw = 0,
              int passages = kPassages);
-/// Writes the measurements as files of a study into its folder `measured`.
+/// Writes the simulated measurements as files into the folder `measured` of the study.
 void write(const std::vector<Case>& all, const std::filesystem::path& study);
 
 }  // namespace latsch::benchmarks::cleat

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Twelve numbers of a ring tire from two cleat runs on the drum, checked on nine others.
+// Fits twelve parameters of a ring tire to two cleat tests on the drum and checks the fit on nine
+// others.
 //
 //   bench_cleat_fit                    the specimen is the ring of studies/ring_tires
 //   bench_cleat_fit --specimen fe      or a ring derived from the FE tire of that size
@@ -8,34 +9,34 @@
 //   bench_cleat_fit --draws 5          only the study's intervals, over 5 draws of the noise
 //   bench_cleat_fit --write            writes the measurements of studies/cleat_fit
 //
-// The specimen is the ring with other numbers, finer than the model (kSpecimen, kModel) and with
-// noise. Errors are those of the thesis: RMS differences between power spectral densities of Fx and
-// Fz, every density in units of its own root mean square. The difference between held-out and
-// fitted cases depends on what a fit can absorb of two cases and not of nine others:
-//   passages  Segments and blocks that the cleat meets change Fx over the low cleat by 5 to 18 %.
-//             The laboratory averages over passages at any angle of the wheel; so do specimen and
-//             model. Only then is the cost smooth: ripples of one passage are local minima. The
-//             numbers of blocks a segment and of passages have no common divisor, otherwise all
-//             passages meet the blocks alike: 12 blocks and three passages change Fx by 4 N, 16
-//             blocks by 0.8 N.
-//   numerics  The effect of the model's mesh and step has to stay below the noise; otherwise the
-//             fitted numbers absorb it ("mesh and step over noise").
+// The specimen is the ring with other parameters, a finer mesh and step than the model (kSpecimen,
+// kModel), and noise. Errors are those of the thesis: RMS differences between power spectral
+// densities (PSD) of Fx and Fz, every density in units of its own root mean square. Four choices
+// decide how much larger the errors of the nine held-out tests are than those of the two fitted:
+//   passages  The position of the segments and blocks that the cleat meets changes Fx over the low
+//             cleat by 5 to 18 %. A laboratory averages passages at any angle of the wheel; so do
+//             specimen and model. Only then is the objective smooth: the ripples of one passage are
+//             local minima. The numbers of blocks per segment and of passages must have no common
+//             divisor, otherwise all passages meet the blocks alike: 12 blocks and three passages
+//             change Fx by 4 N, 16 blocks by 0.8 N.
+//   numerics  The error of the model's mesh and step has to stay below the noise; otherwise the
+//             fitted parameters compensate for it ("mesh and step over noise").
 //   window    Welch's window is as long as the record. The impact is in its middle, where it counts
 //             fully; an eighth after the beginning it would count 0.13, and the noise behind it 1.
-//   noise     kNoise is that of one passage. A record of kRecord is the average of the more
-//             passages the faster the drum: 26 at 30 km/h, as in the thesis.
-// The residual method fits forces over time, the other cost of the thesis: if the peaks of two
-// densities do not overlap, their difference has no slope. Forces are weighted by their noise,
-// which is white and known, and the prior of the numbers is added: this gives the likeliest numbers
-// if two cases leave some of them open. The genetic algorithm fits the densities, as the thesis
-// did. The floor is the error of the model with the specimen's own numbers; "noise alone" is the
-// effect of another draw of the noise.
+//   noise     kNoise is that of one passage. A record of kRecord averages more passages the faster
+//             the drum is: 26 at 30 km/h, as in the thesis.
+// The residual method fits forces over time, the other objective of the thesis: if the peaks of two
+// densities do not overlap, their difference has no derivative. Forces are weighted by their noise,
+// which is white and known, and the prior of the parameters is added: this gives the most probable
+// parameters if two tests leave some of them undetermined. The genetic algorithm fits the
+// densities, as the thesis did. The "floor" is the error of the model with the specimen's own
+// parameters; "noise alone" is the effect of another draw of the noise.
 //
-// Requirements are in units of the floor: a fit that is bad everywhere does not pass because it is
-// equally bad in all cases. Friction is a law that the fitted model does not have. No numbers reach
-// the floor then, which is that of the model with friction; the requirement is that held-out cases
+// Requirements are in units of the floor, so that a fit that is equally bad in all tests does not
+// pass. With --specimen friction, the fitted model lacks the law of friction, and no parameters
+// reach the floor, which is that of the model with friction; the requirement is that held-out tests
 // suffer no more from the missing law than fitted ones. Passages are simulated in parallel, one on
-// each core; the result does not depend on their number.
+// each core; the result does not depend on the number of cores.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,10 +67,12 @@ using namespace latsch::benchmarks::cleat;
 
 constexpr int kMostEvaluations = 200;  // for the residual method, to the end of its search
 constexpr int kPopulation = 60;
-constexpr double kReach[2] = {1.25, 1.5};  // multiples of the floor: fitted cases, held-out ones
-constexpr double kMissingLaw = 1.5;        // held-out cases over fitted ones, with a law missing
-/// Forces over time minus their means, in units of their noise; or densities, in units of the
-/// measured one's rms.
+// largest error in multiples of the floor: fitted cases, held-out cases
+constexpr double kReach[2] = {1.25, 1.5};
+// largest ratio of held-out to fitted errors if the model lacks friction
+constexpr double kMissingLaw = 1.5;
+/// Compared quantity: forces over time minus their means, in units of their noise; or spectral
+/// densities, in units of the measured density's root mean square.
 enum class Compared { times, densities };
 
 void add_times(const std::vector<double>& model,
@@ -93,7 +96,7 @@ void add_densities(const std::vector<double>& model,
   for (std::size_t i = 0; i < model.size(); ++i) all.push_back((model[i] - measured[i]) / scale);
 }
 
-/// Returns the differences of both forces.
+/// Returns the differences between simulated and measured values for both forces.
 std::vector<double> differences(const Channels& channels, const Case& of, Compared compared) {
   std::vector<double> all;
   for (int c = 0; c < 2; ++c) {
@@ -124,8 +127,8 @@ Result<Channels> mean(std::span<const Result<Channels>> passages) {
   return mean;
 }
 
-/// Returns the PSD RMS between two draws of the noise for the fitted or the held-out cases. The
-/// noise is known from the measurement before the cleat.
+/// Returns the PSD error between two draws of the noise, for the fitted or the held-out cases. The
+/// noise is known from the part of the measurement before the cleat.
 double scatter(const std::vector<Case>& all, bool fitted) {
   constexpr int kDraws = 20;
   std::vector<double> differences;
@@ -163,7 +166,7 @@ class Fit {
     return score;
   }
 
-  /// Returns the best point of at most `most` evaluations.
+  /// Returns the best design point within `most` evaluations of the optimizer.
   DesignPoint run(Optimizer& optimizer, int most, const DesignPoint& initial, Compared compared) {
     evaluations_ = 0;
     DesignPoint best = initial;
@@ -185,11 +188,12 @@ class Fit {
   struct Errors {
     double fitted = 0.0, held_out = 0.0, worst = 0.0;
     std::string worst_case;
-    double mesh_over_noise[2] = {};  // held out, fitted
+    // effect of the model's mesh and step relative to the noise: held-out cases, fitted cases
+    double mesh_over_noise[2] = {};
   };
-  /// Returns the errors of the densities compared with the measured ones, and the deviation of
-  /// forces over time from the specimen's without noise, in units of their noise: with the
-  /// specimen's own numbers this is the effect of mesh and step.
+  /// Returns the errors of the densities compared with the measured ones, and the deviation of the
+  /// forces over time from those of the specimen without noise, in units of the noise. With the
+  /// specimen's own parameters this deviation is the effect of mesh and step.
   Errors errors(const DesignPoint& point, const Friction& friction = {}) {
     double sums[2] = {}, counts[2] = {};
     std::vector<double> times[2];
@@ -216,7 +220,7 @@ class Fit {
   }
 
   int evaluations() const { return evaluations_; }
-  /// Returns the number of residuals over time.
+  /// Returns the number of residuals in the comparison of forces over time.
   std::size_t residuals() const {
     std::size_t count = static_cast<std::size_t>(space_.size());
     for (const Case& one : cases_) {
@@ -226,12 +230,13 @@ class Fit {
   }
 
  private:
-  /// Simulates every case, or only the fitted ones; the others are a Failure.
+  /// Simulates every case, or only the fitted ones; the result of a case that is not simulated is a
+  /// Failure.
   std::vector<Result<Channels>> simulate(const DesignPoint& point,
                                          const Friction& friction,
                                          bool fitted_alone) const {
     const auto ring = with(tire_at(known_, point), friction);
-    std::vector<std::pair<std::size_t, int>> passages;  // those of every case
+    std::vector<std::pair<std::size_t, int>> passages;  // (case, passage) pairs of all cases
     for (std::size_t i = 0; i < cases_.size(); ++i) {
       for (int k = 0; k < cases_[i].test.passages && (cases_[i].fitted || !fitted_alone); ++k)
         passages.emplace_back(i, k);
@@ -253,7 +258,7 @@ class Fit {
     return runs;
   }
 
-  /// Adds the residuals of the prior.
+  /// Adds the residuals of the prior, the known values of the parameters.
   void add_known(const DesignPoint& point, std::vector<double>& residuals) const {
     for (int i = 0; i < space_.size(); ++i) {
       residuals.push_back(space_[i].prior->residual(point.values[static_cast<std::size_t>(i)]));
@@ -293,8 +298,8 @@ void say_errors(benchmarks::Table& table, const std::string& what, const Fit::Er
 
 struct Specimen {
   std::string name;
-  Document known;     // its twelve numbers are these times Number::truth
-  Friction friction;  // friction, which the model does not have
+  Document known;     // its twelve parameters are these times Number::truth
+  Friction friction;  // friction of the specimen, which the fitted model lacks
 };
 
 void say_reached(benchmarks::Table& table,
@@ -363,8 +368,8 @@ void fit_specimen(const Specimen& specimen,
   say_errors(table, fmt::format("genetic algorithm, {} evaluations", asked), fit.errors(bred));
 }
 
-/// Returns the shipped ring with the numbers derived from the FE tire of its size, with its twelve
-/// numbers off by the factors of the other specimen.
+/// Returns the shipped ring with parameters derived from the FE tire of its size. Its twelve fitted
+/// parameters are then changed by the same factors as those of the other specimen.
 Document derived_from_fe(const Document& ring) {
   const ScratchFolder scratch;
   (void)benchmarks::run_command(fmt::format(

@@ -16,10 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 using correlation::Study;
 
-// Least number out of twelve intervals: if all were right, fewer would hold in one of nine fits.
+// Least number of the twelve intervals that must contain the true value. Even if the intervals are
+// right, one of nine fits has fewer.
 constexpr int kFewest = 11;
 
-/// Returns the truth of the specimen in the order of the study's variables.
+/// Returns the specimen's true parameters in the order of the study's variables.
 DesignPoint truth_of(const Study& study) {
   DesignPoint truth = study.space.initial();
   for (int i = 0; i < study.space.size(); ++i)

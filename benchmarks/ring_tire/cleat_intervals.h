@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Number of intervals of studies/cleat_fit that contain the specimen's number: the study as
-// shipped, run by the program, with no knowledge except its bounds.
+// Counts the intervals of studies/cleat_fit that contain the specimen's true parameter. The study
+// is run by the program as shipped, and knows the parameters only by their bounds.
 #pragma once
 
 #include "table.h"

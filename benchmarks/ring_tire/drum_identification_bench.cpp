@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two numbers of a ring tire from two noisy cleat passages on the drum, by `auto` as shipped.
-//
-// A coarse ring rolls once over the cleat at 30 and at 60 km/h: stiffness and damping of its
-// sidewall are identified from forces with 20 N of noise; the truth is known. The segments and
-// blocks that the cleat meets make the forces ripple over both numbers. Required: from every start
-// a target of at most 1.1 times that at the truth, a sum of squares in units of the noise.
+// Identifies two parameters of a ring tire from two noisy cleat passages on the drum, with the
+// optimizer `auto` as shipped. A coarse ring rolls once over the cleat at 30 and at 60 km/h:
+// stiffness and damping of its sidewall are identified from forces with 20 N of noise; the true
+// values are known. The position of the segments and blocks that the cleat meets makes the forces
+// ripple as functions of both parameters. Required: from every start, an objective (a sum of
+// squares in units of the noise) of at most 1.1 times that at the true values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace latsch;
 
-constexpr double kNoise = 20.0;                       // N, every sample of Fx and Fz
+constexpr double kNoise = 20.0;  // N, standard deviation of the noise in every sample of Fx and Fz
 constexpr double kStiffness = 0.55e6;                 // N/m^2, true value
 constexpr double kDamping = 55.0;                     // N s/m^2
 constexpr int kNodes = 100, kBlocks = 6, kLines = 1;  // a coarse ring
@@ -116,7 +116,7 @@ int bench(const benchmarks::Options& options) {
             "0.8 .. 1.2",
             std::abs(truth->value / static_cast<double>(truth->residuals.size()) - 1.0) <= 0.2);
   const ProblemTraits traits{.variables = 2, .has_residuals = true};
-  const OptimizerSettings settings;  // the method is chosen
+  const OptimizerSettings settings;  // default settings, with which `auto` chooses the method
   std::vector<std::pair<double, double>> starts{{0.45e6, 150.0}, {0.75e6, 20.0}, {0.4e6, 30.0}};
   starts.resize(options.size(starts.size(), std::size_t{1}));
   const int most = options.size(kMostTrials, 6);

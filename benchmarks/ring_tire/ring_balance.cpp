@@ -53,12 +53,13 @@ RingParameters without_losses() {
 
 struct Drift {
   double most;  // J
-  double work;  // J, absolute work of the road on the belt
+  double work;  // J, sum of the magnitudes of the work that the road does on the belt
 };
 
-/// Returns the drift over the cleat in steps of h. It is the kinetic energy and that of belt and
-/// sidewall, minus the work of road and rim by the trapezoidal rule, like the steps; the blocks'
-/// springs count as part of the road.
+/// Returns the energy drift of a ring that rolls over the cleat in steps of h. The drift is the
+/// change of the kinetic energy and of the energy in belt and sidewall, minus the work of road and
+/// rim, which is integrated by the trapezoidal rule like the time steps. The springs of the tread
+/// blocks count as part of the road.
 std::optional<Drift> drift_of(double h) {
   RingSettings settings = kUntilRounding;
   settings.dissipation = 0.0;

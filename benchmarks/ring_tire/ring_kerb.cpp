@@ -37,13 +37,13 @@ RingParameters ring_of(int nodes, int blocks, int lines) {
 namespace {
 
 constexpr double kStep = 2e-4, kSpeed = 60.0;
-constexpr double kSample = 1e-3;  // s, interval of the compared forces
+constexpr double kSample = 1e-3;  // s, sampling interval of the compared forces
 
-/// The ring of the measured rows.
+/// Returns the ring tire of the rows whose time is measured.
 RingParameters small_ring() { return ring_of(48, 8, 6); }
 
-/// Returns four valleys one after the other, each 0.8 m long, 0.8 m wide and 25 mm deep; or four
-/// hills.
+/// Returns a kerb of four valleys one after the other, each 0.8 m long, 0.8 m wide and 25 mm deep;
+/// with a positive `height`, of four hills.
 road::ProfileRoad kerb(double height = -0.025) {
   return road::kerb_road({.shape = road::Kerb::Shape::triangle,
                           .pitch = 0.8,
@@ -66,7 +66,8 @@ struct Run {
   std::vector<double> Fx, Fz;
 };
 
-/// Returns nothing if the ring finds no state. If `on_drum`, the hub does not move.
+/// Rolls the ring over the kerb. Returns nothing if a time step has no solution. If `on_drum`, the
+/// axle does not move.
 std::optional<Run> roll(const RingParameters& ring,
                         const RingSettings& settings,
                         const road::Road& road,
@@ -140,7 +141,7 @@ void car_row(Table& table, const RingRounds& rounds) {
   const road::ProfileRoad road = kerb();
   double least = 1e9;
   for (int round = 0; round < rounds.count; ++round) {
-    RingTire tire(small_ring());  // the model and work memory shared by four states
+    RingTire tire(small_ring());  // one model with its work memory, used for four states in turn
     std::vector<RingState> states;
     std::vector<WheelMotion> motions;
     for (int i = 0; i < 4; ++i) {
@@ -169,9 +170,9 @@ void car_row(Table& table, const RingRounds& rounds) {
 
 namespace {
 
-/// Results of the kerb's steps: the errors of slopes compared with differences of trials, in
-/// ascending order, and the CPU time of all steps with slopes and without. Empty if a step finds no
-/// state.
+/// Results over the time steps on the kerb: the errors of the derivatives compared with differences
+/// of trials, in ascending order, and the CPU time of all steps with and without derivatives. Empty
+/// if a step has no solution.
 struct SlopeRun {
   std::vector<double> off;
   double with = 1e9, without = 1e9;
@@ -221,7 +222,8 @@ void slopes_rows(Table& table, const RingRounds& rounds) {
             worst(fine.off),
             "<= 1e-5",
             fine.off.back() <= 1e-5);
-  // The slopes are one-sided if a block is about to touch or to slip: motion_slopes.h.
+  // A derivative is one-sided if a tread block is about to touch or to slip (motion_slopes.h), so a
+  // few errors are large.
   const auto kinks =
       std::count_if(run.off.begin(), run.off.end(), [](double x) { return x > 1e-5; });
   table.note("the same, 48 x 8 x 6",
@@ -236,7 +238,8 @@ namespace {
 
 enum class Told { all, height, nothing };
 
-/// Returns s of CPU time, or nothing if the ring finds no state.
+/// Returns the CPU time, s, of rolling with the given parts of the wheel's motion prescribed;
+/// nothing if a time step has no solution.
 std::optional<double> roll_free(const road::Road& road, Told told, const RingRounds& rounds) {
   RingTire tire(small_ring());
   WheelMotion motion = rolling(tire, kSpeed);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of ring_speed: the ring over a kerb, four of them under a car, a drum in place of a road.
+// Rows of bench_ring_speed: a ring tire over a kerb, four of them under a car, and a drum instead
+// of a road.
 #pragma once
 
 #include "models/ring_tire/description/ring_parameters.h"
@@ -7,30 +8,32 @@
 
 namespace latsch::benchmarks {
 
-/// Number of repetitions of a timing, of which the fastest counts, and the duration of rolling.
+/// Effort of a timing: the number of repetitions, of which the fastest counts, and the simulated
+/// duration of rolling.
 struct RingRounds {
   int count = 15;
   double duration = 0.09;  // s
 };
 
-/// Returns a passenger tire's ring with memory in its sidewall.
+/// Returns the ring of a passenger tire whose sidewall has viscoelastic memory.
 ring_tire::RingParameters ring_of(int nodes, int blocks, int lines);
 
-/// Adds one ring in steps of 0.2 ms at 60 m/s over a kerb 25 mm deep and at 40 m/s over one 25 mm
-/// high, its error compared with the refined solution, and 80 segments x 50 blocks x 10 lines in
-/// steps of 0.5 ms.
+/// Adds one ring in time steps of 0.2 ms, at 60 m/s over a kerb 25 mm deep and at 40 m/s over one
+/// 25 mm high, with its error compared with the refined solution; and a ring of 80 segments x 50
+/// blocks x 10 lines in steps of 0.5 ms.
 void kerb_rows(Table& table, const RingRounds& rounds);
-/// Adds two rings over the deep kerb and two beside it, in steps of 0.2 ms: four states that take
-/// turns with one tire's memory.
+/// Adds four wheels of a car in time steps of 0.2 ms, two over the deep kerb and two beside it:
+/// four states that use the memory of one tire model in turn.
 void car_row(Table& table, const RingRounds& rounds);
-/// Adds the derivatives of trials over the deep kerb, compared with differences, and their cost.
+/// Adds the derivatives of a run over the deep kerb: their error compared with differences, and
+/// their cost.
 void slopes_rows(Table& table, const RingRounds& rounds);
-/// Adds a wheel over the deep kerb that spins freely, and one whose axle moves too, compared with
-/// one whose motion is prescribed.
+/// Adds a wheel that spins freely over the deep kerb and one whose axle moves too, compared with a
+/// wheel whose motion is prescribed.
 void free_wheel_rows(Table& table, const RingRounds& rounds);
-/// Adds a tread that bottoms out, compared with linear rubber.
+/// Adds the time with a tread whose rubber bottoms out, compared with linear rubber.
 void bottoming_rows(Table& table, const RingRounds& rounds);
-/// Adds a smooth drum, compared with a flat road.
+/// Adds the time on a smooth drum, compared with a flat road.
 void drum_row(Table& table, const RingRounds& rounds);
 
 }  // namespace latsch::benchmarks

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modes of the flexible ring compared with the closed forms; the error as a function of the nodes.
+// Modes of the flexible ring tire: agreement with closed forms, and the error as a function of the
+// number of nodes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +18,8 @@ namespace {
 
 using namespace latsch::ring_tire;
 
-/// Returns a ring whose belt does not stretch and tilts as one, as the closed forms assume.
+/// Returns a ring whose belt does not stretch and tilts as a rigid body, as the closed forms
+/// assume.
 RingParameters closed_form_ring(int nodes) {
   RingParameters ring = passenger_ring();
   ring.nodes = nodes;
@@ -32,8 +34,8 @@ double error_at(int nodes, int n) {
   return std::abs(found / in_plane_frequency(ring, n) - 1.0);
 }
 
-/// Returns the lowest modes at a height of the axle over the road, with 960 blocks in a line for
-/// any number of nodes.
+/// Returns the lowest modes of the ring with its axle at a height over the road. The number of
+/// tread blocks in a line is 960 for any number of nodes.
 std::vector<StandingMode> standing(int nodes, double depth, int count) {
   RingParameters ring = passenger_ring();
   ring.nodes = nodes;
@@ -55,7 +57,7 @@ double difference(const std::vector<StandingMode>& a, const std::vector<Standing
   return largest;
 }
 
-/// Adds the standing ring: off the road, and on it with more nodes.
+/// Adds rows for the modes of a ring that does not roll: off the road, and on it with more nodes.
 void standing_rows(latsch::benchmarks::Table& table) {
   constexpr int kCount = 10;
   const auto free = standing(80, -0.01, kCount);

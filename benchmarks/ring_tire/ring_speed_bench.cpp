@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flexible ring over a cleat: CPU time over real time, cost of refinement, energy, order.
+// The flexible ring tire over a cleat: CPU time over simulated time, cost of refinement, energy
+// balance, and order of convergence.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,12 +31,12 @@ WheelMotion rolling(double height, double speed) {
 
 struct Cost {
   double time;         // CPU time over simulated time
-  double evaluations;  // evaluations of all forces in a step
+  double evaluations;  // number of evaluations of all forces in a time step
 };
 constexpr Cost kFailed{1e9, 1.0};
 
-/// Returns the cost of 0.3 s at 60 km/h over a cleat of 15 x 30 mm in steps of 0.5 ms; kFailed if
-/// the ring finds no state.
+/// Returns the cost of 0.3 s at 60 km/h over a cleat of 15 x 30 mm in steps of 0.5 ms; kFailed if a
+/// step has no solution.
 Cost run(const RingParameters& ring, bool show) {
   const road::ProfileRoad road = road::cleat_road(2.0, 0.015, 0.03, 0.005);
   RingTire tire(ring);
@@ -75,8 +76,9 @@ Cost run(const RingParameters& ring, bool show) {
   return cost;
 }
 
-/// The machine is shared, so the least time of several rounds is nearest to the program's own. All
-/// tires take turns in each round under the same conditions, which ratios need.
+/// Other programs share the machine, so the least time of several rounds is nearest to the cost of
+/// the program itself. All tires run in each round, under the same conditions, because ratios of
+/// their times are judged.
 std::vector<Cost> least_costs(const std::vector<RingParameters>& tires, int rounds) {
   std::vector<Cost> least;
   for (const RingParameters& ring : tires) least.push_back(run(ring, true));
@@ -88,8 +90,8 @@ std::vector<Cost> least_costs(const std::vector<RingParameters>& tires, int roun
   return least;
 }
 
-/// Returns the largest growth of energy from one step to the next after the road is removed below
-/// the tire, relative to the energy of the load.
+/// Returns the largest increase of the energy from one time step to the next after the road below
+/// the tire has been removed, relative to the energy stored by the load.
 double energy_growth() {
   RingTire tire(ring_of(80, 10, 6), {.tolerance = 1e-3});
   WheelMotion motion;
@@ -109,7 +111,8 @@ double energy_growth() {
   return growth / first;
 }
 
-/// Returns the order of the vertical force on a smooth road that rises and falls under the tire.
+/// Returns the order of convergence of the vertical force in the time step, on a smooth road that
+/// rises and falls under the tire.
 double order_on_a_smooth_road() {
   std::vector<double> forces;
   for (const int parts : {80, 160, 320}) {
@@ -130,13 +133,14 @@ double order_on_a_smooth_road() {
   return std::log2((forces[1] - forces[0]) / (forces[2] - forces[1]));
 }
 
-/// The effects of the discretization on a wheel that rolls at a speed over a smooth road.
+/// Effects of the discretization on a wheel that rolls at constant speed over a smooth road.
 struct Ripple {
-  double moment = 0.0;                 // N m about the axle, mean
-  double Fx = std::nan(""), Fz = 0.0;  // N, amplitude at the frequency of the segments
+  double moment = 0.0;                 // N m, mean moment about the axle
+  double Fx = std::nan(""), Fz = 0.0;  // N, amplitude at the frequency with which segments pass
 };
 
-/// Measures one revolution after one of running in. NaN if the ring finds no state.
+/// Measures one revolution after one of running in. The result is NaN if a time step has no
+/// solution.
 Ripple ripple_of(const RingParameters& ring, double speed, double step, double radius) {
   RingTire tire(ring);
   const road::PlaneRoad road;
@@ -168,8 +172,8 @@ Ripple ripple_of(const RingParameters& ring, double speed, double step, double r
   return ripple;
 }
 
-/// Returns the ripple of a wheel that rolls freely: its radius is found by two secant steps from
-/// the moment about the axle.
+/// Returns the ripple of a freely rolling wheel. Two secant steps find the rolling radius at which
+/// the moment about the axle vanishes.
 Ripple free_ripple(const RingParameters& ring, double speed, double step) {
   double before = 0.3070, radius = 0.3076;
   double last = ripple_of(ring, speed, step, before).moment;
@@ -184,8 +188,8 @@ Ripple free_ripple(const RingParameters& ring, double speed, double step) {
   return now;
 }
 
-/// Compares with a ring of chords, whose tread was attached to Catmull-Rom splines: with 80
-/// segments x 12 or 50 blocks it had these amplitudes of Fx.
+/// The limit is a tenth of the amplitudes of Fx of an earlier kind of ring, of straight chords with
+/// its tread on Catmull-Rom splines, with 80 segments x 12 or 50 blocks.
 void ripple_rows(benchmarks::Table& table) {
   struct Case {
     double speed, step, chords;
@@ -206,8 +210,8 @@ void ripple_rows(benchmarks::Table& table) {
   }
 }
 
-/// Compares the cost of a state with that of the step it saves: 0.2 ms over a cleat at 60 km/h, 100
-/// x 12 x 10.
+/// Compares the cost of saving and restoring a state of the tire with that of a time step of 0.2 ms
+/// over a cleat at 60 km/h, with 100 segments x 12 blocks x 10 lines.
 void state_row(benchmarks::Table& table, int steps) {
   const road::ProfileRoad road = road::cleat_road(2.0, 0.015, 0.03, 0.005);
   RingTire tire(ring_of(100, 12, 10));
@@ -242,7 +246,7 @@ int ring_speed(const benchmarks::Options& options) {
   benchmarks::Table table("ring_speed", options);
   const benchmarks::RingRounds rounds =
       options.size(benchmarks::RingRounds{}, benchmarks::RingRounds{1, 0.02});
-  if (options.is_smoke()) {  // without the rows that need the refined rings
+  if (options.is_smoke()) {  // leaves out the rows that need the refined rings
     benchmarks::momentum_row(table);
     benchmarks::slopes_rows(table, rounds);
     benchmarks::free_wheel_rows(table, rounds);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A server of the studio in a separate process, watched while it is attacked.
+// A server of the studio in a separate process, whose memory and response are measured while it is
+// attacked.
 #pragma once
 
 #include <sys/types.h>
@@ -26,20 +27,22 @@ class AttackedServer {
 
   std::uint16_t port() const { return port_; }
   const std::string& token() const { return token_; }
-  /// Returns "GET /x HTTP/1.1" with Host, these fields and, if there is one, the body and its
-  /// length.
+  /// Returns the text of a request: `line`, for example "GET /x HTTP/1.1", with the field Host, the
+  /// given fields and, if there is a body, its length and the body.
   std::string request(const std::string& line,
                       const std::string& fields = "",
                       const std::string& body = "") const;
-  /// Returns the request with the token.
+  /// Returns the text of the same kind of request with the access token of the server.
   std::string trusted(const std::string& line,
                       const std::string& fields = "",
                       const std::string& body = "") const;
 
-  /// Returns the peak of memory since the process began, bytes; -1 if the process has ended.
+  /// Returns the peak of the server's memory since its process began, bytes; -1 if the process has
+  /// ended.
   double peak_memory() const;
   bool is_running() const;
-  /// Returns the seconds until the process ended after SIGTERM; -1 if it did not within ten.
+  /// Sends SIGTERM and returns the seconds until the process ended; -1 if it did not end within ten
+  /// seconds.
   double terminate();
 
  private:
@@ -49,13 +52,15 @@ class AttackedServer {
   std::string token_;
 };
 
-/// Requests /api/ping a hundred times a second, alternately on a new connection and on a kept one.
+/// Requests /api/ping a hundred times a second, alternately on a new connection and on a kept one,
+/// in a separate thread.
 class Pings {
  public:
   explicit Pings(const AttackedServer& server);
   ~Pings();
 
-  /// Returns the seconds each request took since the last call; unanswered requests count as ten.
+  /// Returns the response times, s, since the last call; an unanswered request counts as ten
+  /// seconds.
   std::vector<double> take();
 
  private:
@@ -69,8 +74,8 @@ class Pings {
   std::thread thread_;
 };
 
-/// Returns the value that the share (for example 0.99) of all values does not exceed; 0 if there is
-/// none.
+/// Returns the quantile of the values: the number that a share `share` (for example 0.99) of them
+/// does not exceed; 0 for an empty list.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace latsch::benchmarks

@@ -12,7 +12,7 @@
 namespace latsch::benchmarks {
 namespace {
 
-/// Keys of [mesh] that set the length and width of its elements.
+/// Keys in the section [mesh] of a tire file that set the length and width of its elements.
 constexpr std::array kReplaced{
     "columns", "split_columns", "spacing", "meridional", "sectors", "sector_zones"};
 

@@ -7,14 +7,15 @@
 
 namespace latsch::benchmarks {
 
-/// Elements from bead to bead and around the tire, all equally long and wide.
+/// Numbers of elements, from bead to bead and around the tire. All elements are equally long and
+/// wide.
 struct CoarseMesh {
   int meridional = 13, sectors = 24;
 };
 
-/// Returns the text of a tire file with another mesh: its own columns, spacing and sector zones are
-/// removed. Rows, plies and rubbers stay. Throws InputError if the resulting file does not have
-/// that mesh.
+/// Returns the text of a tire file with this mesh instead of its own columns, spacing and sector
+/// zones. The rows of elements through the wall, plies and rubbers stay. Throws InputError if the
+/// resulting file does not have that mesh.
 std::string with_coarse_mesh(const std::string& tire, const CoarseMesh& mesh = {});
 
 }  // namespace latsch::benchmarks

@@ -15,7 +15,7 @@
 namespace latsch::benchmarks {
 namespace {
 
-constexpr std::size_t kMostWords = 4000;  // bytes; enough for the last lines of a progress output
+constexpr std::size_t kMostWords = 4000;  // bytes; the last lines of a long progress output
 
 std::string all_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shell commands of a benchmark, whose words are not lost if they fail.
+// Runs shell commands of a benchmark and reports their output if they fail.
 #pragma once
 
 #include <string>

@@ -22,7 +22,7 @@ using suspension::DoubleWishbone;
 constexpr double kJitter = 10e-3;  // m
 constexpr double kLeastTooStiff = 3.0, kMostTooStiff = 15.0;
 
-/// Replaces the text between `from` and `to` behind the first `anchor`.
+/// Replaces the text between `from` and `to` in its first occurrence after `anchor`.
 void replace_behind(std::string& text,
                     const std::string& anchor,
                     const std::string& from,
@@ -35,7 +35,8 @@ void replace_behind(std::string& text,
   text.replace(begin + from.size(), end - begin - from.size(), by);
 }
 
-/// Moves the hardpoints; the ground stays where it is, and the contact point below the wheel.
+/// Displaces the hardpoints at random. The ground stays where it is, and the contact point stays
+/// below the wheel.
 std::string jittered(std::string corner, const DoubleWishbone& as_written, RandomStream& random) {
   const auto write = [&](const std::string& name, const Eigen::Vector3d& moved) {
     replace_behind(corner,
@@ -59,7 +60,7 @@ std::string jittered(std::string corner, const DoubleWishbone& as_written, Rando
   return corner;
 }
 
-/// Returns the value in the form a user would type.
+/// Returns a quantity with its SI unit as a user would write it.
 std::string in_si(double value, const std::string& unit) {
   return fmt::format("{} {}", value, unit);
 }

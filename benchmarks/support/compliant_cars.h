@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Synthetic front corners on a K&C rig. Their parameters are known, so the fit of
-// studies/compliance/axes.toml and its bands can be checked.
+// Synthetic front suspension corners on a K&C rig. Their parameters are known, so the fit of
+// studies/compliance/axes.toml and its uncertainty bands can be checked.
 //
-// A car has hardpoints displaced by up to 10 mm in each direction, every stiffness drawn from the
-// prior that the study states, its sixteen numbers measured with the noise that the study states,
-// and each stiffness started at 3 to 15 times its value (uniform in the logarithm).
+// A car's hardpoints are displaced by up to 10 mm in each direction and its stiffnesses are drawn
+// from the prior that the study states. Its sixteen K&C numbers have the measurement noise that the
+// study states. The fit starts each stiffness at 3 to 15 times its value (uniform in the
+// logarithm).
 #pragma once
 
 #include <filesystem>
@@ -15,14 +16,15 @@
 namespace latsch::benchmarks {
 
 struct CompliantCar {
-  correlation::Study study;  // the study a user would write, with its measured numbers
+  /// the study as a user would write it, with the measured numbers of this car
+  correlation::Study study;
   DesignPoint truth;
-  Channels recording;  // recording of the true car, including predicted experiments
+  Channels recording;  // results of the true car, including those of experiments that are predicted
 };
 
 class CompliantCars {
  public:
-  /// Writes the studies of its cars into `folder`.
+  /// The studies of the cars are written into `folder`.
   CompliantCars(std::filesystem::path folder, std::uint64_t seed);
 
   CompliantCar draw(int number) const;

@@ -6,8 +6,8 @@
 
 namespace latsch::benchmarks {
 
-/// Returns s, user and system, since the program's start; with `who` RUSAGE_CHILDREN those of ended
-/// children.
+/// Returns the CPU time of the program since its start, s, user and system; with `who`
+/// RUSAGE_CHILDREN that of its ended child processes.
 double cpu_seconds(int who = RUSAGE_SELF);
 
 }  // namespace latsch::benchmarks

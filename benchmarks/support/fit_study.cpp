@@ -22,8 +22,8 @@ correlation::Study study_of_folder(const std::string& name) {
 
 namespace {
 
-/// A folder that is removed with the program; workers read their study in it as long as the program
-/// runs.
+/// Returns a folder that is removed at the end of the program, because worker processes read their
+/// study in it until then.
 const fs::path& scratch_folder() {
   static const ScratchFolder folder;
   return folder.path();

@@ -13,8 +13,8 @@ namespace {
 
 constexpr Eigen::Index kMostPowers = 7;
 
-/// Fits the first `count` steps by `powers` odd powers; `error` is the noise in the slope. Returns
-/// nothing with fewer steps.
+/// Fits the first `count` steps by `powers` odd powers; `error` is the noise of the derivative.
+/// Returns nothing if there are fewer steps.
 std::optional<FittedSlope> fit(const std::vector<StepValues>& steps,
                                Eigen::Index count,
                                Eigen::Index powers,
@@ -30,7 +30,8 @@ std::optional<FittedSlope> fit(const std::vector<StepValues>& steps,
     of_steps(0, i) = x;
     for (Eigen::Index k = 1; k < powers; ++k) of_steps(k, i) = of_steps(k - 1, i) * x * x;
   }
-  // The shortest weights that reproduce the slope of every power are those of least squares.
+  // Among all weights of the values that give the exact derivative for each of the powers, the
+  // shortest vector is that of the least-squares fit.
   const Eigen::VectorXd slopes = Eigen::VectorXd::Unit(powers, 0);
   const Eigen::VectorXd weights = numerics::shortest_solution(of_steps, slopes) / reach;
   return FittedSlope{weights.dot(odd), weights.norm() * noise / std::sqrt(2.0), reach};

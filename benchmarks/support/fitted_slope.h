@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slope from values on both sides of a point, with an estimate of its error.
+// The derivative of a function from values on both sides of a point, with an estimate of its error.
 //
-// The odd part of the values, (f(h) - f(-h)) / 2, is s h plus higher odd powers. Polynomials of odd
-// powers are fitted to it by least squares, over several ranges and with several degrees: wide
-// steps and many steps reduce the effect of errors in the values, powers represent the curvature.
-// The fit with the least estimated error is chosen. The error is the larger of the noise in the
-// fit, which adds by squares because values have independent errors, and of its distance to the
-// fits with one power and with one step less. (Comparing with one power more underestimates the
-// error: half of 300 slopes were then farther off than estimated. Differences at halved steps,
+// The odd part of the values, (f(h) - f(-h)) / 2, is s h plus higher odd powers, where s is the
+// derivative. Polynomials of odd powers are fitted to it by least squares, over several ranges of
+// steps and with several degrees: wide steps and many steps reduce the effect of errors in the
+// values, and higher powers represent the curvature. The fit with the least estimated error is
+// chosen. The error is the larger of two numbers: the noise in the fit, whose parts add by squares
+// because the errors of the values are independent; and the distance of the fit to those with one
+// power less and with one step less. (Comparing with one power more underestimates the error: half
+// of 300 derivatives were then farther off than estimated. Differences at halved steps,
 // extrapolated power by power [Ridders, Adv. Eng. Software 4 (1982) 75-76], are worse for noisy
 // values: each power needs a step and amplifies its error.)
 #pragma once
@@ -19,15 +20,16 @@ namespace latsch::benchmarks {
 
 struct FittedSlope {
   double value = 0.0, error = 0.0;  // estimated
-  double reach = 0.0;               // widest step of the fit
+  double reach = 0.0;               // widest step that the fit uses
 };
 
-/// Values at the point minus and plus a step.
+/// Function values at the point minus a step and at the point plus a step.
 struct StepValues {
   double step = 0.0, below = 0.0, above = 0.0;
 };
 
-/// `noise` is the error of the values. Returns nothing with fewer than four steps.
+/// Returns the derivative from these steps; `noise` is the error of each value. Returns nothing
+/// with fewer than four steps.
 std::optional<FittedSlope> fitted_slope(std::vector<StepValues> steps, double noise);
 
 }  // namespace latsch::benchmarks

@@ -20,7 +20,8 @@ std::vector<StepValues> values(const std::function<double(double)>& f, double fi
   return all;
 }
 
-// exp'(0) = 1; five halvings of 0.1 leave an error of h^10, below rounding over the step.
+// The derivative of exp at 0 is 1. With five halvings of the step 0.1, the error of the fit is of
+// the order h^10, which is below the rounding error divided by the step.
 TEST(FittedSlope, IsThatOfASmoothFunctionWithinItsError) {
   const auto f = [](double h) { return std::exp(h); };
   const auto slope = fitted_slope(values(f, 0.1, 5), 1e-16);
@@ -42,9 +43,9 @@ TEST(FittedSlope, KnowsTheNoiseOfItsValues) {
   EXPECT_LT(slope->error, 1e-5);
 }
 
-// Among 300 functions with the curvature of modes near each other and noise of half the stated
-// bound, 99 of a hundred slopes are as accurate as estimated: in 0.1 + h + 30 h^2 - 2000 h^3 at
-// steps from 5e-3 on.
+// The functions 0.1 + h + 30 h^2 - 2000 h^3, at steps from 5e-3 on, have the curvature of
+// frequencies of neighboring modes, with noise of half the stated bound. For 99 % of the 300
+// functions the derivative must be as accurate as estimated.
 TEST(FittedSlope, ErrorsThatAddBySquaresCoverNoiseOfTheTrials) {
   constexpr int kFunctions = 300;
   constexpr double kBound = 1e-10;

@@ -95,7 +95,7 @@ std::vector<std::string> traversals(const AttackedServer& server) {
                            "/etc/passwd",
                            "%2fetc%2fpasswd",
                            "file:///etc/passwd",
-                           "model.awk",  // in the folder, but not a study
+                           "model.awk",  // a file in the folder that is not a study
                            "/proc/self/environ",
                            "study.toml%00.html",
                            "~/.ssh/id_rsa"}) {

@@ -24,7 +24,8 @@ using identification_set::DisturbedProblem;
 using identification_set::HalfSpace;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kPatience = 10'000;  // ms without output from a child
+// ms without output from a child process, after which it is killed
+constexpr int kPatience = 10'000;
 
 Score score(std::vector<double> residuals) {
   Score score{0.0, std::move(residuals)};
@@ -72,7 +73,7 @@ namespace {
 
 struct Nlopt {
   Recorded recorded;
-  double worst = 0.0;  // worst of the values so far
+  double worst = 0.0;  // largest finite value so far
   int to_parent;
   nlopt_opt solver;
 };
@@ -136,11 +137,12 @@ void solve_by_scipy(SciPy& scipy, Recorded& recorded, double difference) {
   scipy.solve(space.to_unit(space.initial()), true, difference, ask);
 }
 
-// The least value known -----------------------------------------------------------------------
+// Least value known ---------------------------------------------------------------------------
 
 namespace {
 
-/// Returns the least value in the half space a'u <= b, from two starts.
+/// Returns the least value in the half space a'u <= b, from two starts: the true values and the
+/// start of the problem.
 double least_beside(const DisturbedProblem& problem, const HalfSpace* closed) {
   const DesignSpace& space = problem.problem().space;
   std::vector<LinearConstraint> rows;
@@ -175,7 +177,8 @@ double least_beside(const DisturbedProblem& problem, const HalfSpace* closed) {
 
 double reference(const DisturbedProblem& problem) {
   if (problem.corner().empty()) return least_beside(problem, nullptr);
-  // Points that do not fail are outside of at least one of the half spaces.
+  // A point outside of the failing corner lies outside of at least one of the half spaces that form
+  // it, so each of them is closed in turn.
   double least = kInfinity;
   for (const HalfSpace& half : problem.corner()) {
     least = std::min(least, least_beside(problem, &half));

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The result is not judged; it is {x, y} = {0.3, 0.7}.
+// The optimum of this study is {x, y} = {0.3, 0.7}; the benchmark does not judge it.
 constexpr const char* kStudy = R"(title = "Two variables, to be killed"
 [simulator]
 command = ["awk", "-f", "{study}/model.awk", "in.txt"]
@@ -99,7 +99,7 @@ void wait_for_trials(const correlation::Study& study, long count) {
   const auto known = [&]() -> long {
     try {
       return fs::exists(study.run.journal) ? Journal::read(study.run.journal).size() : 0;
-    } catch (const std::exception&) {  // it is being created
+    } catch (const std::exception&) {  // the journal is being created
       return 0;
     }
   };

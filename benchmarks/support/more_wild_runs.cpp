@@ -21,7 +21,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// FNV-1a hash, because the points that fail must not depend on the standard library.
+/// FNV-1a hash, used instead of std::hash so that the points that fail do not depend on the
+/// standard library.
 std::uint64_t number_of(const std::vector<double>& x) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char byte : DesignPoint{x}.bits()) {
@@ -30,9 +31,10 @@ std::uint64_t number_of(const std::vector<double>& x) {
   return hash;
 }
 
-/// Start step of the problem as a share of its box.
+/// First step of the solvers as a share of the side of the box around the start.
 constexpr double kStartStep = 1.0 / more_wild::kBoxWidth;
-constexpr double kTolerance = 1e-12;  // the rounding of the box: runs end by their budget
+// the rounding of coordinates in the box: runs end when their budget is used up
+constexpr double kTolerance = 1e-12;
 
 void run(Optimizer& optimizer, Observed& observed, int most_evaluations) {
   while (!optimizer.converged() && !observed.is_done() &&
@@ -44,7 +46,8 @@ void run(Optimizer& optimizer, Observed& observed, int most_evaluations) {
 
 double nlopt_value(unsigned n, const double* x, double*, void* data) {
   const Result<Score> outcome = (*static_cast<Observed*>(data))({x, x + n});
-  constexpr double kNone = 1e300;  // for residuals that overflow, which NLopt cannot express
+  // value for residuals that overflow, because NLopt cannot represent infinity
+  constexpr double kNone = 1e300;
   return outcome ? outcome->value : kNone;
 }
 
@@ -185,7 +188,7 @@ void note(Table& table, const std::string& solver, const Profile& profile) {
 }
 
 void reach(Table& table, const std::string& what, double share, double at_least) {
-  // Shares and their required values have three digits.
+  // Shares and their required values are rounded to three digits before they are compared.
   table.full_row(what,
                  fmt::format("{:.3f}", share),
                  fmt::format(">= {:.3f}", at_least),

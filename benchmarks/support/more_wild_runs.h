@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solvers on the Moré-Wild problems. Data profiles are the share of the problems solved to tau
-// within k (n + 1) evaluations, or simulation times. The true residuals decide whether a problem is
-// solved, whatever noise or failures the solver sees.
+// Solvers on the Moré-Wild problems. A data profile is the share of the problems solved to the
+// tolerance tau within k (n + 1) evaluations, or within that many mean trial times. The undisturbed
+// residuals decide whether a problem is solved, whatever noise or failures the solver sees.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,28 @@
 
 namespace latsch::benchmarks {
 
-/// The disturbance a solver sees of the true residuals; a function of point and seed.
+/// The disturbance between the true residuals and those that a solver sees. It is a function of the
+/// point and the seed.
 struct Disturbance {
-  double noise = 0.0;     // standard deviation relative to every residual's own value
-  double failures = 0.0;  // share of the points without outcome, except the start
+  double noise = 0.0;     // standard deviation as a share of every residual
+  double failures = 0.0;  // share of the points that have no outcome; the start always has one
   std::uint64_t seed = 1;
 };
 
-/// The time at which a problem was solved, in units of n + 1; infinite: not solved.
+/// Time at which a problem was solved, in units of n + 1 evaluations; infinite if it was not
+/// solved.
 struct Solved {
   double at_1e3;  // tau = 1e-3
   double at_1e5;  // tau = 1e-5
 };
 
-/// The problem as a solver sees it, and the values the solver has reached.
+/// The disturbed problem that a solver sees, and the undisturbed values that it has reached.
 class Observed {
  public:
   Observed(const more_wild::Problem& problem, const Disturbance& disturbance);
 
-  /// Evaluates; the n-th call of this counts as n evaluations unless a time is given.
+  /// Evaluates a point. The n-th call counts as n evaluations; with at_time() the given time counts
+  /// instead.
   Result<Score> operator()(const std::vector<double>& x);
   Result<Score> at_time(const std::vector<double>& x, double time);
 
@@ -51,35 +54,39 @@ class Observed {
   Solved solved_;
 };
 
-/// Runs on the problem until `Observed` is done or has used most_evaluations.
+/// A solver, which runs on the problem until `Observed` reports that it is done, or for
+/// most_evaluations.
 using Solver = std::function<void(Observed&, int most_evaluations)>;
 
 Solver residual_trust_region();
-/// Returns GSS with the lengths of the problems, whatever the options are.
+/// Returns GSS with the options, but with the step lengths that the problems prescribe.
 Solver gss(GssOptions options = {});
-/// Returns a solver of NLopt by the number of nlopt_algorithm. A point that fails gets 1e300, which
-/// makes methods that model values useless.
+/// Returns the NLopt solver with this number in nlopt_algorithm. A failed point gets the value
+/// 1e300, which makes methods that build a model of the function useless.
 Solver nlopt(int algorithm);
-/// Returns SciPy's least_squares with its own differences, in start steps from the start.
+/// Returns SciPy's least_squares with its own finite differences, in variables that are measured
+/// from the start in units of the first step.
 Solver scipy();
 
 struct Profile {
   std::vector<double> budgets;  // k
-  std::vector<double> tau_1e3;  // one share for each budget
+  /// share of solved problems at tolerance 1e-3 for each budget; tau_1e5 likewise
+  std::vector<double> tau_1e3;
   std::vector<double> tau_1e5;
 };
 
 Profile profile(const std::vector<Solved>& solved, const std::vector<double>& budgets);
 
-/// Solves all problems, once for every disturbance, each within k (n + 1) evaluations. Several
-/// threads are possible only for solvers in this process; the outcomes are the same.
+/// Solves all problems, once for every disturbance, each within k (n + 1) evaluations. More than
+/// one thread is allowed only for solvers that run in this process; the outcomes do not depend on
+/// it.
 std::vector<Solved> solve(const Solver& solver,
                           const std::vector<Disturbance>& disturbances,
                           double k,
                           const std::vector<more_wild::Problem>& problems,
                           int threads = 1);
 
-/// Solves all problems serially, once for every disturbance, within the largest budget.
+/// Solves all problems one after the other, once for every disturbance, within the largest budget.
 Profile measure(const Solver& solver,
                 const std::vector<Disturbance>& disturbances,
                 const std::vector<double>& budgets = {10, 50, 100},
@@ -87,7 +94,8 @@ Profile measure(const Solver& solver,
 
 void note(Table& table, const std::string& solver, const Profile& profile);
 
-/// Adds a row for tau and budget number k: a share, which only the full run judges.
+/// Adds a row for the share of solved problems and its limit `at_least`; only the full run judges
+/// it.
 void reach(Table& table, const std::string& what, double share, double at_least);
 
 }  // namespace latsch::benchmarks

@@ -43,7 +43,8 @@ std::string utf16(const std::string& text) {
   return wide;
 }
 
-/// A unit, another unit of the same quantity, and the divisor of a number.
+/// A unit, another unit of the same quantity, and the divisor that converts a number to the other
+/// unit.
 struct Other {
   const char *unit, *other;
   double divisor;
@@ -57,8 +58,8 @@ constexpr Other kOthers[] = {{"N", "kN", 1e3},
                              {"km/h", "m/s", 3.6},
                              {"cm^2", "mm^2", 1e-2}};
 
-/// True for columns that are recognized by their sign: a recording with all of them reversed is
-/// meaningless.
+/// True for columns that are known to be positive, so that a reader can notice if the sign of the
+/// whole column is reversed.
 bool has_a_sign(const std::string& name) {
   const std::string plain = in_case(name, std::tolower);
   for (const char* one : {"fz", "force", "loaded_radius", "deflection", "frequency", "p", "load"})
@@ -94,7 +95,7 @@ class TableMutants {
   void add_text(const std::string& change, std::string text, Allowed allowed) {
     all.push_back({change, std::move(text), "", allowed});
   }
-  /// Adds a mutant with changed names of the columns.
+  /// Adds a changed copy of the table in which `to` is applied to the names of the columns.
   void add_named(const std::string& change, const std::function<std::string(std::string)>& to) {
     add(change, std::nullopt, Allowed::same_numbers, [&](TableText& t) {
       for (std::string& name : t.names) name = to(name);
@@ -180,7 +181,8 @@ void change_numbers(const TableText& good, TableMutants& mutants) {
   mutants.add("a word among the numbers", 0, Allowed::told, [&](TableText& t) {
     t.rows[middle][0] = "broken";
   });
-  if (good.names.size() == 1) return;  // a row without its only cell is an empty line
+  // in a table of one column, an empty cell would be an empty line
+  if (good.names.size() == 1) return;
   mutants.add("an empty cell", 0, Allowed::told, [&](TableText& t) { t.rows[middle][0].clear(); });
   mutants.add("a row with a cell too few", std::nullopt, Allowed::told, [&](TableText& t) {
     t.rows[middle].pop_back();
@@ -204,7 +206,7 @@ void change_form(const TableText& good, TableMutants& mutants) {
     for (std::string& cell : row) std::replace(cell.begin(), cell.end(), '.', ',');
   same("decimal commas and semicolons", german.text(";"));
   if (good.names.size() > 1) same("decimal commas and commas", german.text(","));
-  if (good.names.size() > 1)  // a missing end of a number cannot be seen
+  if (good.names.size() > 1)  // a number that lacks its last digits is still a number
     mutants.add_text("half a file",
                      text.substr(0, text.size() - good.rows.back().back().size() - 2),
                      Allowed::told);

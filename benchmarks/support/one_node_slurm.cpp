@@ -30,10 +30,11 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kStart = std::chrono::seconds(30);  // time limit of a start
-constexpr auto kEnd = std::chrono::seconds(5);     // time limit of a daemon's end
+constexpr auto kStart = std::chrono::seconds(30);  // limit for the start of Slurm
+constexpr auto kEnd = std::chrono::seconds(5);     // limit for the end of a daemon
 
-/// Returns ports that are free now; another program is unlikely to take one in the meantime.
+/// Returns ports that are free now. Another program could take one before Slurm does, but this is
+/// unlikely.
 std::array<int, 2> free_ports() {
   std::array<int, 2> sockets{}, ports{};
   for (int i = 0; i < 2; ++i) {
@@ -64,7 +65,7 @@ void make_folder(const fs::path& folder, mode_t mode) {
   ::chmod(folder.c_str(), mode);
 }
 
-/// Removes the settings of a job in which this program itself may run.
+/// Removes the environment variables of an MPI or Slurm job in which this program itself may run.
 void forget_other_launchers() {
   std::vector<std::string> names;
   for (char** entry = environ; *entry; ++entry) {
@@ -143,7 +144,7 @@ OneNodeSlurm::~OneNodeSlurm() { end(); }
 
 void OneNodeSlurm::write_settings(int cores) const {
   make_folder(folder_, 0755);
-  make_folder(folder_ / "munge", 0711);  // whoever has a job requests a credential there
+  make_folder(folder_ / "munge", 0711);  // users of a job request a credential in this folder
   make_folder(folder_ / "state", 0700);
   make_folder(folder_ / "spool", 0755);
   std::random_device chance;
@@ -194,7 +195,7 @@ void OneNodeSlurm::start_daemon(const std::vector<std::string>& arguments, const
   const pid_t master = ::getpid();
   const pid_t child = ::fork();
   if (child == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // in whatever way this process ends
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // ends the daemon if this process ends in any way
     if (::getppid() != master) ::_exit(1);
     const int out = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
     ::dup2(out, STDOUT_FILENO);
@@ -220,9 +221,9 @@ void OneNodeSlurm::end() noexcept {
   if (daemons_.size() == 3) {
     (void)std::system("timeout 5 scancel --user=root --signal=KILL --full > /dev/null 2>&1");
     (void)std::system("timeout 5 scancel --user=root > /dev/null 2>&1");
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // time for the steps to end
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));  // gives the steps time to end
   }
-  while (!daemons_.empty()) {  // the last first: all of them need munged
+  while (!daemons_.empty()) {  // daemons end in reverse order, because all others need munged
     end_daemon(daemons_.back());
     daemons_.pop_back();
   }

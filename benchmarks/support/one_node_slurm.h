@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Slurm of one node, this machine, with separate keys, state and ports on the loopback interface,
-// in a separate folder. It exists as long as this object, or the process that has it.
+// A Slurm of one node, this machine, in a separate folder with separate keys, state and ports on
+// the loopback interface. It exists as long as this object, or the process that created it.
 //
-// It needs root, who runs slurmctld, slurmd and munged here, and works without cgroups (linuxproc)
-// and without binding, so that it also starts in a container. [slurm.conf(5), munged(8); Debian 12:
-// 22.05.8]
+// It runs slurmctld, slurmd and munged as root, and does not use cgroups (linuxproc is used
+// instead) or binding to cores, so that it also starts in a container. [slurm.conf(5), munged(8);
+// Debian 12: 22.05.8]
 #pragma once
 
 #include <sys/types.h>
@@ -24,7 +24,7 @@ class OneNodeSlurm {
   /// Waits until the node is idle. Throws std::runtime_error with the last output of the daemons if
   /// it does not become idle.
   OneNodeSlurm(const std::filesystem::path& folder, int cores);
-  /// Cancels its jobs and ends its daemons.
+  /// Cancels the jobs of this Slurm and ends its daemons.
   ~OneNodeSlurm();
   OneNodeSlurm(const OneNodeSlurm&) = delete;
   OneNodeSlurm& operator=(const OneNodeSlurm&) = delete;
@@ -39,7 +39,7 @@ class OneNodeSlurm {
   std::vector<pid_t> daemons_;
 };
 
-/// Output of a command on both streams, and its exit code.
+/// Output of a command on both streams, and the exit code of the command.
 struct Said {
   std::string text;
   int exit_code = 0;

@@ -41,7 +41,7 @@ Options::Options(std::string program,
     : program_(std::move(program)), known_(std::move(known)) {
   known_.push_back(kSmoke);
   known_.push_back(kHelp);
-  auto place = known_.begin();  // position of the next positional argument
+  auto place = known_.begin();  // name of the next positional argument
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     auto option = known_.begin();

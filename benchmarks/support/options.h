@@ -21,14 +21,15 @@ namespace latsch::benchmarks {
 
 /// An option of a benchmark in addition to --smoke and --help.
 struct Option {
-  std::string name;   // "--draws"; without dashes it is positional: "SEED"
-  std::string value;  // name of the value, "N"; empty: a flag. Unused for a positional option.
+  std::string name;  // "--draws"; a name without dashes is positional: "SEED"
+  /// name of the option's value, "N"; empty: a flag. A positional option does not use it.
+  std::string value;
   std::string help;
 };
 
 class Options {
  public:
-  /// Throws InputError with a list of options for one that is unknown or has no value.
+  /// Throws InputError if an option is unknown or lacks its value; the message lists the options.
   Options(std::string program,
           const std::vector<std::string>& arguments,
           std::vector<Option> known = {});
@@ -41,11 +42,13 @@ class Options {
   }
 
   bool has(std::string_view name) const;
-  /// Returns the value as given, or `fallback`.
+  /// Returns the value of the option, or `fallback` if it is not given.
   std::string text(std::string_view name, std::string fallback = {}) const;
-  /// Returns a whole number of at least 0, or `fallback`. Throws InputError for anything else.
+  /// Returns the value of the option as an integer of at least 0, or `fallback` if it is not given.
+  /// Throws InputError for any other value.
   long integer(std::string_view name, long fallback) const;
-  /// Returns a finite number, or `fallback`. Throws InputError for anything else.
+  /// Returns the value of the option as a finite number, or `fallback` if it is not given. Throws
+  /// InputError for any other value.
   double number(std::string_view name, double fallback) const;
 
   /// Returns the text of --help.

@@ -13,10 +13,10 @@
 namespace latsch::benchmarks {
 namespace {
 
-// The script reads "n bounds difference" and the start. It then requests residuals with "? x ...",
-// reads them, "failed" or "stop", and prints "." at the end. With a difference below 0 it reads
-// residuals, then the rows of their Jacobian. With bounds of 2, n lower and n upper bounds follow
-// the start.
+// The script reads a line "n bounds difference" and the start point. It then writes "? x ..." to
+// request the residuals at x, and reads them, or "failed", or "stop"; it prints "." at the end. If
+// the difference is negative, it reads the rows of the Jacobian after the residuals. If bounds is
+// 2, n lower and n upper bounds follow the start.
 constexpr const char* kScript = R"(
 import sys, numpy as np
 from scipy.optimize import least_squares
@@ -71,8 +71,8 @@ SciPy::SciPy() {
     dup2(down[0], STDIN_FILENO);
     dup2(up[1], STDOUT_FILENO);
     for (const int end : {down[0], down[1], up[0], up[1]}) close(end);
-    // Python is started by its path: from a bare name it would look for its library beside another
-    // python3.
+    // Python is started by its full path: started by the bare name, it would look for its library
+    // beside the python3 that the search path finds first.
     execl("/usr/bin/python3", "/usr/bin/python3", "-c", kScript, nullptr);
     _exit(127);
   }

@@ -11,7 +11,8 @@
 namespace latsch::benchmarks {
 namespace {
 
-/// Returns `text` filled with blanks to `width` characters; a character of UTF-8 counts once.
+/// Returns `text` padded with blanks to `width` characters. A UTF-8 character of several bytes
+/// counts once.
 std::string padded(std::string_view text, std::size_t width) {
   const auto characters =
       static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table at the end of every benchmark: processor and kernel set, then what was measured, the
-// value, the requirement, and whether it is met.
+// The table at the end of every benchmark: a line with the processor and the SIMD kernel set, then
+// for each row what was measured, the value, the requirement, and whether it is met.
 //
 //   Table table("ccx", options);
 //   table.row("Fz of the deck", fmt::format("{:.3f} %", 1e2 * error), "<= 0.2 %", error < 2e-3);
@@ -20,22 +20,25 @@ namespace latsch::benchmarks {
 /// Prints each row when it is known, so that an interrupted run shows its progress.
 class Table {
  public:
-  /// Exit code of a smoke run that lacks a program or a file: tests count it as skipped.
+  /// Exit code of a smoke run for which a program or a file is missing: the tests count it as
+  /// skipped.
   static constexpr int kSkipped = 77;
 
   Table(std::string_view name, const Options& options);
 
-  /// A row that every run judges.
+  /// Adds a row that every run judges: the measured quantity, its value, the required range, and
+  /// whether the value is in it.
   void row(std::string_view what, std::string_view value, std::string_view reach, bool ok);
-  /// A row that only the full run judges.
+  /// Adds a row that only the full run judges.
   void full_row(std::string_view what, std::string_view value, std::string_view reach, bool ok);
   /// Adds a figure without requirement.
   void note(std::string_view what, std::string_view value);
-  /// Reports what this machine lacks. A full run fails then, a smoke run counts as skipped.
+  /// Reports a program or file that is missing on this machine. A full run then fails; a smoke run
+  /// counts as skipped.
   void skip(std::string_view what, std::string_view reason);
 
-  /// Prints the closing line. Returns 0 if every judged row is ok and there is a row, kSkipped if a
-  /// smoke run was skipped and no row failed, 1 otherwise.
+  /// Prints the closing line. Returns 0 if the table has rows and every judged row is ok, kSkipped
+  /// if a smoke run was skipped and no row failed, and 1 otherwise.
   int exit_code() const;
 
  private:

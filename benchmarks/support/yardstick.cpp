@@ -16,7 +16,7 @@
 namespace latsch::benchmarks {
 namespace {
 
-/// Receives results, so that the compiler removes nothing.
+/// Receives results of timed loops, so that the compiler does not remove the loops.
 volatile double sink;
 
 double time_of_atan() {

@@ -5,8 +5,8 @@ namespace latsch::benchmarks::LATSCH_KERNELS {
 
 using namespace latsch::LATSCH_KERNELS;
 
-/// Computes `count` times 64 fused multiply-adds in eight chains, which keeps both units of a core
-/// busy.
+/// Computes `count` times 64 fused multiply-adds in eight independent chains, which keeps both
+/// arithmetic units of a core busy.
 double multiply_add(int count, double by) {
   Lanes x[8];
   for (int i = 0; i < 8; ++i) x[i] = 1.0 + i;

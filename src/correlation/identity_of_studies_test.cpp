@@ -161,8 +161,8 @@ TEST_F(IdentityOfStudies, WhatVariesCounts) {
   EXPECT_EQ(differs("study.toml", "upper = \"80 N/mm\"", "upper = \"90 N/mm\""), "");
 }
 
-// A journal by a program version that described tests differently is distinguished from one of
-// another study.
+// Checks that a journal by an older version of the program, which described tests differently, is
+// distinguished from the journal of another study.
 TEST_F(IdentityOfStudies, AnOlderJournalIsRefusedInWordsAndMayBeAdopted) {
   const StudyIdentity now = read();
   StudyIdentity old = now;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each sample of a section states the tables of the section. The tables that every study needs, a
-// model, a variable and an experiment, are added to it unless it has such tables. The model is a
-// stand-in that accepts any numbers and can undergo every test, so no sample depends on a model.
+// Reads samples of all tables that a study may have. A sample states the tables of its section; the
+// tables that every study needs, a model, a variable and an experiment, are added if it lacks them.
+// The model is a stand-in that accepts any numbers and can undergo every test, so no sample depends
+// on a model.
 #include "correlation/study_keys.h"
 
 #include <stdlib.h>
@@ -46,7 +47,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The model of the samples. It accepts any numbers.
+/// The stand-in for the model of the samples. It accepts any numbers.
 class AnyModel : public experiment::SpecimenKind {
  public:
   explicit AnyModel(const Language& language) {
@@ -173,7 +174,7 @@ class SampleFolder {
 
 /// Returns a whole study: the sample, with a model, a variable and an experiment unless it has one.
 std::string whole_study(std::string sample) {
-  const std::string shown = "[model]\nkind = \"rigid_ring\"";  // the stand-in takes its place
+  const std::string shown = "[model]\nkind = \"rigid_ring\"";  // the stand-in replaces this model
   if (const std::size_t at = sample.find(shown); at != sample.npos)
     sample.replace(at, shown.size(), "[model]\nkind = \"any_model\"");
   const auto has = [&](const std::string& text) { return sample.find(text) != sample.npos; };
@@ -183,8 +184,8 @@ std::string whole_study(std::string sample) {
          (has("[variable.") ? "" : kVariable) + (has("[experiment.") ? "" : kExperiment);
 }
 
-/// The language in which samples are written: models and tests of the program, the stand-in, and
-/// the shipped tests that samples of studies use.
+/// Returns the language of the samples: models and tests of the program, the stand-in, and the
+/// shipped tests that the samples use.
 Language with_stand_in(const Language& language, const experiment::SpecimenKind& any) {
   Language all = language;
   all.kinds.push_back(&any);
@@ -193,7 +194,7 @@ Language with_stand_in(const Language& language, const experiment::SpecimenKind&
   return all;
 }
 
-/// Leaves out the names of choices that the program does not have.
+/// Removes choices that the program does not have.
 void leave_out_samples(const Language& all,
                        const Language& language,
                        std::map<std::string, DeclaredKey>& keys) {

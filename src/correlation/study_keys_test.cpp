@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of keys holds every key that a reader of a study requests, with a sentence, and no
-// other key.
+// Tests that the table of keys contains every key that a reader of a study requests, with a
+// description, and no other key.
 #include "correlation/study_keys.h"
 
 #include <gtest/gtest.h>
@@ -75,13 +75,14 @@ bool takes(const experiment::KeyForm& form, double number) {
   return above && number <= form.range.upper;
 }
 
-// A number outside of the range that its reader takes stands for "chosen by the program". The page
-// has to say what is chosen; population had the default 0 and the range 4 to 1000000.
+// A default outside of the range that its reader accepts would mean that the program chooses the
+// value; the page must then say which. Regression test: `population` had the default 0 and the
+// range 4 to 1000000.
 TEST(StudyKeysTest, EveryDefaultIsAValueThatItsReaderTakes) {
   int numbers = 0;
   for (const auto& [section, keys] : shipped().sections()) {
     for (const TabledKey& key : keys) {
-      if (!key.words.otherwise.empty()) continue;  // the page says what is chosen
+      if (!key.words.otherwise.empty()) continue;  // the page says which value the program chooses
       for (const std::string& text : key.defaults) {
         const auto number = number_of(text);
         if (!number) continue;
@@ -100,7 +101,8 @@ TEST(StudyKeysTest, EveryDefaultIsAValueThatItsReaderTakes) {
   EXPECT_EQ(population->words.otherwise, "ten for each variable, at least 20");
 }
 
-// The page once listed max_steps as a key of the study itself, whose reader refuses it there.
+// Regression test: the page listed max_steps as a key of the study itself, where its reader refuses
+// it.
 TEST(StudyKeysTest, AKeyIsListedInTheTableWhereItsReaderTakesIt) {
   EXPECT_FALSE(find(shipped(), "A study", "max_steps"));
   EXPECT_TRUE(find(shipped(), "[optimizer]", "max_steps"));

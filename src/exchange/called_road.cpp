@@ -42,7 +42,7 @@ CalledRoad::Answer CalledRoad::ask(double x, double y, double time, int with_slo
 }
 
 road::GroundPoint CalledRoad::at(double x, double y, double time) const {
-  constexpr double kReach = 1e-3;  // m, half the distance of the points of a difference
+  constexpr double kReach = 1e-3;  // m, half the distance between the two points of a difference
   Answer here = ask(x, y, time, 1);
   if (!here.has_slopes) {
     here.slope_x = (height(x + kReach, y, time) - height(x - kReach, y, time)) / (2.0 * kReach);

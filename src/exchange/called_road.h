@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The road of a program that calls a tire through the Standard Tyre Interface, evaluated by the
-// ROAD function of the caller [argument list: apps/exchange/sti.h]. Slopes that ROAD does not
-// return are differences over 2 mm. The ground does not move.
+// The road of a program that calls a tire through the Standard Tyre Interface. Its height comes
+// from the ROAD function of the caller [argument list: apps/exchange/sti.h]. Slopes that ROAD does
+// not return are differences over 2 mm. The ground does not move.
 #pragma once
 
 #include <string>
@@ -10,10 +10,11 @@
 
 namespace latsch::exchange {
 
-/// The function ROAD. Input: time, x and y, whether slopes are requested, 0 in a run (1 before, 99
-/// after it), numbers of tire and road, the road's parameters and file. Output: kind of road (0
-/// none), height, its first and second derivatives, their number, properties (the first is a factor
-/// on the friction; 0 means unknown, used as 1), an error like IERR.
+/// The function ROAD of the calling program. Input: time; x and y; whether slopes are requested; 0
+/// in a run (1 before it, 99 after it); numbers of tire and road; the road's parameters and file.
+/// Output: kind of road (0: none); height; its first and second derivatives and their number;
+/// properties (the first is a factor on the friction; 0 means unknown and is used as 1); an error
+/// code like IERR.
 using RoadCall = void(const double* time,
                       const double dis[2],
                       const int* iflag,
@@ -36,7 +37,7 @@ using RoadCall = void(const double* time,
 
 class CalledRoad final : public road::Road {
  public:
-  /// All arguments are the addresses that DTYRE received: valid during its call.
+  /// The arguments are the addresses that DTYRE received, so they are valid only during that call.
   CalledRoad(RoadCall* road,
              const int* idtyre,
              const int* idroad,
@@ -52,7 +53,7 @@ class CalledRoad final : public road::Road {
         nchrds_(nchrds),
         chrdst_(chrdst) {}
 
-  /// Throw InputError if ROAD reports that there is no result.
+  /// These functions throw InputError if ROAD reports that it has no result.
   road::GroundPoint at(double x, double y, double time) const override;
   double height(double x, double y, double time) const override {
     return ask(x, y, time, 0).height;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "exchange/tire_unit.h"
 #include "experiment/language/known_limits.h"
 
 namespace latsch::exchange {
@@ -17,9 +18,10 @@ using car::kCorners;
 using Eigen::Vector3d;
 
 constexpr double kFastest = 150.0;                           // m/s
-constexpr double kShortestStep = 1e-6, kLongestStep = 2e-3;  // s, of the car
+constexpr double kShortestStep = 1e-6, kLongestStep = 2e-3;  // s, limits of the car's time step
 
-// Indices in the table, for vectors the first index.
+// Indices of parameters and inputs in the table of variables; for vectors the index of the first
+// component.
 enum Given : std::size_t {
   speed,
   longest,
@@ -209,7 +211,26 @@ void CarUnit::take(const car::Car& car, const car::CarInputs& inputs) {
   assert(next == answers_.data() + answers_.size());
 }
 
-Status CarUnit::start(double /*time*/) {
+void CarUnit::watch(const car::Car& car, double time, double step) {
+  double mass = 0.0;
+  for (const multibody::Body& body : car.mechanism().bodies()) mass += body.mass;
+  constexpr double kGravity = 9.81;  // m/s^2
+  watch_->set_weight(kGravity * mass);
+  for (std::size_t i = 0; i < kGiven; ++i) {
+    const bool is_brake = i >= brake && i < brake + kCorners;
+    if (is_brake)
+      watch_->add_brake((*variables_)[i], given_[i]);
+    else
+      watch_->add((*variables_)[i], given_[i]);
+  }
+  const multibody::Vector6d v = state_->bodies.rates.segment<6>(6 * car.parts().chassis);
+  watch_->add_way(step * v.head<3>().norm());
+  for (const car::WheelState& wheel : state_->wheels)
+    watch_->add_deflection(wheel.tire->free_radius() - loaded_radius(wheel.motion, *road_, time),
+                           wheel.tire->free_radius());
+}
+
+Status CarUnit::start(double time) {
   check_range((*variables_)[speed], given_[speed], 0.0, kFastest);
   check_range((*variables_)[longest], given_[longest], kShortestStep, kLongestStep);
   for (const std::size_t stiffness : {along, lateral, yaw})
@@ -223,8 +244,8 @@ Status CarUnit::start(double /*time*/) {
   }
   const std::lock_guard lock(shared_->turn);
   car::Car& car = *shared_->car;
-  // The equilibrium needs a guide that holds the car; its line and axle are those of the car's
-  // file.
+  // The equilibrium needs the guide, which holds the car on its line, even if the guide has no
+  // stiffness later. The line and the guided axle are those of the car's file.
   const car::Guide holds;
   car.guide.along = holds.along;
   car.guide.lateral = holds.lateral;
@@ -235,14 +256,15 @@ Status CarUnit::start(double /*time*/) {
   if (!settled) return settled.failure();
   state_ = std::move(*settled);
   take(car, now);
+  watch(car, time, 0.0);
   return {};
 }
 
-Status CarUnit::step(double /*time*/, double step) {
+Status CarUnit::step(double time, double step) {
   assert(state_ && step > 0.0);
   const double exact = step / given_[longest];
-  const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));  // 1 ms is five steps of 0.2
-                                                                        // ms despite rounding
+  // 1 ms has five steps of 0.2 ms despite rounding.
+  const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));
   const double h = step / steps;
   const std::lock_guard lock(shared_->turn);
   car::Car& car = *shared_->car;
@@ -257,12 +279,16 @@ Status CarUnit::step(double /*time*/, double step) {
     if (!done) return done.failure();
   }
   take(car, end);
+  watch(car, time + step, h);
   return {};
 }
 
 std::vector<std::string> CarUnit::limits_met() const {
-  std::optional<car::CarState>(state_).reset();  // tires pass their inputs on at their end
-  return experiment::limits_met(*specimen_);
+  // tires pass their inputs on when they are destroyed
+  std::optional<car::CarState>(state_).reset();
+  std::vector<std::string> limits = experiment::limits_met(*specimen_);
+  for (std::string& sentence : watch_->sentences()) limits.push_back(std::move(sentence));
+  return limits;
 }
 
 }  // namespace latsch::exchange

@@ -9,13 +9,14 @@
 // because the rates of both act on the car: a rack that jumps from one communication point to the
 // next would cause an impact on the wheels. t is the time since the communication point.
 //
-// Chassis: inertial axes x, y horizontal, z up, z = 0 on a flat road; its center of mass, [chassis]
-// center, starts at its drawn position.
+// Chassis: the position is that of its center of mass ([chassis] center), which starts at its drawn
+// position, in inertial axes: x and y horizontal, z up, z = 0 on a flat road. Its angles are
 //   axes of the chassis = R_z(yaw) R_y(pitch) R_x(roll)           [ISO 8855:2011]            (2)
 // For a chassis of two halves these are the axes of its front half.
 //
-// If a tire leaves the road of the file, a step is a Failure, unless the parameter `road.continues`
-// lets the road continue as its kind of file does (models/road/road.h, beyond).
+// If a tire leaves the data of a road's file, a step is a Failure, unless the parameter
+// `road.continues` lets the road continue in the way that its kind of file defines
+// (models/road/road.h, beyond).
 //
 // The guide replaces a driver and holds the car on a line (models/car/car.h); without stiffness it
 // has no effect once the car has started.
@@ -26,6 +27,7 @@
 #include <mutex>
 #include <optional>
 
+#include "exchange/car_input_watch.h"
 #include "exchange/unit.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
@@ -34,7 +36,8 @@
 
 namespace latsch::exchange {
 
-/// Angles of (2): roll, pitch, yaw, rad; pitch within a right angle to either side.
+/// Returns roll, pitch and yaw of equation (2) in car_unit.h, rad; the pitch is within +-90
+/// degrees.
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& turn);
 
 class CarUnit final : public ExchangedModel {
@@ -52,27 +55,32 @@ class CarUnit final : public ExchangedModel {
     return std::make_unique<CarUnit>(*this);
   }
 
-  /// There is no state before start().
+  /// Returns the state of the car; nullopt before start().
   const std::optional<car::CarState>& state() const { return state_; }
 
   static constexpr std::size_t kGiven = 26, kAnswers = 15 + 4 * 10;
 
  private:
-  /// One car serves a unit and its copies, one at a time; each of them owns a state.
+  /// The car model that a unit and its copies share. They use it in turn; each has its own state.
   struct Shared {
     std::mutex turn;
     std::unique_ptr<car::Car> car;
   };
   car::CarInputs inputs(const car::Car& car, double since) const;
+  /// Records parameters, inputs and the deflections of the tires.
+  void watch(const car::Car& car, double time, double step);
   void take(const car::Car& car, const car::CarInputs& inputs);
 
   std::shared_ptr<experiment::Specimen> specimen_;
   const experiment::Drives* drives_;
   std::shared_ptr<const road::Road> road_;
   std::shared_ptr<const std::vector<ExchangedVariable>> variables_;
-  std::shared_ptr<Shared> shared_;  // set by the first start()
+  std::shared_ptr<Shared> shared_;  // created by the first start()
   std::optional<car::CarState> state_;
-  std::array<double, kGiven> given_{};      // parameters and inputs, in the table's order
+  /// greatest inputs, also of copies
+  std::shared_ptr<CarInputWatch> watch_ = std::make_shared<CarInputWatch>();
+  /// parameters and inputs in the order of the table of variables
+  std::array<double, kGiven> given_{};
   std::array<double, kAnswers> answers_{};  // outputs
 };
 

@@ -15,13 +15,15 @@ namespace latsch::exchange {
 namespace {
 
 const std::filesystem::path kCars = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/kerb";
-const std::filesystem::path kCar = kCars / "baseline.toml";  // its tires have no longitudinal force
+// the tires of this car have no longitudinal force
+const std::filesystem::path kCar = kCars / "baseline.toml";
 const std::filesystem::path kRingCar = kCars / "ring_rigid.toml";
 constexpr double kMass =
-    220.0 + 4.0 * (8.2 + 4.0 + 0.8 + 1.0 + 0.4 + 0.3 + 0.4);  // kg, from the file
+    // kg, sum of the masses in the car's file
+    220.0 + 4.0 * (8.2 + 4.0 + 0.8 + 1.0 + 0.4 + 0.3 + 0.4);
 constexpr double kGravity = 9.80665, kCommunication = 1e-3;
 
-/// A unit of the car with access to variables by name.
+/// A car unit whose variables are accessible by name.
 class Driven {
  public:
   explicit Driven(const std::filesystem::path& file = kCar,
@@ -67,12 +69,12 @@ class Driven {
 };
 
 TEST(CarUnit, StandsOnItsTiresWithItsWeightAndWhatIsPutOnIt) {
-  // The error of the equilibrium is 1e-5 of the weight at each tire.
+  // The tolerance of the equilibrium is 1e-5 of the weight at each tire.
   Driven car;
   car.start();
   EXPECT_NEAR(car.sum("Fz"), kMass * kGravity, 5e-5 * kMass * kGravity);
-  EXPECT_NEAR(car.get("chassis.z"), 0.28, 0.02);  // drawn position minus the deflection of the
-                                                  // tires
+  // The drawn height minus the deflection of the tires.
+  EXPECT_NEAR(car.get("chassis.z"), 0.28, 0.02);
   EXPECT_NEAR(car.get("chassis.az"), 0.0, 1e-2);
   const double height = car.get("chassis.z");
   car.set("load.Fz", -1000.0);
@@ -95,8 +97,9 @@ TEST(CarUnit, GoesStraightOnAtItsSpeed) {
 }
 
 TEST(CarUnit, TorqueOnTheWheelsAcceleratesTheCarThatIsLetGo) {
-  // Rolling wheels fulfill (m + Σ I/r²) a = Σ T/r, compared with a car that coasts; I is that of
-  // wheel and belt, r the rolling radius. The wheels slip at first, which reduces the speed by 5 %.
+  // Rolling wheels fulfill (m + Σ I/r²) a = Σ T/r, with the acceleration a relative to a car that
+  // coasts, the inertia I of wheel and belt and the rolling radius r. The wheels slip at first,
+  // which reduces the speed by 5 %.
   Driven coasting(kRingCar), driven(kRingCar);
   const double torque = 60.0;
   for (Driven* car : {&coasting, &driven}) {
@@ -145,16 +148,17 @@ TEST(CarUnit, TheGuideGoesWhereTheInputsAre) {
   car.start();
   for (int i = 0; i < 400; ++i) {
     car.set("guide.x", 0.01 * i);
-    car.set("guide.y", 1e-4 * i);  // to the left at 0.1 m/s
+    car.set("guide.y", 1e-4 * i);  // moves the guide to the left at 0.1 m/s
     car.go(1);
   }
   EXPECT_NEAR(car.get("chassis.x") - 0.75, 4.0, 0.05);
-  EXPECT_GT(car.get("chassis.y"), 0.005);  // the car lags, because its tires resist lateral motion
+  // the car lags behind the guide, because its tires resist lateral motion
+  EXPECT_GT(car.get("chassis.y"), 0.005);
 }
 
 TEST(CarUnit, ACommunicationStepIsEqualStepsOfTheCarNoneLongerThanTheLongest) {
-  // Five steps of 0.2 ms in a call of 1 ms or in one call each give the same bits if inputs are
-  // constant. 0.15 ms gives seven steps, which is another sequence.
+  // With constant inputs, five steps of 0.2 ms give the same bits in one call of 1 ms and in five
+  // calls. With a longest step of 0.15 ms there are seven steps, so the result is another one.
   const auto run = [](double communication, int calls, double longest) {
     Driven car;
     car.set("speed", 10.0);
@@ -178,7 +182,7 @@ TEST(CarUnit, ACopyGoesOnToTheSameBitsWhateverTheOtherDoes) {
   auto& other = static_cast<CarUnit&>(*copy);
   EXPECT_TRUE(*other.state() == *car.unit().state());
   car.set("load.Fx", 300.0);
-  for (int i = 0; i < 5; ++i) {  // steps both cars alternately
+  for (int i = 0; i < 5; ++i) {  // advances both cars in turn
     ASSERT_TRUE(other.step(5e-3 + i * kCommunication, kCommunication).ok());
     car.go(1);
   }
@@ -190,8 +194,8 @@ TEST(CarUnit, ACopyGoesOnToTheSameBitsWhateverTheOtherDoes) {
   EXPECT_TRUE(*other.state() == *alone.unit().state());
 }
 
-// A level road of two triangles ends at 5 m: the car leaves it 0.2 s after the start, and is on
-// level ground if the road may continue, as on a road without end.
+// The road's file, two level triangles, ends at 5 m, which the car reaches after 0.2 s. Then a step
+// fails or, if the road may continue, the car drives on as on an endless level road.
 TEST(CarUnit, EndsAtTheEdgeOfItsRoadUnlessThatContinues) {
   const ScratchFolder folder;
   const road::TriangleMesh mesh{{{-3, -2, 0}, {5, -2, 0}, {5, 2, 0}, {-3, 2, 0}},
@@ -249,6 +253,41 @@ TEST(CarUnit, ACarWrittenAsOneFileIsTheSameCar) {
   const Document back = kind.read(folder / "model.toml");
   ASSERT_EQ(back.paths(), numbers.paths());
   for (const std::string& path : numbers.paths()) EXPECT_EQ(back.get(path), numbers.get(path));
+}
+
+TEST(CarUnit, InputsInAnotherUnitAreTold) {
+  const auto told = [](const std::string& name, double value, bool runs = true) {
+    Driven car;
+    car.set("speed", 10.0);
+    car.start();
+    car.set(name, value);
+    if (runs) {
+      const Status done = car.unit().step(0.0, 1e-4);
+      EXPECT_TRUE(done.ok()) << done.failure().reason;
+    }
+    std::string all;
+    for (const std::string& one : car.unit().limits_met()) all += one + "\n";
+    return all;
+  };
+  const auto says = [](const std::string& text, const char* part) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << ": " << text;
+  };
+  EXPECT_EQ(told("rack.travel", 0.001), "");
+  EXPECT_EQ(told("drive.RL", 300.0), "");
+  says(told("drive.RL", 3e5), "drive.RL was 3e+05 N m, beyond the");
+  says(told("load.Fz", -2e6), "load.Fz was -2e+06 N, beyond the");
+  says(told("rack.velocity", 30.0), "rack.velocity was 30 m/s, beyond the 2 m/s");
+  says(told("brake.FL", -50.0),
+       "brake.FL was -50 N m: a largest torque of a brake is not negative");
+  says(told("guide.is_given", 2.0), "guide.is_given was 2: expected 0 or 1");
+  Driven fast;
+  fast.set("speed", 60.0);
+  fast.set("step.longest", 1e-3);
+  fast.start();
+  fast.go(2);
+  std::string all;
+  for (const std::string& one : fast.unit().limits_met()) all += one + "\n";
+  says(all, "a step of the car moved it by 60 mm");
 }
 
 }  // namespace

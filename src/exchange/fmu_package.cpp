@@ -18,7 +18,7 @@ constexpr const char* kNeeds =
     "shared libraries (Debian 12: libstdc++6 libfmt9 libtomlplusplus3 libudunits2-0 libmetis5\n"
     "libopenblas0-serial libmatio11 zlib1g); `ldd` on it says which of them a machine lacks.\n";
 
-/// Throws with the error of libzip; in practice it is out of memory.
+/// Throws with the error of libzip, which in practice means out of memory.
 [[noreturn]] void fail(const char* what) {
   throw std::runtime_error(std::string("the package cannot be made: ") + what);
 }
@@ -33,7 +33,7 @@ class Zip {
     if (!source_) fail(zip_error_strerror(&error));
     zip_ = zip_open_from_source(source_, ZIP_TRUNCATE, &error);
     if (!zip_) fail(zip_error_strerror(&error));
-    zip_source_keep(source_);  // closing the file drops one reference
+    zip_source_keep(source_);  // closing the archive drops one reference
     zip_error_fini(&error);
   }
   ~Zip() {
@@ -43,7 +43,7 @@ class Zip {
   Zip(const Zip&) = delete;
   Zip& operator=(const Zip&) = delete;
 
-  /// The bytes must live until bytes() is called.
+  /// Adds a file; `bytes` must stay valid until bytes() is called.
   void add(const std::string& name, const std::string& bytes) {
     zip_source_t* content = zip_source_buffer(zip_, bytes.data(), bytes.size(), 0);
     if (!content) fail(zip_strerror(zip_));
@@ -72,9 +72,10 @@ class Zip {
   }
 
  private:
-  static constexpr zip_uint32_t kLevel = 3;  // a third of the time of level 9, a few percent larger
-  static constexpr zip_uint16_t kEpoch = (1 << 5) | 1;  // January 1, 1980: the first date of a ZIP
-                                                        // file
+  // takes a third of the time of level 9; the result is a few percent larger
+  static constexpr zip_uint32_t kLevel = 3;
+  // January 1, 1980, the first date that a ZIP file can state.
+  static constexpr zip_uint16_t kEpoch = (1 << 5) | 1;
 
   zip_source_t* source_ = nullptr;
   zip_t* zip_ = nullptr;

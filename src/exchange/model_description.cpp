@@ -13,7 +13,7 @@
 namespace latsch::exchange {
 namespace {
 
-/// A unit as exponents of the base units.
+/// A unit of measurement as exponents of the SI base units.
 struct BaseUnit {
   std::string_view name;
   int kg = 0, m = 0, s = 0, rad = 0;
@@ -31,8 +31,8 @@ constexpr std::array kUnits = {BaseUnit{"N", 1, 1, -2, 0},
                                BaseUnit{"rad/s", 0, 0, -1, 1},
                                BaseUnit{"s", 0, 0, 1, 0}};
 
-/// Returns a text as the value of an attribute in double quotes [XML 1.0, 2.3]; characters that XML
-/// cannot write become blanks.
+/// Returns a text as an XML attribute's value in double quotes [XML 1.0, 2.3]; characters that XML
+/// cannot represent become blanks.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -147,7 +147,8 @@ std::string model_structure(FmiVersion version, const std::vector<ExchangedVaria
   std::string outputs, initial;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     if (variables[i].causality != Causality::output) continue;
-    // FMI 2.0 counts indices in ModelVariables from 1, which is the time.
+    // FMI 2.0 refers to variables by their position in ModelVariables, counted from 1; position 1
+    // is the time.
     const std::string place = two ? attribute("index", std::to_string(i + 2))
                                   : attribute("valueReference", std::to_string(reference_of(i)));
     outputs +=

@@ -7,7 +7,7 @@ namespace latsch::exchange {
 namespace {
 
 TEST(ModelDescription, EscapesWhatXmlTakesForItsOwn) {
-  // An attribute's value never contains < and &, nor the quotes around it [XML 1.0, 2.3].
+  // The value of an attribute must not contain < or &, nor the quotes around it [XML 1.0, 2.3].
   const UnitTitle title{"a <b> & \"c\"\n", "d\t", "{1}", 1e-3};
   for (const FmiVersion version : {FmiVersion::fmi2, FmiVersion::fmi3}) {
     const std::string text = model_description(version, title, {});

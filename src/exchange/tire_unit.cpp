@@ -21,9 +21,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kFastestWheel = 200.0;  // m/s, as in the tests of a tire
+constexpr double kFastestWheel = 200.0;  // m/s, limit that the tests of a tire also have
 
-// Indices in the table at which vectors begin.
+// Indices of parameters and inputs in the table of variables; for vectors the index of the first
+// component.
 enum Given : std::size_t { pressure, is_carried_on, x, yaw = 5, vx = 8, wx = 11, spin = 14 };
 
 std::vector<ExchangedVariable> table(double height) {
@@ -68,7 +69,8 @@ std::vector<ExchangedVariable> table(double height) {
   };
 }
 
-/// Returns a sentence on an unusual pressure, or nothing. Throws InputError if no tire has it.
+/// Returns a sentence if the pressure, Pa, is unusual; else nothing. Throws InputError for a
+/// pressure that no tire has.
 std::string doubt_about_pressure(double pa) {
   const auto* usual = experiment::usual_magnitude("test.pressure", "Pa");
   if (!usual || pa == 0.0) return "";
@@ -84,8 +86,8 @@ std::string doubt_about_pressure(double pa) {
 }  // namespace
 
 double loaded_radius(const WheelMotion& motion, const road::Road& road, double time) {
-  constexpr int kCorrections = 3;  // iterations by which the plane below the found point is
-                                   // determined
+  // Number of iterations to find the road plane below the wheel.
+  constexpr int kCorrections = 3;
   const Vector3d down = -motion.carrier.col(2);
   double radius = 0.0;
   for (int i = 0; i <= kCorrections; ++i) {
@@ -197,7 +199,7 @@ Status TireUnit::step(double time, double step) {
 }
 
 std::vector<std::string> TireUnit::limits_met() const {
-  tire_->clone().reset();  // a tire passes its inputs on at its end
+  tire_->clone().reset();  // tires pass their inputs on when they are destroyed
   std::vector<std::string> limits = experiment::limits_met(*specimen_);
   const Greatest& met = *greatest_;
   if (!met.pressure.empty()) limits.push_back(met.pressure);

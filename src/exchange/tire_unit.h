@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rolling tire of any kind on a road as a co-simulation unit: its input is the wheel's motion,
-// its output the force on the hub.
+// A rolling tire of any kind on a road as a co-simulation unit: its input is the motion of the
+// wheel, its output the force on the hub.
 //
 //   carrier = R_z(yaw) R_x(inclination) R_y(pitch)                                           (1)
 // rotates the axes of the TYDEX C frame into the inertial ones: the first two rotations determine
 // the spin axis, and the angles are regular unless the wheel lies flat.
 //
-// Inputs of a step are those at its beginning, as in FMI, and are extrapolated to its end
+// Inputs of a step are those at its beginning, as in FMI. They are extrapolated to its end
 //   center + h velocity,  exp(h [angular velocity]) carrier,  spin + h spin rate             (2)
-// to which the tire then is moved. So a coupling in which all units step in parallel is of first
-// order in the forces and of second order in the motion. If the parameter `inputs.carried_on` is 0
-// the inputs are the motion at the step's end, for a caller that knows it.
+// and the tire is moved there. So a coupling in which all units step in parallel is of first order
+// in the forces and of second order in the motion. If the parameter `inputs.carried_on` is 0, the
+// inputs are the motion at the step's end, for a caller that knows it.
 //
-// A pressure that no tire has is refused. Values that a test of the same tire refuses or doubts,
-// such as a step that is too long, a speed above 200 m/s or a rim below the road, are computed and
-// told by limits_met(): a co-simulation may pass through them.
+// A pressure that no tire has is refused. Other values that a test of the same tire would refuse or
+// doubt, such as a time step that is too long, a speed above 200 m/s or a rim below the road, are
+// computed, because a co-simulation may pass through them; limits_met() then reports them.
 #pragma once
 
 #include <array>
@@ -28,8 +28,9 @@
 
 namespace latsch::exchange {
 
-/// Distance from the wheel center along the wheel's plane down to the road, m, which is replaced by
-/// the plane below. Infinite if the wheel lies flat on the road.
+/// Returns the distance, m, from the wheel center down to the road in the plane of the wheel. The
+/// road is replaced by the plane that touches it below the wheel. The result is infinite if the
+/// wheel lies flat on the road.
 double loaded_radius(const WheelMotion& motion, const road::Road& road, double time);
 
 /// Evaluates (2).
@@ -37,7 +38,7 @@ WheelMotion carried_on(const WheelMotion& motion, double step);
 
 class TireUnit final : public ExchangedModel {
  public:
-  /// Throws InputError if the specimen does not roll.
+  /// Throws InputError if the specimen is no rolling tire.
   TireUnit(std::shared_ptr<experiment::Specimen> specimen, std::shared_ptr<const road::Road> road);
   TireUnit(const TireUnit& other);
 
@@ -51,14 +52,14 @@ class TireUnit final : public ExchangedModel {
     return std::make_unique<TireUnit>(*this);
   }
 
-  /// Motion according to the inputs.
+  /// Returns the motion of the wheel that the inputs state.
   WheelMotion motion() const;
 
  private:
-  /// The greatest values that the unit and its copies were given.
+  /// The largest values that the unit and its copies have received.
   struct Greatest {
     double speed = 0.0, way = 0.0, deflection = 0.0;  // m/s; m in a step; m
-    std::string pressure = {};                        // sentence on an unusual one
+    std::string pressure = {};  // sentence about an unusual pressure; else empty
   };
 
   void take(const HubForces& hub, const WheelMotion& motion, double time);
@@ -71,9 +72,12 @@ class TireUnit final : public ExchangedModel {
   std::shared_ptr<const std::vector<ExchangedVariable>> variables_;
   std::shared_ptr<Greatest> greatest_ = std::make_shared<Greatest>();
   std::unique_ptr<Tire> tire_;
-  std::array<double, kGiven> given_{};      // parameters and inputs, in the table's order
-  std::array<double, kAnswers> answers_{};  // outputs except those of the footprint
-  mutable std::optional<Footprint> print_;  // computed at the first request
+  /// parameters and inputs in the order of the table of variables
+  std::array<double, kGiven> given_{};
+  /// outputs in the order of the table, except those of the footprint
+  std::array<double, kAnswers> answers_{};
+  /// computed when an output of the footprint is first read
+  mutable std::optional<Footprint> print_;
 };
 
 }  // namespace latsch::exchange

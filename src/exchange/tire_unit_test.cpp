@@ -29,7 +29,7 @@ void set_by_name(ExchangedModel& unit, const std::string& name, double value) {
   FAIL() << name;
 }
 
-/// Rolls 20 ms under some 4 kN.
+/// Rolls the tire for 20 ms under a load of about 4 kN.
 void roll_on(ExchangedModel& unit) {
   constexpr double kSpeed = 10.0, kStep = 1e-3;
   set_by_name(unit, "wheel.z", 0.293);
@@ -42,7 +42,7 @@ void roll_on(ExchangedModel& unit) {
   }
 }
 
-// The logger of a functional mock-up unit gets these sentences when it is terminated.
+// An FMU logs these sentences when it is terminated.
 TEST(TireUnit, TellsTheRangesThatItsTireHasLeft) {
   for (const char* kind : {"magic_formula", "rigid_ring"}) {
     const auto unit = unit_with(kind, "FZMAX = 1000");
@@ -60,7 +60,7 @@ TEST(TireUnit, WithinItsRangesItTellsNothing) {
   EXPECT_TRUE(unit->limits_met().empty());
 }
 
-// The number of 2.4 bar taken as pascals, and 240 bar.
+// The pressures are 2.4 Pa, the number of bars taken as pascals, and 240 bar.
 TEST(TireUnit, RefusesAPressureThatNoTireHas) {
   for (const char* kind : {"magic_formula", "rigid_ring"})
     for (const double pressure : {2.4, 2.4e7}) {
@@ -75,7 +75,7 @@ TEST(TireUnit, RefusesAPressureThatNoTireHas) {
     }
 }
 
-/// Returns all sentences of a unit after one step with these values.
+/// Returns all sentences of limits_met() after one step with these values.
 std::string told_after(double height, double speed, double step) {
   const auto unit = unit_with("magic_formula", "FZMAX = 9000");
   set_by_name(*unit, "wheel.z", height);

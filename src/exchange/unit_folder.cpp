@@ -23,9 +23,10 @@ namespace fs = std::filesystem;
 constexpr const char* kUnit = "unit.toml";
 constexpr const char* kModel = "model";
 constexpr const char* kFlatRoad = "kind = \"flat\"\n";
-constexpr std::size_t kLargestRoad = 256u << 20;  // bytes, as for OpenCRG
+constexpr std::size_t kLargestRoad = 256u << 20;  // bytes; the limit for OpenCRG files as well
 
-/// 64-bit FNV-1a over names and bytes [Fowler, Noll, Vo; IETF draft-eastlake-fnv].
+/// Returns the 64-bit FNV-1a hash of names and contents [Fowler, Noll, Vo; IETF
+/// draft-eastlake-fnv].
 std::uint64_t hash_of(const UnitFiles& files, std::uint64_t hash) {
   const auto add = [&](std::string_view bytes) {
     for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
@@ -50,9 +51,10 @@ std::string hash_in_words(const UnitFiles& files) {
                      b & 0xffffffffffff);
 }
 
-/// Adds the road's file and those it refers to, under their names relative to its folder.
+/// Adds the road's file and the files that it refers to, with names relative to the folder of the
+/// road's file.
 void add_road(UnitFiles& files, const fs::path& road) {
-  formats::read_road_file(road);  // throws InputError here if it is no road
+  formats::read_road_file(road);  // throws InputError if the file is no road
   const fs::path folder = (road.parent_path() / ".").lexically_normal();
   for (const auto& [file, named_in] : formats::references_of_road(road)) {
     const fs::path name = file.lexically_normal().lexically_relative(folder);
@@ -66,7 +68,7 @@ void add_road(UnitFiles& files, const fs::path& road) {
   }
 }
 
-/// A kind of unit: its name, and the capability that its models have.
+/// A kind of unit: its name, and the capability that its models must have.
 struct UnitKind {
   const char* name;
   const char* ability;
@@ -108,7 +110,8 @@ UnitFiles unit_files(const experiment::SpecimenKind& kind,
                      const Document& numbers,
                      const fs::path& road,
                      const std::string& model_text) {
-  unit_of(kind, numbers, road);  // errors are reported for the files as written
+  // throws for a wrong file; the message then refers to the original file
+  unit_of(kind, numbers, road);
   UnitFiles files;
   const std::string model = kModel + fs::path(numbers.file()).extension().string();
   files.emplace_back(model, model_text.empty() ? kind.text(numbers) : model_text);

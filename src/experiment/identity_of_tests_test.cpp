@@ -23,7 +23,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// A sample of a kind of test.
+/// A sample text of a kind of test, which states some of its keys.
 struct TestSample {
   const TestKind* kind;
   std::string keys;
@@ -38,15 +38,15 @@ std::vector<TestSample> test_samples() {
   return samples;
 }
 
-/// Other values for keys that have neither numbers nor choices.
+/// Changed values for keys that have neither numbers nor choices.
 const std::map<std::string, std::string>& other_texts() {
   static const std::map<std::string, std::string> others = {
       {"frame", "[\"H\"]"}, {"measures", "[\"slip\"]"}, {"directions", "[\"vertical\"]"}};
   return others;
 }
 
-/// Returns the content of a file with another number; "" for a file that only refers to the next
-/// one.
+/// Returns the content of a file with one number changed; "" for a file that only refers to the
+/// next one.
 std::string other_content(const SampleFile& file) {
   static const std::map<std::string, std::pair<std::string, std::string>> changes = {
       {"states.csv", {"-4", "-4.1"}},
@@ -69,7 +69,7 @@ class IdentityOfTests : public testing::Test {
   TestSource source(double scale = 1.0, int samples = 12) const {
     return source_of_samples(folder_.path(), scale, samples);
   }
-  /// Returns nothing if the reader refuses the keys.
+  /// Returns the identity of the test with these keys; nothing if the reader refuses them.
   std::optional<std::string> identity(const std::string& keys,
                                       double scale = 1.0,
                                       int samples = 12) const {
@@ -112,7 +112,7 @@ bool is_at_or_below(const std::string& path, const std::string& table) {
   return path == table || path.starts_with(table + ".");
 }
 
-/// Returns the sample with another value at a path.
+/// Returns the sample with a changed value at a path.
 std::string with(const std::vector<Line>& lines,
                  const std::string& path,
                  const std::string& value) {
@@ -122,8 +122,8 @@ std::string with(const std::vector<Line>& lines,
   return text + path + " = " + value + "\n";
 }
 
-/// Returns other values for a key: each of its numbers changed a little and a lot, other choices,
-/// the other flag.
+/// Returns changed values for a key: each of its numbers changed a little and a lot, the other
+/// choices, the other flag.
 std::vector<std::string> others(const std::string& value, const DeclaredKey& key) {
   std::vector<std::string> found;
   if (value == "true" || value == "false") return {value == "true" ? "false" : "true"};
@@ -148,8 +148,8 @@ std::vector<std::string> others(const std::string& value, const DeclaredKey& key
   return found;
 }
 
-// Each key that a reader requests has a sentence and a sample that states it, and each sentence has
-// a key.
+// Each key that a reader requests must have a description and a sample that states it, and each
+// description must have a key.
 TEST_F(IdentityOfTests, EveryKindHasSamplesAndSentencesForEveryKey) {
   for (const TestKind* kind : language().tests)
     EXPECT_TRUE(kind->keys && !kind->keys().samples.empty()) << "no sample of " << kind->name;
@@ -177,7 +177,7 @@ TEST_F(IdentityOfTests, ASentenceOrASampleThatIsMissingIsFound) {
 
 TEST_F(IdentityOfTests, EveryKeyCounts) {
   int changed = 0;
-  std::map<std::string, int> of_key;  // accepted other values of each key
+  std::map<std::string, int> of_key;  // number of accepted changed values for each key
   for (const TestSample& sample : test_samples()) {
     const auto lines = lines_of(sample.keys);
     const auto before = identity(sample.keys);
@@ -185,9 +185,10 @@ TEST_F(IdentityOfTests, EveryKeyCounts) {
     const auto keys = declared(sample.keys);
     for (const Line& line : lines) {
       const auto key = keys.find(line.path);
-      if (key == keys.end() || !key->second.files.empty()) continue;  // another test varies it
+      // the content of the named file is changed in another test
+      if (key == keys.end() || !key->second.files.empty()) continue;
       if (key->second.choices.size() == 1 || line.path == "kind") continue;
-      if (line.path.ends_with(".from")) continue;  // the key is varied in another test
+      if (line.path.ends_with(".from")) continue;  // another test changes this key
       std::vector<std::string> candidates = others(line.value, key->second);
       if (other_texts().contains(line.path)) candidates = {other_texts().at(line.path)};
       int accepted = 0;
@@ -239,8 +240,8 @@ TEST_F(IdentityOfTests, EveryFileCountsByItsContent) {
                 "states.csv", "heights.csv", "surface.crg", "track.rdf", "track.toml"}));
 }
 
-// A condition read from a measurement counts by its numbers: other numbers or another count of
-// numbers change the identity, another name of the measurement does not.
+// The identity contains the numbers of a condition read from a measurement: other numbers or
+// another count of numbers change it, another name of the measurement does not.
 TEST_F(IdentityOfTests, EveryMeasuredConditionCounts) {
   std::map<std::string, int> counted;
   for (const TestSample& sample : test_samples())
@@ -249,14 +250,14 @@ TEST_F(IdentityOfTests, EveryMeasuredConditionCounts) {
       const auto with_from = [&](const std::string& name) {
         return with(lines_of(sample.keys), path, "{from = \"measurement." + name + "\"}");
       };
-      // This is the length of the conditions stated beside it (two samples), or of a signal that is
-      // analyzed.
+      // Number of samples: that of the other stated conditions (two), or enough for a signal that
+      // is analyzed.
       int samples = 12;
       for (const int other : {2, 300})
         if (!identity(with_from("rig"), 1.0, samples)) samples = other;
       const auto before = identity(with_from("rig"), 1.0, samples);
       counted[kind_of(sample) + ": " + path] += before.has_value();
-      if (!before) continue;  // not allowed beside the other keys of this sample
+      if (!before) continue;  // the other keys of this sample exclude the condition
       EXPECT_EQ(identity(with_from("other"), 1.0, samples), before) << path;
       const auto scaled = identity(with_from("rig"), 1.01, samples),
                  longer = identity(with_from("rig"), 1.0, 18);

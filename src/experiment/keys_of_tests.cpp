@@ -13,7 +13,8 @@ const KeySection& roads_keys();
 
 namespace {
 
-/// True for keys of the table that a condition is measured by, {from = "measurement.NAME"}.
+/// True for keys of the table by which a condition is taken from a measurement, {from =
+/// "measurement.NAME"}.
 bool is_below_measured(const std::string& path, const std::map<std::string, DeclaredKey>& keys) {
   const std::size_t dot = path.rfind('.');
   if (dot == path.npos) return false;

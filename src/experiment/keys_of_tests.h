@@ -13,11 +13,12 @@
 
 namespace latsch::experiment {
 
-/// Adds a section, and behind it those of the keys that it shares, unless they are there already.
+/// Adds a section and, after it, those of the keys that it shares, unless they have been added
+/// before.
 void add_section(const KeySection& section, std::vector<const KeySection*>& sections);
 
-/// Returns the sections of the tests of the language that have one, in its order, each once with
-/// the sections of keys that they share.
+/// Returns the sections of the language's tests, in its order: each section once, followed by those
+/// of keys that it shares.
 std::vector<const KeySection*> test_sections(const Language& language);
 
 /// Writes the files that samples of tests name into a folder. Throws InputError if that fails.

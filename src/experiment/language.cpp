@@ -145,8 +145,8 @@ void check_ability(const Language& language, const SpecimenKind& kind, const Tes
 
 namespace {
 
-/// Returns a Failure for the first value that is not a number; `before` samples were recorded in
-/// earlier blocks.
+/// Returns a Failure for the first value that is NaN; `before` samples were recorded in earlier
+/// blocks.
 Status check_numbers(const Channels& channels, std::size_t before = 0) {
   for (const Channel& channel : channels.all())
     for (std::size_t i = 0; i < channel.values.size(); ++i)
@@ -159,7 +159,7 @@ Status check_numbers(const Channels& channels, std::size_t before = 0) {
   return {};
 }
 
-/// Carries a Failure out of a test that passes its channels on block by block.
+/// Thrown to carry a Failure out of a test that passes on its channels block by block.
 struct NotANumber {
   Failure failure;
 };

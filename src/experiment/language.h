@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of all kinds of specimens and tests, from which readers, errors, help and pages get
-// them. They receive it as a value (apps/cli/run_cli.h).
+// The table of all kinds of specimens and tests; readers, error messages, help and pages are made
+// from it. Code receives it as an argument (apps/cli/run_cli.h).
 #pragma once
 
 #include <filesystem>
@@ -26,8 +26,8 @@ struct Language {
   const SpecimenKind* find_kind(const std::string& name) const;
   /// Returns nullptr if no kind of test has the given name.
   const TestKind* find_test(const std::string& name) const;
-  /// Decides by a model's file alone: the `kind` that a TOML file states, else the first kind that
-  /// recognizes the file. Throws InputError.
+  /// Returns the kind of a model's file: the `kind` that a TOML file states, else the first kind
+  /// that recognizes the file. Throws InputError.
   const SpecimenKind& kind_of_file(const std::filesystem::path& file) const;
   /// Reads the test that a file describes, which states its `kind`. Throws InputError naming the
   /// place.
@@ -35,13 +35,12 @@ struct Language {
                                   const MeasuredConditions& measured = nullptr) const;
   /// Reads a test from its keys in any file.
   std::unique_ptr<Test> read_test(const Node& keys, const TestSource& source) const;
-  /// Reads a test with its identity, for callers that keep recordings.
+  /// Reads a test with its identity, for code that stores recordings.
   ReadTest read_identified_test(const std::filesystem::path& file,
                                 const MeasuredConditions& measured = nullptr) const;
   /// Reads a test with its identity from its keys in any file.
   ReadTest read_identified_test(const Node& keys, const TestSource& source) const;
-  /// Returns the kinds of specimens that have at least one of these capabilities, as tests need
-  /// them: "ring_tire", ...
+  /// Returns the kinds of specimens that have at least one of these capabilities: "ring_tire", ...
   std::vector<std::string> kinds_for(const std::vector<std::string>& needs) const;
   /// Runs a test with the specimen that these numbers make. Throws InputError if they make none or
   /// the kind cannot run the test.

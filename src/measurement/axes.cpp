@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sign factors of Fx, Fy, Fz and of Mx, My, Mz.
+/// Returns the sign factors that convert Fx, Fy, Fz and Mx, My, Mz to iso.
 Wrench signs(AxisConvention from) {
   const auto sign = [&](ChannelSense sense) { return sign_to_iso(sense, from); };
   return {{sign(ChannelSense::along_x), sign(ChannelSense::along_y), sign(ChannelSense::load)},
@@ -65,7 +65,8 @@ WheelSlip to_iso(const WheelSlip& slip, AxisConvention from) {
 
 Wrench in_frame(
     const Wrench& wrench, AxisFrame from, AxisFrame to, double gamma, double loaded_radius) {
-  const Eigen::AngleAxisd lean(gamma, Vector3d::UnitX());  // rotates the axes of C into those of H
+  // rotates the axes of frame C into those of frame H
+  const Eigen::AngleAxisd lean(gamma, Vector3d::UnitX());
   const Vector3d to_contact = lean * Vector3d(0.0, 0.0, -loaded_radius);
   Wrench in_H = wrench;
   if (from == AxisFrame::C) {

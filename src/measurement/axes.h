@@ -52,12 +52,12 @@ namespace latsch {
 enum class AxisConvention { iso, adapted_sae, sae };
 enum class AxisFrame { W, H, C };
 
-/// Names for users: "iso", "adapted_sae", "sae".
+/// Returns the names by which users choose a convention: "iso", "adapted_sae", "sae".
 const std::vector<std::string>& axis_convention_names();
 /// Throws InputError for any other name.
 AxisConvention axis_convention_of(std::string_view name);
 
-/// Names for users: "W", "H", "C".
+/// Returns the names by which users choose a frame: "W", "H", "C".
 const std::vector<std::string>& axis_frame_names();
 std::string name_of(AxisFrame frame);
 /// Returns the frame with one of these names.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signs are checked against one wheel that is described by its motion and by arrows in space.
+// Checks the signs with a wheel whose motion and forces are given as vectors in space.
 #include "measurement/axes.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Space has the axes forward, left and up here; the rows are the axes of the convention.
+// Returns the axes of a convention as rows. Vectors in space have the components forward, left and
+// up.
 Eigen::Matrix3d axes_of(AxisConvention convention) {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   if (convention != AxisConvention::iso) axes.diagonal() = Vector3d(1, -1, -1);
@@ -25,7 +26,7 @@ constexpr AxisConvention kAll[] = {
     AxisConvention::iso, AxisConvention::adapted_sae, AxisConvention::sae};
 
 TEST(Axes, ForcesAndMomentsAreTheComponentsOfOneArrowInSpace) {
-  const Vector3d force(1, 2, 3), moment(4, 5, 6);  // forward, left, up
+  const Vector3d force(1, 2, 3), moment(4, 5, 6);  // components forward, left, up
   for (const AxisConvention convention : kAll) {
     Wrench written{axes_of(convention) * force, axes_of(convention) * moment};
     // Adapted SAE keeps the load positive.
@@ -36,14 +37,15 @@ TEST(Axes, ForcesAndMomentsAreTheComponentsOfOneArrowInSpace) {
 }
 
 TEST(Axes, AngleOfAWheelThatDriftsToTheLeftFollowsFromItsDefinition) {
-  const Vector3d velocity(20, 1.5, 0);  // forward, left, up
+  const Vector3d velocity(20, 1.5, 0);  // components forward, left, up
   const double iso = std::atan(1.5 / 20);
   for (const AxisConvention convention : kAll) {
     const Vector3d v = axes_of(convention) * velocity;
     const double sign = convention == AxisConvention::adapted_sae ? -1.0 : 1.0;
     const WheelSlip written{std::atan(sign * v.y() / std::abs(v.x())), 0.02, -0.1};
     EXPECT_EQ(to_iso(written, convention), (WheelSlip{iso, 0.02, -0.1}));
-    // The ground pushes back to the right, the sign that the convention couples with α > 0.
+    // The ground pushes to the right. In each convention this is the sign of the side force that
+    // belongs to alpha > 0.
     const Vector3d push = axes_of(convention) * Vector3d(0, -1, 0);
     const bool positive_pair = (written.alpha > 0) == (push.y() > 0);
     EXPECT_EQ(positive_pair, convention == AxisConvention::adapted_sae);
@@ -52,11 +54,12 @@ TEST(Axes, AngleOfAWheelThatDriftsToTheLeftFollowsFromItsDefinition) {
 
 TEST(Axes, CamberIsARightHandedTurnAboutForwardInAll) {
   for (const AxisConvention convention : kAll) {
-    // Top of a wheel turned by γ > 0 about the x axis of the convention, in the axes of space.
+    // Position of the top of a wheel that is rotated by gamma > 0 about the x axis of the
+    // convention, in components forward, left and up.
     const Vector3d top =
         axes_of(convention).transpose() *
         (Eigen::AngleAxisd(0.1, Vector3d::UnitX()) * (axes_of(convention) * Vector3d(0, 0, 1)));
-    EXPECT_LT(top.y(), 0.0);  // to the right
+    EXPECT_LT(top.y(), 0.0);  // the top leans to the right
     EXPECT_EQ(to_iso(WheelSlip{0, 0.1, 0}, convention).gamma, 0.1);
   }
 }
@@ -72,7 +75,7 @@ TEST(Axes, FramesHaveTheSameForceAndMomentsAboutTheirOrigins) {
               1e-12 * 4000);
   EXPECT_NEAR(in_H.moment.y(), -20 - radius * std::cos(gamma) * 100, 1e-12 * 4000);
   const Wrench in_C = in_frame(in_W, AxisFrame::W, AxisFrame::C, gamma, radius);
-  // The y axis of C is the spin axis: it points up by γ on the left.
+  // The y axis of frame C is the spin axis; its left end is raised by the angle gamma.
   EXPECT_NEAR(in_C.force.y(), std::cos(gamma) * -2000 + std::sin(gamma) * 4000, 1e-12 * 4000);
   for (const AxisFrame to : {AxisFrame::W, AxisFrame::H, AxisFrame::C}) {
     const Wrench back =

@@ -19,10 +19,11 @@ std::vector<FrequencyBand> third_octave_bands(FrequencyBand range);
 /// Returns the mean square in the band: each line counts in proportion to the part of its bin
 /// inside the band.
 double band_power(const numerics::Density& density, FrequencyBand band);
-/// Level in dB re `reference`; -infinity if there is no power.
+/// Returns the level in dB relative to `reference`; -infinity if there is no power.
 double band_level(const numerics::Density& density, FrequencyBand band, double reference = 1.0);
 
-/// Distance in dB over the lines in the band at which both densities are positive.
+/// Returns the log-spectral distance in dB over those lines in the band at which both densities are
+/// positive.
 double log_spectral_distance(const numerics::Density& a,
                              const numerics::Density& b,
                              FrequencyBand band);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bootstrap: measures how much a result depends on which hits happened to be measured, by computing
-// it repeatedly from as many hits drawn with replacement [Efron 1979].
+// Bootstrap: measures how much a result depends on chance in the set of measured hammer hits, by
+// computing it repeatedly from as many hits drawn with replacement [Efron 1979].
 #pragma once
 
 #include <cstdint>

@@ -14,7 +14,7 @@ namespace latsch {
 namespace {
 
 constexpr std::size_t kFewestSamples = 16;
-constexpr double kUniform = 0.1;  // tolerance of a step, as a share of it
+constexpr double kUniform = 0.1;  // tolerance of the time step as a share of it
 
 [[noreturn]] void reject(const std::string& source, const std::string& message) {
   throw InputError({source, 0}, message);
@@ -52,7 +52,7 @@ void expect_rising(const std::vector<double>& time, const std::string& source) {
 }
 
 void expect_no_gap(const std::vector<double>& time, const std::string& source) {
-  // The median step is that of the recorder even if samples are missing.
+  // The median of the time steps is the recorder's step even if samples are missing.
   std::vector<double> steps(time.size() - 1);
   for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = time[i + 1] - time[i];
   std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
@@ -124,8 +124,8 @@ DrumRecord drum_record(Channels channels, const std::string& time_channel, std::
   for (const Channel& channel : channels.all()) check_values(channel, t.size(), source);
   const double step = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
   expect_rising(t, source);
-  expect_no_gap(t, source);  // checked first, because after a gap every earlier sample would seem
-                             // late
+  // This is checked first, because after a gap every later sample would seem to be late.
+  expect_no_gap(t, source);
   expect_uniform(t, step, source);
   DrumRecord record;
   record.source = std::move(source);

@@ -21,17 +21,17 @@ struct DrumRecord {
   std::span<const double> channel(const std::string& name) const;
 };
 
-/// Checks a recording and computes the rate from its time channel. Throws InputError naming the
-/// source, the channel, the sample and its time: if a channel is missing, of another length or not
-/// finite, if there are fewer than 16 samples, or if the time does not rise, misses samples or is
-/// not uniform to a tenth of a step.
+/// Checks a recording and computes the sampling rate from its time channel. Throws InputError that
+/// names the source, the channel, the sample and its time: if a channel is missing, of another
+/// length or not finite, if there are fewer than 16 samples, or if the time does not rise, misses
+/// samples or has steps that differ by more than a tenth.
 DrumRecord drum_record(Channels channels, const std::string& time_channel, std::string source);
 
 /// Throws InputError if the channel is missing or has a unit of another quantity. A plain number is
 /// assumed to be in `unit`.
 void expect_quantity(const DrumRecord& record, const std::string& channel, const std::string& unit);
 
-/// Throws InputError if a channel is constant: its sensor was not connected.
+/// Throws InputError if a channel is constant, because its sensor was then probably not connected.
 void expect_varying(const DrumRecord& record, const std::string& channel);
 
 }  // namespace latsch

@@ -15,7 +15,7 @@
 namespace latsch {
 namespace {
 
-/// Spectrum of the window after subtracting the level in front of the hit, where there is no
+/// Returns the spectrum of a window, relative to the mean level before the hit, where there is no
 /// response yet.
 numerics::Spectrum spectrum(std::span<const double> x, int first, int length, int before) {
   std::vector<double> window(x.begin() + first, x.begin() + first + length);
@@ -38,8 +38,8 @@ std::vector<int> find_hits(std::span<const double> hammer,
   if (hardest == 0.0) throw InputError("the hammer's channel is constant: no hit is in it");
   const int before = numerics::sample_count(settings.before, rate),
             length = numerics::sample_count(settings.window, rate);
-  const int contact = std::max(1, before);  // samples after which a value above the threshold is
-                                            // another hit
+  // Number of samples after which a value above the threshold is another hit.
+  const int contact = std::max(1, before);
   std::vector<int> all;
   for (int i = 0, last = -length; i < static_cast<int>(hammer.size()); ++i) {
     if (std::abs(hammer[i] - level) < settings.threshold * hardest) continue;

@@ -15,20 +15,20 @@
 namespace latsch {
 
 struct HammerSettings {
-  double threshold = 0.2;  // share of the hardest hit
-  double before = 0.02;    // s in front of a hit that its window includes
+  double threshold = 0.2;  // share of the largest hit
+  double before = 0.02;    // s; part of the window before the hit
   double window = 1.0;     // s; long enough for the rig to come to rest
 };
 
-/// Returns the first samples of the hits' windows. A second hit within a window spoils it, and the
-/// window is left out. Throws InputError if there is no hit or every window is spoiled or cut off.
+/// Returns the first sample of the window of each hit. A window with a second hit in it is left
+/// out. Throws InputError if there is no hit or if every window has a second hit or is cut off.
 std::vector<int> find_hits(std::span<const double> hammer,
                            double rate,
                            const HammerSettings& settings);
 
 enum class Estimator { h1, h2 };
 
-/// Returns the response averaged over the chosen hits, which may be repeated.
+/// Returns the frequency response averaged over the chosen hits; a hit may be chosen several times.
 MeasuredResponse hammer_response(std::span<const double> hammer,
                                  std::span<const double> force,
                                  double rate,

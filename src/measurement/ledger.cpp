@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kDigits = 6;
 
-/// Returns a count with names: "2 not used (`NFX`, `TSTC`)".
+/// Returns the number of rows in a state with their names: "2 not used (`NFX`, `TSTC`)".
 std::string counted(const Ledger& ledger, LedgerState state, const char* words) {
   constexpr std::size_t kMostNames = 8;
   std::vector<std::string> names;
@@ -30,7 +30,7 @@ std::string counted(const Ledger& ledger, LedgerState state, const char* words) 
   return fmt::format(", {} {} ({})", count, words, fmt::join(names, ", "));
 }
 
-/// Tables have columns; files of keys have keys.
+/// Returns the word for a row of the file's ledger: "key" for a file of keys, "column" for a table.
 std::string word_for_rows(const std::string& file) {
   for (const char* ending : {".toml", ".tir", ".TIR"})
     if (file.ends_with(ending)) return "key";
@@ -39,7 +39,8 @@ std::string word_for_rows(const std::string& file) {
   return "column";
 }
 
-/// True if the ledger's only row is the file itself, as of a script or an input of a program.
+/// True if the only row of the ledger is the file itself, as for a script or an input file of a
+/// program.
 bool is_taken_whole(const Ledger& ledger) {
   const std::string name = ledger.file.substr(ledger.file.find_last_of('/') + 1);
   return ledger.rows.size() == 1 && !name.empty() && ledger.rows.front().written == name &&

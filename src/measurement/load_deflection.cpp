@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
@@ -12,25 +13,6 @@ namespace {
 
 std::string name(Abscissa abscissa) {
   return abscissa == Abscissa::deflection ? "deflection" : "loaded_radius";
-}
-
-/// Returns the way out of rows that are no points of a curve.
-std::string way_out(const std::string& key, const std::string& statement) {
-  return fmt::format(
-      "; {} = {{{}}} in a [measurement.NAME] of the file keeps the others", key, statement);
-}
-
-/// Returns the window of the positions above 0, for `select`; empty if there is none.
-std::string above_zero(const LoadDeflectionCurve& curve) {
-  double least = 0.0;
-  for (const double position : curve.position)
-    if (position > 0.0 && (least == 0.0 || position < least)) least = position;
-  constexpr double kPerMm = 1e-3;
-  return least == 0.0 ? ""
-                      : way_out("select",
-                                fmt::format("{} = \"{} mm ..\"",
-                                            name(curve.abscissa),
-                                            format_number(0.5 * least / kPerMm, 3)));
 }
 
 /// Returns "" if the value is finite and positive (or zero, if `zero_allowed`), else the fault.
@@ -54,7 +36,7 @@ std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve) {
          {fault_of(position, curve.position[i], "m", false),
           fault_of("force", curve.force[i], "N", false),
           curve.spread.empty() ? "" : fault_of("spread", curve.spread[i], "N", true)})
-      if (!fault.empty()) return MeasurementFault{point, fault + above_zero(curve)};
+      if (!fault.empty()) return MeasurementFault{point, fault};
     if (i == 0) continue;
     const bool rising = curve.position[1] > curve.position[0];
     if (rising ? curve.position[i] <= curve.position[i - 1]
@@ -62,10 +44,30 @@ std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve) {
       return MeasurementFault{point,
                               position + " is " + format_number(curve.position[i]) + " m after " +
                                   format_number(curve.position[i - 1]) +
-                                  " m, expected values that all rise or all fall" +
-                                  way_out("sweep", position + " = \"rising\"")};
+                                  " m, expected values that all rise or all fall"};
   }
   return std::nullopt;
+}
+
+std::string way_out_of(const LoadDeflectionCurve& curve, const MeasurementFault& fault) {
+  const auto point = static_cast<std::size_t>(std::max(fault.point, 0));
+  if (fault.point < 0 || point >= curve.position.size() || point >= curve.force.size()) return "";
+  const auto keep = [&](const char* key, const std::string& statement) {
+    return fmt::format(
+        "; {} = {{{} = \"{}\"}} in a [measurement.NAME] of the file keeps the others",
+        key,
+        name(curve.abscissa),
+        statement);
+  };
+  constexpr double kPerMm = 1e-3;
+  double least = 0.0;
+  for (const double position : curve.position)
+    if (position > 0.0 && (least == 0.0 || position < least)) least = position;
+  if (curve.position[point] <= 0.0)
+    return least == 0.0 ? "" : keep("select", format_number(0.5 * least / kPerMm, 3) + " mm ..");
+  const bool is_point = std::isfinite(curve.position[point]) && curve.force[point] > 0.0;
+  const bool has_spread = point < curve.spread.size() && !(curve.spread[point] >= 0.0);
+  return is_point && !has_spread ? keep("sweep", "rising") : "";
 }
 
 }  // namespace latsch

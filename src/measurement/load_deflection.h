@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A measured load-deflection curve: vertical force over the lowering of the wheel center, or over
-// its height above the ground. The pressure and the ground belong to the load case, not to the
-// curve.
+// A measured load-deflection curve: vertical force over the displacement of the wheel center toward
+// the ground, or over its height above the ground. The pressure and the ground belong to the load
+// case, not to the curve.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "measurement/measurement_fault.h"
@@ -12,7 +13,7 @@
 namespace latsch {
 
 enum class Abscissa {
-  deflection,     // 0 at first touch
+  deflection,     // 0 at first contact
   loaded_radius,  // wheel center to ground
 };
 
@@ -29,5 +30,9 @@ struct LoadDeflectionCurve {
 /// positions or forces that are not positive (errors are relative to the force), a negative spread,
 /// or positions that neither all rise nor all fall.
 std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve);
+
+/// Returns the statement of a study that leaves the faulty rows out, to follow the fault: a window
+/// above 0 for a first row without deflection, one direction for a loop; empty for other faults.
+std::string way_out_of(const LoadDeflectionCurve& curve, const MeasurementFault& fault);
 
 }  // namespace latsch

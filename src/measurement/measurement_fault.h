@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Says why a measurement is useless and at which of its points; the reader of a file adds the line.
+// The reason why a measurement cannot be used, and the point that causes it; the reader of the file
+// adds the line.
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 namespace latsch {
 
 struct MeasurementFault {
-  int point = -1;       // -1: the measurement as a whole
+  int point = -1;       // index of the point; -1: the measurement as a whole
   std::string message;  // "force is -3, expected more than 0 N"
 };
 

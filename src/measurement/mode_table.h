@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured vibration modes: frequencies and what else the laboratory knows about them.
+// Measured vibration modes: frequencies, and the labels and shapes that the laboratory determined.
 #pragma once
 
 #include <array>

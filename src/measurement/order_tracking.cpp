@@ -19,8 +19,8 @@ std::vector<double> over_revolutions(std::span<const double> x,
   double turned = 0.0, next = 0.0;  // revolutions
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
     assert(speed[i] > 0.0);
-    const double more = 0.5 * (speed[i] + speed[i + 1]) / (rate * circumference);  // trapezoidal
-                                                                                   // rule
+    // trapezoidal rule
+    const double more = 0.5 * (speed[i] + speed[i + 1]) / (rate * circumference);
     for (; next < turned + more; next = static_cast<double>(places.size()) * step) {
       places.push_back(static_cast<double>(i) + (next - turned) / more);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Resamples a signal over the angle of the drum instead of time: events that turn with the drum
+// Resamples a signal over the angle of the drum instead of time. Events that are fixed to the drum
 // then have a constant order (events per revolution) even if the speed drifts.
 //
 //   revolutions(t) = 1/U integral v dt,  U the circumference; sampled at equal steps of revolution

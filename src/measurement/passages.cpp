@@ -14,10 +14,10 @@
 namespace latsch {
 namespace {
 
-constexpr double kLeastStrength = 0.25;  // least autocorrelation of a period's peak; noise alone
-                                         // reaches 4 / sqrt(samples)
-constexpr double kComb = 0.8;  // share of the highest peak that all earlier peaks of the comb must
-                               // reach
+// Least autocorrelation at a period; noise alone reaches 4 / sqrt(samples).
+constexpr double kLeastStrength = 0.25;
+// Share of the highest peak that all earlier peaks of a comb of equidistant peaks must reach.
+constexpr double kComb = 0.8;
 
 double mean(std::span<const double> x) {
   return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
@@ -29,7 +29,8 @@ std::vector<double> without_mean(std::vector<double> x) {
   return x;
 }
 
-/// Autocorrelation R per overlapping sample over R(0).
+/// Returns the autocorrelation R for each lag, divided by the number of overlapping samples and by
+/// R(0).
 std::vector<double> strengths(const std::vector<double>& x, int lags) {
   std::vector<double> r = numerics::autocorrelation(x, lags);
   const double n = static_cast<double>(x.size()), whole = r[0] / n;
@@ -37,7 +38,7 @@ std::vector<double> strengths(const std::vector<double>& x, int lags) {
   return r;
 }
 
-/// Returns the highest value within a hundredth of the lag (and two samples).
+/// Returns the highest value within a hundredth of the lag (plus two samples).
 double peak_near(const std::vector<double>& r, double lag) {
   const int reach = 2 + static_cast<int>(lag / 100.0);
   const int lower = std::max(0, static_cast<int>(lag) - reach);
@@ -45,8 +46,9 @@ double peak_near(const std::vector<double>& r, double lag) {
   return *std::max_element(r.begin() + lower, r.begin() + upper + 1);
 }
 
-/// Returns the greatest number of equal parts of a lag whose ends are all high: the autocorrelation
-/// of a ringing resonance is high after one of its own periods too, but not after all of them.
+/// Returns the largest number of equal parts into which a lag can be divided so that the
+/// autocorrelation is high at the end of every part. A ringing resonance also has a high
+/// autocorrelation after one of its own periods, but not after all of them.
 int parts_of(const std::vector<double>& r, int lag, double shortest) {
   const int most = static_cast<int>(lag / shortest);
   for (int parts = most; parts >= 2; --parts) {
@@ -59,7 +61,8 @@ int parts_of(const std::vector<double>& r, int lag, double shortest) {
   return 1;
 }
 
-/// Returns the position in the folded signal that is farthest from the signal's mean.
+/// Returns the position within a period at which the average over all periods is farthest from its
+/// mean.
 int place_of_hit(std::span<const double> x, double period) {
   const int length = static_cast<int>(period);
   std::vector<double> folded(length, 0.0);
@@ -73,8 +76,8 @@ int place_of_hit(std::span<const double> x, double period) {
   return static_cast<int>(hit - folded.begin());
 }
 
-/// Moves a start to the position at which the passage is most like the reference. A second
-/// alignment from that position includes what the first window cut off at its ends.
+/// Shifts the start of a passage to the time at which the passage is most similar to the reference.
+/// A second alignment from there includes samples that the first window cut off at its ends.
 numerics::Delay align(std::span<const double> x,
                       const std::vector<double>& reference,
                       double& start,
@@ -91,7 +94,8 @@ numerics::Delay align(std::span<const double> x,
   return delay;
 }
 
-/// Returns the signal below `align_below`; the signal itself if that frequency is no limit.
+/// Returns the signal low-passed at `align_below`; the signal itself if that frequency is too high
+/// to matter.
 std::vector<double> what_is_aligned(std::span<const double> x,
                                     double rate,
                                     const PassageSettings& settings) {
@@ -107,7 +111,7 @@ std::vector<double> what_is_aligned(std::span<const double> x,
   return {x.begin(), x.end()};
 }
 
-/// Aligns all passages of x once; `first` is the start of the first passage.
+/// Aligns all passages of x once with the reference; `first` is the start of the first passage.
 Passages aligned(std::span<const double> x,
                  const std::vector<double>& reference,
                  double first,

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The passages of a cleat on a plateau: their period, their starts, their average.
+// The passages of a cleat while the drum runs at constant speed: their period, their starts, their
+// average.
 //
 //   R(tau) = integral x(t) x(t + tau) dt      its first peak is the period          [thesis K, 2.2]
 //
-// Each passage is cut one period after the one before, moved to the maximum of its
-// cross-correlation with the first passage to a fraction of a sample, and evaluated there by
-// band-limited interpolation. Whole samples would leave a jitter of up to half a sample, which
-// smooths the average like a low-pass: 1 - (pi f / rate)^2 / 6 in amplitude.
+// Each passage is cut one period after the one before, shifted by a fraction of a sample to the
+// maximum of its cross-correlation with the first passage, and evaluated there by band-limited
+// interpolation. Shifts by whole samples would leave a jitter of up to half a sample, which smooths
+// the average like a low-pass filter: 1 - (pi f / rate)^2 / 6 in amplitude.
 //
-// A passage is as long as the period (in whole samples) and has the hit at a set share of its
-// length. The drum is quiet between hits, so the ends of a passage join and it can be regarded as
-// periodic.
+// A passage is as long as the period (in whole samples) and has the hit at a given share of its
+// length. Between hits the force is nearly constant, so the ends of a passage join and it can be
+// regarded as periodic.
 #pragma once
 
 #include <optional>
@@ -21,8 +22,9 @@ namespace latsch {
 
 struct Period {
   double samples = 0.0;
-  double strength = 0.0;  // R at the period, per overlapping sample, over R(0): 1 for a periodic
-                          // signal
+  /// R at the period, divided by the number of overlapping samples and by R(0): 1 for a periodic
+  /// signal.
+  double strength = 0.0;
 };
 
 /// Returns the period of x between `shortest` and `longest` samples, the first of several peaks of
@@ -31,28 +33,29 @@ struct Period {
 std::optional<Period> find_period(std::span<const double> x, double shortest, double longest);
 
 struct PassageSettings {
-  double hit_at = 0.25;           // share of a passage
-  double align_below = 250.0;     // Hz; passages are low-passed (without delay) for the alignment
-                                  // only. Above the tire's own response, noise correlated with
-                                  // noise would move the maximum. 0: no low-pass
-  double most_shift = 0.1;        // share of a period, relative to one period after the passage
-                                  // before
-  double least_likeness = 0.5;    // least normalized cross-correlation; passages below it are left
-                                  // out
-  bool align_to_average = false;  // true: aligns again, to the average of the passages aligned to
-                                  // the first
-  bool whole_samples = false;     // true: aligns to whole samples as the thesis did, for comparison
+  double hit_at = 0.25;  // share of a passage
+  /// Frequency, Hz: passages are low-pass filtered (without delay) for the alignment only. Above
+  /// the frequencies of the tire's response, correlated noise would shift the maximum. 0: no
+  /// filter.
+  double align_below = 250.0;
+  /// Share of a period; largest shift relative to one period after the passage before.
+  double most_shift = 0.1;
+  /// Least normalized cross-correlation with the reference; passages below it are left out.
+  double least_likeness = 0.5;
+  /// True: aligns again, with the average of the passages that were aligned with the first one.
+  bool align_to_average = false;
+  bool whole_samples = false;  // true: shifts by whole samples as in the thesis, for comparison
 };
 
 struct Passages {
   double period = 0.0;           // samples
   int length = 0;                // samples of a passage
   std::vector<double> starts;    // samples from the beginning of the signal that was searched
-  std::vector<double> likeness;  // likeness of each passage to the reference
+  std::vector<double> likeness;  // normalized cross-correlation of each passage with the reference
   int left_out = 0;
 };
 
-/// Returns no passages if not even two are alike.
+/// Returns no passages if fewer than two are similar.
 Passages find_passages(std::span<const double> x,
                        double rate,
                        double period,
@@ -68,8 +71,8 @@ struct PassageAverage {
   std::vector<double> spread;  // standard deviation over the passages
 };
 
-/// Share of the power that every passage repeats, |mean of the spectra|^2 / mean |spectrum|^2 of
-/// the passages without their means; 1/passages for noise alone.
+/// Share of the power that repeats in every passage, |mean of the spectra|^2 / mean |spectrum|^2,
+/// for passages without their means; 1/(number of passages) for noise alone.
 struct Coherence {
   std::vector<double> frequency;  // Hz
   std::vector<double> value;

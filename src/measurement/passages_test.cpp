@@ -49,8 +49,8 @@ void expect_says(const std::string& message, const std::string& part) {
   EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
-/// Starts of the passages relative to the nearest hits, in samples: equal for all passages except
-/// for scatter.
+/// Returns the starts of the passages relative to the nearest true hits, in samples: they are equal
+/// for all passages except for scatter.
 std::vector<double> offsets(const Plateau& plateau, const Passages& passages) {
   const auto hits = synthetic_hits(rig(), run());
   std::vector<double> offsets;
@@ -99,10 +99,11 @@ TEST(Period, IsTheDrumsAndNotAResonances) {
   const auto plateau = find_plateaus(r, "speed", {40 * kKph}, {})[0];
   const auto Fz = r.channel("Fz").subspan(plateau.first, plateau.samples());
   const double exact = rig().circumference / plateau.mean * rig().rate;  // 1080 samples
-  // The drum is not known here: resonances peak at 14 to 44 samples, and the comb has many peaks.
+  // The circumference of the drum is not used here. Resonances give peaks at lags of 14 to 44
+  // samples, and the period and its multiples form a comb of peaks.
   const auto period = find_period(Fz, 10.0, Fz.size() / 2.0);
   ASSERT_TRUE(period);
-  EXPECT_NEAR(period->samples, exact, 5e-4 * exact);  // the drift is 2e-3 over the plateau
+  EXPECT_NEAR(period->samples, exact, 5e-4 * exact);  // the speed drifts by 2e-3 during the plateau
   EXPECT_GT(period->strength, 0.8);
 }
 
@@ -114,9 +115,10 @@ TEST(Period, OfNoiseIsNone) {
   EXPECT_FALSE(find_period(std::vector<double>(1000, 3.0), 10.0, 400.0));
 }
 
-// The speed drifts and a period is no whole number of samples. Relative to the known hits the
-// starts scatter by what the noise leaves undetermined: sigma_t = noise / |dF/dt| over a passage, a
-// few hundredths of a sample here; whole samples scatter by 1/sqrt(12) = 0.29 and more.
+// The speed drifts, and a period is no whole number of samples. Relative to the true hits the
+// starts scatter as far as the noise makes them uncertain: sigma_t = noise / |dF/dt| over a
+// passage, a few hundredths of a sample here; with whole samples the scatter is 1/sqrt(12) = 0.29
+// and more.
 TEST(Passages, StartWithTheHitsToAFractionOfASample) {
   for (const double noise : {0.0, 15.0}) {
     const DrumRecord r = record(noise);
@@ -154,7 +156,8 @@ TEST(Passages, AverageDownTheNoiseWithTheRootOfTheirNumber) {
   // Interpolation passes nearly all of the noise below half the rate.
   EXPECT_NEAR(std::sqrt(sum / length), 40.0 / std::sqrt(count), 0.1 * 40.0 / std::sqrt(count));
   EXPECT_NEAR(std::sqrt(spread / length), 40.0, 3.0);
-  // The coherence is 1 where the tire responds, 1/count where there is noise alone.
+  // The coherence is 1 at frequencies of the tire's response and 1/count at frequencies with noise
+  // alone.
   const auto coherence = ensemble_coherence(
       cut(noisy.channel("Fz").subspan(plateau.first, plateau.samples()), passages), 2000.0);
   double floor = 0.0, lines = 0.0;

@@ -20,7 +20,7 @@ struct Stretch {
   int samples() const { return end - first; }
 };
 
-/// Returns the longest run of samples within the margin.
+/// Returns the longest run of samples within the margin of the target speed.
 Stretch longest_stretch(const std::vector<double>& speed, double target, double margin) {
   Stretch longest, current;
   for (int i = 0; i < static_cast<int>(speed.size()); ++i) {
@@ -110,15 +110,16 @@ std::vector<Plateau> find_plateaus(const DrumRecord& record,
 std::vector<double> held_speeds(const DrumRecord& record,
                                 const std::string& speed_channel,
                                 const PlateauSettings& settings) {
-  constexpr double kCoarseRate = 20.0;  // Hz; twenty times the low-pass frequency
-  constexpr double kStandstill = 1.0;   // m/s
+  // Hz; twenty times the cutoff frequency of the low-pass filter
+  constexpr double kCoarseRate = 20.0;
+  constexpr double kStandstill = 1.0;  // m/s
   const std::vector<double> smooth = smooth_speed(record, speed_channel, settings);
   const auto every = static_cast<std::size_t>(std::max(1.0, record.rate / kCoarseRate));
   std::vector<double> speed;
   for (std::size_t i = 0; i < smooth.size(); i += every) speed.push_back(smooth[i]);
   const double enough =
       (settings.shortest + 2.0 * settings.trim) * record.rate / static_cast<double>(every);
-  const double gone = -1e9;  // marks samples that belong to a plateau already
+  const double gone = -1e9;  // marks samples that already belong to a plateau
   std::vector<double> held;
   while (true) {
     Stretch longest;

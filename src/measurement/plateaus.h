@@ -42,10 +42,10 @@ std::vector<Plateau> find_plateaus(const DrumRecord& record,
                                    const std::vector<double>& targets,
                                    const PlateauSettings& settings);
 
-/// Returns the speeds (m/s, rising) that a record holds long enough for a plateau: of its stretches
-/// within the margin of one speed the longest, then the longest of the remaining samples, and so
-/// on. Standstill does not count. Throws InputError as smooth_speed does, and if there is no such
-/// speed.
+/// Returns the constant speeds (m/s, ascending) at which a record stays long enough for a plateau:
+/// first the longest stretch within the margin of one speed, then the longest of the remaining
+/// samples, and so on. Standstill does not count. Throws InputError for the same reasons as
+/// smooth_speed(), and if there is no such speed.
 std::vector<double> held_speeds(const DrumRecord& record,
                                 const std::string& speed_channel,
                                 const PlateauSettings& settings);

@@ -13,9 +13,10 @@ namespace {
 
 constexpr double kHysteresis = 0.25;  // share of the signal's range
 constexpr std::size_t kFewestPulses = 3;
-constexpr double kFewestSamples = 4.0;  // least number between two pulses: fewer may hide a pulse
+// least number of samples between two pulses: with fewer a pulse may be missed
+constexpr double kFewestSamples = 4.0;
 
-/// Distance traveled by the surface in pitches, 0 at the first pulse.
+/// Distance, in pitches, that the surface has traveled since the first pulse.
 class WayOfPulses {
  public:
   WayOfPulses(const std::vector<double>& pulses, double last_sample)
@@ -34,7 +35,7 @@ class WayOfPulses {
 
  private:
   const std::vector<double>& pulses_;
-  double before_, after_;  // samples for a pitch before the first and after the last pulse
+  double before_, after_;  // samples per pitch before the first and after the last pulse
 };
 
 }  // namespace

@@ -18,14 +18,14 @@ constexpr double kMean = 12.0, kSway = 1.5, kFrequency = 0.8;  // m/s, m/s, Hz
 double speed_at(double t) {
   return kMean + kSway * std::sin(2.0 * std::numbers::pi * kFrequency * t);
 }
-/// Integral of the speed, m.
+/// Returns the integral of the speed until time t, m.
 double way_at(double t) {
   const double w = 2.0 * std::numbers::pi * kFrequency;
   return kMean * t + kSway * (1.0 - std::cos(w * t)) / w;
 }
 
-/// Signal of a sensor over teeth: a smooth wave, one period per pitch, with noise of that
-/// deviation.
+/// Returns the signal of a sensor at a toothed wheel: a smooth wave, one period for each pitch,
+/// with noise of this standard deviation.
 std::vector<double> wave(double noise, double seconds = 5.0) {
   RandomStream chance(7, 0);
   std::vector<double> signal;
@@ -35,7 +35,7 @@ std::vector<double> wave(double noise, double seconds = 5.0) {
   return signal;
 }
 
-/// Worst relative error of the mean speed over every 0.2 s.
+/// Returns the largest relative error of the mean speed over any 0.2 s.
 double worst_mean(const std::vector<double>& speed) {
   constexpr int kWindow = static_cast<int>(0.2 * kRate);
   double worst = 0.0;
@@ -48,8 +48,8 @@ double worst_mean(const std::vector<double>& speed) {
   return worst;
 }
 
-// Between pulses the distance is wrong by v' T^2 / 8, T = 8 ms, v' = 7.5 m/s^2: 6e-5 m, at both
-// ends of a window of 0.2 s.
+// Between pulses the distance has an error of v' T^2 / 8 with T = 8 ms and v' = 7.5 m/s^2: 6e-5 m,
+// at both ends of a window of 0.2 s.
 TEST(PulseSpeed, IsTheSpeedOfTheTeeth) {
   const auto speed = speed_of_pulses(wave(0.0), kRate, kPitch, "tooth", "run.csv");
   EXPECT_LT(worst_mean(speed), 2.0 * 6.2e-5 / 0.2);
@@ -57,8 +57,8 @@ TEST(PulseSpeed, IsTheSpeedOfTheTeeth) {
     EXPECT_NEAR(speed[i], speed_at(static_cast<double>(i) / kRate), 0.5 * 7.6 * 0.0096);
 }
 
-// With five samples per interval the scatter of the instants, a tenth of the interval, does not
-// bias the mean.
+// With five samples per interval the times of the pulses scatter by a tenth of an interval; this
+// does not bias the mean.
 TEST(PulseSpeed, CoarseSamplesDoNotBiasIt) {
   constexpr double kSpeed = 22.0, kFine = 0.06, kCoarse = 1900.0;
   std::vector<double> signal;
@@ -71,8 +71,8 @@ TEST(PulseSpeed, CoarseSamplesDoNotBiasIt) {
   EXPECT_NEAR(mean, kSpeed, 1e-4 * kSpeed);
 }
 
-// An instant is wrong by sigma / slope, so the distance has the corresponding error at both ends of
-// a window.
+// The time of a pulse has an error of sigma / slope, so the distance has the corresponding error at
+// both ends of a window.
 TEST(PulseSpeed, NoiseOnAFlankIsNoPulse) {
   const auto noisy = wave(0.05);
   EXPECT_EQ(pulses_of(noisy).size(), pulses_of(wave(0.0)).size());
@@ -86,7 +86,7 @@ TEST(PulseSpeed, AWheelThatRestsIsNotTakenToTurn) {
   const auto turning = wave(0.0, 1.0);
   signal.insert(signal.end(), turning.begin(), turning.end());
   const auto speed = speed_of_pulses(signal, kRate, kPitch, "tooth", "run.csv");
-  EXPECT_LE(speed[1000], kPitch / 2.0 + 1e-3);  // no pulse in 2 s
+  EXPECT_LE(speed[1000], kPitch / 2.0 + 1e-3);  // there is no pulse for 2 s
 }
 
 std::string refusal(const std::vector<double>& signal) {

@@ -9,7 +9,7 @@
 namespace latsch {
 namespace {
 
-/// Coefficients of s^2 + 2 f zeta s + f^2, from the constant upward.
+/// Returns the coefficients of s^2 + 2 f zeta s + f^2 in ascending powers.
 std::vector<double> resonance(const RigResponse& r) { return {r.f * r.f, 2.0 * r.f * r.zeta, 1.0}; }
 
 std::vector<double> product(const std::vector<double>& p, const std::vector<double>& q) {
@@ -20,7 +20,7 @@ std::vector<double> product(const std::vector<double>& p, const std::vector<doub
   return all;
 }
 
-/// Coefficients of A + c (s^2 + 2 f zeta s + f^2).
+/// Returns the coefficients of A + c (s^2 + 2 f zeta s + f^2) in ascending powers.
 std::vector<double> numerator(const RigResponse& r) {
   std::vector<double> b = resonance(r);
   for (double& value : b) value *= r.c;
@@ -74,7 +74,8 @@ Result<numerics::RationalFilter> inverse_filter(const RigResponse& r,
                                                 double rate,
                                                 std::optional<double> low_pass) {
   const std::vector<double> denominator = numerator(r);
-  for (const double a : denominator) {  // Hurwitz criterion up to degree 2: all of equal sign
+  // Hurwitz criterion up to degree 2: all coefficients have the same sign
+  for (const double a : denominator) {
     if (!(a * denominator.back() > 0.0)) {
       return Failure{
           fmt::format("the inverse is not stable: A/f^2 + c = {:.4g} and c = {:.4g} "

@@ -43,13 +43,14 @@ struct RigResponse {
 /// Returns nothing if c is 0 or f^2 + A/c is not positive.
 std::optional<RigResponse> inverse(const RigResponse& response);
 
-/// Returns the causal filter, exact at 0 and at f (bilinear transform, see
+/// Returns the causal filter with this response, exact at 0 and at f (bilinear transform, see
 /// numerics/signals/bilinear.h). Returns a Failure if the response is not stable or f is above half
 /// the rate.
 Result<numerics::RationalFilter> filter_of(const RigResponse& response, double rate);
 
-/// Returns the causal filter of 1/TF, followed by a low-pass of second order at `low_pass` Hz,
-/// which may be missing only if c is not 0. Returns a Failure if the inverse is not stable.
+/// Returns the causal filter with the response 1/TF, followed by a low-pass filter of second order
+/// at `low_pass` Hz, which can be omitted only if c is not 0. Returns a Failure if the inverse is
+/// not stable.
 Result<numerics::RationalFilter> inverse_filter(const RigResponse& response,
                                                 double rate,
                                                 std::optional<double> low_pass = std::nullopt);

@@ -49,7 +49,8 @@ std::vector<Line> lines_of(const MeasuredResponse& m, FrequencyBand band) {
   return lines;
 }
 
-/// Unknowns of order 1: log of f over the first guess, zeta, A/f^2, c.
+/// Converts the unknowns of the fit, all of order 1, to a response: log of f over the first guess,
+/// zeta, A/f^2, c.
 RigResponse response_of(const Eigen::VectorXd& x, double f0) {
   return RigResponse::of(x[2], f0 * std::exp(x[0]), x[1], x[3]);
 }
@@ -64,7 +65,7 @@ Eigen::VectorXd residuals_of(const std::vector<Line>& lines, const RigResponse& 
   return residuals;
 }
 
-/// Least-squares A/f^2 and c for given f and zeta.
+/// Returns the response with the least-squares A/f^2 and c for given f and zeta.
 RigResponse best_gains(const std::vector<Line>& lines, double f, double zeta) {
   const RigResponse one = RigResponse::of(1.0, f, zeta, 0.0);
   Eigen::MatrixX2d basis(2 * lines.size(), 2);
@@ -81,7 +82,7 @@ RigResponse best_gains(const std::vector<Line>& lines, double f, double zeta) {
   return RigResponse::of(gains[0], f, zeta, gains[1]);
 }
 
-/// Returns the best point of a grid over the band.
+/// Returns the best response on a grid of f and zeta over the band.
 RigResponse first_guess(const std::vector<Line>& lines) {
   constexpr int kFrequencies = 80;
   RigResponse best;
@@ -110,7 +111,7 @@ FittedResponse result_of(const numerics::LeastSquares& fit, double f0) {
   return result;
 }
 
-/// Fourier lines of two periodic passages.
+/// The Fourier coefficients of two periodic passages at one frequency.
 struct LinePair {
   double omega;
   Complex dummy, real;
@@ -132,8 +133,8 @@ std::vector<LinePair> lines_of(const RimPair& pair, double rate, FrequencyBand b
   return lines;
 }
 
-/// Delay of the real behind the dummy passage, filtered by the start: the fit's Newton iteration
-/// starts near the solution.
+/// Returns the delay, s, of the real-rim passage relative to the dummy-rim passage filtered by the
+/// start, so that the fit's Newton iteration starts near the solution.
 double first_delay(const RimPair& pair, double rate, const RigResponse& start) {
   const int length = static_cast<int>(pair.dummy.size());
   auto D = numerics::real_fft(pair.dummy, length);

@@ -3,12 +3,12 @@
 // then so that the filtered dummy-rim passages match the real-rim passages [thesis K, 3.1].
 //
 // The first fit weights each frequency by the variance of H1, (1 - gamma^2) / (2 n gamma^2) |H|^2
-// over n hits [Bendat & Piersol, Random Data, 9.2]. Its start is automatic: for a grid of f and
-// zeta the best A and c follow linearly.
+// over n hits [Bendat & Piersol, Random Data, 9.2]. Its start is found automatically: for each
+// point on a grid of f and zeta the best A and c follow linearly.
 //
-// The second fit regards both average passages as periodic and compares their Fourier lines in a
-// band, which is the sum of squares of the time series (Parseval). The two runs have no common
-// clock: a delay between them is a fifth unknown. A constant offset does not count.
+// The second fit treats both average passages as periodic and compares their Fourier coefficients
+// in a band, which equals the sum of squares of the time series (Parseval). The two runs have no
+// common clock, so a delay between them is a fifth unknown. A constant offset does not matter.
 #pragma once
 
 #include <optional>
@@ -26,14 +26,15 @@ struct FrequencyBand {
 
 struct FittedResponse {
   RigResponse response;
-  /// Standard deviations of A/f^2, f (rad/s), zeta, c by linear theory.
+  /// Standard deviations of A/f^2, f (rad/s), zeta and c by linear theory.
   double sigma_gain = 0.0, sigma_f = 0.0, sigma_zeta = 0.0, sigma_c = 0.0;
-  double delay = 0.0;     // s, of the real run behind the dummy run; second fit only
-  double residual = 0.0;  // root mean square over the lines, of |H| or of the signal (its unit)
+  double delay = 0.0;  // s, delay of the real run relative to the dummy run; second fit only
+  /// root mean square over the frequencies, of |H| or of the signal (in its unit)
+  double residual = 0.0;
   bool converged = false;
 };
 
-/// Response `H` at frequency[k] with coherence[k], from `hits` hits.
+/// A measured frequency response: H at frequency[k] with coherence[k], from `hits` hits.
 struct MeasuredResponse {
   std::vector<double> frequency;  // Hz
   std::vector<std::complex<double>> H;
@@ -41,7 +42,7 @@ struct MeasuredResponse {
   int hits = 1;
 };
 
-/// Throws InputError if the band holds fewer than 8 frequencies.
+/// Throws InputError if the band contains fewer than 8 frequencies.
 FittedResponse fit_to_response(const MeasuredResponse& measured,
                                FrequencyBand band,
                                std::optional<RigResponse> start = std::nullopt);
@@ -51,7 +52,7 @@ struct RimPair {
   std::vector<double> dummy, real;
 };
 
-/// Fits one filter dummy -> real to all pairs together.
+/// Fits one filter, from dummy to real rim, to all pairs together.
 FittedResponse fit_to_rims(const std::vector<RimPair>& pairs,
                            double rate,
                            FrequencyBand band,

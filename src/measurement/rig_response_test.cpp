@@ -115,7 +115,7 @@ TEST(HammerTest, SaysWhatIsWrong) {
   EXPECT_THROW(fit_to_response(H, {90.0, 91.0}), InputError);
 }
 
-/// A periodic modal response, and the same response seen through the rig.
+/// Returns a periodic response of modes, and the same response distorted by the rig.
 RimPair rims(int length, double delay) {
   numerics::Spectrum real(length / 2 + 1, 0.0);
   for (int k = 1; 2 * k < length; ++k) {
@@ -138,8 +138,8 @@ RimPair rims(int length, double delay) {
   return pair;
 }
 
-// Without noise the filter dummy -> real is the inverse of the rig, and the delay is found too,
-// from a start 10 % off.
+// Without noise the fitted filter is the inverse of the rig's response, and the delay is found too,
+// from a start that is 10 % off.
 TEST(RimFit, FindsTheInverseOfTheRigAndTheDelay) {
   const RigResponse exact = *inverse(kTruth);
   const auto start =
@@ -154,7 +154,7 @@ TEST(RimFit, FindsTheInverseOfTheRigAndTheDelay) {
   EXPECT_NEAR(fit.delay, 0.0123, 1e-8);
 }
 
-// A sine of amplitude a has the mean square a^2/2: -3.01 dB re 1 for a = 1.
+// A sine of amplitude a has the mean square a^2/2: -3.01 dB for a = 1.
 TEST(BandLevel, OfASineIsItsMeanSquare) {
   std::vector<double> x(4000), y(4000);
   for (int i = 0; i < 4000; ++i) {
@@ -173,7 +173,8 @@ TEST(BandLevel, OfASineIsItsMeanSquare) {
   EXPECT_NEAR(std::sqrt(bands[3].lower * bands[3].upper), 100.0, 1e-9);
 }
 
-// The third order of a drum that accelerates from 10 to 20 m/s is one line.
+// A vibration of three periods per revolution of a drum that accelerates from 10 to 20 m/s becomes
+// a single line.
 TEST(OrderTracking, WhatTurnsWithTheDrumHasOneOrder) {
   const double rate = 2000.0, circumference = 5.0;
   std::vector<double> speed(40000), x(40000);

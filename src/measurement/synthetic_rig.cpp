@@ -13,19 +13,21 @@ namespace {
 
 using numerics::Spectrum;
 constexpr double kRamp = 4.0;           // s between plateaus
-constexpr double kPulseSeconds = 2.0;   // s; long enough for a hit to die out
-constexpr double kBefore = 0.1;         // s of a pulse in front of the hit
+constexpr double kPulseSeconds = 2.0;   // s; long enough for the response to a hit to die out
+constexpr double kBefore = 0.1;         // s; part of a pulse before the hit
 constexpr double kCleatLength = 0.015;  // m
 constexpr double kShortestHit = 1e-3;   // s
 constexpr double kSpeedNoise = 0.02;    // m/s
 
-/// Speed at time t, which rises to the first plateau and then goes from plateau to plateau.
+/// Returns the speed at time t, which rises to the first plateau and then changes from plateau to
+/// plateau.
 double speed_at(const SyntheticRun& run, double t) {
   double from = 0.0;
   for (const double v : run.speeds) {
     const double first = v * (1.0 - run.drift / 2.0), last = v * (1.0 + run.drift / 2.0);
     if (t < kRamp) {
-      const double s = 0.5 - 0.5 * std::cos(std::numbers::pi * t / kRamp);  // no jerk at its ends
+      // the acceleration is 0 at both ends
+      const double s = 0.5 - 0.5 * std::cos(std::numbers::pi * t / kRamp);
       return from + s * (first - from);
     }
     t -= kRamp;
@@ -47,7 +49,7 @@ std::vector<double> speeds_of(const SyntheticRig& rig, const SyntheticRun& run) 
   return v;
 }
 
-/// Response to one hit `share` of a sample behind the position `before` samples into the window.
+/// Returns the response to one hit; `place` is the position of the hit in the window, in samples.
 std::vector<double> pulse(
     const SyntheticRig& rig, const SyntheticRun& run, double speed, double place, int length) {
   const double tau = std::max(kShortestHit, kCleatLength / speed);
@@ -124,8 +126,8 @@ Channels synthetic_run(const SyntheticRig& rig, const SyntheticRun& run) {
 Channels synthetic_hammer(const SyntheticRig& rig, int hits, double noise) {
   constexpr double kPause = 2.0, kFirst = 1.0;        // s
   constexpr double kContact = 1e-3, kForce = 2000.0;  // s, N
-  constexpr double kUnevenness = 0.2;                 // relative scatter of the hits' strength
-  constexpr std::uint64_t kStream = 1'000'000'000;    // distinct from the streams of the runs
+  constexpr double kUnevenness = 0.2;                 // relative scatter of the strength of hits
+  constexpr std::uint64_t kStream = 1'000'000'000;    // number of a random stream that no run uses
   const int samples = static_cast<int>((kFirst + hits * kPause) * rig.rate);
   std::vector<double> hammer(samples, 0.0);
   RandomStream random(rig.seed, kStream);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drum rig with known properties, to test a processing chain: a drum with one cleat, a force that
-// responds to each hit with damped modes, and a rig whose resonance (3-3) distorts the force that
-// the load cell measures with a dummy rim.
+// A synthetic drum rig with known properties, to test the processing of recordings: a drum with one
+// cleat, a force that responds to each hit with damped modes, and a rig whose resonance (3-3)
+// distorts the force that the load cell measures with a dummy rim.
 //
 //   P(w) = sum_m a_m w_m / (w_m^2 - w^2 + 2 i zeta_m w_m w)  exp(-(w tau)^2 / 2)      of one hit
 //   real rim: P,   dummy rim: P TF
@@ -29,15 +29,15 @@ struct SyntheticMode {
 struct SyntheticRun {
   std::vector<double> speeds;  // m/s, one for each plateau
   double hold = 20.0;          // s, length of each plateau
-  double drift = 0.002;        // relative change of the speed from the beginning to the end of a
-                               // plateau
-  double load = 4000.0;        // N
-  double growth = 0.3;         // exponent of the hits' strength over speed: (v / v_first)^growth
+  /// Relative change of the speed from the beginning to the end of a plateau.
+  double drift = 0.002;
+  double load = 4000.0;  // N
+  double growth = 0.3;   // exponent of the strength of hits over speed: (v / v_first)^growth
   std::vector<SyntheticMode> modes;
-  double noise = 15.0;       // N
-  bool dummy_rim = false;    // true: seen through the rig's response
-  std::uint64_t number = 0;  // run number; determines the noise and the initial position of the
-                             // drum
+  double noise = 15.0;     // N
+  bool dummy_rim = false;  // true: the force is distorted by the rig's response
+  /// Number of the run; determines the noise and the initial angle of the drum.
+  std::uint64_t number = 0;
 };
 
 struct SyntheticRig {
@@ -47,7 +47,8 @@ struct SyntheticRig {
   std::uint64_t seed = 1;
 };
 
-/// Returns the channels time, speed, Fz, Fx (half of Fz's fluctuation, with noise of its own).
+/// Returns the channels time, speed, Fz and Fx. Fx is half of the fluctuation of Fz, with separate
+/// noise.
 Channels synthetic_run(const SyntheticRig& rig, const SyntheticRun& run);
 
 /// Returns the times of the hits of that run, s.

@@ -154,7 +154,7 @@ std::string convergence_plot(const Convergence& convergence) {
   for (double t : convergence.target) percents.push_back(100.0 * t);
   const Axis y = Axis::logarithmic_around(percents, 290, 26);
   const Axis x(0.0, std::max(1.0, static_cast<double>(percents.size())), 72, 680);
-  constexpr double kRoomForBest = 140.0;  // pixels for the label of the best target
+  constexpr double kRoomForBest = 140.0;  // px, width reserved for the label of the best target
   Svg svg(x.last_pixel() + kRoomForBest, 336, "Target over trials");
   draw_frame(svg, x, y, "Trial", "Target [%]");
   double best = std::numeric_limits<double>::infinity();

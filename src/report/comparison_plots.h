@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of measured against simulated values, and of the target over the trials, as SVG text.
+// Plots, as SVG text, of measured and simulated values, and of the target over the trials.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace latsch::report {
 
-/// Draws force over deflection, with the error (2) of every point below.
+/// Plots force over deflection, and below it the error of every point, as defined by equation (2).
 std::string force_plot(const ComparedForces& curve);
 
-/// Draws the relative difference (1) of every paired mode as a bar, beside its label and both
-/// frequencies.
+/// Plots the relative difference, equation (1), of every pair of measured and simulated modes as a
+/// bar, beside the label and both frequencies.
 std::string frequency_plot(const ModalComparison& comparison);
 
-/// Draws the target of every trial, and the best so far.
+/// Plots the target of every trial, and the best target so far.
 std::string convergence_plot(const Convergence& convergence);
 
 }  // namespace latsch::report

@@ -13,16 +13,16 @@
 namespace latsch::report {
 namespace {
 
-constexpr std::size_t kDots = 200;      // dots drawn at most; a channel may have millions of
-                                        // samples
-constexpr std::size_t kCorners = 2000;  // corners of a line drawn at most; a picture shows no more
-constexpr double kKeyRow = 18.0;        // pixels, height of a row of the key
+// Largest number of dots drawn: a channel may have millions of samples.
+constexpr std::size_t kDots = 200;
+constexpr std::size_t kCorners = 2000;  // largest number of corners of a line; more are not visible
+constexpr double kKeyRow = 18.0;        // px, height of a row of the legend
 
 struct Samples {
-  std::vector<double> x, y;  // in the units a person reads
+  std::vector<double> x, y;  // in the units of the plot
 };
 
-/// Returns every k-th sample, so that at most `most` remain.
+/// Returns every k-th sample, with the smallest k for which at most `most` samples remain.
 Samples thinned(const Samples& samples, std::size_t most) {
   const std::size_t count = std::min(samples.x.size(), samples.y.size());
   const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
@@ -34,8 +34,8 @@ Samples thinned(const Samples& samples, std::size_t most) {
   return few;
 }
 
-/// Returns samples in the units of the picture. A program may have simulated far more than was
-/// measured, so samples outside `range` are left out.
+/// Returns the simulated samples in the units of the plot. A program may have simulated far more
+/// than was measured, so samples outside the measured `range` are left out.
 Samples shown(const MeasuredCurve& curve,
               const std::vector<double>& x,
               const std::vector<double>& y,
@@ -54,7 +54,7 @@ Samples shown(const MeasuredCurve& curve,
   return samples;
 }
 
-/// Returns the samples of one piece, at the measured abscissas.
+/// Returns the samples of one piece of the curve, at the measured abscissas.
 Samples piece_of(const MeasuredCurve& curve,
                  const MeasuredCurve::Piece& piece,
                  const std::vector<double>& y) {
@@ -70,7 +70,7 @@ std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, typeset_unit(unit));
 }
 
-/// Returns the levels of the pieces in their order; pieces of one level have one color.
+/// Returns the levels of the curve's pieces in their order; pieces of one level have one color.
 std::vector<std::string> levels_of(const MeasuredCurve& curve) {
   std::vector<std::string> levels;
   for (const MeasuredCurve::Piece& piece : curve.pieces)
@@ -84,8 +84,8 @@ std::string color_of(const std::vector<std::string>& levels, const std::string& 
       static_cast<int>(std::find(levels.begin(), levels.end(), level) - levels.begin()));
 }
 
-/// Draws the key: line styles, then one entry for each level of pieces. Returns the height of the
-/// rows beyond the first, pixels.
+/// Draws the legend: the line styles, then one entry for each level of pieces. Returns the height,
+/// px, of its rows beyond the first.
 double draw_key(Svg& svg, const MeasuredCurve& curve) {
   const std::string simulated(drawn_as(curve.fitted, curve.of_design));
   const std::vector<std::string> levels = levels_of(curve);
@@ -114,7 +114,8 @@ double draw_key(Svg& svg, const MeasuredCurve& curve) {
   return at.y() - 18;
 }
 
-/// Draws the measured samples of a curve or of one piece as circles, and the values as tips.
+/// Draws the measured samples of a curve or of one piece as circles, whose tooltips show the
+/// values.
 void draw_dots(Svg& svg,
                const Axis& x,
                const Axis& y,
@@ -156,7 +157,7 @@ void draw_pieces(Svg& svg, const Axis& x, const Axis& y, const MeasuredCurve& cu
   }
 }
 
-/// Draws the errors below the curve; `down` moves them, pixels.
+/// Plots the errors below the curve, moved downward by `down`, px.
 void draw_errors(
     Svg& svg, const Axis& x, const Samples& errors, const std::string& x_title, double down) {
   const Axis y = Axis::around(errors.y, 372 + down, 302 + down, /*zero=*/true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A measured curve of any quantity beside the simulated one, as SVG text.
+// Plot, as SVG text, of a measured curve and its simulated counterpart, for any quantity.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace latsch::report {
 
-/// Draws y over x in the measured range, with the error of every measured value below.
+/// Plots y over x in the measured range, and below it the error of every measured value.
 std::string curve_plot(const MeasuredCurve& curve);
 
 }  // namespace latsch::report

@@ -12,13 +12,15 @@
 namespace latsch::report {
 namespace {
 
-constexpr double kLeastDeviation = 1e-6;  // share of the range; smaller deviations are drawn here
-constexpr double kHighestRise = 8.0;      // thresholds shown; the curve leaves the frame above
+// share of the range; smaller deviations are drawn at this value
+constexpr double kLeastDeviation = 1e-6;
+// highest rise shown, in thresholds; beyond it the curve leaves the frame
+constexpr double kHighestRise = 8.0;
 
-constexpr double kLetter = 6.5;    // approximate width of a letter, pixels
-constexpr double kColumn = 520.0;  // width of a picture that stands beside another one, pixels
+constexpr double kLetter = 6.5;    // px, approximate width of a letter
+constexpr double kColumn = 520.0;  // px, width of a picture that stands beside another one
 
-/// Returns the room for the longest of the words left of a picture.
+/// Returns the width, px, at the left of a picture for the longest of the words, at least `least`.
 double room_for(const std::vector<std::string>& words, double least) {
   double widest = least;
   for (const std::string& word : words)
@@ -26,7 +28,8 @@ double room_for(const std::vector<std::string>& words, double least) {
   return widest;
 }
 
-/// Returns white at 0, the measured color (warm) at +1, the found color (cold) at -1.
+/// Returns the style of a cell: white at correlation 0, a warm color toward +1, a cold one toward
+/// -1.
 std::string cell_style(double correlation) {
   return fmt::format("class=\"{}\" fill-opacity=\"{:.3f}\"",
                      correlation >= 0.0 ? "warm" : "cold",
@@ -77,7 +80,8 @@ std::string correlation_plot(const IdentifiabilityPage& what) {
   const double kLeft = room_for(rows, 130.0);
   const auto n = static_cast<Eigen::Index>(what.variables.size());
   const double cell = std::clamp(300.0 / static_cast<double>(n), 26.0, 64.0);
-  // Names are printed above the columns if all of them fit; otherwise the numbers of the rows do.
+  // The variables' names stand above the columns if all of them fit; otherwise the numbers of the
+  // rows do.
   const bool are_short =
       std::all_of(what.variables.begin(), what.variables.end(), [&](const std::string& variable) {
         return kLetter * static_cast<double>(variable.size()) <= cell;
@@ -93,7 +97,7 @@ std::string correlation_plot(const IdentifiabilityPage& what) {
     svg.text({kLeft - 10, y + 0.5 * cell + 4}, row, TextAnchor::end, "label");
     for (Eigen::Index j = 0; j < n; ++j) {
       const double x = kLeft + cell * static_cast<double>(j), r = what.correlation(i, j);
-      // A variable held at its bound moves with no other, nor with itself.
+      // A variable at its bound does not vary, so it has no correlation, not even with itself.
       const bool is_held = what.correlation(i, i) == 0.0 || what.correlation(j, j) == 0.0;
       const std::string shown = is_held ? "–" : fixed(r, 2);
       svg.rectangle({x + 1, y + 1},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of identifiability: deviations of the directions, correlations, profiles.
+// Plots of identifiability: standard deviations along the principal directions, correlations,
+// profiles.
 #pragma once
 
 #include <string>
@@ -8,15 +9,16 @@
 
 namespace latsch::report {
 
-/// Draws the standard deviation along every direction in percent of the range, on a decade scale. A
-/// deviation of 100 % means that the data do not determine the direction.
+/// Plots the standard deviation along every principal direction, in percent of the range, on a
+/// logarithmic scale. A deviation of 100 % means that the data do not determine the direction.
 std::string spectrum_plot(const IdentifiabilityPage& what);
 
-/// Draws a square for every pair of variables: warm if they rise together, cold if one compensates
-/// for the other.
+/// Draws a square for every pair of variables: warm if their estimates rise together, cold if one
+/// falls as the other rises.
 std::string correlation_plot(const IdentifiabilityPage& what);
 
-/// Draws the rise of S over one variable, with the threshold and the interval below the threshold.
+/// Plots the rise of the sum of squares over one variable, with the threshold and the interval in
+/// which the rise is below it.
 std::string profile_plot(const ProfileCurve& curve);
 
 }  // namespace latsch::report

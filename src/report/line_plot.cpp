@@ -12,11 +12,12 @@
 namespace latsch::report {
 namespace {
 
-constexpr std::size_t kLineCorners = 1500;  // corners of a line; more are not visible
+// largest number of corners of a line; more are not visible
+constexpr std::size_t kLineCorners = 1500;
 constexpr double kLeft = 86.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
 constexpr double kLegendRow = 18.0, kDot = 1.4;
 
-/// Returns the left ends of the lines' names in the legend, in as many rows as they need.
+/// Returns the left ends of the names in the legend, which has as many rows as they need.
 std::vector<Point> legend_places(const std::vector<PlotLine>& lines, double width) {
   constexpr double kLetter = 6.6, kGap = 44.0;  // pixels
   std::vector<Point> places;
@@ -31,7 +32,8 @@ std::vector<Point> legend_places(const std::vector<PlotLine>& lines, double widt
   return places;
 }
 
-/// Keeps the least and the greatest value of each of equal stretches, so that no peak is lost.
+/// Divides the line into equal stretches and keeps the least and the greatest value of each, so
+/// that no peak is lost.
 PlotLine thinned(const PlotLine& line) {
   const std::size_t count = std::min(line.x.size(), line.y.size());
   if (count <= kLineCorners) return line;
@@ -41,8 +43,8 @@ PlotLine thinned(const PlotLine& line) {
   for (std::size_t s = 0; s < stretches; ++s) {
     const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
     std::size_t low = first, high = first;
-    for (std::size_t k = first; k < end; ++k) {  // a value that is no number is never chosen beside
-                                                 // one that is
+    // A NaN is chosen only if the stretch has no other value.
+    for (std::size_t k = first; k < end; ++k) {
       if (std::isnan(line.y[low]) || line.y[k] < line.y[low]) low = k;
       if (std::isnan(line.y[high]) || line.y[k] > line.y[high]) high = k;
     }
@@ -69,7 +71,7 @@ void gather(const std::vector<double>& from, std::vector<double>& all) {
       from.begin(), from.end(), std::back_inserter(all), [](double v) { return std::isfinite(v); });
 }
 
-/// Ends of the frame, pixels.
+/// Edges of the frame, px.
 struct Frame {
   double left, right, top, bottom;
 };
@@ -89,7 +91,7 @@ void draw_spread(Svg& svg, const Axis& x, const Axis& y, const PlotLine& line) {
   svg.polygon(outline, fmt::format("fill=\"{}\" fill-opacity=\"0.25\"", category(line.color)));
 }
 
-/// Shades the part of the frame that lies outside of the data.
+/// Shades the part of the frame that lies outside of the range of the data.
 void shade_outside(Svg& svg,
                    const Axis& x,
                    const std::optional<std::pair<double, double>>& data,
@@ -128,8 +130,8 @@ std::string line_plot(const LinePlot& plot) {
   }
   if (xs.empty() || ys.empty()) return "";
   const auto legend = legend_places(lines, plot.width);
-  const double more = legend.back().y() - legend.front().y();  // height of the legend's rows beyond
-                                                               // the first
+  // Height, px, of the legend's rows beyond the first.
+  const double more = legend.back().y() - legend.front().y();
   const double top = kTop + more, bottom = plot.height + more - kBottom;
   const auto [lowest, highest] = std::minmax_element(xs.begin(), xs.end());
   const Axis x(*lowest, *highest, kLeft, plot.width - kRight);

@@ -20,7 +20,7 @@ TEST(LinePlot, OfALongLineKeepsItsPeakAndStaysSmall) {
   }
   const std::string with = line_plot(plot);
   EXPECT_LT(with.size(), 60000u);
-  EXPECT_NE(with.find(">1000<"), std::string::npos);  // the axis contains the peak
+  EXPECT_NE(with.find(">1000<"), std::string::npos);  // the axis includes the peak
   plot.lines[0].y[54321] = 0.0;
   EXPECT_NE(with, line_plot(plot));
 }
@@ -47,10 +47,10 @@ TEST(LinePlot, LeavesOutWhatIsNotFiniteOrHasNoLogarithm) {
   EXPECT_EQ(svg.find("inf"), std::string::npos);
   EXPECT_NE(svg.find("&lt;a&gt;"), std::string::npos);
   plot.lines[0].y = {0.0, -1.0, 0.0, 0.0};
-  EXPECT_EQ(line_plot(plot), "");  // nothing to draw
+  EXPECT_EQ(line_plot(plot), "");  // no line has two samples, so the plot is empty
 }
 
-// A picture cut out of the page is an XML file, in which no attribute may occur twice in a tag.
+// The SVG text alone is an XML file, in which an attribute must not occur twice in a tag.
 TEST(LinePlot, NamesNoAttributeTwice) {
   const std::string svg = line_plot({"two", "x", "y", {{"a", {1, 2}, {1, 2}, 0, {}}}, false});
   const std::regex tag("<[^>]*>"), name("([a-z-]+)=\"");
@@ -62,8 +62,8 @@ TEST(LinePlot, NamesNoAttributeTwice) {
   }
 }
 
-// Digits of the widest fonts take 7.6 pixels, and letters of a title reach 3 pixels below its base
-// line.
+// Digits of the widest fonts are 7.6 pixels wide, and letters of a title reach 3 pixels below its
+// baseline.
 TEST(LinePlot, TheTitleOfTheOrdinateStandsBesideItsNumbers) {
   for (const double scale : {1.0, 1e-3, 2e5}) {
     for (const double sign : {1.0, -1.0}) {
@@ -74,7 +74,7 @@ TEST(LinePlot, TheTitleOfTheOrdinateStandsBesideItsNumbers) {
       std::smatch found;
       ASSERT_TRUE(std::regex_search(svg, found, title));
       const double base = std::stod(found[1]);
-      EXPECT_GE(base, 11.0) << svg;  // not cut off
+      EXPECT_GE(base, 11.0) << svg;  // the title is not cut off at the top
       const std::regex label("<text x=\"([0-9.]+)\"[^>]*text-anchor=\"end\"[^>]*>([^<]*)<");
       int labels = 0;
       for (std::sregex_iterator at(svg.begin(), svg.end(), label), end; at != end; ++at, ++labels) {

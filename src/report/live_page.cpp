@@ -9,8 +9,8 @@
 namespace latsch::report {
 namespace {
 
-/// Returns JSON for a script element. "</" would end the script, "<!" would change how it is read.
-/// "<" occurs only in texts, where it is escaped.
+/// Returns JSON that can stand in an HTML script element. There "</" would end the script and "<!"
+/// would change how it is parsed; "<" occurs only in JSON texts, where it can be escaped.
 std::string json_within_script(std::string_view json) {
   std::string safe;
   safe.reserve(json.size());

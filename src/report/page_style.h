@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Head and style sheet that every page contains.
+// HTML head and style sheet of every page that the program writes.
 #pragma once
 
 #include <string>
@@ -7,12 +7,13 @@
 
 namespace latsch::report {
 
-/// Returns the beginning of a page up to its content; kPageEnd is the rest. The page is one file
-/// that needs no other.
+/// Returns the beginning of a page up to its content; kPageEnd is the end after the content. The
+/// page needs no other file.
 std::string page_begin(std::string_view title);
 inline constexpr std::string_view kPageEnd = "</main>\n</body>\n</html>\n";
 
-/// Returns a style sheet that is light or dark by the reader's setting, and always light on paper.
+/// Returns a style sheet that is light or dark as the reader's browser is set, and always light on
+/// paper.
 std::string_view style_sheet();
 
 }  // namespace latsch::report

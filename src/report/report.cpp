@@ -124,8 +124,8 @@ std::string frequencies(const StudyReport& report) {
   return html;
 }
 
-/// The page also knows trials outside the search, so its best trial may be better than that of the
-/// search.
+/// The report also knows trials outside the search, so its best trial may be better than that of
+/// the search; a sentence then says so.
 std::string better_beside(const StudyReport& report) {
   double best = std::numeric_limits<double>::infinity();
   for (const double target : report.convergence->target) {
@@ -224,7 +224,7 @@ std::string patch_figure(const fe_tire::Standing& standing) {
                   fixed(1e4 * standing.patch.area, 1)));
 }
 
-/// Returns a table of the modes that the page shows in motion.
+/// Returns a table of the modes that the page shows as animations.
 std::string mode_table(const TirePictures& pictures) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t k = 0; k < pictures.modes.size(); ++k)

@@ -33,7 +33,8 @@ namespace {
 
 constexpr const char* kHostile = "</script><script>alert(\"1\")</script> & 'x'";
 
-/// Returns the first fault in the nesting of elements; empty if every element is closed, in order.
+/// Returns the first error in the nesting of HTML elements; empty if every element is closed, in
+/// order.
 std::string fault_in_tags(std::string page) {
   page = std::regex_replace(page, std::regex("<!DOCTYPE html>"), "");
   const std::set<std::string> alone = {"meta", "br"};
@@ -214,7 +215,8 @@ TEST(Report, FlagsAVariableAtItsBound) {
   EXPECT_EQ(at_bound(v), AtBound::lower);
 }
 
-TEST(Report, IsDrawnFromAnyNumbers) {  // values that a failed or odd trial may leave behind
+// includes values that a failed or unusual trial may leave behind
+TEST(Report, IsDrawnFromAnyNumbers) {
   const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
   const std::vector<double> odd = {0.0, -0.0, nan, inf, -inf, 1e-300, 1e300, -5.0, 3.0};
   std::mt19937 random(1);
@@ -310,7 +312,8 @@ TEST(ValueTable, FlagsInWordsWhatTheFitHardlySees) {
   report.values = {{"A_dz", "", "mm", true, 1.0, 1e-3, 1e-3, {}, {}, {}},
                    {"A_toe", "", "deg", true, 0.01, 1e-3, 1e-3, {}, {}, {}},
                    {"B_dz", "", "mm", true, 0.06, 1e-3, 1e-3, {}, {}, {}},
-                   {"E_dz", "", "mm", false, 0.0, 1e-3, 1e-3, {}, {}, {}}};  // not fitted anyway
+                   // an experiment that is not fitted
+                   {"E_dz", "", "mm", false, 0.0, 1e-3, 1e-3, {}, {}, {}}};
   const std::string page = html(report);
   EXPECT_NE(value_row(page, "A_toe").find("weight near zero"), std::string::npos);
   for (const char* name : {"A_dz", "B_dz", "E_dz"})
@@ -327,7 +330,7 @@ TEST(CurvePlot, ShowsEveryMeasuredValueAndTheProgramWhereItWasMeasured) {
   curve.x_measured = {1.0, 2.0, 3.0};
   curve.y_measured = {0.010, 0.020, 0.030};
   curve.errors = {0.0, 0.01, -0.02};
-  for (int k = 0; k <= 1000; ++k) {  // far beyond the measurement
+  for (int k = 0; k <= 1000; ++k) {  // the simulation extends far beyond the measurement
     curve.x_simulated.push_back(0.1 * k);
     curve.y_simulated.push_back(0.001 * k);
   }
@@ -336,7 +339,7 @@ TEST(CurvePlot, ShowsEveryMeasuredValueAndTheProgramWhereItWasMeasured) {
     EXPECT_NE(plot.find(words), std::string::npos) << words;
   }
   EXPECT_EQ(plot.find("initial values"), std::string::npos);
-  // Samples every 0.1 s from 1 to 3 s give "x,y" 21 times between spaces.
+  // Samples every 0.1 s from 1 to 3 s are 21 pairs "x,y" separated by blanks.
   const size_t start = plot.find("points=\"") + 8;
   const std::string points = plot.substr(start, plot.find('"', start) - start);
   EXPECT_EQ(std::count(points.begin(), points.end(), ','), 21) << points;
@@ -378,12 +381,13 @@ TEST(CurvePlot, TellsTheLoadsOfManySamplesApartByColor) {
   EXPECT_EQ(count_of(plot, ">Fz 500 N<"), 1u);
   EXPECT_EQ(count_of(plot, ">Fz 1000 N<"), 1u);
   EXPECT_NE(plot.find("circles: measured"), std::string::npos);
-  EXPECT_NE(plot.find("Fz 500 N, gamma 2 deg, "), std::string::npos);  // the tip of a circle
-  EXPECT_EQ(plot.find("class=\"measured\""), std::string::npos);  // no second meaning of a color
+  EXPECT_NE(plot.find("Fz 500 N, gamma 2 deg, "), std::string::npos);  // the tooltip of a circle
+  // the color of a line must not have a second meaning
+  EXPECT_EQ(plot.find("class=\"measured\""), std::string::npos);
 }
 
-// An unknown band in the middle leaves a gap; a single value is drawn as a bar; and a band far
-// wider than the curve ends at the frame.
+// A band with an unknown value in the middle has a gap there, a single value is drawn as a bar, and
+// a band far wider than the curve ends at the frame.
 TEST(CurvePlot, ShadesTheBandOfWhatIsComputed) {
   MeasuredCurve curve;
   curve.experiment = "pull";
@@ -428,7 +432,7 @@ TEST(SurfacePlot, FindsEveryMinimumOfTheGrid) {
       nan, 3, 0.5, 0.5, 3;
   const auto minima = local_minima(t);
   ASSERT_EQ(minima.size(), 3u);
-  EXPECT_EQ(minima[0].target, 0.5);  // the plateau of two counts once
+  EXPECT_EQ(minima[0].target, 0.5);  // a plateau of two points counts once
   EXPECT_EQ(minima[0].j, 2);
   EXPECT_EQ(minima[1].target, 1.0);
   EXPECT_EQ(minima[2].target, 2.0);
@@ -454,7 +458,7 @@ TEST(HtmlText, NumbersAreReadable) {
   EXPECT_EQ(signed_percent(0.0123), "+1.23 %");
   EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "–");
   EXPECT_EQ(small_percent(0.0123), "1.23 %");
-  EXPECT_EQ(small_percent(1.46e-5), "0.0015 %");  // a mean of squares
+  EXPECT_EQ(small_percent(1.46e-5), "0.0015 %");  // the target is a mean of squares
   EXPECT_EQ(small_percent(0.0), "0.00 %");
   EXPECT_EQ(typeset_words("-1.42 .. -0.78 N/mm^2"), "−1.42 … −0.78 N/mm²");
   EXPECT_EQ(typeset_words("+- 2 mm (0.1 %), x-ray at -3 s"), "± 2 mm (0.1 %), x-ray at −3 s");
@@ -512,7 +516,8 @@ TEST(Report, SaysWhatTheDataDetermine) {
                            "minima may hide"}) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   }
-  // "matrix <b>" does not fit above its column: numbers are printed there, and after the names.
+  // The name "matrix <b>" does not fit above its column, so numbers stand there instead, and also
+  // after the names.
   EXPECT_NE(page.find("carcass (2)"), std::string::npos);
   EXPECT_NE(page.find(">(1)<"), std::string::npos);
   EXPECT_EQ(page.find("<b>\""), std::string::npos);
@@ -520,12 +525,12 @@ TEST(Report, SaysWhatTheDataDetermine) {
   EXPECT_EQ(page.find("nan"), std::string::npos);
 }
 
-/// Expects that both ends of every text and rectangle lie inside the picture's own width.
+/// Expects that both ends of every text and every rectangle lie within the width of the picture.
 void expect_nothing_cut(const std::string& svg) {
   std::smatch box;
   ASSERT_TRUE(std::regex_search(svg, box, std::regex("viewBox=\"0 0 ([0-9.]+) ")));
   const double width = std::stod(box[1]);
-  constexpr double kLetter = 6.0, kStrongLetter = 7.5;  // average widths in the font, pixels
+  constexpr double kLetter = 6.0, kStrongLetter = 7.5;  // px, average widths of letters in the font
   static const std::regex kText("<text x=\"([-0-9.]+)\"([^>]*)>([^<]*)<");
   for (std::sregex_iterator at(svg.begin(), svg.end(), kText), end; at != end; ++at) {
     const std::string how = (*at)[2], element = (*at)[0];
@@ -543,7 +548,7 @@ void expect_nothing_cut(const std::string& svg) {
     EXPECT_LE(std::stod((*at)[1]) + std::stod((*at)[2]), width) << (*at)[0];
 }
 
-// The number of variables is that of a Magic Formula in a fit of pure slips.
+// Returns a page with as many variables as a Magic Formula has in a fit of pure slips.
 IdentifiabilityPage of_many_variables(int count) {
   IdentifiabilityPage what;
   what.residuals = 400;
@@ -585,7 +590,7 @@ TEST(CorrelationPlot, AVariableHeldAtItsBoundHasNone) {
 TEST(Axis, LabelsOfTicksAreShortWhateverTheNumbers) {
   for (const double most : {4e-16, 3e-9, 2e-5, 0.07, 1.0, 5e3}) {
     for (const auto& tick : Axis(-most, most, 0.0, 420.0).ticks()) {
-      EXPECT_LE(tick.label.size(), 12u) << tick.label;  // the true minus has three bytes
+      EXPECT_LE(tick.label.size(), 12u) << tick.label;  // bytes; the minus character has three
     }
   }
 }
@@ -598,7 +603,7 @@ TEST(LinePlot, LegendsTakeTheRowsTheyNeed) {
   expect_nothing_cut(line_plot(plot));
 }
 
-// A page with two different best targets must explain why.
+// A page on which the trial with the least target is not that of the search must explain why.
 TEST(Report, SaysWhereItsBestTrialIsNotOfTheSearch) {
   StudyReport report;
   report.title = "t";

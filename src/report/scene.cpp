@@ -13,7 +13,7 @@ namespace latsch::report {
 namespace {
 
 constexpr int kMostModesShown = 12;
-constexpr double kAmplitude = 0.09;  // amplitude of drawn modes, share of the outer radius
+constexpr double kAmplitude = 0.09;  // share of the outer radius, amplitude of drawn modes
 
 constexpr std::array<std::array<int, 4>, 6> kBrickFaces = {
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
@@ -23,7 +23,7 @@ struct OuterFace {
   int region;
 };
 
-/// Returns the faces that belong to one element only.
+/// Returns the outer faces of the mesh: those that belong to one element only.
 std::vector<OuterFace> outer_faces(const fe_tire::Mesh& mesh) {
   std::map<std::array<int, 4>, std::pair<int, OuterFace>> seen;
   for (int s = 0; s < mesh.sectors; ++s) {
@@ -49,7 +49,7 @@ std::vector<OuterFace> outer_faces(const fe_tire::Mesh& mesh) {
   return faces;
 }
 
-/// The nodes of the outside, numbered anew.
+/// The nodes of the outer faces, numbered consecutively.
 class OuterSurface {
  public:
   explicit OuterSurface(const fe_tire::Mesh& mesh) : mesh_(mesh) {
@@ -80,7 +80,8 @@ class OuterSurface {
 
   const Scene::Mesh& mesh() const { return surface_; }
 
-  /// Returns a displacement field of the ring, or of one sector repeated, in the wheel frame.
+  /// Returns a displacement field in the wheel frame. `u` is the field of the whole ring, or that
+  /// of one sector, which is repeated.
   Eigen::Matrix3Xd field(const Eigen::Matrix3Xd& u) const {
     Eigen::Matrix3Xd values(3, nodes_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k)
@@ -117,7 +118,7 @@ std::vector<float> lengths_in_mm(const Eigen::Matrix3Xd& vectors) {
   return lengths;
 }
 
-/// Returns every contact point as a square of its area on the ground.
+/// Returns a mesh that shows every contact point as a square of its area on the ground.
 Scene::Mesh patch_of(const fe_tire::ContactPatch& patch, double ground) {
   Scene::Mesh mesh{"contact patch", Eigen::Matrix3Xd(3, 4 * patch.points.size()), {}, {}, {}};
   for (std::size_t i = 0; i < patch.points.size(); ++i) {
@@ -135,7 +136,7 @@ Scene::Mesh patch_of(const fe_tire::ContactPatch& patch, double ground) {
   return mesh;
 }
 
-/// Repeats the value of each point of the contact patch at its four corners.
+/// Repeats the value of each contact point at the four corners of its square.
 template <class Value>
 std::vector<float> on_corners(const fe_tire::ContactPatch& patch, Value&& value) {
   std::vector<float> values;

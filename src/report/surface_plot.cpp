@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the target over two variables. Between the grid points the target is bilinear in the drawn
-// axes (logarithmic if these are), which adds no minima. A cell with a failed corner stays empty.
+// Draws the target over two variables. Between the grid points the target is interpolated
+// bilinearly in the drawn axes (logarithmic if these are), which adds no minima. A cell with a
+// failed corner stays empty.
 #include "report/surface_plot.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ namespace {
 
 constexpr int kBands = 14;
 constexpr double kEverything = -1e300;
-constexpr int kFineCells = 40;  // approximate number of fine cells along each side
+constexpr int kFineCells = 40;  // approximate number of fine cells along each axis
 constexpr double kSurfaceLeft = 82, kSurfaceRight = 492, kSurfaceTop = 26, kSurfaceBottom = 376;
 
 struct Corner {
@@ -28,8 +29,8 @@ struct Corner {
   double value;
 };
 
-/// Returns the part of a small quadrilateral in which the value is at least `level`. [Sutherland &
-/// Hodgman, Comm. ACM 17 (1974)]
+/// Returns the part of a small quadrilateral in which the interpolated value is at least `level`.
+/// [Sutherland & Hodgman, Comm. ACM 17 (1974)]
 std::vector<Point> part_above(const std::array<Corner, 4>& quad, double level) {
   std::vector<Point> part;
   for (size_t k = 0; k < 4; ++k) {
@@ -42,7 +43,8 @@ std::vector<Point> part_above(const std::array<Corner, 4>& quad, double level) {
   return part;
 }
 
-/// Returns the line of equal value through the quadrilateral; empty if there is none.
+/// Returns the line on which the interpolated value is `level` through the quadrilateral; empty if
+/// there is none.
 std::vector<Point> crossing(const std::array<Corner, 4>& quad, double level) {
   std::vector<Point> ends;
   for (size_t k = 0; k < 4; ++k) {
@@ -98,8 +100,8 @@ SurfacePlot::SurfacePlot(const Surface& s)
     high = std::max(high, t);
   }
   if (!(low < high)) high = low + 1e-6;
-  // The valley matters most, so colors follow the logarithm if the target spans more than a factor
-  // of 5.
+  // The lowest values matter most, so colors follow the logarithm of the target if it spans more
+  // than a factor of 5.
   const bool logarithmic = low > 1e-9 * high && high > 5.0 * low;
   levels_ = Axis(100.0 * low, 100.0 * high, kSurfaceBottom, kSurfaceTop, logarithmic);
 }
@@ -138,8 +140,8 @@ double SurfacePlot::level(int band) const {
   return 0.01 * percents;
 }
 
-/// Returns everything above the level as one path; whole quadrilaterals in a row become one
-/// rectangle.
+/// Returns the region above the level as one path; adjacent whole quadrilaterals of a row become
+/// one rectangle.
 std::string SurfacePlot::region_above(double level) const {
   std::string region;
   Eigen::AlignedBox2d run;
@@ -186,7 +188,8 @@ std::string SurfacePlot::contour(double level) const {
   return line;
 }
 
-/// Fills the bands in order, each as the whole region above its lower level, which leaves no gaps.
+/// Fills the bands in ascending order. Each is drawn as the whole region above its lower level, so
+/// no gaps remain between bands.
 void SurfacePlot::fill_bands() {
   for (int band = 0; band < kBands; ++band) {
     const bool lowest = band == 0;
@@ -289,7 +292,8 @@ std::vector<GridMinimum> local_minima(const Eigen::MatrixXd& target) {
       bool least = true;
       for (int a = std::max(0, i - 1); a <= std::min(nx - 1, i + 1) && least; ++a) {
         for (int b = std::max(0, j - 1); b <= std::min(ny - 1, j + 1) && least; ++b) {
-          const bool before = a < i || (a == i && b < j);  // the first of equal neighbors counts
+          // if neighbors are equal, the first counts
+          const bool before = a < i || (a == i && b < j);
           least = !(target(a, b) < target(i, j)) && !(before && target(a, b) == target(i, j));
         }
       }

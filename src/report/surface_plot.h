@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The target over two design variables: filled contours with the minima marked.
+// Plot of the target over two design variables: filled contours with the minima marked.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace latsch::report {
 
-/// Grid point with no lower neighbor among the eight around it. Plateaus count once, failed points
-/// not at all.
+/// A grid point none of whose eight neighbors has a lower target. A plateau counts as one minimum;
+/// failed points are ignored.
 struct GridMinimum {
   int i = 0, j = 0;
   double target = 0.0;
 };
 
-/// Returns the minima ascending by target, so the first is the lowest of the grid.
+/// Returns the local minima in ascending order of the target.
 std::vector<GridMinimum> local_minima(const Eigen::MatrixXd& target);
 
 std::string surface_plot(const Surface& surface);

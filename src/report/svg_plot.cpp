@@ -13,12 +13,13 @@
 namespace latsch::report {
 namespace {
 
-constexpr int kMostDecimals = 6;         // decimals of a label; smaller numbers are written 2e-07
-constexpr double kSmallestShown = 1e-9;  // share of the largest value on a logarithmic axis
-constexpr double kDigit = 7.7;           // pixels, the widest digit of the fonts of a page
-constexpr double kAscent = 12.0;         // pixels, height of letters over their base line
+constexpr int kMostDecimals = 6;  // most decimals of a label; smaller numbers are written as 2e-07
+// share of the largest value at which a logarithmic axis begins at the latest
+constexpr double kSmallestShown = 1e-9;
+constexpr double kDigit = 7.7;    // px, width of the widest digit of a page's fonts
+constexpr double kAscent = 12.0;  // px, height of letters above their baseline
 
-/// Returns the number of letters of a UTF-8 text.
+/// Returns the number of characters of a UTF-8 text.
 double letters_of(const std::string& text) {
   return static_cast<double>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
@@ -30,8 +31,8 @@ std::string pixel(double value) {
   return text == "-0" ? "0" : text;
 }
 
-/// True unless the point is not a number, infinite or far outside any picture. A failed trial may
-/// leave such points.
+/// True if the point is finite and not far outside any picture. A failed trial may leave points
+/// that are not.
 bool drawable(const Point& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() < 1e5; }
 
 std::string pixels(const std::vector<Point>& points) {
@@ -251,7 +252,8 @@ void draw_frame(Svg& svg,
   svg.line({left, bottom}, {right, bottom}, "class=\"axis\"");
   if (!x_title.empty())
     svg.text({0.5 * (left + right), bottom + 36}, x_title, TextAnchor::middle, "title");
-  const double beside = std::max(kAscent, left - 16 - widest);  // a title is never cut off
+  // a title is not cut off at the left edge
+  const double beside = std::max(kAscent, left - 16 - widest);
   if (!y_title.empty()) svg.vertical_text({beside, 0.5 * (top + bottom)}, y_title);
 }
 
@@ -307,8 +309,8 @@ void draw_band(Svg& svg,
 std::vector<double> with_band(const std::vector<double>& values,
                               const std::vector<double>& lower,
                               const std::vector<double>& upper) {
-  constexpr double kBeyond = 0.5;  // share of the range of the values by which a band may widen the
-                                   // axis
+  // Largest widening of the axis by a band, as a share of the range of the values.
+  constexpr double kBeyond = 0.5;
   std::vector<double> all;
   for (const double value : values) {
     if (std::isfinite(value)) all.push_back(value);

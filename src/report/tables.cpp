@@ -11,8 +11,8 @@
 namespace latsch::report {
 namespace {
 
-constexpr double kBoundShare = 0.005;  // share of the range: a nearer value counts as "at the
-                                       // bound"
+// Share of the range: a value nearer to a bound than this counts as at the bound.
+constexpr double kBoundShare = 0.005;
 
 double share_of_range(const Variable& v, double value) {
   if (v.logarithmic && v.lower > 0.0)
@@ -35,8 +35,8 @@ bool is_curve(const ExperimentRow& row) { return row.kind == "curve"; }
 
 std::string heading_of(const std::string& measure) { return measure == "mean" ? "Mean" : measure; }
 
-/// Returns the mean or RMS error over the fitted experiments of one kind; nothing if their measures
-/// differ.
+/// Returns the mean or RMS error of the fitted experiments for which `of_kind` is true; nothing if
+/// their measures differ. `measure` becomes the name of the measure.
 std::optional<double> error_of_kind(const StudyReport& report,
                                     bool (*of_kind)(const ExperimentRow&),
                                     std::string& measure) {
@@ -55,8 +55,8 @@ std::optional<double> error_of_kind(const StudyReport& report,
   return std::nullopt;
 }
 
-/// Draws the lower and upper bound as the ends of a line, the initial value as a ring, the found
-/// one as a dot.
+/// Draws the range of a variable: its bounds as the ends of a line, the initial value as a ring,
+/// the fitted value as a dot.
 std::string track(const Variable& v) {
   const auto left = [&](double value) {
     const double share = share_of_range(v, value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report's numbers as HTML: the strip of key figures and the tables.
+// The report's numbers as HTML: a strip of the main results, and the tables.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ std::string experiment_table(const StudyReport& report);
 std::string run_facts(const StudyReport& report);
 std::string discretization_table(const StudyReport& report);
 
-/// States if the found value lies on a bound, beyond which the true optimum may lie.
+/// States whether the fitted value lies on a bound, beyond which the true optimum may lie.
 enum class AtBound { no, lower, upper };
 AtBound at_bound(const Variable& variable);
 

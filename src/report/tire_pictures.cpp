@@ -20,12 +20,12 @@ namespace latsch::report {
 namespace {
 
 constexpr double kOneMillimeter = 1e-3;
-/// Returns the position in the section: y and radius, mm.
+/// Returns the position in the cross section: y and radius, mm.
 Point in_section(const Eigen::Vector3d& X) {
   return {X.y() / kOneMillimeter, std::hypot(X.x(), X.z()) / kOneMillimeter};
 }
 
-/// Fits a box of the real world into a box of the picture, with one scale for both axes and the
+/// Maps a box in the real world to a box in the picture, with one scale for both axes and the
 /// second coordinate upward.
 struct Window {
   Eigen::AlignedBox2d world;
@@ -47,7 +47,7 @@ struct Window {
   double height() const { return scale * world.sizes().y(); }
 };
 
-/// Draws a bar such as "10 mm" to scale.
+/// Draws a scale bar with its length, such as "10 mm".
 void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
   double length = 100.0;
   for (double l : {5.0, 10.0, 20.0, 50.0}) {
@@ -63,7 +63,8 @@ void scale_bar(Svg& svg, const Point& at, double pixels_per_mm) {
   svg.text(0.5 * (at + end) + Point(0, -7), significant(length, 3) + " mm", TextAnchor::middle);
 }
 
-/// Draws every element of a sector in its region's color; `nodes` are the positions in the section.
+/// Draws every element of a sector in the color of its region; `nodes` are the positions in the
+/// cross section.
 void draw_elements(Svg& svg,
                    const fe_tire::Mesh& mesh,
                    const std::vector<Point>& nodes,
@@ -77,8 +78,8 @@ void draw_elements(Svg& svg,
   }
 }
 
-/// The plies in the order in which they appear, and the ply of every cord layer; -1: not in the
-/// mesh or without a name.
+/// The plies in the order in which they occur, and the index of the ply of every cord layer; -1 if
+/// the layer is not in the mesh or has no name.
 struct Plies {
   std::vector<Layer> plies;
   std::vector<int> of_layer;
@@ -135,9 +136,9 @@ void section_legend(
   }
 }
 
-/// Returns the rectangle of road that a contact point represents: half way to its neighbors, and at
-/// the rim of the contact patch as far outward as inward. The rectangles of integration points meet
-/// at the edges and the centers of elements.
+/// Returns the rectangle of road that a contact point represents. It extends half way to the
+/// neighboring points and, at the edge of the contact patch, as far outward as inward. The
+/// rectangles of integration points meet at the edges and the centers of elements.
 Eigen::AlignedBox2d cell_of(const std::vector<fe_tire::ContactPatch::Point>& points, size_t i) {
   const Eigen::Vector2d here(points[i].x, points[i].y);
   Eigen::AlignedBox2d cell;
@@ -149,7 +150,8 @@ Eigen::AlignedBox2d cell_of(const std::vector<fe_tire::ContactPatch::Point>& poi
       if (away[axis] > 0.0) ahead = std::min(ahead, away[axis]);
       if (away[axis] < 0.0) behind = std::min(behind, -away[axis]);
     }
-    const double largest = 3.0 * std::sqrt(points[i].area);  // a farther point is no neighbor
+    // a point farther away than this is no neighbor
+    const double largest = 3.0 * std::sqrt(points[i].area);
     const double nearest = std::min({ahead, behind, largest / 3.0});
     cell.min()[axis] = here[axis] - 0.5 * (behind < largest ? behind : nearest);
     cell.max()[axis] = here[axis] + 0.5 * (ahead < largest ? ahead : nearest);
@@ -185,7 +187,7 @@ std::string section_picture(const fe_tire::Mesh& mesh,
                cord_color(plies.at(rebar.layer)));
     }
   }
-  if (inflated) {  // draws the edges of the outer faces element by element
+  if (inflated) {  // draws the edges of the outer faces of the inflated tire, element by element
     for (const fe_tire::Element& element : mesh.elements) {
       const std::array<Point, 4> at = section_corners(element, grown);
       if (element.inner) svg.line(window(at[0]), window(at[1]), "class=\"inflated\"");
@@ -209,7 +211,8 @@ std::string loaded_section_picture(const fe_tire::Mesh& mesh,
                                    double loaded_radius) {
   std::vector<Point> before, after;
   Eigen::AlignedBox2d box;
-  for (int k = 0; k < mesh.nodes_per_sector(); ++k) {  // sector 0 is at the bottom, radius downward
+  // sector 0 is at the bottom, where the radius points downward
+  for (int k = 0; k < mesh.nodes_per_sector(); ++k) {
     const auto upright = [&](const Eigen::Vector3d& u) -> Point {
       return Point(mesh.X(1, k) + u.y(), mesh.X(2, k) + u.z()) / kOneMillimeter;
     };
@@ -251,7 +254,7 @@ std::string patch_picture(const fe_tire::ContactPatch& patch) {
   draw_frame(svg, x, y, "x, forward [mm]", "y, left [mm]", {.x_spacing = 40.0});
   for (size_t i = 0; i < patch.points.size(); ++i) {
     const auto& p = patch.points[i];
-    // The rectangle is slightly enlarged, so that no gaps remain between whole pixels.
+    // The rectangle is slightly enlarged, so that rounding to whole pixels leaves no gaps.
     const Eigen::Vector2d size = (cells[i].sizes() * window.scale).array() + 0.7;
     svg.rectangle(window({cells[i].min().x(), cells[i].max().y()}),
                   size.x(),

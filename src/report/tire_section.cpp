@@ -6,8 +6,8 @@
 namespace latsch::report {
 namespace {
 
-constexpr std::array<int, 4> kSectionNodes = {0, 3, 7, 4};  // nodes of face xi = -1: inner - +,
-                                                            // outer + -
+// Indices of the nodes of the face xi = -1: inner at -y, inner at +y, outer at +y, outer at -y.
+constexpr std::array<int, 4> kSectionNodes = {0, 3, 7, 4};
 
 Eigen::Vector2d of_section(const Eigen::Vector3d& X) { return {X.y(), std::hypot(X.x(), X.z())}; }
 

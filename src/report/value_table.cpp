@@ -12,8 +12,8 @@
 namespace latsch::report {
 namespace {
 
-/// Share of the largest weight: twenty values of this weight count together like one with the
-/// largest.
+/// Weights below this share of the largest weight are shown as hardly fitted: twenty values with
+/// this weight count as much as one with the largest.
 constexpr double kNearZero = 0.05;
 
 std::string cell(const std::string& text, bool strong = false) {
@@ -35,7 +35,7 @@ bool has_interval(const MeasuredValue& value) {
   return value.lower && value.upper && std::isfinite(*value.lower) && std::isfinite(*value.upper);
 }
 
-/// Returns a number in the unit of the row, with the digits that its interval supports.
+/// Returns a number in the unit of its row, with as many digits as its interval supports.
 std::string number(const MeasuredValue& value, double si) {
   constexpr int kDigits = 4;
   const double shown = in_unit(si, value.unit);
@@ -45,7 +45,8 @@ std::string number(const MeasuredValue& value, double si) {
   return half > 0.0 ? true_minus(format_known(shown, half)) : significant(shown, kDigits);
 }
 
-/// Returns the ratio to the target, such as "3.68", as is usual in tables of such fits.
+/// Returns the ratio of a value to its measured value, such as "3.68", a number that is usual in
+/// tables of such fits.
 std::string over_target(const MeasuredValue& value, double si) {
   const double ratio = si / value.measured;
   return std::isfinite(ratio) ? fixed(ratio, 2) : "–";

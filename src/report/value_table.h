@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Table of single measured values and their simulated counterparts: weight, target, initial value,
-// optimized value and its interval.
+// Table of single measured values and their simulated counterparts: weight, measured value, initial
+// value, fitted value and its interval.
 #pragma once
 
 #include <string>

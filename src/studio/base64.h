@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes bytes as text of letters that every file and page accepts. [RFC 4648, section 4]
+// Encodes bytes as Base64 text [RFC 4648, section 4].
 #pragma once
 
 #include <string>

@@ -20,8 +20,8 @@ namespace {
 constexpr long kConvergencePoints = 3000;
 constexpr long kRows = 100;
 
-/// Rounds positions of a scene to 1/64 of their unit: finer steps are not visible, and equal bits
-/// compress well.
+/// Rounds positions of a scene to multiples of 1/64: finer differences are not visible, and equal
+/// bits compress well.
 std::string rounded(std::string scene) {
   constexpr float kSteps = 64.0F;
   std::uint32_t head = 0;
@@ -44,14 +44,15 @@ std::string rounded(std::string scene) {
     round_all(frame["swing"]);
   }
   for (const Json& sequence : json["sequences"])
-    if (sequence["along"] == "time") round_all(sequence["points"]);  // other motions are magnified
+    // steps along other quantities are drawn magnified, so they keep their digits
+    if (sequence["along"] == "time") round_all(sequence["points"]);
   return scene;
 }
 
-/// Compresses the bytes as in [RFC 1952].
+/// Compresses bytes to the gzip format [RFC 1952].
 std::string gzip(const std::string& bytes) {
   z_stream stream{};
-  constexpr int kWindow = 15 + 16;  // largest window, with a gzip header
+  constexpr int kWindow = 15 + 16;  // largest window; + 16 selects the gzip header
   if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kWindow, 9, Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::runtime_error("no memory to compress with");
   std::string out(deflateBound(&stream, bytes.size()), '\0');
@@ -81,7 +82,7 @@ std::string report_answers(const std::filesystem::path& file,
   const auto hold = [&](const std::string& request, const std::function<Json()>& view) {
     try {
       answers[request] = view();
-    } catch (const InputError&) {  // the view has nothing to show
+    } catch (const InputError&) {  // the view has nothing to show for this study
     }
   };
   hold("study", [&] { return study_view(study, no_runs); });

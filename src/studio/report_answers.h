@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers of all views of one study, for a report in one file: a JSON object from requests to
-// answers, read by apps/web/src/lib/answers.ts. A view with nothing to show is left out.
+// The answers of the studio's views for one study, contained in a report: a JSON object from
+// requests to answers, read by apps/web/src/lib/answers.ts. A view with nothing to show is left
+// out.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +12,7 @@
 
 namespace latsch::studio {
 
-/// `drawn` are the report's own pictures, which are not computed again.
+/// `drawn` has the pictures of the report, which are not computed again.
 std::string report_answers(const std::filesystem::path& study,
                            const experiment::Language& language,
                            const report::StudyReport& drawn);

@@ -12,9 +12,10 @@
 namespace latsch::studio {
 namespace {
 
-constexpr long kMostInOneEvent = 200;  // trials; with more, the page requests its stretch again
+// trials; beyond this number the page requests its range again
+constexpr long kMostInOneEvent = 200;
 
-/// Parameters of a request beside its path.
+/// The query parameters of a request.
 class Query {
  public:
   explicit Query(const Request& request) : request_(request) {}
@@ -23,7 +24,8 @@ class Query {
     const auto found = request_.query.find(key);
     return found == request_.query.end() ? fallback : found->second;
   }
-  /// Throws InputError if the value is no whole number of at least `least`.
+  /// Returns the parameter as a whole number, or `fallback` if it is absent. Throws InputError if
+  /// it is no whole number of at least `least`.
   long number(const std::string& key, long fallback, long least) const {
     const std::string value = text(key);
     if (value.empty()) return fallback;
@@ -34,7 +36,8 @@ class Query {
                        std::to_string(least));
     return number;
   }
-  /// Returns one of two words, the first unless the request has one. Throws InputError for others.
+  /// Returns the parameter, which must be `first` or `second`; `first` if it is absent. Throws
+  /// InputError for another value.
   std::string either(const std::string& key, const char* first, const char* second) const {
     const std::string value = text(key, first);
     if (value != first && value != second)
@@ -52,7 +55,7 @@ class NotThere : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Returns a text that must be in the body of a POST.
+/// Returns a text from the JSON body of a POST. Throws InputError if the body lacks it.
 std::string text_in(const Json& body, const char* key) {
   const auto found = body.find(key);
   if (found == body.end() || !found->is_string())
@@ -60,7 +63,7 @@ std::string text_in(const Json& body, const char* key) {
   return found->get<std::string>();
 }
 
-/// Returns a whole number of the body of a POST; 0 if the body has none.
+/// Returns a whole number from the JSON body of a POST; 0 if the body lacks it.
 long whole_number_in(const Json& body, const char* key, long least, long most) {
   const auto found = body.find(key);
   if (found == body.end()) return 0;
@@ -70,7 +73,7 @@ long whole_number_in(const Json& body, const char* key, long least, long most) {
   return found->get<long>();
 }
 
-/// Returns a flag of the body of a POST; false if the body has none.
+/// Returns a flag from the JSON body of a POST; false if the body lacks it.
 bool flag_in(const Json& body, const char* key) {
   const auto found = body.find(key);
   if (found == body.end()) return false;
@@ -225,8 +228,8 @@ class Studio::Impl {
     throw NotThere("there is nothing to change at " + request.path);
   }
 
-  /// Refuses an edit that the check refuses, unless the file was wrong before, because the edit may
-  /// then be part of the correction.
+  /// Throws if `latsch check` refuses the edited text. If the file was wrong before, the edit is
+  /// accepted, because it may be part of the correction.
   void refuse_wrong(const ShelvedStudy& shelved,
                     const std::string& before,
                     const std::string& text) const {
@@ -254,7 +257,7 @@ class Studio::Impl {
     return {{"started", true}};
   }
 
-  /// Called by the watching thread.
+  /// Publishes changes to the clients; the watching thread calls this function.
   void tell(const std::string& id, const ShelvedStudy::Changes& changes) {
     if (changes.of_study || changes.of_state || id.empty()) publish_("", "home", "{}");
     if (id.empty()) return;
@@ -276,8 +279,8 @@ class Studio::Impl {
     }
   }
 
-  /// Returns the trials that came since the last event of the given study; null if it cannot be
-  /// read any more.
+  /// Returns an event with the trials of the study that came since the last event; null if the
+  /// study can no longer be read.
   Json trials_event(const ShelvedStudy& shelved) {
     return shelved.look([&](const auto& sight) -> Json {
       if (!sight.table) return nullptr;
@@ -316,8 +319,9 @@ class Studio::Impl {
   const experiment::Language& language_;
   Publish publish_;
   StudyRuns runs_;
-  std::map<std::string, Told> told_;  // one for each study; used by the watching thread
-  Shelf shelf_;                       // last, so that its thread ends before the members it uses
+  // for each study, what clients know; used by the watching thread only
+  std::map<std::string, Told> told_;
+  Shelf shelf_;  // declared last, so that its thread ends before the members that the thread uses
 };
 
 Studio::Studio(const StudioOptions& options, const experiment::Language& language, Publish publish)

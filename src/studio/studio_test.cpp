@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answers to the page equal the results of the study's own functions on its journal.
+// Compares the answers to the page with the results of the study's own functions on its journal.
 #include "studio/studio.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,8 @@ measurement = "aligning.csv"
 weight = 0.5
 )";
 
-  /// Returns a study fitted without slopes, which would give intervals with the fit.
+  /// Returns a study that is fitted without derivatives, because with them the fit would already
+  /// give intervals.
   correlation::Study two() {
     std::string text = "Mz [N*m]\n";
     for (int i = -12; i <= 12; ++i) text += std::to_string(2.5 * i) + "\n";
@@ -245,8 +246,8 @@ TEST_F(Asked, AJournalOfAnotherStudyIsSaidNotShown) {
   EXPECT_TRUE(wait_for([&] { return get("/api/trials")["total"].get<long>() > 0; }));
 }
 
-// The page is open while a test's table changes: it must not show the earlier best point with the
-// present test.
+// While the page is open, the table of a test changes. The page must not show the best point of the
+// earlier test with the present test.
 TEST_F(Asked, AnEditedTableOfATestMakesItAnotherStudy) {
   const auto study = two();
   fit_all(study);
@@ -309,7 +310,7 @@ TEST_F(Asked, StudiesAreNamedAsTheirFilesStandInTheFolder) {
   std::filesystem::create_symlink("study.toml", folder_ / "linked.toml");
   std::filesystem::create_symlink("nowhere.toml", folder_ / "dangling.toml");
   std::filesystem::create_directory_symlink(".", folder_ / "loop");
-  write(".study.17.1.toml", kHead);  // a check creates such a file for a moment
+  write(".study.17.1.toml", kHead);  // `latsch check` creates such a file for a moment
   begin();
   std::vector<std::string> names;
   const Json home = get("/api/home");
@@ -333,7 +334,8 @@ TEST_F(Asked, AStudyThatCannotBeReadSaysWhy) {
     EXPECT_EQ(ask(path).status, 400) << path;
 }
 
-// latsch new writes its files one after the other while somebody watches the folder.
+// Like `latsch new`, the test writes the study's files one after the other while the studio watches
+// the folder.
 TEST_F(Asked, AStudyWhoseMeasurementComesLaterIsReadThen) {
   two();
   const std::string measured = read_text_file(folder_ / "aligning.csv");

@@ -2,8 +2,9 @@
 // Patch test: on a distorted mesh, a uniform deformation is an equilibrium and gives the exact
 // uniform stress, whatever the shape of the elements. [Irons & Razzaque 1972; MacNeal & Harder
 // 1985, Finite Elements Anal. Des. 1] The deformation is finite. Inner nodes must carry no force
-// (relative to a face's resultant), and the resultants on the faces must be P N A. The tolerance
-// 1e-10 is rounding times the bulk modulus.
+// (relative to the resultant on a face), and the resultants on the faces must be P N A with the
+// first Piola-Kirchhoff stress P, the normal N and the area A. The tolerance 1e-10 is rounding
+// times the bulk modulus.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -69,7 +70,7 @@ bool inside(int i, int j, int k) { return i % kElements && j % kElements && k % 
 
 class Patch : public testing::TestWithParam<Case> {
  protected:
-  /// Moves inner nodes by up to a quarter of an element.
+  /// Returns a model whose inner nodes are displaced by up to a quarter of an element.
   SmallModel distorted() {
     Sequence random;
     Materials materials;
@@ -129,8 +130,8 @@ TEST_P(Patch, UniformDeformationIsAnEquilibriumOfUniformStress) {
   const Eigen::Matrix3d P = first_piola(kF);
   const Forces forces = sort(model, f);
   EXPECT_LT(forces.inside, 1e-10 * P.norm() * kSize * kSize);
-  // The sum of f x X over all nodes is the volume integral of P [virtual work of a uniform
-  // gradient].
+  // The sum of f x X over all nodes, the virial, is the volume integral of the stress P [virtual
+  // work of a uniform gradient].
   Eigen::Matrix3d virial = Eigen::Matrix3d::Zero();
   for (int a = 0; a < model.grid().nodes(); ++a)
     virial += f.segment<3>(3 * a) * model.X().col(a).transpose();
@@ -139,8 +140,9 @@ TEST_P(Patch, UniformDeformationIsAnEquilibriumOfUniformStress) {
 
 TEST_P(Patch, NewtonFindsItQuadratically) {
   SmallModel model = distorted();
-  // The dilatation is 0.5 %, where K = 500 G gives a hydrostatic tension of 2.5 G. More tears
-  // rubber [Gent & Lindley 1959, Proc. R. Soc. A 249, 195-205], and kF's own 3.5 % would give 17 G.
+  // The deformation kF is scaled to a volume increase of 0.5 %, which with K = 500 G gives a
+  // hydrostatic tension of 2.5 G. More than that tears rubber [Gent & Lindley 1959, Proc. R. Soc. A
+  // 249, 195-205]; the 3.5 % of kF itself would give 17 G.
   const Eigen::VectorXd exact = uniform(model, kF * std::cbrt(1.005 / kF.determinant()));
   Eigen::VectorXd u = exact;
   std::vector<char> held(model.unknowns(), 1);
@@ -150,8 +152,8 @@ TEST_P(Patch, NewtonFindsItQuadratically) {
         for (int c = 0; c < 3; ++c) {
           const int dof = 3 * model.grid().node(i, j, k) + c;
           held[dof] = 0;
-          // The start is near the solution: with K = 500 G, undamped steps from twice as far may
-          // end elsewhere.
+          // The iteration starts near the solution: with K = 500 G, undamped Newton steps from
+          // twice this distance may converge elsewhere.
           u[dof] += 5e-6 * (c - 1.0) * (i % 2 ? 1 : -1);
         }
       }
@@ -161,7 +163,7 @@ TEST_P(Patch, NewtonFindsItQuadratically) {
   EXPECT_LT((u - exact).norm(), 1e-10 * exact.norm());
   const auto& r = model.residuals();
   if (GetParam().name != "FullLinear" && r.size() >= 4) {
-    const size_t n = r.size() - 2;  // the last one is rounding
+    const size_t n = r.size() - 2;  // the last residual is only rounding
     EXPECT_LT(r[n], 1e-3 * r[n - 1]);
   }
 }
@@ -169,7 +171,7 @@ TEST_P(Patch, NewtonFindsItQuadratically) {
 std::string case_name(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Kinds, Patch, testing::ValuesIn(cases()), case_name);
 
-// Straight cords along x are at 25 degrees; elements are sheared and unequal in the plane of the
+// Straight cords run at 25 degrees to x; the elements are sheared and unequal in the plane of the
 // layer.
 class CordPatch : public testing::TestWithParam<Kind> {};
 
@@ -195,7 +197,8 @@ TEST_P(CordPatch, UniformDeformationIsAnEquilibrium) {
   const Eigen::Matrix3Xd u = kF * model.X() - model.X();
   const Eigen::VectorXd f = model.forces(u.reshaped(), nullptr);
   EXPECT_LT(sort(model, f).inside, 1e-10 * 2e9 * 3e-4 * kSize * 0.05);
-  // The virial of the cords is S l (x) d times their volume.
+  // The virial of the cords is S l (x) d times their volume, where S is their stress, d their
+  // direction and l that direction after the deformation.
   materials.layers.clear();
   SmallModel rubber(
       {kElements, kElements, kElements},
@@ -224,9 +227,9 @@ INSTANTIATE_TEST_SUITE_P(Kinds,
                          kind_name);
 
 // There are six rigid motions and no other motion without energy, also under compression: an
-// element that hourglasses under compression shows a negative eigenvalue here. The block is between
-// lubricated plates with free sides, in a homogeneous deformation of incompressible rubber, lambda
-// x 1/sqrt(lambda) x 1/sqrt(lambda).
+// element with an hourglass mode under compression shows a negative eigenvalue here. The block is
+// between lubricated plates with free sides, in a homogeneous deformation of incompressible rubber
+// with the stretches lambda, 1/sqrt(lambda) and 1/sqrt(lambda).
 class Squeezed : public testing::TestWithParam<Kind> {};
 
 TEST_P(Squeezed, BlockStaysStable) {
@@ -260,9 +263,9 @@ TEST_P(Squeezed, BlockStaysStable) {
   }
 }
 
-// Long, narrow elements of a tread are under hydrostatic stress, which does not buckle anything.
-// They are held at the bottom and the sides, with a lubricated plate at the top. (Rubber tears from
-// a tension of 2.5 G on.)
+// Long, narrow elements like those of a tread are under hydrostatic stress, which must not make
+// them unstable. They are fixed at the bottom and the sides, with a lubricated plate at the top.
+// (Rubber tears from a tension of 2.5 G on.)
 TEST_P(Squeezed, LongElementsStayStableUnderHydrostaticStress) {
   constexpr double kShear = 2e6, kBulk = 1e9;
   Materials materials;
@@ -294,10 +297,11 @@ TEST_P(Squeezed, LongElementsStayStableUnderHydrostaticStress) {
   }
 }
 
-// Long, narrow elements of a wall have cords across them in compression N, as in the carcass of a
-// tire below growing belts. They are held at the sides, between lubricated plates. Rubber has at
-// least the energy of G |grad u|^2 (Korn), from which cords take N |du/dy|^2. Below N = G t for a
-// row of thickness t only waves along the cords with the length of an element buckle.
+// Long, narrow elements like those of a tire's wall have cords across them under a compressive
+// force N, as in the carcass below belts that grow. They are fixed at the sides, between lubricated
+// plates. Rubber has at least the energy of G |grad u|^2 (Korn), from which the cords take N
+// |du/dy|^2. Below N = G t for a row of thickness t only waves along the cords with the length of
+// an element buckle.
 TEST_P(Squeezed, LongElementsStayStableUnderCordsInCompression) {
   constexpr double kShear = 3.3e6, kRow = 0.005, kCords = 0.3e-3;
   const Grid grid{4, 8, 2};

@@ -23,7 +23,7 @@ namespace {
 constexpr int kLayers = 40;
 constexpr double kHalfAngle = std::numbers::pi / 180.0;
 
-/// Returns p / mu that holds the inner surface at radius a.
+/// Returns the pressure over mu at which the inner surface has the radius a.
 double pressure_of(bool sphere, double a, ElementKind kind) {
   const Grid grid{1, 1, kLayers};
   const auto ray = [&](int i, int j) {
@@ -31,7 +31,7 @@ double pressure_of(bool sphere, double a, ElementKind kind) {
     return sphere ? Eigen::Vector3d(Eigen::Vector3d(s, -t, -1.0).normalized())
                   : Eigen::Vector3d(Eigen::Vector3d(s, 0.0, -1.0).normalized());
   };
-  const Eigen::Vector3d along(0.0, sphere ? 0.0 : 0.02, 0.0);  // length of the cylinder
+  const Eigen::Vector3d along(0.0, sphere ? 0.0 : 0.02, 0.0);  // along the length of the cylinder
   Materials materials;
   materials.solids = {{Hyperelastic{.C10 = 0.5, .C01 = 0.0, .K = 1e5}, 1.0}};
   SmallModel model(
@@ -41,7 +41,7 @@ double pressure_of(bool sphere, double a, ElementKind kind) {
       },
       kind,
       materials);
-  // There is one unknown for each layer: its radial displacement w.
+  // The only unknown of each layer is its radial displacement w.
   Eigen::MatrixXd T = Eigen::MatrixXd::Zero(model.unknowns(), kLayers + 1);
   for (int k = 0; k <= kLayers; ++k) {
     for (int j = 0; j < 2; ++j) {
@@ -54,7 +54,7 @@ double pressure_of(bool sphere, double a, ElementKind kind) {
   for (int step = 1; step <= kSteps; ++step) {
     const double inner = 1.0 + (a - 1.0) * step / kSteps;
     const double power = sphere ? 3.0 : 2.0;
-    for (int k = 0; k <= kLayers; ++k) {  // starts from the incompressible solution
+    for (int k = 0; k <= kLayers; ++k) {  // the start is the solution for incompressible rubber
       const double R = 1.0 + double(k) / kLayers;
       w[k] = std::pow(std::pow(R, power) + std::pow(inner, power) - 1.0, 1.0 / power) - R;
     }
@@ -102,7 +102,7 @@ TEST(Inflation, ThickSphere) {
   }
 }
 
-// The plain element locks, so it is for comparison only.
+// The element of full integration locks here, so it is shown for comparison only.
 TEST(Inflation, PlainElementLocks) {
   EXPECT_GT(pressure_of(false, 1.1, ElementKind::full_integration), 2.0 * kRows[0].cylinder);
 }

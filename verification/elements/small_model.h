@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A handful of elements with prescribed displacements, assembled densely: exactly what the
-// published problems of this folder need.
+// A model of a few elements with prescribed displacements, assembled as dense matrices, for the
+// published problems of this folder.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,8 @@ namespace latsch::verification {
 
 using namespace fe_tire;
 
-/// Nodes on an (nx + 1) x (ny + 1) x (nz + 1) grid, xi along x.
+/// Node numbers on a grid of (nx + 1) x (ny + 1) x (nz + 1) nodes; the element coordinate xi runs
+/// along x.
 struct Grid {
   int nx = 1, ny = 1, nz = 1;
   int node(int i, int j, int k) const { return (k * (ny + 1) + j) * (nx + 1) + i; }
@@ -29,12 +30,13 @@ class SmallModel {
              Materials materials,
              std::vector<RebarPlacement> rebars = {});
 
-  /// Returns internal forces at displacement u [3 nodes] and computes the tangent if K is given.
+  /// Returns the internal forces at the displacements u [3 per node]; if K is given, it receives
+  /// the tangent stiffness.
   Eigen::VectorXd forces(const Eigen::VectorXd& u, Eigen::MatrixXd* K);
   Eigen::MatrixXd mass() const;
 
-  /// Solves by Newton's method for the displacements not `held`, starting at u; the held ones keep
-  /// their values. Returns the number of iterations, or -1 if it fails.
+  /// Solves by Newton's method for the free displacements, starting at u; displacements that are
+  /// `held` keep their values. Returns the number of iterations, or -1 if the iteration fails.
   int solve(Eigen::VectorXd& u, const std::vector<char>& held, const Eigen::VectorXd& load);
 
   const Grid& grid() const { return grid_; }
@@ -53,13 +55,13 @@ class SmallModel {
   std::vector<double> residuals_;
 };
 
-/// Returns the lowest `count` eigenvalues of K x = lambda M x over the unknowns not held.
+/// Returns the lowest `count` eigenvalues of K x = lambda M x over the unknowns that are not held.
 std::vector<double> eigenvalues(const Eigen::MatrixXd& K,
                                 const Eigen::MatrixXd& M,
                                 const std::vector<char>& held,
                                 int count);
 
-/// A repeatable sequence of numbers in [-1, 1].
+/// A pseudo-random sequence of numbers in [-1, 1] that is the same in every run.
 class Sequence {
  public:
   double next() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The car in packages of both versions: its life cycle, its states, and several instances at once.
-// Its outputs equal those of the car driven directly, to the last bit.
+// Tests the FMI packages of a car, for both versions of FMI: life cycle, saved states, and several
+// instances at once. The outputs equal those of the car without FMI, to the last bit.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -18,7 +18,8 @@ constexpr const char* kCar = "kerb/baseline.toml";
 constexpr const char* kCleat =
     "kind = \"cleat\"\nheight = \"10 mm\"\nlength = \"25 mm\"\nplace = \"1.9 m\"\n";
 constexpr double kStep = 1e-3, kSpeed = 15.0, kRackRate = 0.02;
-constexpr int kSteps = 30, kCarSteps = 5;  // steps of the car in one communication step
+// number of communication steps, and number of the car's steps in each
+constexpr int kSteps = 30, kCarSteps = 5;
 
 using Bits = std::vector<std::uint64_t>;
 
@@ -28,7 +29,7 @@ Bits bits_of(const std::vector<double>& values) {
   return bits;
 }
 
-/// A car driven at the rear that runs over a cleat with its rack moving to the left.
+/// Inputs of a car that runs over a cleat, driven at the rear, while its rack moves to the left.
 class Drive {
  public:
   Drive(const Package& package, double torque = 100.0)
@@ -51,7 +52,7 @@ class Drive {
     ASSERT_EQ(slave_->step(kStep * from, kStep), CallStatus::ok)
         << (slave_->log.empty() ? "" : slave_->log.back().second);
   }
-  /// Returns all outputs.
+  /// Returns all outputs of the unit.
   Bits answer() {
     std::vector<double> values;
     for (const ExchangedVariable& variable : package_.variables) {
@@ -109,7 +110,8 @@ TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
                          drive.get(wheel + "spin_rate")}));
     }
     const auto chassis = static_cast<std::size_t>((*car)->parts().chassis);
-    const Eigen::Vector3d place = state.bodies.poses[chassis].place;  // center of a rigid body
+    // center of mass of the chassis
+    const Eigen::Vector3d place = state.bodies.poses[chassis].place;
     EXPECT_EQ(bits_of({place.x(), place.y(), place.z()}),
               bits_of({drive.get("chassis.x"), drive.get("chassis.y"), drive.get("chassis.z")}));
   };
@@ -133,7 +135,7 @@ TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
     expect_same(*state, inputs);
     highest = std::max(highest, (*car)->vertical_forces(*state)[0]);
   }
-  EXPECT_GT(highest, 1.2 * at_rest);  // the cleat had an effect
+  EXPECT_GT(highest, 1.2 * at_rest);  // the cleat raised the force
 }
 
 TEST_P(CarOf, GoesBackToAStateAndOnToTheSameBitsAlsoInAnotherInstance) {

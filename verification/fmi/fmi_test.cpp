@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The packages follow the standards [FMI 2.0.5, 2.1 and 4.2; FMI 3.0.2, 2.2 and 4.2]: life cycle,
-// states, several instances at once, and statuses of errors. The outputs equal those of the tire
-// called directly, to the last bit.
+// Tests that FMI packages of a tire follow the standards [FMI 2.0.5, 2.1 and 4.2; FMI 3.0.2, 2.2
+// and 4.2]: life cycle, saved states, several instances at once, and the statuses of errors. The
+// outputs equal those of the tire without FMI, to the last bit.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -49,7 +49,7 @@ void expect_same_bits(const Answer& a, const Answer& b) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(bits(a[i]), bits(b[i])) << i;
 }
 
-/// A wheel that moves straight ahead with yaw and inclination, pressed by 15 mm.
+/// Inputs of a wheel that moves straight ahead with yaw and inclination angles, pressed by 15 mm.
 class Drive {
  public:
   Drive(const Package& package, Slave& slave, double height)
@@ -95,7 +95,7 @@ Answer answer_of(const HubForces& hub) {
       hub.force.x(), hub.force.y(), hub.force.z(), hub.moment.x(), hub.moment.y(), hub.moment.z()};
 }
 
-/// The tire called directly.
+/// The tire without FMI, called directly.
 struct Direct {
   explicit Direct(const std::string& model)
       : specimen([&] {
@@ -156,7 +156,7 @@ TEST_P(EveryTire, AnswersOverACleatAsTheTireAskedDirectlyToTheLastBit) {
     expect_same_bits(drive.answer(), answer_of(*hub));
     highest = std::max(highest, hub->force.z());
   }
-  EXPECT_GT(highest, 1.1 * rest->force.z());  // the cleat had an effect
+  EXPECT_GT(highest, 1.1 * rest->force.z());  // the cleat raised the force
 }
 
 TEST_P(EveryTire, GoesBackToAStateAndOnToTheSameBits) {
@@ -283,7 +283,7 @@ TEST_P(EveryVersion, RefusesWhatIsWrongAndGoesOn) {
   EXPECT_EQ(slave->copy(nullptr), CallStatus::error);
 
   ASSERT_EQ(slave->get(package.reference("wheel.z"), value), CallStatus::ok);
-  EXPECT_GT(value, 0.2);  // none of these calls has changed it
+  EXPECT_GT(value, 0.2);  // the refused calls have not changed the value
   EXPECT_EQ(slave->step(0.0, kStep), CallStatus::ok);
   ASSERT_EQ(slave->get(kTimeReference, value), CallStatus::ok);
   EXPECT_EQ(value, kStep);
@@ -320,7 +320,8 @@ TEST_P(EveryVersion, BeginsAnewAfterTerminateAndReset) {
   ASSERT_EQ(slave->reset(), CallStatus::ok);
   double height = 0.0;
   ASSERT_EQ(slave->get(package.reference("wheel.z"), height), CallStatus::ok);
-  EXPECT_EQ(height, direct.tire->free_radius());  // the start value of the description
+  // the start value that the model description states
+  EXPECT_EQ(height, direct.tire->free_radius());
   drive.start();
   expect_same_bits(drive.answer(), rest);
   drive.step(0);
@@ -335,14 +336,14 @@ TEST_P(EveryVersion, FollowsInputsWhileItIsInitialized) {
   ASSERT_EQ(slave->enter(0.0), CallStatus::ok);
   double at_touch = 0.0, pressed = 0.0, ran = 0.0;
   ASSERT_EQ(slave->get(Fz, at_touch), CallStatus::ok);
-  EXPECT_NEAR(at_touch, 0.0, 1e-6);  // wheel.z starts where the tire first touches the road
+  EXPECT_NEAR(at_touch, 0.0, 1e-6);  // at its start value of wheel.z the tire just touches the road
   ASSERT_EQ(slave->set(z, direct.height), CallStatus::ok);
   ASSERT_EQ(slave->get(Fz, pressed), CallStatus::ok);
   EXPECT_GT(pressed, 1000.0);
   ASSERT_EQ(slave->leave(), CallStatus::ok);
   ASSERT_EQ(slave->set(z, direct.height - 0.01), CallStatus::ok);
   ASSERT_EQ(slave->get(Fz, ran), CallStatus::ok);
-  EXPECT_EQ(ran, pressed);  // outputs are those of the last communication point
+  EXPECT_EQ(ran, pressed);  // the outputs are those of the last communication point
 }
 
 TEST_P(EveryVersion, TakesTheInputsAsTheEndOfAStepWhereItIsToldSo) {
@@ -405,7 +406,8 @@ TEST(LoadedRadius, IsThatOfAnInclinedWheelOnASlope) {
   motion.center = {1.0, 0.0, 0.6};
   const double gamma = 0.3;
   motion.carrier = Eigen::AngleAxisd(gamma, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  // The road below the center is at 0.3 m; along the wheel's plane it is farther by 1/cos.
+  // The road below the wheel center is 0.3 m away; measured in the plane of the inclined wheel it
+  // is farther by 1/cos of the inclination.
   EXPECT_NEAR(loaded_radius(motion, *road, 0.0), 0.3 / std::cos(gamma), 1e-12);
   motion.carrier =
       Eigen::AngleAxisd(std::acos(-1.0) / 2.0, Eigen::Vector3d::UnitX()).toRotationMatrix();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a package of FMI 2.0 or 3.0, unpacked and loaded by its C functions alone, as another
-// program loads it. Both versions have one interface, so one test drives both.
+// Test support: unpacks an FMI package of version 2.0 or 3.0 and loads it through its C functions
+// alone, as another program does. Both versions have the same interface here, so each test runs
+// with both.
 #pragma once
 
 #include <filesystem>
@@ -16,10 +17,10 @@
 
 namespace latsch::exchange {
 
-/// Writes the contents of a ZIP file below the folder.
+/// Unpacks a ZIP file into the folder.
 void unpack(const std::string& bytes, const std::filesystem::path& folder);
 
-/// A loaded binary: its functions by their names.
+/// The loaded shared library of a package.
 class Binary {
  public:
   explicit Binary(const std::filesystem::path& file);
@@ -27,7 +28,7 @@ class Binary {
   Binary(const Binary&) = delete;
   Binary& operator=(const Binary&) = delete;
 
-  /// Returns nullptr if the binary exports no such name.
+  /// Returns the function of this name; nullptr if the library exports none.
   void* find(const std::string& name) const;
   template <class F>
   F* function(const std::string& name) const {
@@ -40,7 +41,8 @@ class Binary {
 
 /// An unpacked package.
 struct Package {
-  /// Makes a package of a file in `studies`. `road` is the text of a .toml; empty: no road given.
+  /// Makes and unpacks the package of a model's file in `studies`. `road` is the text of a road's
+  /// .toml; empty: the package has no road.
   Package(FmiVersion version, const std::string& model, const std::string& road);
 
   std::filesystem::path file(const std::string& name) const { return folder / name; }
@@ -53,15 +55,16 @@ struct Package {
   std::unique_ptr<Binary> binary;
 };
 
-/// An instance made from a package. `log` contains its messages.
+/// An instance of an FMU, created from a package. `log` contains its messages.
 class Slave {
  public:
   virtual ~Slave() = default;
 
   virtual bool there() const = 0;
-  virtual CallStatus initialize(double start) = 0;  // the whole initialization, from `instantiated`
-  virtual CallStatus enter(double start) = 0;       // its first half
-  virtual CallStatus leave() = 0;                   // its second half
+  /// the whole initialization of an instance in the state `instantiated`
+  virtual CallStatus initialize(double start) = 0;
+  virtual CallStatus enter(double start) = 0;  // enters the initialization mode
+  virtual CallStatus leave() = 0;              // leaves the initialization mode
   virtual CallStatus set(unsigned reference, double value) = 0;
   virtual CallStatus get(unsigned reference, double& value) = 0;
   virtual CallStatus step(double time, double step) = 0;
@@ -75,7 +78,7 @@ class Slave {
   std::vector<std::pair<CallStatus, std::string>> log;
 };
 
-/// Empty `token` and `resources` stand for those of the package.
+/// Creates an instance. If `token` or `resources` is empty, those of the package are used.
 std::unique_ptr<Slave> instantiate(const Package& package,
                                    const std::string& token = "",
                                    const std::string& resources = "");

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
-"""A car on four posts against an independent linear model in NumPy, from 0.5 to 20 Hz, with the defaults of the test.
+"""Compares a car on four posts with an independent linear model in NumPy, from 0.5 to 20 Hz, with the default
+settings of the test.
 
-    four_post_test.py PATH/TO/latsch
+   four_post_test.py PATH/TO/latsch
 
-The reference knows the car's file and Lagrange's equations, and shares no code or coordinates with the program. The program
-moves 25 bodies on joints of 1e10 N/m; the reference has rigid links and the coordinates
-    q:  x, y, z and the rotation of the chassis; at each corner the angle of the lower wishbone;
-        at each corner the gap g between push-rod and rocker, along the push-rod, which a force N holds at 0.
-Positions p(q) come from the linkage's closure. With rods whose ends move at v and w,
-    T = Σ m (v² + v w + w²)/6 + Σ (m v² + ω I ω)/2          thin rods; chassis and uprights
-    V = Σ m g z + Σ (F_0 e + k e²/2) + Σ k_b (e_b,left - e_b,right)²/2 + Σ k_t (R + h - z_w)²/2
-about the equilibrium ∂V/∂q = 0, M = ∂²T/∂q'∂q', K = ∂²V/∂q∂q, C = Σ c ∂e/∂q ∂e/∂q', and the guide of docs/car.md (5), (5a).
-With q and g for the rows of the coordinates and of the gaps,
-    (K_qq + iω C_qq - ω² M_qq) q = (k_t + iω c_t) ∂z_w/∂q h,     N = (K_gq + iω C_gq - ω² M_gq) q
-"""
+The reference uses the car's file and Lagrange's equations, and shares no code or coordinates with the program. The
+program moves 25 bodies on joints of 1e10 N/m; the reference has rigid links and the coordinates
+   q:  x, y, z and the rotation of the chassis; at each corner the angle of the lower wishbone;
+       at each corner the gap g between push-rod and rocker, along the push-rod, which a force N closes (g = 0).
+Positions p(q) follow from the closure of the linkage. With rods whose ends move at v and w,
+   T = Σ m (v² + v w + w²)/6 + Σ (m v² + ω I ω)/2          thin rods; chassis and uprights
+   V = Σ m g z + Σ (F_0 e + k e²/2) + Σ k_b (e_b,left - e_b,right)²/2 + Σ k_t (R + h - z_w)²/2
+about the equilibrium ∂V/∂q = 0, M = ∂²T/∂q'∂q', K = ∂²V/∂q∂q, C = Σ c ∂e/∂q ∂e/∂q', and the guide of docs/car.md (5),
+(5a). Index q means the rows of the coordinates, index g those of the gaps:
+   (K_qq + iω C_qq - ω² M_qq) q = (k_t + iω c_t) ∂z_w/∂q h,     N = (K_gq + iω C_gq - ω² M_gq) q"""
 import csv
 import pathlib
 import re
@@ -47,7 +47,7 @@ def si(words):
 
 
 def turned(axis, angle):
-    """Rotation about a unit axis [Rodrigues]."""
+    """Returns the matrix of the rotation about a unit axis by an angle [Rodrigues]."""
     x, y, z = axis
     N = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + np.sin(angle) * N + (1 - np.cos(angle)) * N @ N
@@ -63,7 +63,7 @@ def unit(vector):
 
 
 class Corner:
-    """The linkage of one corner, in the chassis' axes as drawn."""
+    """The linkage of one corner, in the axes of the chassis at the drawn position."""
 
     def __init__(self, axle, points, left):
         self.p = {name: si(at) * (1.0 if left else np.array([1.0, -1.0, 1.0])) for name, at in points.items()}
@@ -73,17 +73,18 @@ class Corner:
         self.bar = si(axle["anti_roll_bar"]["stiffness"]) if "anti_roll_bar" in axle else 0.0
         tire = axle["spring_tire"]
         self.R, self.kt, self.ct = si(tire["radius"]), si(tire["stiffness"]), si(tire["damping"])
-        across = si(axle["inertia"]["wheel_across"])  # the wheel turns freely about its axis, y
+        across = si(axle["inertia"]["wheel_across"])  # about y, the axis about which the wheel turns freely
         self.I = np.diag(si(axle["inertia"]["upright"]) + np.array([across, 0.0, across]))
         self.known = {}
 
     def about(self, name, front, rear, angle):
-        """A point of a wishbone that is turned about the line between its inner joints."""
+        """Returns a point of a wishbone that has turned about the line between its inner joints."""
         p = self.p
         return p[front] + turned(unit(p[rear] - p[front]), angle) @ (p[name] - p[front])
 
     def at(self, s, gap):
-        """Rods as (mass, end, end), the wheel's center, the upright's rotation, the lengths of the spring and of the bar's link."""
+        """Returns the rods as (mass, end, end), the wheel center, the rotation of the upright, and the lengths of the
+        spring and of the anti-roll bar's link."""
         if (s, gap) not in self.known:
             self.known[s, gap] = self.closed(s, gap)
         return self.known[s, gap]
@@ -92,7 +93,7 @@ class Corner:
         p, m = self.p, self.mass
         lbj = self.about("lbj", "lca_front", "lca_rear", s)
 
-        def upright(u):  # u: angle of the upper wishbone, then rotation of the upright about lbj
+        def upright(u):  # u: angle of the upper wishbone and rotation vector of the upright about lbj
             ubj, R = self.about("ubj", "uca_front", "uca_rear", u[0]), rotation(u[1:])
             track = lbj + R @ (p["trackrod_outer"] - p["lbj"])
             length = np.linalg.norm(p["trackrod_outer"] - p["trackrod_inner"])
@@ -141,7 +142,8 @@ def newton(f, u):
 
 
 class LinearCar:
-    """M, C, K of q and the gaps, about the car at rest; coordinates 0 to 5 chassis, 6 to 9 corners, 10 to 13 gaps."""
+    """M, C and K for q and the gaps, about the car at rest; coordinates 0 to 5 belong to the chassis, 6 to 9 to the
+    corners, 10 to 13 are the gaps."""
 
     def __init__(self, file):
         car = tomllib.loads(file.read_text())
@@ -184,7 +186,8 @@ class LinearCar:
         return (f(self.rest + e) - f(self.rest - e)) / (2 * h)
 
     def stand(self):
-        """Sinks on the tires as drawn; the springs then carry what is above them."""
+        """Lowers the car in its drawn position until the tires carry it, and sets the forces of the springs so that
+        they carry the weight above them."""
         for _ in range(5):
             f = np.array([self.slope(self.potential, i) for i in (2, 4)])
             K = np.array([[self.bend(i, j) for j in (2, 4)] for i in (2, 4)])
@@ -205,10 +208,11 @@ class LinearCar:
         ends = np.array([[self.slope(lambda q: self.flat(q)[0], j)] for j in range(14)])[:, 0]
         masses = np.concatenate([[m for m, _, _ in part[0]] for part in rest])
         self.M = np.zeros((14, 14))
-        v, w = ends[:, :, 0], ends[:, :, 1]  # coordinate, rod, axis
+        v, w = ends[:, :, 0], ends[:, :, 1]  # indices: coordinate, rod, axis
         for x, y, share in ((v, v, 1 / 3), (w, w, 1 / 3), (v, w, 1 / 6), (w, v, 1 / 6)):
             self.M += share * np.einsum("r,ira,jra->ij", masses, x, y)
-        self.wheels = np.array([self.slope(lambda q: self.flat(q)[1], j) for j in range(14)])  # coordinate, corner, axis
+        # indices: coordinate, corner, axis
+        self.wheels = np.array([self.slope(lambda q: self.flat(q)[1], j) for j in range(14)])
         for i, (corner, part) in enumerate(zip(self.corners, rest)):
             J = self.wheels[:, i]
             self.M += (corner.mass["upright"] + corner.mass["wheel"]) * J @ J.T
@@ -230,7 +234,8 @@ class LinearCar:
         self.add_guide(sum(masses) + self.m + sum(c.mass["upright"] + c.mass["wheel"] for c in self.corners))
 
     def add_guide(self, mass):
-        """Forces at the chassis along y and about z; along x at the rear wheels, with the moment of shafts."""
+        """Adds the guide: it acts on the chassis along y and about z; along x it acts at the rear wheels, with the
+        moment of the drive shafts."""
         works = 0.5 * (self.wheels[:, 2, 0] + self.wheels[:, 3, 0])
         works[4] -= 0.5 * (self.heights[2] + self.heights[3])
         for at, k, inertia, row in ((0, GUIDE_ALONG, mass, works), (1, GUIDE_ACROSS, mass, np.eye(14)[1]),
@@ -248,7 +253,7 @@ class LinearCar:
         return np.array([S[2, 1] - S[1, 2], S[0, 2] - S[2, 0], S[1, 0] - S[0, 1]]) / 2
 
     def response(self, frequency, signs):
-        """By sensor, of posts that move by the signs: N/m and 1/s^2."""
+        """Returns the transfer functions of all sensors, N/m and 1/s^2, for posts that move with these signs."""
         w = 2 * np.pi * frequency
         D = self.K + 1j * w * self.C - w**2 * self.M
         tire = np.array([corner.kt + 1j * w * corner.ct for corner in self.corners])
@@ -259,7 +264,9 @@ class LinearCar:
         return found | {"body_z": -(w**2) * q[2]}
 
 
-MOST = 0.005  # share of a response; steps of 0.2 ms and joints of 1e10 N/m leave 0.0004, the guide's pull in pitch 0.002
+# share of a response; time steps of 0.2 ms and joints of 1e10 N/m cause 0.0004 of it, the guide's longitudinal force
+# in pitch 0.002
+MOST = 0.005
 
 
 class AgainstNumPy(unittest.TestCase):
@@ -272,7 +279,7 @@ class AgainstNumPy(unittest.TestCase):
         self.car = self.folder / "four_post" / "baseline.toml"
 
     def recorded(self, mode):
-        """Lines in Hz, and complex responses by sensor, of the test with its defaults."""
+        """Returns the lines, Hz, and the complex transfer functions by sensor, from the test with default settings."""
         out = self.folder / "out.csv"
         done = subprocess.run([LATSCH, "test", self.car, f'{{kind = "four_post", spectra = true, mode = "{mode}"}}', "-o", out],
                               capture_output=True, text=True, timeout=600)
@@ -284,7 +291,7 @@ class AgainstNumPy(unittest.TestCase):
                                       for name, column in columns.items() if name.startswith("tf_")}
 
     def compare(self, mode, but=()):
-        """Every sensor at every line from 0.5 to 20 Hz, in magnitude and phase."""
+        """Compares every sensor at every line from 0.5 to 20 Hz, in magnitude and phase."""
         lines, found = self.recorded(mode)
         linear = LinearCar(self.car)
         self.assertEqual(set(found), {f"{what}_{name}" for what in ("pushrod", "hub") for name in CORNERS} | {"body_z"})
@@ -329,7 +336,7 @@ class AgainstNumPy(unittest.TestCase):
 
 
 def replace(file, table, key, value):
-    """Sets a key of a table of the car's file, which has both."""
+    """Replaces the value of a key in a table of the car's file; both must exist."""
     text = file.read_text()
     head, tail = text.split(f"[{table}]\n", 1)
     tail, count = re.subn(rf'(?m)^{key} = "[^"]*"', f'{key} = "{value}"', tail, count=1)

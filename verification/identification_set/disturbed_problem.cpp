@@ -14,8 +14,9 @@ namespace latsch::identification_set {
 namespace {
 
 constexpr double kRipple = 1e-3, kNoise = 1e-3;
-constexpr double kFewestWaves = 20.0, kMostWaves = 100.0;  // number over a range
-// Distance from the corner's edge, in the unit cube.
+// number of waves over the range of a variable
+constexpr double kFewestWaves = 20.0, kMostWaves = 100.0;
+// Least distances of start and true values from the edge of the failing corner, in the unit cube.
 constexpr double kFromStart = 0.02, kFromTruth = 0.03;
 constexpr int kNormals = 64, kPoints = 4096;
 
@@ -25,7 +26,8 @@ double square(const Vector& r) {
   return sum;
 }
 
-/// FNV-1a hash, because random numbers for a point must not depend on the standard library.
+/// FNV-1a hash, used because the random numbers for a point must not depend on the standard
+/// library.
 std::uint64_t number_of(const Vector& x) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char byte : DesignPoint{x}.bits()) {
@@ -34,14 +36,15 @@ std::uint64_t number_of(const Vector& x) {
   return hash;
 }
 
-/// Returns the depth of u inside the corner; negative outside.
+/// Returns the depth of the point u inside the failing corner; negative outside it.
 double depth(const std::vector<HalfSpace>& corner, const Eigen::VectorXd& u) {
   double least = std::numeric_limits<double>::infinity();
   for (const HalfSpace& half : corner) least = std::min(least, half.a.dot(u) - half.b);
   return least;
 }
 
-/// Returns a half space that contains kCorner of the cube.
+/// Returns the half space with the normal a that contains the share kCorner of the points, which
+/// fill the unit cube.
 HalfSpace half_space(Eigen::VectorXd a, const std::vector<Eigen::VectorXd>& points) {
   a.normalize();
   Vector along;
@@ -81,8 +84,8 @@ std::vector<std::vector<HalfSpace>> candidates(int n) {
   return all;
 }
 
-/// Returns the corner whose edge is as near to the truth as possible and that does not contain the
-/// start.
+/// Returns the failing corner whose edge is as near to the true values as possible and which does
+/// not contain the start.
 std::vector<HalfSpace> corner_of(const Problem& problem, int number) {
   const Eigen::VectorXd start = to_vector(problem.space.to_unit(problem.space.initial()));
   const Eigen::VectorXd truth =

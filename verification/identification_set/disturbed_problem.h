@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// A problem as a solver sees it: smooth, or disturbed as simulations are.
+// An identification problem as a solver sees it: smooth, or disturbed as simulations are.
 //
-//   rough    r_i + 1e-3 s sin(2 pi w_i'u + p_i): ripple of 20 to 100 waves over every range, as by
-//            meshes, contact and solvers' tolerances; the same for every evaluation of a point
+//   rough    r_i + 1e-3 s sin(2 pi w_i'u + p_i): a ripple of 20 to 100 waves over every range, as
+//            meshes, contact and solver tolerances cause; repeatable for every point
 //   noisy    r_i + 1e-3 s N(0, 1), drawn from the bits of the point
 //   failing  a corner of 13.5 % of the space has no outcome: a half space, or the region in which
-//            two variables both exceed a limit. Its edge is next to the truth; for every other
-//            problem the truth is inside, if possible
+//            two variables both exceed a limit. Its edge is near the true values; in every other
+//            problem the true values are inside it, if possible
 //
-// s is the root mean square of the residuals at the start. The undisturbed residuals decide whether
-// a problem is solved.
+// r_i are the residuals, u the point in the unit cube, and s is the root mean square of the
+// residuals at the start. The undisturbed residuals decide whether a problem is solved.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,9 +24,9 @@ inline constexpr Variant kVariants[] = {
     Variant::smooth, Variant::rough, Variant::noisy, Variant::failing};
 const char* name(Variant variant);
 
-inline constexpr double kCorner = 0.135;  // share of the space that fails
+inline constexpr double kCorner = 0.135;  // share of the design space that fails
 
-/// The half space a'u > b.
+/// The half space a'u > b of points u in the unit cube.
 struct HalfSpace {
   Eigen::VectorXd a;
   double b;
@@ -34,18 +34,19 @@ struct HalfSpace {
 
 class DisturbedProblem {
  public:
-  /// `number` is the problem's number among all; for every other one the truth fails.
+  /// `number` is the problem's position among all problems; for every other one the true values lie
+  /// in the failing corner.
   DisturbedProblem(const Problem& problem, Variant variant, int number);
 
   const Problem& problem() const { return problem_; }
   Variant variant() const { return variant_; }
 
-  /// Returns what a solver gets; nullopt: a failure.
+  /// Returns the disturbed residuals that the solver sees; nullopt if the point fails.
   std::optional<Vector> shown(const Vector& x) const;
-  /// The sum of squares without the disturbance; infinite if the point fails.
+  /// Returns the undisturbed sum of squares; infinite if the point fails.
   double exact(const Vector& x) const;
 
-  /// A point fails if it is inside all of these; empty: no point fails.
+  /// Returns the half spaces whose intersection is the failing corner; empty: no point fails.
   const std::vector<HalfSpace>& corner() const { return corner_; }
   bool fails(const Vector& x) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The half of the problems that is evaluated once, after a method is decided.
+// The half of the identification problems that is evaluated only once, after a method is decided.
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>
@@ -64,7 +64,8 @@ Vector duffing(const Vector& x) {
   return values;
 }
 
-/// Elements of Iwan's model with rounded stops: force along a path that reverses twice.
+/// Force of a parallel arrangement of elastic-slip elements (Iwan's model) with smoothed limits,
+/// along a path that reverses twice.
 Vector iwan(const Vector& x) {
   Vector values;
   double last = 0.0, s1 = 0.0, s2 = 0.0;
@@ -142,8 +143,8 @@ Vector ten_stiffnesses(const Vector& E) {
   return values;
 }
 
-/// Distances to six marks from an unknown place; scale and offset of the instrument are unknown
-/// too.
+/// Distances from an unknown place to six known points, measured by an instrument whose scale and
+/// offset are unknown too.
 Vector distances(const Vector& x) {
   Vector values;
   for (int i = 0; i < 6; ++i) {
@@ -153,7 +154,8 @@ Vector distances(const Vector& x) {
   return values;
 }
 
-/// Brush tire: side force and aligning moment; beyond full sliding the force is constant.
+/// Side force and aligning moment of the brush tire model; when the whole patch slides, the force
+/// is constant.
 Vector brush(const Vector& x) {
   Vector values;
   for (const double slip : grid(0.005, 0.3, 25)) {
@@ -165,7 +167,7 @@ Vector brush(const Vector& x) {
   return values;
 }
 
-/// Response of two resonances, coupled to the speed, to a short impact at two speeds.
+/// Response of two resonances to a short impact at two speeds; the speed couples the resonances.
 Vector blow(const Vector& x) {
   Vector values;
   for (const double speed : {1.0, 2.2}) {

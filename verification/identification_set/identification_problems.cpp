@@ -8,7 +8,8 @@
 namespace latsch::identification_set {
 namespace {
 
-constexpr double kLogarithmic = 9.99;  // upper over lower from which on a variable is logarithmic
+// least ratio of the upper to the lower bound for a variable with logarithmic scale
+constexpr double kLogarithmic = 9.99;
 
 DesignSpace space_of(const std::vector<Number>& numbers) {
   std::vector<DesignVariable> variables;
@@ -23,7 +24,8 @@ DesignSpace space_of(const std::vector<Number>& numbers) {
   return DesignSpace(variables);
 }
 
-/// FNV-1a hash of the name, because the error of a datum must not depend on the standard library.
+/// FNV-1a hash of the problem's name, used because the errors of its data must not depend on the
+/// standard library.
 std::uint64_t number_of(const std::string& name) {
   std::uint64_t hash = 14695981039346656037u;
   for (const char byte : name) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Problems with variables that are lost at the start: a peak outside of the data, a stop that is
-// never touched, or a decay that is over before the first sample has no effect. Starts are off by
-// factors of two to a hundred; boxes are centered at neither start nor truth.
+// Problems in which a variable has no effect at the start: a peak outside of the data, a stop that
+// is never touched, or a decay that is over before the first sample. Starts are off by factors of
+// two to a hundred, and the bounds are centered at neither the start nor the true values.
 //
-// The handling of lost variables was decided by the first half; the second was evaluated once,
-// afterward.
+// The treatment of such variables was designed with the first half of the problems; the second half
+// was evaluated once, afterward.
 #include <algorithm>
 #include <cmath>
 #include <complex>

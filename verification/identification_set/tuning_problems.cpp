@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The half of the problems that a method may be tuned on.
+// The half of the identification problems on which a method may be tuned.
 #include <Eigen/Core>
 #include <cmath>
 #include <complex>
@@ -22,7 +22,8 @@ Model curve(const Vector& t, const std::function<double(double, const Vector&)>&
   };
 }
 
-/// Natural frequencies of five masses between springs, the first one fixed, and three forces.
+/// Natural frequencies of a chain of five masses and springs whose first spring is fixed to the
+/// ground, and three static forces.
 Vector chain(const Vector& k) {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(5, 5);
   for (int i = 0; i < 5; ++i) {
@@ -40,9 +41,10 @@ Vector chain(const Vector& k) {
   return values;
 }
 
-/// Displacements of body and wheel over a bump.
+/// Displacements of body and wheel of a quarter-car model over a bump.
 Vector quarter_car(const Vector& x) {
-  const double k = x[0], c = x[1], kt = x[2], mu = x[3];  // k, c, kt per body mass; mass ratio
+  // k, c, kt over the mass of the body; mu: mass ratio
+  const double k = x[0], c = x[1], kt = x[2], mu = x[3];
   const auto states = integrate(
       [&](double t, const Vector& y) {
         const double road = t < 0.1 ? 0.5 * (1.0 - cos(20.0 * std::numbers::pi * t)) : 0.0;
@@ -60,7 +62,7 @@ Vector quarter_car(const Vector& x) {
   return values;
 }
 
-/// Force of a Bouc-Wen element under two amplitudes.
+/// Force of a Bouc-Wen hysteresis element at two amplitudes.
 Vector bouc_wen(const Vector& x) {
   const Vector times = grid(0.0, 2.0, 81);
   const auto motion = [](double t) {
@@ -97,7 +99,7 @@ Vector lotka_volterra(const Vector& x) {
   return values;
 }
 
-/// Twelve stiffnesses that affect sixteen frequencies and four forces in different shares.
+/// Sixteen frequencies and four forces, which depend on twelve stiffnesses in different shares.
 Vector twelve_stiffnesses(const Vector& E) {
   Vector values;
   for (int i = 0; i < 20; ++i) {
@@ -113,7 +115,7 @@ Vector twelve_stiffnesses(const Vector& E) {
   return values;
 }
 
-/// Loads at five radii that depend on a sum of three moduli and little else.
+/// Loads at five radii that depend on the sum of three moduli and hardly on each modulus alone.
 Vector hardly_three(const Vector& x) {
   Vector values;
   for (int i = 0; i < 5; ++i) {
@@ -124,7 +126,8 @@ Vector hardly_three(const Vector& x) {
   return values;
 }
 
-/// Frequencies of a ring on an elastic foundation: tension, bending, two foundations.
+/// Frequencies of a ring on an elastic foundation as functions of its tension, its bending
+/// stiffness and two foundation stiffnesses.
 Vector ring_frequencies(const Vector& x) {
   Vector values;
   for (int n = 1; n <= 9; ++n) {
@@ -323,7 +326,8 @@ std::vector<Problem> written_down() {
   all.push_back(fitted("cooling of a slab",
                        {{"a", 0.02, 2, 0.1, 0.4}, {"Bi", 0.1, 30, 10, 1.5}, {"T", 0.2, 3, 2, 1.0}},
                        curve(grid(0.02, 4, 30), [](double t, const Vector& x) {
-                         double zeta = 0.7, sum = 0.0;  // zeta tan(zeta) = Bi, three roots
+                         // zeta is a root of zeta tan(zeta) = Bi; three roots are used
+                         double zeta = 0.7, sum = 0.0;
                          for (int k = 0; k < 3; ++k) {
                            double low = k * std::numbers::pi, high = low + 0.5 * std::numbers::pi;
                            for (int i = 0; i < 60; ++i) {

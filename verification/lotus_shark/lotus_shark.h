@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A double wishbone and its static values as printed by Lotus Suspension Analysis (README.md).
+// The geometry of a double wishbone and its static values as Lotus Suspension Analysis prints them
+// (README.md).
 #pragma once
 
 #include <string>
@@ -9,11 +10,11 @@
 
 namespace latsch::verification {
 
-/// The right wheel, ISO 8855.
+/// Returns the corner of the right wheel, in axes of ISO 8855.
 suspension::CornerGeometry lotus_corner();
 
 struct PrintedValue {
-  std::string output;       // name in kinematic_outputs()
+  std::string output;       // name of the value in kinematic_outputs()
   double value, tolerance;  // SI
 };
 std::vector<PrintedValue> lotus_printed_values();

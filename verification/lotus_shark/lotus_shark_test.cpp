@@ -29,8 +29,9 @@ TEST(LotusShark, StaticValuesAreThePrintedOnes) {
   }
 }
 
-// This result does not depend on link lengths: the axis about which the rack turns a wheel with its
-// spring held is the line through its ball joints. The damper on the upper wishbone holds both.
+// The axis about which the rack turns a wheel whose spring is locked is the line through its ball
+// joints, whatever the lengths of the links. Locking the damper on the upper wishbone fixes both
+// wishbones.
 TEST(LotusShark, TheAxisOfRotationByTheRackIsTheKingpin) {
   const CornerGeometry corner = lotus_corner();
   CornerGeometry five_links = corner;

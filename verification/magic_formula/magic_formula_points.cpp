@@ -111,7 +111,7 @@ Disagreement disagreement(const MagicFormulaPoint& point, const SteadyState& fou
     }
   };
   constexpr double kForce = 1e-6, kMoment = 1e-7, kRelative = 1e-9;
-  // The reference stops its iteration for the rolling radius at 1e-9 m.
+  // m; the reference program ends its iteration for the rolling radius at this change.
   constexpr double kRadius = 1e-9;
   take("Fx", d.force, found.Fx, e.Fx, kForce, kRelative);
   take("Fy", d.force, found.Fy, e.Fy, kForce, kRelative);

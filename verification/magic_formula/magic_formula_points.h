@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States of the sample tires evaluated by MFeval (README.md), for comparison with our values.
+// States of the sample tires with the results of MFeval (README.md), an independent program.
 #pragma once
 
 #include <optional>
@@ -20,15 +20,15 @@ struct MagicFormulaPoint {
 /// Throws InputError if the table cannot be read.
 std::vector<MagicFormulaPoint> magic_formula_points();
 
-/// Returns the parameters of the sample tire of that version; nothing if the sample files do not
-/// exist.
+/// Returns the parameters of the sample tire for that version of the Magic Formula; nothing if the
+/// sample files do not exist.
 std::optional<magic_formula::Parameters> sample_tire(magic_formula::Version version);
 
-/// The largest deviation over the tolerance: |dF|/(1e-6 N + 1e-9 |F|), |dM|/(1e-7 N m + 1e-9 |M|);
-/// at most 1 if all agree.
+/// The largest deviations from the reference as multiples of the tolerance: |dF|/(1e-6 N + 1e-9
+/// |F|), |dM|/(1e-7 N m + 1e-9 |M|); at most 1 if all agree.
 struct Disagreement {
   double force = 0.0, moment = 0.0, radius = 0.0;
-  std::string worst;  // name of the point
+  std::string worst;  // name of the state with the largest deviation
 };
 Disagreement disagreement(const MagicFormulaPoint& point, const magic_formula::SteadyState& found);
 

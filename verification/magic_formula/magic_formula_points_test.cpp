@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Magic Formula 5.2, 6.1 and 6.2 compared with an independent program, under every convention,
-// inside and outside the ranges of the files, at low, zero and backward speed.
+// Compares Magic Formula 5.2, 6.1 and 6.2 with an independent program, in every sign convention,
+// inside and outside the validity ranges of the files, at low, zero and backward speed.
 #include "magic_formula/magic_formula_points.h"
 
 #include <gtest/gtest.h>
@@ -39,8 +39,8 @@ INSTANTIATE_TEST_SUITE_P(MagicFormula,
                                                                 : "Mf62";
                          });
 
-/// Compares all slopes of all outputs of the sample tires in those states with differences of the
-/// plain formula, one variable at a time.
+/// Compares the derivatives of all outputs of the sample tires in those states with differences of
+/// the function without derivatives, one variable at a time.
 TEST_P(Points, SlopesAreWhatDifferencesTendTo) {
   const auto tire = sample_tire(GetParam());
   if (!tire) GTEST_SKIP() << "no sample tires in " << LATSCH_SAMPLE_TIRES;
@@ -60,8 +60,7 @@ TEST_P(Points, SlopesAreWhatDifferencesTendTo) {
   }
 }
 
-/// Values of the 6.1 and 5.2 sample tires in MF-Tyre's convention, to the digits published with the
-/// requirement.
+/// Published values of the 6.1 and 5.2 sample tires in the sign convention of MF-Tyre.
 TEST(MagicFormula, PublishedSamples) {
   struct Sample {
     Version version;
@@ -107,7 +106,7 @@ TEST(MagicFormula, PublishedSamples) {
     const auto tire = sample_tire(sample.version);
     if (!tire) GTEST_SKIP() << "no sample tires in " << LATSCH_SAMPLE_TIRES;
     const SteadyState s = MagicFormula(*tire).evaluate(sample.state);
-    EXPECT_NEAR(s.Fx, sample.Fx, 0.6e-4);  // half of the last digit
+    EXPECT_NEAR(s.Fx, sample.Fx, 0.6e-4);  // half of the last published digit
     EXPECT_NEAR(s.Fy, sample.Fy, 0.6e-4);
     EXPECT_NEAR(s.Mx, sample.Mx, 0.6e-5);
     EXPECT_NEAR(s.My, sample.My, 0.6e-5);

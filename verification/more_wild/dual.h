@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dual numbers  a + b e,  e e = 0:  a function of a dual number is  f(a) + f'(a) b e,  so a formula
-// computes its own derivative, exact except for rounding.
+// Dual numbers a + b e with e e = 0. A function of a dual number is f(a) + f'(a) b e, so a formula
+// that is evaluated with dual numbers computes its own derivative, exact except for rounding.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,8 @@ struct Dual {
   double value = 0.0, slope = 0.0;
 
   Dual() = default;
-  Dual(double a, double b = 0.0) : value(a), slope(b) {}  // a number is a constant
+  /// a plain number is a constant with derivative 0
+  Dual(double a, double b = 0.0) : value(a), slope(b) {}
 
   Dual& operator+=(const Dual& b) { return *this = {value + b.value, slope + b.slope}; }
   Dual& operator*=(const Dual& b) {
@@ -47,7 +48,7 @@ inline Dual hypot(const Dual& a, const Dual& b) {
   const double length = std::hypot(a.value, b.value);
   return {length, (a.value * a.slope + b.value * b.slope) / length};
 }
-/// Computes a power with a varying base and a constant exponent, or with a constant base above 0.
+/// Computes a^b for a constant exponent b, or for a constant base a above 0.
 inline Dual pow(const Dual& a, const Dual& b) {
   const double power = std::pow(a.value, b.value);
   double slope = b.value * std::pow(a.value, b.value - 1.0) * a.slope;

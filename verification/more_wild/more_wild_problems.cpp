@@ -47,13 +47,15 @@ Vector chebyshev_start(int n) {
   return start;
 }
 
-/// f_L is that of MGH for the functions in it; Bdqrtic: by SciPy's Levenberg-Marquardt to 1e-15.
+/// Least values f_L: those of MGH for the functions in that paper; that of Bdqrtic is from SciPy's
+/// Levenberg-Marquardt with a tolerance of 1e-15.
 std::vector<Problem> make_problems() {
   const std::vector<double> near{1}, both{1, 10};
   std::vector<Problem> all;
-  // r = x_i - mean.. - 1: the least value is m - n.
+  // The least sum of squares of the full-rank linear function is m - n.
   add(all, {"linear, full rank", linear_full_rank, linear_full_rank, equal(9, 1)}, 45, 36.0, both);
-  // The least values are m (m - 1) / (2 (2 m + 1)) and (m^2 + 3 m - 6) / (2 (2 m - 3)).
+  // The least sums of squares are m (m - 1) / (2 (2 m + 1)) for rank 1 and (m^2 + 3 m - 6) / (2 (2
+  // m - 3)) for rank 1 with zero columns and rows.
   add(all,
       {"linear, rank 1", linear_rank_one, linear_rank_one, equal(7, 1)},
       35,

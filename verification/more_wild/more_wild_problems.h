@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The 53 least-squares problems of Moré and Wild:  f(x) = sum r_i(x)^2,  started at  s x_s.
-//
-// 22 functions in several sizes n, m, each from its standard start x_s or from 10 x_s. A problem
-// counts as solved to tau at the first x with  f(x) <= f_L + tau (f(x_0) - f_L).
-// [Moré & Wild, Benchmarking derivative-free optimization algorithms, SIAM J. Optim. 20 (2009) 172]
+// The 53 least-squares problems of Moré and Wild: f(x) = sum r_i(x)^2. They are 22 functions in
+// several sizes (n variables, m residuals), each from its standard start x_s or from 10 x_s. A
+// problem counts as solved to the tolerance tau at the first x with f(x) <= f_L + tau (f(x_0) -
+// f_L). [Moré & Wild, Benchmarking derivative-free optimization algorithms, SIAM J. Optim. 20
+// (2009) 172]
 //
 // f_L is the least value known in the neighborhood of the start, zero if the residuals can vanish.
 // The function of Freudenstein and Roth has two minima, 0 and 48.98; descent from either start
@@ -21,13 +21,14 @@ namespace latsch::more_wild {
 using Vector = std::vector<double>;
 
 struct Problem {
-  std::string name;    // "Rosenbrock (2, 2) x 10": function, (n, m), factor of the start
-  Vector start;        // x_0 = s x_s
+  std::string name;  // for example "Rosenbrock (2, 2) x 10": function, (n, m), factor on the start
+  Vector start;      // x_0 = s x_s
   int residual_count;  // m
   double least;        // f_L
   std::function<Vector(const Vector&)> residuals;
   Vector steps = {};  // first step of every variable; empty: start_step for all
-  std::function<Vector(const Vector&)> jacobian = {};  // n a residual; empty: not known
+  /// rows of n derivatives, one for each residual; empty: not known
+  std::function<Vector(const Vector&)> jacobian = {};
 
   int n() const { return static_cast<int>(start.size()); }
   double value(const Vector& x) const;
@@ -35,16 +36,17 @@ struct Problem {
   double solved_below(double tau) const;
 };
 
-/// Problems in the order of the paper's table.
+/// Returns the problems in the order of the paper's table.
 const std::vector<Problem>& problems();
 
-/// Returns the step every solver starts with: max(1, |x_0|_inf).
+/// Returns the length of the first step that every solver uses: max(1, |x_0|_inf).
 double start_step(const Problem& problem);
-/// Returns the first step of every variable.
+/// Returns the length of the first step for each variable.
 Vector start_steps(const Problem& problem);
 
-/// The problems have no bounds but a design space needs them: the box, x_0 -+ kBoxWidth / 2 start
-/// steps, is so wide that no iterate comes near its faces, yet 1e-12 of a start step is resolved.
+/// Width of the bounds in units of start_step(). The problems have no bounds but a design space
+/// needs them: they are x_0 -+ half this width, so wide that no solver comes near them, yet narrow
+/// enough to resolve 1e-12 of a first step.
 inline constexpr double kBoxWidth = 2e3;
 DesignSpace space(const Problem& problem);
 

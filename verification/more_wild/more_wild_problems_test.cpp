@@ -9,7 +9,8 @@ namespace latsch::more_wild {
 namespace {
 
 TEST(MoreWild, StartsAtThePublishedValues) {
-  // f(x_0) has six digits, from the table distributed with the paper (BenDFO, "smooth").
+  // The published f(x_0), with six digits, are those of the table distributed with the paper
+  // (BenDFO, "smooth").
   const std::vector<double> published{
       7.20000e+01, 1.12500e+03, 1.16542e+07, 1.16859e+09, 4.98920e+06, 5.00936e+08, 2.42000e+01,
       1.79577e+06, 2.50000e+03, 1.06000e+04, 2.15000e+02, 1.61540e+06, 4.00500e+02, 1.54575e+08,

@@ -68,7 +68,7 @@ std::vector<T> rosenbrock(const std::vector<T>& x, int) {
 
 template <class T>
 std::vector<T> helical_valley(const std::vector<T>& x, int) {
-  // The angle jumps across the negative x_2 axis, between -1/4 and 3/4 of a turn.
+  // The angle, in turns, jumps across the negative x_2 axis between -1/4 and 3/4.
   T turn = 0.25;
   if (x[0] != 0.0) turn = atan(x[1] / x[0]) / (2.0 * std::numbers::pi);
   if (x[0] < 0.0) turn += 0.5;
@@ -141,7 +141,7 @@ std::vector<T> watson(const std::vector<T>& x, int m) {
   std::vector<T> r(m);
   for (int i = 1; i <= 29; ++i) {
     const double t = i / 29.0;
-    T sum = 0.0, slope = 0.0;  // value of the polynomial with coefficients x at t, and its slope
+    T sum = 0.0, slope = 0.0;  // value and derivative at t of the polynomial with coefficients x
     for (int j = size(x); j >= 1; --j) {
       slope = slope * t + sum;
       sum = sum * t + x[j - 1];
@@ -184,7 +184,8 @@ template <class T>
 std::vector<T> chebyquad(const std::vector<T>& x, int m) {
   std::vector<T> r(m, 0.0);
   for (const T& x_j : x) {
-    T before = 1.0, now = 2.0 * x_j - 1.0;  // Chebyshev polynomials on [0, 1]
+    // Chebyshev polynomials on [0, 1]: the one before and the present one
+    T before = 1.0, now = 2.0 * x_j - 1.0;
     for (int i = 1; i <= m; ++i) {
       r[i - 1] += now / size(x);
       const T next = 2.0 * (2.0 * x_j - 1.0) * now - before;
@@ -192,7 +193,8 @@ std::vector<T> chebyquad(const std::vector<T>& x, int m) {
       now = next;
     }
   }
-  for (int i = 2; i <= m; i += 2) r[i - 1] += 1.0 / (square(i) - 1.0);  // minus their integrals
+  // subtracts the integrals of the even polynomials
+  for (int i = 2; i <= m; i += 2) r[i - 1] += 1.0 / (square(i) - 1.0);
   return r;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residuals and standard starts of the functions, each with its number in
+// Residuals and standard starts of the 22 test functions. Each function states its number in
 //   [MGH]  Moré, Garbow, Hillstrom, Testing unconstrained optimization software,
-//          ACM TOMS 7 (1981) 17, and the four of [Moré & Wild 2009] that are not in it.
-// Indices in the formulas count from 1 as in these papers. T: double, or Dual for derivatives.
+//          ACM TOMS 7 (1981) 17; four functions are not in it but in [Moré & Wild 2009].
+// Indices in the formulas count from 1 as in these papers. T is double, or Dual for derivatives.
 #pragma once
 
 #include <vector>

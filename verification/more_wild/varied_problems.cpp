@@ -19,7 +19,7 @@ Problem moved(Problem problem, RandomStream& random) {
   return problem;
 }
 
-/// Returns the problem in the variables y with x = x_0 + T (y - x_0).
+/// Returns the problem with new variables y, where x = x_0 + T (y - x_0).
 Problem in_other_variables(Problem problem, const Eigen::MatrixXd& T) {
   const Vector start = problem.start;
   const auto in_x = [start, T](const Vector& y) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levenberg-Marquardt with exact Jacobians on NIST's certified regressions and on the least-squares
-// problems of Moré, Garbow and Hillstrom in Moré and Wild's set, compared with SciPy's
-// least_squares.
+// Compares the Levenberg-Marquardt method with exact Jacobians with SciPy's least_squares, on
+// NIST's certified regressions and on those Moré-Wild problems that Moré, Garbow and Hillstrom
+// published.
 #include "optimization/least_squares/levenberg_marquardt.h"
 
 #include <fmt/format.h>
@@ -39,9 +39,11 @@ Score score_at(const Problem& problem, const std::vector<double>& x) {
   return {problem.value(x), problem.residuals(x), problem.jacobian(x)};
 }
 
-/// Chooses the first Delta so that every variable may change by its value, as in SciPy.
+/// Returns options whose first trust region lets every variable change by its own value, as in
+/// SciPy.
 LevenbergMarquardtOptions options_of(const Problem& problem) {
-  const double steps = problem.steps.empty() ? 1.0 : 10.0;  // steps are tenths of the start
+  // a step in problem.steps is a tenth of the start value
+  const double steps = problem.steps.empty() ? 1.0 : 10.0;
   return {.initial_step = steps / more_wild::kBoxWidth, .step_tolerance = 1e-13};
 }
 
@@ -61,7 +63,7 @@ Found by_levenberg_marquardt(const Problem& problem, const DesignSpace& space) {
   return found_by(method, problem);
 }
 
-/// Returns the result with the ending criteria of a study.
+/// Returns the result if the method ends by the criteria of a study.
 Found by_a_study(const Problem& problem) {
   OptimizerSettings settings;
   settings.levenberg_marquardt = options_of(problem);
@@ -88,7 +90,8 @@ Found by_scipy(benchmarks::SciPy& scipy,
   return found;
 }
 
-/// True if the least sum agrees to six digits, or the residuals to seven if they vanish.
+/// True if the sum of squares agrees with the least value to six digits or, if that is zero, is
+/// below 1e-14 of its value at the start.
 bool is_solved(const Problem& problem, double least) {
   return least <= (1.0 + 1e-6) * problem.least + 1e-14 * problem.value(problem.start);
 }
@@ -100,14 +103,14 @@ std::vector<Problem> all_problems() {
   return all;
 }
 
-/// Starts from which descent leads to another minimum, or to infinity.
+/// Problems in which descent from the start leads to another minimum, or to infinity.
 const std::set<std::string> kElsewhere{
     "BoxBOD, start 1", "Bard (3, 15) x 10", "Chebyquad (10, 10)", "Osborne 2 (11, 65) x 10"};
 
 bool has_scipy() { return std::system("/usr/bin/python3 -c 'import scipy' 2>/dev/null") == 0; }
 
-// Differences over a ten-millionth have an error by rounding and curvature of up to 1e-5 of the
-// largest derivative of a variable.
+// Differences with a relative step of 1e-7 have an error, by rounding and curvature, of up to 1e-5
+// of the largest derivative with respect to the variable.
 TEST(Jacobians, AreTheDerivativesOfTheResiduals) {
   for (const Problem& problem : all_problems()) {
     const Eigen::Index n = problem.n(), m = problem.residual_count;
@@ -141,9 +144,9 @@ TEST(LevenbergMarquardt, FindsTheCertifiedSums) {
   }
 }
 
-// The method ends if a step promises less than 1e-10 of the sum. An error e of b changes the sum by
-// e^2: five digits are accurate, of which weakly determined parameters such as ENSO's lose up to
-// two.
+// The method ends if a step promises less than 1e-10 of the sum of squares. A relative error e of
+// the parameters b changes the sum by e^2, so b has five accurate digits; weakly determined
+// parameters such as ENSO's have up to two fewer.
 TEST(LevenbergMarquardt, FindsTheCertifiedParameters) {
   for (const std::string& name : names()) {
     const Dataset data = read_dataset(name);
@@ -175,8 +178,8 @@ TEST(LevenbergMarquardt, NeedsHalfAsManyEvaluationsAgainAsSciPyAtMost) {
   EXPECT_LE(own, 1.5 * others);
 }
 
-// A study ends the search if more steps would gain less than the noise of one measured value: f / m
-// for m residuals.
+// A study ends the search if further steps would gain less than the noise of one measured value, f
+// / m for m residuals.
 TEST(LevenbergMarquardt, EndsInAStudyWithinTheNoiseOfOneValue) {
   int early = 0, all = 0;
   for (const Problem& problem : all_problems()) {
@@ -192,8 +195,8 @@ TEST(LevenbergMarquardt, EndsInAStudyWithinTheNoiseOfOneValue) {
   EXPECT_LT(early, all);
 }
 
-// The bound allows the first parameter half of the way to its certified value. Lanczos' problems
-// are left out, because their three terms then change places: there are several minima.
+// The bound lets the first parameter move only half of the way to its certified value. Lanczos'
+// problems are left out: their three terms can be exchanged, so there are several minima.
 TEST(LevenbergMarquardt, EndsWhereSciPyDoesWhenABoundCutsTheSolutionOff) {
   if (!has_scipy()) GTEST_SKIP() << "SciPy is not installed (Debian: python3-scipy)";
   benchmarks::SciPy scipy;

@@ -20,7 +20,7 @@ using Vector = std::vector<double>;
 using more_wild::Dual;
 using std::atan, std::cos, std::exp, std::expm1, std::pow, std::sin;
 
-/// A formula for numbers and for dual numbers.
+/// A model function, for plain numbers and for dual numbers.
 struct Model {
   using Value = double (*)(const Vector& x, const Vector& b);
   using Slope = Dual (*)(const Vector& x, const std::vector<Dual>& b);
@@ -114,7 +114,7 @@ const std::map<std::string, Model>& models() {
        }},
       {"Misra1d",
        [](const Vector& x, const auto& b) { return b[0] * b[1] * x[0] / (1.0 + b[1] * x[0]); }},
-      {"Nelson",  // for the logarithm of y
+      {"Nelson",  // the model is for the logarithm of y
        [](const Vector& x, const auto& b) { return b[0] - b[1] * x[0] * exp(-b[2] * x[1]); }},
       {"Rat42",
        [](const Vector& x, const auto& b) { return b[0] / (1.0 + exp(b[1] - b[2] * x[0])); }},

@@ -30,12 +30,14 @@ Dataset read_dataset(const std::string& name);
 std::vector<std::string> names();
 /// Throws std::out_of_range for an unknown name.
 std::vector<double> residuals(const Dataset& dataset, const std::vector<double>& b);
-/// Returns dr/db, a row of the variables for each residual; from the formulas themselves (dual.h).
+/// Returns dr/db, a row for each residual with the derivatives by all parameters. They are computed
+/// from the formulas themselves (dual.h).
 std::vector<double> jacobian(const Dataset& dataset, const std::vector<double>& b);
 
-/// Returns problems named "Misra1a, start 1" and so on. The least value is the certified one; the
-/// first step of a variable is a tenth of its start. MGH10 and MGH17 from start 2 are left out,
-/// because they are Meyer's and Osborne's first problem of the Moré-Wild set.
+/// Returns the regressions as problems of the Moré-Wild form, named "Misra1a, start 1" and so on.
+/// The least value is the certified one; the first step of a variable is a tenth of its start
+/// value. MGH10 and MGH17 from start 2 are left out, because they are two problems of the Moré-Wild
+/// set, Meyer's and Osborne's first.
 std::vector<more_wild::Problem> problems();
 
 }  // namespace latsch::nist_strd

@@ -22,8 +22,8 @@ TEST(NistStrd, SumsOfSquaresAtTheCertifiedValuesAreTheCertifiedOnes) {
   ASSERT_EQ(names().size(), 27u);
   for (const std::string& name : names()) {
     const Dataset data = read_dataset(name);
-    // b has eleven digits. If the data are exact to more, as those of Lanczos, only rounding is
-    // left of the sum.
+    // The certified parameters b have eleven digits. In data that are exact to more digits, such as
+    // those of Lanczos, only rounding remains in the sum of squares.
     const double rounding = 1e-20 * static_cast<double>(data.rows.size());
     EXPECT_NEAR(sum_of_squares(data, data.certified), data.sum, 1e-8 * data.sum + rounding) << name;
     EXPECT_EQ(data.start_1.size(), data.certified.size()) << name;
@@ -64,8 +64,8 @@ TEST(NistStrd, ResidualTrustRegionFindsTheCertifiedValues) {
       method.observe(point, score);
     }
     const Dataset data = read_dataset(problem.name.substr(0, problem.name.find(',')));
-    // The method ends if a step promises less than 1e-6 of the sum. An error e of b changes the sum
-    // by e^2, so b has half the digits.
+    // The method ends if a step promises less than 1e-6 of the sum of squares. A relative error e
+    // of the parameters b changes the sum by e^2, so b has half the digits of the sum.
     EXPECT_NEAR(least, data.sum, 1e-6 * data.sum) << problem.name;
     for (int i = 0; i < problem.n(); ++i) {
       EXPECT_NEAR(best.values[i] / data.certified[i], 1.0, 1e-3) << problem.name;

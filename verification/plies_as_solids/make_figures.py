@@ -1,15 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Inflation and modes of tire.toml with every ply as a layer of solid elements, by CalculiX.
+"""Computes inflation and modes of tire.toml with CalculiX, with every ply as a layer of solid elements. The model is
+one sector of the tire, one quadratic element (C3D20R) wide, with cyclic symmetry. Every ply is a row of anisotropic
+elements of finite thickness, with the stiffness of its rubber and E t / thickness along the cords, so that the rubber
+between two plies shears as a continuum does. It shares only the numbers of tire.toml with our program.
 
-One sector of the tire, one quadratic element (C3D20R) around and cyclic symmetry. Every ply is a
-row of anisotropic elements of finite thickness, its rubber's stiffness and E t / thickness along
-the cords, so that the rubber between two plies shears as a continuum does. Nothing here is shared
-with our program but the numbers of tire.toml.
-
-  make_figures.py            all figures, as figures.csv has them (some ten minutes)
-  make_figures.py --deck 22 0.4 120 > deck.inp
-"""
+   make_figures.py            all figures, as in figures.csv (some ten minutes)
+   make_figures.py --deck 22 0.4 120 > deck.inp"""
 import math
 import os
 import re
@@ -23,8 +20,8 @@ import numpy as np
 
 HERE = Path(__file__).parent
 SECTORS = 120
-HARMONICS = 1  # largest number of waves
-MODES = 4      # number for each
+HARMONICS = 1  # largest number of waves around the tire
+MODES = 4  # number of modes for each number of waves
 
 
 def number(text):
@@ -34,11 +31,11 @@ def number(text):
 
 
 class Wall:
-    """The section: natural cubic spline over the chord length, walked by its arc length."""
+    """The cross section of the tire: a natural cubic spline over the chord length, parametrized by its arc length."""
 
     def __init__(self, section):
         half = np.array(section["contour"]["values"], float)
-        points = np.vstack([half[:0:-1], half * [-1, 1]])  # +y bead to -y bead
+        points = np.vstack([half[:0:-1], half * [-1, 1]])  # order: bead at +y to bead at -y
         t = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
         n = len(t)
         h = np.diff(t)
@@ -67,7 +64,7 @@ class Wall:
         return (m * a**3 + k * b**3) / (6 * h) + (p / h - m * h / 6) * a + (q / h - k * h / 6) * b
 
     def at(self, s, d):
-        """(y, r) at the position s in [-1, 1] and the offset d outward; unit tangent."""
+        """Returns (y, r) at the position s in [-1, 1] and the offset d outward, and the unit tangent."""
         t = np.atleast_1d(np.interp(s, self.arc, self.fine))
         p, tangent = self.spline(t)[0], self.spline(t, True)[0]
         tangent /= np.hypot(*tangent)
@@ -78,7 +75,8 @@ class Wall:
 
 
 def stations(wall, ends, size):
-    """Ends of the columns from -1 to 1: ply ends are among them, near them columns are short."""
+    """Returns the ends of the element columns, from -1 to 1. Ply ends are among them, and columns near ply ends are
+    short."""
     half = sorted({0.0, 1.0, *ends})
     unit = 2 * size / wall.length
     s = [0.0]
@@ -98,7 +96,7 @@ def isotropic(E, nu):
 
 
 def along(direction):
-    """d (x) d in the order 11, 22, 33, 12, 13, 23 of CalculiX."""
+    """Returns the components of d (x) d in CalculiX' order 11, 22, 33, 12, 13, 23."""
     return np.array([direction[i] * direction[j]
                      for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))])
 
@@ -112,7 +110,7 @@ def deck(tire, angle, ply_thickness, size):
               number(p["young_modulus"]) * number(p["cord_area"]) / number(p["spacing"]))
              for name, p in tire["layer"].items()]
     half = ply_thickness / 2
-    # None stands for the faces of the wall; every gap between levels is one row of elements.
+    # None stands for the inner and the outer face of the wall; every gap between levels is one row of elements.
     inner = plies[0][2] - half
     outer = plies[-1][2] + half
     levels = [("in", 0), ("in", 1 / 3), ("in", 2 / 3)]
@@ -135,8 +133,8 @@ def deck(tire, angle, ply_thickness, size):
     text = ["*NODE,NSET=NALL"]
     node = {}
     angle_of = [0.0, math.pi / SECTORS, 2 * math.pi / SECTORS]
-    # Nodes are on a grid of half elements: (around 0..2, along, through), without those that
-    # quadratic elements do not have.
+    # Nodes lie on a grid of half elements: (around 0..2, along, through), without the grid points at which quadratic
+    # elements have no node.
     for a in range(3):
         for i in range(2 * columns + 1):
             for k in range(2 * rows + 1):
@@ -162,7 +160,7 @@ def deck(tire, angle, ply_thickness, size):
             text.append(",".join(map(str, [elements[i, k]] + numbers[:10])) + ",")
             text.append(",".join(map(str, numbers[10:])))
     text += ["*ORIENTATION,NAME=CYLINDER,SYSTEM=CYLINDRICAL", "0,0,0,0,1,0"]
-    # Rubber alone comes first, then every ply column by column.
+    # The elements of plain rubber come first, then those of every ply, column by column.
     ply_rows = {levels.index(p[2] - half): p for p in plies}
     plain = [elements[i, k] for i in range(columns) for k in range(rows)
              if k not in ply_rows or abs(0.5 * (s[i] + s[i + 1])) > ply_rows[k][3]]
@@ -177,9 +175,9 @@ def deck(tire, angle, ply_thickness, size):
             middle = 0.5 * (s[i] + s[i + 1])
             if abs(middle) > to:
                 continue
-            _, tangent = wall.at(middle, d)  # (y, r), toward the -y bead
-            # CalculiX' cylinder axes about +y: radial, around (its sense does not matter for growth
-            # and frequencies, because the mirrored tire has the same), axial.
+            _, tangent = wall.at(middle, d)  # (y, r) components, toward the bead at -y
+            # CalculiX' cylinder axes about +y: radial, circumferential, axial. The sense of the circumferential axis
+            # does not matter, because the mirrored tire has the same growth and frequencies.
             around = np.array([0, 1, 0])
             along_wall = np.array([tangent[1], 0, tangent[0]])
             v = along(math.cos(math.radians(alpha)) * around +
@@ -193,10 +191,10 @@ def deck(tire, angle, ply_thickness, size):
             text += ["*DENSITY", f"{density:.12g}",
                      f"*SOLID SECTION,ELSET={tag},MATERIAL={tag},ORIENTATION=CYLINDER"]
     for name, face in (("LEFT", 0), ("RIGHT", 1)):
-        # Face 6 of an element is on the side of the first plane, face 4 on that of the second.
+        # Face 6 of an element lies in the first plane of the sector, face 4 in the second.
         text.append(f"*SURFACE,NAME={name},TYPE=ELEMENT")
         text += [f"{e},S{(6, 4)[face]}" for e in elements.values()]
-    # The nodes of the first plane follow those of the second.
+    # Nodes of the first plane depend on those of the second, so only the latter are fixed.
     rim = [n for (a, i, k), n in node.items() if i in (0, 2 * columns) and a > 0]
     text.append("*NSET,NSET=RIM")
     text += [",".join(map(str, rim[j:j + 12])) + "," for j in range(0, len(rim), 12)]
@@ -210,7 +208,7 @@ def deck(tire, angle, ply_thickness, size):
     p = number(tire["pressure"])
     text += ["*STEP,NLGEOM,INC=100", "*STATIC", "0.25,1.0", "*DLOAD", f"INNER,P1,{p:.10g}",
              "*NODE PRINT,NSET=CROWN,FREQUENCY=100", "U", "*END STEP"]
-    # CalculiX counts the load stiffness of a pressure twice in such a step, so it is halved here.
+    # In such a step CalculiX counts the load stiffness of a pressure twice, so the pressure is halved.
     text += ["*STEP,PERTURBATION", "*FREQUENCY,STORAGE=YES", f"{MODES},", "*DLOAD,OP=NEW",
              f"INNER,P1,{p / 2:.10g}",
              f"*SELECT CYCLIC SYMMETRY MODES,NMIN=0,NMAX={HARMONICS}", "*END STEP"]

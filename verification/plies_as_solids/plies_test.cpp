@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Belts that slide on the rubber between them, compared with a model of the same section in which
-// every ply is a layer of anisotropic solid elements, computed by CalculiX (README.md).
+// Compares our belts, which can slide on the rubber between them, with a CalculiX model of the same
+// section in which every ply is a layer of anisotropic solid elements (README.md).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 const std::filesystem::path kFolder = LATSCH_PLIES_AS_SOLIDS;
 
-/// Returns the figures for plies of 0.4 mm, by quantity.
+/// Returns the reference figures for plies that are 0.4 mm thick, by quantity.
 std::map<std::string, double> figures(double angle_deg) {
   std::ifstream file(kFolder / "figures.csv");
   std::map<std::string, double> found;
@@ -38,8 +38,8 @@ std::map<std::string, double> figures(double angle_deg) {
 
 class PliesAsSolids : public testing::TestWithParam<double> {};
 
-// The tolerance is 2 %: the reference's plies are 0.4 mm thick, which alone is 2 % of growth at 22
-// degrees.
+// The tolerance is 2 %, because the thickness of the reference's plies, 0.4 mm, alone changes the
+// growth by 2 % at 22 degrees.
 TEST_P(PliesAsSolids, GrowthAndTheModesOfWaveNumbersZeroAndOneAgreeWithinTwoPercent) {
   TireDescription tire = read_tire(Document::read(kFolder / "tire.toml").root());
   for (int belt : {1, 2}) {
@@ -59,7 +59,8 @@ TEST_P(PliesAsSolids, GrowthAndTheModesOfWaveNumbersZeroAndOneAgreeWithinTwoPerc
     int rank = 0;
     for (const Mode& mode : *modes) {
       if (mode.n != n) continue;
-      // The reference lists every mode of its complex problem twice, also those with n = 0.
+      // The reference solves a complex eigenvalue problem and lists every mode twice, also those
+      // with n = 0.
       const std::string name = "n=" + std::to_string(n) + " mode " +
                                std::to_string(n == 0 ? 2 * rank + 1 : rank + 1) + " [Hz]";
       ++rank;

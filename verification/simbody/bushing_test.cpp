@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One bushing between bodies far from rest, rotated by up to 0.4 rad in each component: its
-// wrenches equal those of Simbody's Force::LinearBushing.
+// Compares one bushing between bodies that are displaced far and rotated by up to 0.4 rad in each
+// component with Simbody's Force::LinearBushing: the wrenches must be equal.
 #include "models/multibody/bushing.h"
 
 #include <gtest/gtest.h>
@@ -60,8 +60,8 @@ TEST(SimbodyBushing, WrenchesAreThoseOfSimbodysLinearBushing) {
     const BushingWrenches found =
         wrenches(strain, forces_in_motion(strain, rates, bushing, 0.0, nullptr, 0.0, nullptr));
     const Vector6d on_a = row.wrench("a"), on_b = row.wrench("b");
-    // The tolerance is rounding of 1 m in places and of 1 in rotations, about ten times, relative
-    // to stretches of 0.1 m.
+    // The tolerance is about ten times the rounding error of positions of 1 m and rotations of 1
+    // rad, relative to deformations of 0.1 m.
     EXPECT_LT((found.on_a - on_a).norm(), 1e-13 * on_a.norm()) << i;
     EXPECT_LT((found.on_b - on_b).norm(), 1e-13 * on_b.norm()) << i;
     ++compared;

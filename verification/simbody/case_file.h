@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A case that Simbody and Latsch both read: bodies on bushings, loads, tires on a road. README.md
-// lists the fields. Units are SI; x forward, y left, z up; places and axes are those at rest.
+// A case file that Simbody and Latsch both read: bodies on bushings, loads, tires on a road.
+// README.md lists the fields. Units are SI; x points forward, y left, z up; positions and axes are
+// those at rest.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,10 +16,12 @@ namespace latsch::verification {
 
 struct LoadCase {
   std::string name;
-  std::vector<multibody::Load> loads;  // in addition to those that are always applied
+  std::vector<multibody::Load> loads;  // applied in addition to the loads that all cases have
 };
 
-/// F = k (R - (z_c - h)) + c (h' - z_c'), upward at the wheel center, while it is above zero.
+/// A tire as a vertical spring and damper at the wheel center: its upward force is F = k (R - (z_c
+/// - h)) + c (h' - z_c') while F > 0, where R is the free radius, z_c the height of the center and
+/// h that of the road.
 struct LinearTire {
   std::string name;
   int body;
@@ -26,8 +29,8 @@ struct LinearTire {
   double radius, stiffness, damping;  // m, N/m, N s/m
 };
 
-/// A road profile: `count` times H/2 (1 - cos 2π s/L), the first from `start` on, for right <= y <=
-/// left.
+/// A road profile: `count` humps H/2 (1 - cos 2π s/L) of pitch L and height H in a row, the first
+/// from `start` on, for right <= y <= left.
 struct KerbStretch {
   double pitch, height, start;  // m
   int count;
@@ -44,8 +47,8 @@ struct CaseFile {
   Eigen::Vector3d gravity;
   std::vector<multibody::Body> bodies;
   std::vector<multibody::Joint> joints;
-  /// Springs to the ground along and about directions that nothing else holds in statics. Loads
-  /// have no component there, so these springs carry no load: they only select one of many
+  /// Springs to the ground that remove the free motions of the model in statics. The loads have no
+  /// component along these motions, so the springs carry no load: they only select one of many
   /// equilibria.
   std::optional<multibody::Joint> held_in_statics;
   std::vector<multibody::Load> loads;
@@ -59,14 +62,14 @@ struct CaseFile {
 /// Throws InputError if the file cannot be read.
 CaseFile read_case_file(const std::filesystem::path& file);
 
-/// Returns the loads of this case, of every case and of gravity.
+/// Returns the loads of this case, together with those of all cases and with gravity.
 std::vector<multibody::Load> loads_of(const CaseFile& file, const LoadCase& load_case);
 
-/// Returns the joints together with those needed in statics: the held springs, and tires on level
-/// ground as vertical springs, which is exact as long as they touch it.
+/// Returns the joints together with those that statics needs: the springs of held_in_statics, and
+/// the tires on level ground as vertical springs, which is exact as long as they touch it.
 std::vector<multibody::Joint> joints_in_statics(const CaseFile& file);
 
-/// Returns the displacement of an output point from its place at rest, m.
+/// Returns the displacement of an output point from its position at rest, m.
 Eigen::Vector3d displacement(const CaseFile& file,
                              const OutputPoint& output,
                              const multibody::Poses& poses);

@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the case files that Simbody and Latsch both read: fsae_corner.json, five_links.json and car_21_bodies.json.
 
-    python3 make_cases.py        in this folder
+   python3 make_cases.py        in this folder
 
-Hardpoints: the parametric model of a student race car, set "fsae_parametrica", front and rear left; x forward with
-the front axle at 1550 mm, y left, z up from the ground. The right side is the mirror image. Masses, dampings and tires
-are chosen: they are of the size such a car has. A wishbone is two thin tubes from its ball joint, a rod is one."""
+Hardpoints are those of the parametric model of a student race car, set "fsae_parametrica", front and rear left; x
+forward with the front axle at 1550 mm, y left, z up from the ground. The right side is the mirror image. Masses,
+dampings and tires have the size that is usual for such a car. A wishbone is two thin tubes from its ball joint, a rod
+is one."""
 import json
 import pathlib
 import random
@@ -26,7 +27,7 @@ FRONT = {  # mm
     "trackrod_outer": (1490.000, 553.400, 118.540),
     "trackrod_inner_rack": (1490.000, 266.310, 119.872),
 }
-REAR = {  # mm; the toe-link corresponds to the track-rod in front
+REAR = {  # mm; the toe-link corresponds to the track-rod of the front axle
     "uca_chassis_front": (125.161, 318.339, 314.902),
     "uca_chassis_rear": (-160.644, 318.236, 310.835),
     "lca_chassis_front": (88.707, 307.596, 143.145),
@@ -39,7 +40,7 @@ REAR = {  # mm; the toe-link corresponds to the track-rod in front
     "trackrod_outer": (65.785, 570.499, 136.865),
     "trackrod_inner_rack": (84.331, 356.843, 141.969),
 }
-FIVE_LINKS = {  # mm, inner and outer; the corner of studies/suspensions/five_link_rear.toml
+FIVE_LINKS = {  # mm, inner and outer joint; the corner of studies/suspensions/five_link_rear.toml
     "upper_front": ((60, 420, 480), (20, 690, 500)),
     "upper_rear": ((-110, 400, 470), (-40, 690, 490)),
     "lower_front": ((330, 470, 260), (60, 700, 210)),
@@ -48,7 +49,7 @@ FIVE_LINKS = {  # mm, inner and outer; the corner of studies/suspensions/five_li
     "pushrod": ((-30, 560, 620), (-10, 660, 260)),
 }
 RUBBER = {"upper_front": 4e6, "upper_rear": 4e6, "lower_front": 2e6, "lower_rear": 6e6, "toe_link": 6e6}  # N/m, inner ends
-RADIUS = 0.235  # m, radius of the free tire
+RADIUS = 0.235  # m, radius of the unloaded tire
 BUSHING = {
     "stiffness": [3e7] * 3,
     "rotational_stiffness": [200.0] * 3,
@@ -71,12 +72,13 @@ TUBE_RADIUS = 0.008  # m, radius of rods and of the tubes of wishbones
 
 
 def meters(points, side):
-    """Of the left side (1) or mirrored to the right (-1)."""
+    """Returns the points of the left side (side = 1), or mirrored to the right side (side = -1)."""
     return {name: [round(x / 1e3, 9), round(side * y / 1e3, 9), round(z / 1e3, 9)] for name, (x, y, z) in points.items()}
 
 
 def tubes(name, mass, ends):
-    """A body of thin tubes of one wall, alike in mass: its center of mass and inertia about it."""
+    """Returns a body of thin tubes of equal wall thickness and mass: its center of mass, and its inertia about that.
+    """
     each = mass / len(ends)
     middles = [[(p + q) / 2 for p, q in zip(a, b)] for a, b in ends]
     center = [sum(middle[i] for middle in middles) / len(ends) for i in range(3)]
@@ -85,8 +87,8 @@ def tubes(name, mass, ends):
         along = [q - p for p, q in zip(a, b)]
         length2 = sum(x * x for x in along)
         arm = [p - q for p, q in zip(middle, center)]
-        # A tube about its middle: m/12 (l^2 1 - l l') of a line, m r^2 about its axis and half of
-        # it across; Steiner's part m (d^2 1 - d d').
+        # Inertia of a tube about its middle: m/12 (l^2 1 - l l') of a line, plus m r^2 about its axis and half of
+        # that across; then the parallel-axis term m (d^2 1 - d d').
         for i in range(3):
             for j in range(3):
                 unit = 1.0 if i == j else 0.0
@@ -104,7 +106,7 @@ def body(name, mass, center, inertia):
 
 
 def corner(points, of=""):
-    """Five bodies and ten bushings; `of` is appended to their names."""
+    """Returns a corner of five bodies and ten bushings; the suffix `of` is appended to their names."""
     bodies = [
         tubes("upper_wishbone" + of, 0.8, [(points["ubj"], points["uca_chassis_front"]),
                                            (points["ubj"], points["uca_chassis_rear"])]),
@@ -120,13 +122,13 @@ def corner(points, of=""):
 
 
 def random_loads(count):
-    """Of the size of the others, in all directions."""
+    """These loads have the size of the others and random directions."""
     draw = random.Random(20)
     each = lambda reach: [float(f"{draw.uniform(-reach, reach):.6g}") for _ in range(3)]
     return [(f"random {i}", each(4e3), each(150.0)) for i in range(1, count + 1)]
 
 
-FIVE_LOADS = [  # N, N m, at the contact point
+FIVE_LOADS = [  # N and N m, at the contact point
     ("Fz +5 kN", [0.0, 0.0, 5e3], [0.0, 0.0, 0.0]),
     ("Fy -4 kN", [0.0, -4e3, 0.0], [0.0, 0.0, 0.0]),
     ("Fx -4 kN", [-4e3, 0.0, 0.0], [0.0, 0.0, 0.0]),
@@ -224,7 +226,7 @@ def car():
 
 
 def text(case):
-    """A body, bushing, load or point a line."""
+    """Formats a case as JSON with one line for each body, bushing, load or point."""
     rows = []
     for key, value in case.items():
         if isinstance(value, list) and value and isinstance(value[0], dict):

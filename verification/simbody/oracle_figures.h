@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures of the oracle: those committed, and those it prints now if it could be built.
+// Results of the oracle, the reference program on Simbody: those that are committed, and those that
+// it prints now if it could be built.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +10,7 @@
 
 namespace latsch::verification {
 
-/// A table of text with a header.
+/// A table of texts with a header.
 struct Figures {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
@@ -21,8 +22,8 @@ struct Figures {
 /// Throws InputError if the file cannot be read.
 Figures read_figures(const std::filesystem::path& file);
 
-/// Returns the output of `simbody_oracle ARGUMENTS`; nothing if the program was not built because
-/// Simbody is not installed. Throws InputError if it fails.
+/// Runs `simbody_oracle ARGUMENTS` and returns its output; nothing if the program was not built
+/// because Simbody is not installed. Throws InputError if it fails.
 std::optional<Figures> figures_of_oracle(const std::string& arguments);
 
 }  // namespace latsch::verification

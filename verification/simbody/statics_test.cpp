@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statics of the cases that Simbody reads as well, compared with its figures: those committed, and
-// those it prints now if it is installed.
+// Compares statics of the cases that Simbody also reads with Simbody's results: those committed,
+// and those it prints now if it is installed.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -20,14 +20,15 @@ namespace {
 using Eigen::Vector3d;
 using namespace multibody;
 
-// Both programs have residuals below 1e-7 N, with stiffnesses of at least 1e5 N/m in a car of
-// bushings and tires: 1e-12 m. Energies differ by loads of some kN times that.
+// Tolerance, m, rad, J. In both programs the residuals are below 1e-7 N and the stiffnesses of
+// bushings and tires at least 1e5 N/m, so positions agree within 1e-12 m. Energies agree within
+// that times loads of some kN.
 constexpr double kSame = 1e-10;  // m, rad, J
 
 std::string folder(const std::string& file) { return LATSCH_SIMBODY_CASES "/" + file; }
 
-/// Results by load case, kind and name: travel of a "point", "rotation" vector of a body, "energy"
-/// (J) of all bushings as the first of three.
+/// Results by load case, kind and name. The kinds are "point" (displacement), "rotation" (rotation
+/// vector of a body) and "energy" (of all bushings, J, in the first of the three numbers).
 using Moved = std::map<std::array<std::string, 3>, Vector3d>;
 
 Moved moved(const Figures& figures) {
@@ -75,7 +76,7 @@ Moved moved_by_us(const CaseFile& file) {
   return moved;
 }
 
-/// Returns the work of the load of a case as it grows from zero in equal steps, J.
+/// Returns the work, J, of the load of a case as the load grows from zero in equal steps.
 double work(const CaseFile& file, const LoadCase& load_case, int steps) {
   const Mechanism mechanism(file.bodies, file.joints);
   Equilibrium statics(mechanism, {.force = 1e-7});
@@ -123,7 +124,8 @@ TEST(SimbodyStatics, CarStandsWhereSimbodyPutsIt) {
       moved_by_us(file), moved(read_figures(folder("car_21_bodies_rest_simbody.csv"))), kSame);
 }
 
-// The file of a study, read as a K&C rig reads it, agrees with the case that the oracle reads.
+// The study's file, as the K&C rig of the program reads it, gives the same corner as the case file
+// of the oracle.
 TEST(SimbodyStatics, FiveLinksStandWhereSimbodyPutsThem) {
   const CaseFile file = read_case_file(folder("five_links.json"));
   ASSERT_EQ(file.load_cases.size(), 15u);
@@ -149,8 +151,8 @@ TEST(SimbodyStatics, FiveLinksStandWhereSimbodyPutsThem) {
   }
 }
 
-// dx, dy, dz in mm; camber, toe-in and caster in deg: the figures of corner_test.cpp, on which two
-// other programs agree.
+// dx, dy, dz in mm; camber, toe-in and caster in deg. These are the figures of corner_test.cpp, on
+// which two other programs agree.
 const std::map<std::string, std::array<double, 6>> kPrinted = {
     {"Fz +5 kN", {0.50025, 0.19826, 1.28328, -0.05050, -0.05471, 0.09804}},
     {"Fy -4 kN", {0.02265, -0.56246, -0.16064, 0.07710, 0.33106, -0.02222}},
@@ -184,8 +186,9 @@ std::array<double, 6> wheel(const CaseFile& file, const Moved& moved, const std:
           (now.caster - rest.caster) / kDegree};
 }
 
-// The load grows in n steps. Its work by the trapezoidal rule has an error of order 2 in 1/n, and
-// of order 4 with the next term removed. In 16 steps the relative error is about 1e-12.
+// The load grows in n steps. Its work by the trapezoidal rule has an error of order 2 in 1/n;
+// extrapolation removes this term and leaves order 4. With 16 steps the relative error is about
+// 1e-12.
 TEST(SimbodyStatics, EnergyOfTheBushingsIsTheWorkOfTheLoad) {
   const CaseFile file = read_case_file(folder("fsae_corner.json"));
   const Moved simbodys = moved(read_figures(folder("fsae_corner_simbody.csv")));

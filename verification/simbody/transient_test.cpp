@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car of 21 bodies over a kerb: our transient is compared with Simbody's, whose committed run
-// agrees with the present one if Simbody is installed.
+// Compares our transient of a car of 21 bodies over a kerb with Simbody's. If Simbody is installed,
+// its present run must agree with the committed one.
 #include "models/multibody/transient.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@
 namespace latsch::verification {
 namespace {
 
-// The present run has a thousand times the tolerance of the committed run and differs by 20 nm.
+// The present run uses a thousand times the tolerance of the committed run and differs from it by
+// 20 nm.
 TEST(SimbodyTransient, CommittedRunIsWhatItGivesToday) {
   const std::string folder = LATSCH_SIMBODY_CASES;
   const auto today = figures_of_oracle("transient '" + folder + "/car_21_bodies.json' 1e-6");
@@ -33,7 +34,7 @@ TEST(SimbodyTransient, CommittedRunIsWhatItGivesToday) {
 using Eigen::Vector3d;
 using namespace multibody;
 
-/// Tires on the kerb, in a frame that moves with the car.
+/// Forces of the tires on the kerb, in a frame that moves with the car.
 Outside tires_on_road(const CaseFile& file) {
   return [&file](const Motion& motion, std::vector<BodyForce>& wrenches) {
     const KerbStretch& kerb = *file.road;
@@ -63,7 +64,7 @@ Outside tires_on_road(const CaseFile& file) {
   };
 }
 
-/// Returns the largest distance of any output point at any time from Simbody's, m.
+/// Returns the largest distance, m, of any output point at any time from Simbody's result.
 double away_from_simbody(double step) {
   const CaseFile file = read_case_file(LATSCH_SIMBODY_CASES "/car_21_bodies.json");
   const Figures figures = read_figures(LATSCH_SIMBODY_CASES "/car_21_bodies_simbody.csv");
@@ -98,7 +99,8 @@ double away_from_simbody(double step) {
   return away;
 }
 
-// A wheel leaves the road during the run. The distance is 17 µm at 5 kHz, 4 µm at 10, 0.3 µm at 40.
+// A wheel leaves the road during the run. The distance from Simbody's result is 17 µm at 5000 steps
+// per second, 4 µm at 10,000 and 0.3 µm at 40,000.
 TEST(SimbodyTransient, OursStaysBesideItAndComesCloserWithShorterSteps) {
   EXPECT_LT(away_from_simbody(1e-4), 10e-6);
   EXPECT_LT(away_from_simbody(2.5e-5), 1e-6);

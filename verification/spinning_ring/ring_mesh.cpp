@@ -24,7 +24,7 @@ fe_tire::Mesh ring_mesh(const std::vector<SectionBlock>& blocks, int sectors, do
   fe_tire::Mesh mesh;
   mesh.sectors = sectors;
   std::vector<Eigen::Vector3d> nodes;
-  // The nodes of each element: inner +y, inner -y, outer +y, outer -y.
+  // Order of the nodes of each element: inner +y, inner -y, outer +y, outer -y.
   std::vector<std::array<int, 4>> corners;
   for (const SectionBlock& block : blocks) {
     for (std::size_t j = 0; j + 1 < block.sides.size(); ++j) {

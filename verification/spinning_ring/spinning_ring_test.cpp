@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spinning rings against CalculiX 2.20, an independent program and closed forms.
+// Compares spinning rings with CalculiX 2.20, an independent program and closed forms.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -89,7 +89,7 @@ TEST(FreeRing, inertia_of_the_standing_mesh_splits_them_to_second_order) {
   EXPECT_GT(coarse.split, 2.5 * fine.split);
 }
 
-// A free thin ring grows by rho Omega^2 r^3 / E.
+// The radius of a free thin ring grows by rho Omega^2 r^3 / E.
 TEST(FreeRing, grows_by_the_tension_that_holds_its_mass) {
   FeTire ring(free_ring_mesh(120), free_ring_materials(0.0));
   const auto grown = SpinningTire(ring).inflate(*ring.inflate(0.0), 100.0);

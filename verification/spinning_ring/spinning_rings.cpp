@@ -24,7 +24,8 @@ T value_of(Result<T> result) {
   return *std::move(result);
 }
 
-/// Smallest relative distance of a listed frequency to those found with its n and sense.
+/// Returns the relative difference between a listed frequency and the nearest computed one with the
+/// same n and sense of rotation.
 double nearest(const std::vector<SpinningMode>& modes,
                const ListedMode& listed,
                double wanted,
@@ -38,7 +39,8 @@ double nearest(const std::vector<SpinningMode>& modes,
   return least;
 }
 
-/// Displacement of the node of the ring's outer edge at y = 0.01 m, sector frame, m.
+/// Returns the displacement, m, in the frame of the sector, of the node on the outer edge of the
+/// ring at y = 0.01 m.
 Eigen::Vector3d crown_displacement(const FeTire& tire, const Inflated& state) {
   for (int k = 0; k < tire.mesh().nodes_per_sector(); ++k) {
     const Eigen::Vector3d X = tire.mesh().X.col(k);
@@ -49,7 +51,7 @@ Eigen::Vector3d crown_displacement(const FeTire& tire, const Inflated& state) {
 
 FeTire free_ring(int sectors) { return FeTire(free_ring_mesh(sectors), free_ring_materials(0.3)); }
 
-/// Lowest radial angular frequency, rad/s, of one n and sense.
+/// Computes the lowest radial angular frequency, rad/s, for one n and one sense of rotation.
 using Frequency = std::function<double(FeTire&, const Inflated&, int n, int sign)>;
 
 SplitErrors split_errors(int sectors, const Frequency& frequency) {
@@ -132,7 +134,8 @@ GyroRingErrors gyro_ring_errors() {
          nearest(modes, listed, listed.independent, &SpinningMode::frequency_on_tire));
     take(errors.hub, nearest(modes, listed, listed.hub, &SpinningMode::frequency));
   }
-  // In axes that stand with inertia (W.1) on the same elements, by the independent program.
+  // Frequencies in axes that do not rotate, equation (W.1), on the same elements, by the
+  // independent program.
   struct ByFlow {
     int n;
     double hub;  // Hz
@@ -144,7 +147,7 @@ GyroRingErrors gyro_ring_errors() {
              tire, ElementKind::full_integration, state, std::abs(n), n < 0 ? -1 : 1)[0] /
                  hub -
              1.0);
-  // Radial growth of the outer node at y = 0.01 m by both programs.
+  // Radial growth, m, of the outer node at y = 0.01 m on which both programs agree.
   errors.growth = std::abs(-crown_displacement(tire, state).z() / 2.18728e-3 - 1.0);
   errors.standing_wave = std::abs(value_of(spinning.standing_wave(at_rest)).speed / 170.4 - 1.0);
   return errors;
@@ -163,7 +166,8 @@ SplitErrors bryan_errors(int sectors) {
 
 SplitErrors bryan_errors_by_flow(int sectors) {
   return split_errors(sectors, [](FeTire& ring, const Inflated& state, int n, int sign) {
-    // Out of the plane there are modes, too: the one nearest to the ring's own is meant.
+    // The list also contains modes out of the plane, so the frequency nearest to that of the ring's
+    // in-plane mode is taken.
     const auto found = frequencies_by_flow(ring, ElementKind::solid_shell, state, n, sign);
     const auto modes = value_of(SpinningTire(ring).modes(state, {}, 40));
     for (const SpinningMode& mode : modes) {

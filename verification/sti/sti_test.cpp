@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// DTYRE as defined by the Standard Tyre Interface 1.4 (apps/exchange/sti.h): its results equal
-// those of the tire called directly, whatever an integrator tries in between.
+// Tests DTYRE, the tire subroutine of the Standard Tyre Interface 1.4 (apps/exchange/sti.h): its
+// results equal those of the tire called directly, whatever steps an integrator tries in between.
 #include "exchange/sti.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,8 @@ void expect_same_bits(const Answer& a, const Answer& b) {
     EXPECT_EQ(std::bit_cast<std::uint64_t>(a[i]), std::bit_cast<std::uint64_t>(b[i])) << i;
 }
 
-/// A road of height 0.01 m + 0.02 x, with slopes if requested; there is no road beyond 50 m.
+/// A road of height 0.01 m + 0.02 x, with derivatives if requested; there is no road beyond x = 50
+/// m.
 void slope_road(const double*,
                 const double dis[2],
                 const int*,
@@ -75,7 +76,7 @@ void slope_road(const double*,
   *ierr = dis[0] > 50.0 ? 2 : 0;
 }
 
-/// The road of slope_road, given as a height alone.
+/// The road of slope_road, which returns the height alone.
 void height_alone(const double* time,
                   const double dis[2],
                   const int* i,
@@ -118,7 +119,7 @@ void height_alone(const double* time,
   *dflag = 0;
 }
 
-/// A caller of one tire.
+/// A program that calls DTYRE for one tire.
 struct Caller {
   int id;
   RoadCall* road = slope_road;
@@ -178,7 +179,7 @@ struct Caller {
   ~Caller() { call(99); }
 };
 
-/// slope_road as a road of Latsch that also has points only and no rectangles.
+/// The road of slope_road as a road of Latsch that answers only single points, not rectangles.
 class Slope final : public road::Road {
  public:
   road::GroundPoint at(double x, double, double) const override {
@@ -186,7 +187,7 @@ class Slope final : public road::Road {
   }
 };
 
-/// The tire called directly.
+/// The tire called directly, without DTYRE.
 struct Direct {
   explicit Direct(const std::string& model)
       : specimen([&] {
@@ -222,9 +223,9 @@ Caller caller_of(int id, const std::string& model) {
   return {.id = id, .height = Direct(model).height, .file = path_of(model)};
 }
 
-/// The error is that of slopes rounded to 1e-13 (heights to 1e-16 m, 2 mm apart) under loads of
-/// some kN, and its growth over the steps.
-constexpr double kClose = 1e-6;  // share of the load
+/// Tolerance as a share of the load. The error comes from derivatives by differences, 1e-13
+/// (heights rounded to 1e-16 m, 2 mm apart), under loads of some kN, and it grows over the steps.
+constexpr double kClose = 1e-6;
 
 void expect_near(const Answer& a, const Answer& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -258,13 +259,13 @@ TEST_P(EveryTire, AnswersTheSameBitsWhateverWasTriedInBetween) {
   for (int i = 0; i <= 20; ++i) {
     const double time = kStep * i;
     ASSERT_EQ(quiet.call(0, time), 0);
-    ASSERT_EQ(busy.call(0, time + 2.0 * kStep), 0);  // a step too long, abandoned
+    ASSERT_EQ(busy.call(0, time + 2.0 * kStep), 0);  // a step that is too long and is abandoned
     ASSERT_EQ(busy.call(0, time + 0.5 * kStep), 0);  // another
     ASSERT_EQ(busy.call(0, time, 1e-3), 0);          // an iteration within the step
     ASSERT_EQ(busy.call(5, time, 1e-6), 0);          // a difference
     ASSERT_EQ(busy.call(0, time), 0);
     expect_same_bits(busy.hub, quiet.hub);
-    ASSERT_EQ(busy.call(5, time + kStep, -1e-3), 0);  // and one ahead
+    ASSERT_EQ(busy.call(5, time + kStep, -1e-3), 0);  // an iteration ahead of the step
     ASSERT_EQ(busy.call(4, time), 0);
   }
 }
@@ -281,12 +282,13 @@ TEST_P(EveryTire, GoesBackToAKeptStateAndOnToTheSameBits) {
     ASSERT_EQ(caller.call(0, kStep * i), 0);
     expect_same_bits(caller.hub, first[static_cast<std::size_t>(i)]);
   }
-  ASSERT_EQ(caller.call(0, 0.0), 0);  // and back to the start
+  ASSERT_EQ(caller.call(0, 0.0), 0);  // a return to the start
   expect_same_bits(caller.hub, first[0]);
 }
 
 TEST_P(EveryTire, RollsSteadilyOverARoadOfHeightsAloneAsOverOneWithSlopes) {
-  // A plane's difference of heights is its slope within rounding, 1e-16 m over 1e-3 m.
+  // On a plane the difference of two heights gives the slope except for rounding, 1e-16 m over 1e-3
+  // m.
   Caller slopes = caller_of(1, GetParam()), heights = caller_of(2, GetParam());
   heights.road = height_alone;
   ASSERT_EQ(slopes.call(2), 0);
@@ -334,7 +336,8 @@ TEST(Sti, TellsSizesRadiusAndModel) {
   EXPECT_EQ(std::string(caller.model, 6), "Latsch");
   EXPECT_EQ(caller.model[255], ' ');
   ASSERT_EQ(caller.call(0, 0.0), 0);
-  const double loaded = caller.height - 0.01;  // above the road at x = 0, along the wheel's plane
+  // m, distance to the road at x = 0, in the plane of the wheel
+  const double loaded = caller.height - 0.01;
   EXPECT_NEAR(caller.varinf[9], R - loaded, 1e-12);
   EXPECT_NEAR(caller.varinf[11], loaded, 1e-12);
   EXPECT_NEAR(caller.varinf[14], 0.01, 1e-12);
@@ -363,13 +366,13 @@ TEST(Sti, SaysWhatIsWrongAndGoesOn) {
   EXPECT_NE(caller.message().find("does not roll"), std::string::npos) << caller.message();
   caller.file = "";
   EXPECT_EQ(caller.call(2), 2);
-  caller.file = file + "   ";  // padded as in Fortran
+  caller.file = file + "   ";  // padded with blanks as in Fortran
   ASSERT_EQ(caller.call(2), 0) << caller.message();
   ASSERT_EQ(caller.call(0, 0.0), 0);
   const Answer rest = caller.hub;
   EXPECT_EQ(caller.call(42, 0.0), 2);
   EXPECT_EQ(caller.call(0, NAN), 2);
-  EXPECT_EQ(caller.call(0, 1e3), 2);  // no road there
+  EXPECT_EQ(caller.call(0, 1e3), 2);  // there is no road
   EXPECT_NE(caller.message().find("ROAD answers IERR = 2"), std::string::npos) << caller.message();
   ASSERT_EQ(caller.call(0, 0.0), 0);
   expect_same_bits(caller.hub, rest);
@@ -383,7 +386,7 @@ TEST(Sti, RefusesATimeBeforeAllKeptStates) {
   EXPECT_EQ(caller.call(0, 10.5 * kStep), 2);
   EXPECT_NE(caller.message().find("64 states"), std::string::npos) << caller.message();
   EXPECT_EQ(caller.call(0, 101.0 * kStep), 0);
-  EXPECT_EQ(caller.call(0, 0.0), 0);  // the start is always available
+  EXPECT_EQ(caller.call(0, 0.0), 0);  // a return to the start is always possible
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of several verbs for other programs, as printed by `--json`. Keys do not change; a value
-// has its unit beside it or in its key; shares are plain numbers (0.03, not 3 %); unknown values
-// are null.
+// JSON results that several verbs print with `--json`. Names of keys are stable. A physical value
+// has its unit beside it or in its key, shares are plain numbers (0.03, not 3 %), and unknown
+// values are null.
 #pragma once
 
 #include <string>
@@ -20,23 +20,24 @@ namespace latsch::cli {
 /// Returns [{"name", "unit", "values"}], SI.
 Json answer_of(const Channels& channels);
 
-/// Writes computed channels as CSV to the file, or without a file to standard output; with --json
-/// and without a file they become "channels" of the answer.
+/// Writes computed channels as CSV to the file, or to standard output if `file` is empty. With
+/// --json and no file, the channels become "channels" of the answer instead.
 void give(const Channels& channels, const std::string& file);
 
-/// Returns [{"name", "value", "unit"}], in the units of the study.
+/// Returns the values of a design point as [{"name", "value", "unit"}], in the units of the study.
 Json answer_of(const DesignSpace& space, const DesignPoint& point);
 
 /// Returns [{"name", "lower", "upper", "initial", "scale", "unit", "paths"}] for the variables.
 Json answer_of(const DesignSpace& space);
 
-/// Returns a point with "interval": [lower, upper] at 95 %, null for an end that nothing limits;
-/// "interval_from": what sets its ends, see interval_source(), or "held in the last stage"; and
-/// "refined": the number of the refined model, if the study has one.
+/// Returns a design point with "interval": [lower, upper] at 95 %, null for an end that nothing
+/// limits; "interval_from": the origin of its ends (interval_source()), or "held in the last
+/// stage"; and "refined": the value found on the refined model, if the study has one.
 Json answer_of(const correlation::Study& study, const correlation::Identifiability& result);
 
-/// Returns the bands, one for each experiment: values, ends and noise in SI, null if not known; and
-/// the number of measured values within band and noise.
+/// Returns the uncertainty bands of the computed values, one for each experiment: values, ends of
+/// the band and noise in SI, null if not known; and the number of measured values that lie within
+/// band and noise.
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands);
 
@@ -45,19 +46,19 @@ Json answer_of(const correlation::Study& study,
 Json delays_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands);
 
-/// Returns [{"value", "error", "fitted", "variable", "payer", "in_words"}]; variable: null if none
-/// affects the value; payer: the {"value", "error"} that would result if the variable corrected the
-/// other value alone.
+/// Returns the measured values that the model misses as [{"value", "error", "fitted", "variable",
+/// "payer", "in_words"}]. "variable" is the variable that would correct the value, null if none
+/// affects it. "payer" is another value with the error that it would then have: {"value", "error"}.
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::MissedValue>& missed);
 
 /// Writes the counts of a journal's trials into the answer: "trials", "succeeded", "failed" and
-/// "foreign", those that were run for another study, or for other measurements, weights or bounds.
-/// `targets_known` false: the trials belong to another study, so which of them have a target is not
-/// known, and "succeeded" and "failed" are null.
+/// "foreign". Foreign trials were run for another study, or for other measurements, weights or
+/// bounds. If `targets_known` is false, the trials belong to another study, so it is not known
+/// which of them have a target, and "succeeded" and "failed" are null.
 void answer_counts(const correlation::TrialCounts& counts, bool targets_known = true);
 
-/// Returns one experiment: measured beside simulated values, errors as shares, mean and largest
+/// Returns one experiment: measured and simulated values, their errors as shares, mean and largest
 /// error.
 Json answer_of(const correlation::StudyExperiment& experiment, const Channels& trial);
 

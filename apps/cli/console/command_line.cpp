@@ -13,7 +13,7 @@
 namespace latsch::cli {
 namespace {
 
-/// Says what replaces a former verb; empty if there was no such verb.
+/// Returns the present replacement of a verb of former versions; empty if there was no such verb.
 std::string_view in_place_of(std::string_view verb) {
   if (verb == "ring") return "a ring from measured data is a study: latsch new FOLDER --ring-data";
   if (verb == "evaluate" || verb == "footprint" || verb == "drum")
@@ -21,7 +21,8 @@ std::string_view in_place_of(std::string_view verb) {
   return {};
 }
 
-/// Returns true if the first word is a verb or an option; otherwise reports what it may have been.
+/// Returns true if the first word of the command line is a verb or an option. Otherwise reports the
+/// error with the verb that may have been meant.
 bool known(const CLI::App& app, const std::string& word) {
   if (word.starts_with('-')) return true;
   std::vector<std::string> shown;
@@ -36,8 +37,8 @@ bool known(const CLI::App& app, const std::string& word) {
   return false;
 }
 
-/// Describes the arguments a verb did not expect, with the option that may have been meant;
-/// otherwise returns the parser's message.
+/// Returns the message for arguments that the verb does not know, with the option that may have
+/// been meant; for other errors the parser's message.
 std::string complaint(const CLI::App* verb, const CLI::ParseError& error) {
   if (!verb || !dynamic_cast<const CLI::ExtrasError*>(&error)) return error.what();
   std::vector<std::string> options;
@@ -51,7 +52,7 @@ std::string complaint(const CLI::App* verb, const CLI::ParseError& error) {
   return "unexpected argument " + in_quotes(extras.empty() ? "" : extras.front());
 }
 
-/// Refuses an empty text, with which an option would count as not given.
+/// Refuses an empty text, because an option with an empty value would count as not given.
 const CLI::Validator kNotEmpty(
     [](const std::string& text) {
       return text.empty() ? std::string("expected a value, found an empty text") : std::string();
@@ -59,7 +60,8 @@ const CLI::Validator kNotEmpty(
     "",
     "not empty");
 
-/// Returns the long names of the options that the user gave, or the names of positions.
+/// Returns the long names of the options, and the names of the positional arguments, that the user
+/// gave.
 std::vector<std::string> given_options(const CLI::App& verb) {
   std::vector<std::string> given;
   for (const CLI::Option* option : verb.get_options())
@@ -179,8 +181,8 @@ std::string as_typed(int argc, char** argv) {
   return line;
 }
 
-/// Returns the words behind the program's name. --json and --quiet before the verb, where the
-/// parser does not expect them, are moved to the end.
+/// Returns the words after the program's name. --json and --quiet are moved from before the verb,
+/// where the parser does not expect them, to the end.
 std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc), moved;
   while (!words.empty() && (words[0] == "--json" || words[0] == "--quiet")) {
@@ -208,7 +210,8 @@ bool CommandLine::give_text(const CLI::ParseError& request) {
 
 bool CommandLine::run(int argc, char** argv) {
   std::vector<std::string> words = words_of(argc, argv);
-  // A line that is not understood is answered in the form that the line requests.
+  // If the parser does not understand the line, the answer still has the requested form: JSON or
+  // text.
   CommonOptions asked;
   asked.json = contains(words, "--json");
   const std::string first = words.empty() || words[0] == "--json" ? "" : words[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line as the verbs see it: CLI11 under the same names, in one translation unit.
-// CLI11's header costs every file that includes it ten seconds of compiling.
+// The interface to the command line that the verbs use. It has the names of CLI11, which only one
+// translation unit includes: including its header takes ten seconds of compiling.
 #pragma once
 
 #include <functional>
@@ -27,9 +27,9 @@ class Option {
   Option& required();
   Option& between(int least, int most);
   Option& one_of(const std::vector<std::string>& values);
-  Option& or_alone(const std::string& value);  // may be given without a value, which is then this
-                                               // one
-  Option& capture_default_str();               // --help shows its present value
+  /// If the option is given without a value, it has this one.
+  Option& or_alone(const std::string& value);
+  Option& capture_default_str();  // --help shows the default value
 
  private:
   CLI::Option* option_;
@@ -48,10 +48,10 @@ class Verb {
                     const std::string& help);
   void add_flag(const std::string& name, bool& value, const std::string& help);
   void footer(const std::string& text);
-  /// States which options belong to which form of the verb, before `callback`; see forms.h.
+  /// States which options belong to which form of the verb; call it before `callback`. See forms.h.
   void forms(std::vector<Form> forms);
-  /// Marks a verb that the program itself calls: it is not listed and lacks the options of every
-  /// verb.
+  /// Marks a verb that only the program itself calls: it is not listed and lacks the options that
+  /// every other verb has.
   void hide();
   void callback(std::function<void()> run);
 
@@ -60,7 +60,8 @@ class Verb {
   std::vector<Form> forms_;
 };
 
-/// Every verb has --json, --quiet and --log FILE, see console.h. The first two may also precede it.
+/// The command line with all verbs. Every verb has the options --json, --quiet and --log FILE
+/// (console.h); the first two may also precede the verb.
 class CommandLine {
  public:
   CommandLine(const std::string& description,
@@ -70,25 +71,26 @@ class CommandLine {
 
   Verb add_subcommand(const std::string& name, const std::string& description);
 
-  /// Returns the output of `latsch VERB --help`; for all verbs together if `verb` is empty. Returns
+  /// Returns the output of `latsch VERB --help`; that of `latsch --help` if `verb` is empty;
   /// nothing if there is no such verb.
   std::optional<std::string> help(const std::string& verb) const;
   /// Returns the names of the listed verbs.
   std::vector<std::string> verbs() const;
 
-  /// Runs the chosen verb. Returns false if the line was not understood, after reporting why;
-  /// --help and --version return true.
+  /// Runs the chosen verb. Returns false, after reporting the reason, if the command line was not
+  /// understood. --help and --version return true.
   bool run(int argc, char** argv);
 
  private:
   void add_common_options(CLI::App& verb);
-  /// Gives the text that --help or --version requests; returns true.
+  /// Prints the text that --help or --version requests; returns true.
   bool give_text(const CLI::ParseError& request);
 
   std::unique_ptr<CLI::App> app_;
   std::unique_ptr<struct CommonOptions> common_;
-  std::string general_help_;  // stored before a verb is chosen, because the parser's help is then
-                              // that of the verb
+  /// General help text, stored before a verb is chosen: afterward the parser returns the help of
+  /// that verb.
+  std::string general_help_;
 };
 
 }  // namespace latsch::cli

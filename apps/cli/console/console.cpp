@@ -19,25 +19,26 @@
 namespace latsch::cli {
 namespace {
 
-/// A log is appended to. A file that is no log is somebody's work, given by mistake.
+/// Throws if the file for the log exists and is no log: a log is appended, and this file was
+/// probably named by mistake.
 void refuse_to_log_into_other_file(const std::string& file) {
   if (!std::filesystem::is_regular_file(file)) return;
   std::ifstream there(file, std::ios::binary);
   std::string line;
   if (!std::getline(there, line)) return;
-  if (!line.starts_with("# 2"))  // the year, as in every first line of a log
+  if (!line.starts_with("# 2"))  // every first line of a log begins with the date, so with the year
     throw InputError({file, 1},
                      "exists and is no log of latsch, so nothing is appended to it: expected "
                      "another name for the log");
 }
 
-/// State of the console: like standard output there is one, and every verb writes to it.
+/// State of the console. The process has one, like standard output, and every verb writes to it.
 struct Console {
   CommonOptions options;
   std::ofstream log;
   std::FILE* answers = nullptr;  // original standard output, kept for the JSON answer
   Json head = Json::object(), result = Json::object();
-  std::string if_stopped = {};  // the answer then, ready for a signal handler
+  std::string if_stopped = {};  // the answer to write if a signal stops the verb
 };
 
 Console& console() {
@@ -64,16 +65,16 @@ Json note(const std::string& sentence, const Place& place) {
 }
 
 void to_standard_error(const std::string& sentence) {
-  const bool named = sentence.starts_with("latsch ");  // message such as "latsch run: ...", about
-                                                       // arguments
+  // The sentence already begins with the program's name, as in "latsch run: ..." about arguments.
+  const bool named = sentence.starts_with("latsch ");
   const std::string line = (named ? "" : "latsch: ") + sentence + "\n";
-  std::fflush(stdout);  // a log of both streams keeps its order
+  std::fflush(stdout);  // keeps the order if both streams go to one file
   std::fwrite(line.data(), 1, line.size(), stderr);
   log(line);
 }
 
-/// Returns the exit code, or that of a failure if the output did not arrive: a full disk, a closed
-/// terminal.
+/// Flushes the output. Returns the exit code, or that of a failure if the output could not be
+/// written, for example to a full disk or a closed terminal.
 int printed(FILE* out, int exit_code) {
   errno = 0;
   if (std::fflush(out) == 0 && !std::ferror(out)) return exit_code;
@@ -95,7 +96,8 @@ const char* status_of(int exit_code) {
   }
 }
 
-/// Redirects other output to standard error, because it would spoil the JSON.
+/// Redirects output of other code, such as libraries, from standard output to standard error,
+/// because it would damage the JSON.
 void keep_standard_output() {
   std::fflush(stdout);
   console().answers = ::fdopen(::dup(STDOUT_FILENO), "w");
@@ -137,7 +139,8 @@ int close_console(int exit_code) {
   c.head["exit_code"] = exit_code;
   c.head["status"] = status_of(exit_code);
   if (!c.result.empty()) c.head["result"] = c.result;
-  const auto replace = nlohmann::detail::error_handler_t::replace;  // for names that are no UTF-8
+  // for names that are not valid UTF-8
+  const auto replace = nlohmann::detail::error_handler_t::replace;
   const std::string text = c.head.dump(2, ' ', false, replace) + "\n";
   std::fwrite(text.data(), 1, text.size(), c.answers);
   exit_code = printed(c.answers, exit_code);
@@ -173,7 +176,7 @@ void say_text(std::string_view text) {
 void note_text(std::string_view text) {
   log(text);
   if (console().options.quiet || console().options.json) return;
-  std::fflush(stdout);  // a log of both streams keeps its order
+  std::fflush(stdout);  // keeps the order if both streams go to one file
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The output of the program: its receivers and its forms. There is one console, as there is one
-// standard output.
+// The output of the program: where it goes and in which form. A process has one console, as it has
+// one standard output.
 //
 //   say      a sentence or a table for a person: standard output; not with --quiet or --json
-//   note     the same where standard output carries data: standard error
+//   note     the same if standard output carries data: standard error
 //   put      requested data, a table to be piped on: standard output, also with --quiet
-//   warn     what a person should know: standard error; "warnings" of the JSON answer
-//   complain why it ended: standard error; "error" of the JSON answer
-//   answer   the same results for a program, printed at the end with --json
+//   warn     a possible problem, for a person: standard error; "warnings" of the JSON answer
+//   complain the reason why the verb failed: standard error; "error" of the JSON answer
+//   answer   the results for a program, printed at the end with --json
 //
-// With --json standard output is one JSON object whatever happens:
+// With --json standard output is one JSON object in every case:
 //   {"verb": "run", "exit_code": 0, "status": "done", "warnings": [], "result": {...}}
 //   {"verb": "run", "exit_code": 2, "status": "wrong input", "warnings": [], "error": {"message":
 //    "...", "file": "...", "line": 7}}
-// "status" is "done", "failed", "wrong input" or "stopped"; who stops a run gets no "error".
-// A log file gets all of say, warn, complain and the progress, appended, with the time of the start
-// and of the end.
+// "status" is "done", "failed", "wrong input" or "stopped"; a run that the user stops has no
+// "error". All output of say, warn, complain and the progress is appended to the log file, with the
+// time of the start and of the end.
 #pragma once
 
 #include <fmt/format.h>
@@ -29,22 +29,23 @@
 
 namespace latsch::cli {
 
-/// Options of every verb.
+/// Options that every verb has.
 struct CommonOptions {
   bool json = false, quiet = false;
   std::string log;  // name of the log file; empty: none
 };
 
-/// Called once, before the verb runs. Throws InputError if the log file cannot be written.
+/// Opens the console; called once, before the verb runs. Throws InputError if the log file cannot
+/// be written.
 void open_console(const CommonOptions& options, const std::string& verb, const std::string& line);
 /// Prints the JSON answer and ends the log; returns the exit code.
 int close_console(int exit_code);
 
-/// For a signal handler: writes the JSON answer of a verb that was stopped, without results, if one
-/// was requested.
+/// Writes the JSON answer of a stopped verb, without results, if JSON was requested. A signal
+/// handler may call it.
 void answer_stopped();
 
-/// Silences this process: it works for another one, and nobody reads its answer.
+/// Silences this process. A worker calls it, because nobody reads its messages.
 void be_silent();
 
 void say_text(std::string_view text);
@@ -55,19 +56,19 @@ void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 
 void put(std::string_view data);
 
-/// Prints lines for a person where standard output carries data: on standard error, not with
-/// --quiet or --json; and in the log.
+/// Prints lines for a person on standard error if standard output carries data, and in the log.
+/// Prints nothing on standard error with --quiet or --json.
 void note_text(std::string_view text);
 
-/// Reports one sentence, without "latsch: " and line end.
+/// Reports a warning: one sentence, without "latsch: " before it and without line end.
 void warn(const std::string& sentence, const Place& place = {});
-/// The count of warnings so far.
+/// Returns the number of warnings so far.
 int warnings();
 void complain(const std::string& sentence, const Place& place = {});
 
-/// The result for programs; empty until a verb fills it.
+/// Returns the result for the JSON answer, which the verb fills; it is empty at first.
 Json& answer();
-/// True if the answer is printed.
+/// True if the answer is printed as JSON (--json).
 bool answers_in_json();
 /// Says "wrote FILE" and names the file in the answer.
 void say_written(const std::string& file);
@@ -77,7 +78,7 @@ class RunningNote {
  public:
   RunningNote();
   ~RunningNote();
-  /// `total` is 0 if unknown.
+  /// Shows that `done` of `total` trials are finished; `total` is 0 if unknown.
   void update(long done, long total, const std::string& note);
 
  private:

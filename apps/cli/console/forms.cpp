@@ -16,7 +16,7 @@ bool has_effect(const Form& form, const std::string& option) {
   return contains(form.chosen_by, option) || contains(form.takes, option);
 }
 
-/// Returns the options with which the form was chosen.
+/// Returns those given options that choose the form.
 std::vector<std::string> choosers(const Form& form, const std::vector<std::string>& given) {
   std::vector<std::string> names;
   for (const std::string& name : given)
@@ -49,7 +49,7 @@ std::string in_words(const std::vector<const Form*>& forms) {
   return joined(words, "and");
 }
 
-/// Returns the options with which the user could choose a form in which the option has an effect.
+/// Returns the options that choose a form in which `option` has an effect.
 std::vector<std::string> ways_to(const std::string& option, const std::vector<Form>& forms) {
   std::vector<std::string> ways;
   for (const Form& form : forms)
@@ -75,7 +75,8 @@ void check_forms(const std::string& verb,
   }
   for (const std::string& option : given) {
     const auto takes = [&](const Form& form) { return has_effect(form, option); };
-    if (std::none_of(forms.begin(), forms.end(), takes)) continue;  // belongs to all forms
+    // the option belongs to all forms
+    if (std::none_of(forms.begin(), forms.end(), takes)) continue;
     if (std::any_of(chosen.begin(), chosen.end(), [&](const Form* form) { return takes(*form); }))
       continue;
     const std::vector<std::string> ways = ways_to(option, forms);

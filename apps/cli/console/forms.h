@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The forms of a verb and the options that have an effect in each of them. An option that has no
-// effect in the chosen form is refused, because the user expects an effect.
+// The forms of a verb, and the options that have an effect in each form. An option without effect
+// in the chosen form is refused, because the user expects an effect.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace latsch::cli {
 
-/// One thing that a verb can do. Names of options are long ones, "--drum", or those of a position,
-/// "points". An option that no form of a verb contains belongs to all forms.
+/// One way to use a verb. Options are named by their long name, "--drum", positional arguments by
+/// theirs, "points". An option that no form of a verb contains belongs to all forms.
 struct Form {
-  std::string in_words;                 // predicate of the verb: "writes a study of a car"
-  std::vector<std::string> chosen_by;   // options that choose the form; none: it applies if no
-                                        // other form is chosen
+  std::string in_words;  // predicate with the verb as subject: "writes a study of a car"
+  /// Options that choose the form; if there are none, the form applies if no other form is chosen.
+  std::vector<std::string> chosen_by;
   std::vector<std::string> takes = {};  // further options that have an effect
   bool alone = true;                    // cannot be combined with another form
 };

@@ -19,7 +19,7 @@ using correlation::Study;
 constexpr double kStrongCorrelation = 0.9;
 constexpr size_t kShownGains = 6;
 
-/// True if the last stage does not free the variable, so that it has no interval.
+/// True if the last stage holds the variable constant, so that it has no interval.
 bool is_kept(const Study& study, int i) {
   return !study.free.empty() && !std::binary_search(study.free.begin(), study.free.end(), i);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what the data determine: intervals beside values, spectrum, correlations, verdicts.
+// Prints how well the data determine the variables: values with intervals, spectrum of the
+// Jacobian, correlations, verdicts.
 #pragma once
 
 #include <string>
@@ -15,7 +16,8 @@ namespace latsch::cli {
 /// Prints the point like print_point, each value with its confidence interval.
 void print_intervals(const correlation::Study& study, const correlation::Identifiability& result);
 
-/// Prints spectrum, correlations, verdicts, cross-validation, and which measurements to repeat.
+/// Prints the spectrum of the Jacobian, correlations, verdicts, cross-validation, and the
+/// measurements that should be repeated.
 void print_identifiability(const correlation::Study& study,
                            const correlation::Identifiability& result);
 
@@ -23,16 +25,16 @@ void print_identifiability(const correlation::Study& study,
 void print_bands(const correlation::Study& study,
                  const std::vector<correlation::ExperimentBand>& bands);
 
-/// Prints the fitted delays of recordings, one in each line; nothing if none is fitted.
+/// Prints the fitted time delays of recordings, one in each line; nothing if none is fitted.
 void print_delays(const correlation::Study& study,
                   const std::vector<correlation::ExperimentBand>& bands);
 
-/// Prints which measurements would give the most information.
+/// Prints the measurements that would give the most information about the variables.
 void print_gains(const correlation::Study& study,
                  const std::string& title,
                  const std::vector<correlation::MeasurementGain>& gains);
 
-/// Prints the measured values that the model misses, and what would correct each.
+/// Prints the measured values that the model misses, and the variable that would correct each.
 void print_missed(const correlation::Study& study,
                   const std::vector<correlation::MissedValue>& missed);
 

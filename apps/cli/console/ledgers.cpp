@@ -24,7 +24,7 @@ std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all) {
 
 namespace {
 
-/// True if something in a file is assumed, not used or doubtful.
+/// True if the reader of the file assumed something, ignored something or doubts something.
 bool leaves_something_open(const Ledger& ledger) {
   return !ledger.doubts.empty() ||
          std::any_of(ledger.rows.begin(), ledger.rows.end(), [](const LedgerRow& row) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports the interpretation of files to a person: one line for each file, and every doubt as a
-// warning.
+// Reports to a person how files were interpreted: one line for each file, and every doubt as a
+// warning. A ledger is the list of everything that a reader used, ignored, assumed and doubted in a
+// file.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +14,16 @@
 
 namespace latsch::cli {
 
-/// Adds the ledgers of a study to the answer, prints one line for each file if `with_lines`, below
-/// `title` if there is one, and warns of every doubt. Returns the number of doubts.
+/// Adds the ledgers of a study's files to the answer and warns of every doubt. If `with_lines`,
+/// prints one line for each file, below `title` if it is not empty. Returns the number of doubts.
 std::size_t say_ledgers(const correlation::Study& study,
                         bool with_lines,
                         const std::string& title = "");
 
-/// Says where the lines go. Standard error, beside a table on standard output, gets only the lines
-/// of files in which something is assumed, not used or doubtful.
+/// Destination of the lines about files. On standard error, when standard output carries a table,
+/// only files in which something was assumed, ignored or doubted get a line.
 enum class LinesTo { nowhere, output, standard_error };
-/// Reports ledgers of any files in that way.
+/// Reports the ledgers of any files like those of a study.
 std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
                         LinesTo to,
                         const std::string& title = "");
@@ -30,14 +31,15 @@ std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
 /// Returns the name of a ledger's file, with its folder if another of them has the same name.
 std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all);
 
-/// Returns the ledgers of a model, of a test, which can be a file, and of the files that the test
-/// names, behind those that the test itself knows. A text that is no file names none.
+/// Returns the ledgers of a model, of a test, of the files that the test names and of those that
+/// the test itself knows. `test` is a file or the text of a test; a text names no file of its own.
 std::vector<Ledger> ledgers_of_test(const std::string& model,
                                     const std::string& test,
                                     const std::vector<std::filesystem::path>& test_files,
                                     std::vector<Ledger> known);
 
-/// Reports the doubts as warnings. Throws InputError for the first that is an error.
+/// Reports the doubts of all ledgers as warnings. Throws InputError for the first doubt that counts
+/// as an error.
 std::size_t warn_of_doubts(const std::vector<Ledger>& ledgers);
 
 }  // namespace latsch::cli

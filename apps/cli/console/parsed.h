@@ -9,7 +9,8 @@
 
 namespace latsch::cli {
 
-/// Returns "25 mm" in the SI unit `unit`; `option` is named in the InputError.
+/// Converts a quantity such as "25 mm" to the SI unit `unit`. Throws InputError that names the
+/// option.
 double parse_option(const std::string& option,
                     const std::string& text,
                     const std::string& unit,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables that several verbs print: values of variables with their units, measured beside simulated
-// values.
+// Tables that several verbs print: values of variables with their units, and measured values beside
+// simulated ones.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace latsch::cli {
 
-/// Returns a value (SI) in the unit of its variable: "22.3 N/mm^2".
+/// Returns a value (SI) as text in the unit of its variable, such as "22.3 N/mm^2".
 std::string shown(const DesignVariable& variable, double value);
 
 /// Width of the first column: the longest name, at least 16 letters.
@@ -27,17 +27,18 @@ int name_width(const std::vector<Named>& all) {
 /// Prints name, range, initial value, scale and paths.
 void print_variables(const DesignSpace& space);
 
-/// Prints name, sum, bounds and value at the initial point of every linear constraint.
+/// Prints every linear constraint: its name, its sum, its bounds, and the value of the sum at the
+/// initial point.
 void print_constraints(const DesignSpace& space);
 
 /// Prints name and value of every variable; the values are texts such as "73 N/mm^2".
 void print_values(const DesignSpace& space, const std::vector<std::string>& values);
 
-/// Prints a point whose uncertainty is not known.
+/// Prints a design point whose uncertainty is not known.
 void print_point(const DesignSpace& space, const DesignPoint& point);
 
-/// Prints measured and simulated value and error of every force or mode, then mean and largest
-/// error.
+/// Prints the measured and the simulated value and the error of every force or mode of the
+/// experiment, then the mean and the largest error.
 void print_comparison(const correlation::StudyExperiment& experiment, const Channels& channels);
 
 }  // namespace latsch::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warns of faults of a Magic Formula tire beyond its data, with the coefficients that cause them.
+// Warns if a Magic Formula tire behaves implausibly beyond the data to which it was fitted, and
+// names the coefficients that cause it.
 #pragma once
 
 #include <string>
@@ -8,13 +9,13 @@
 
 namespace latsch::cli {
 
-/// Warns of the tire of a study at a point, over the states of its fitted tests. `of_what` precedes
-/// each sentence: "the best trial so far, ".
+/// Checks the tire of a study at a design point, over the range of states in its fitted tests.
+/// `of_what` precedes each warning: "the best trial so far, ".
 void warn_beyond_data(const correlation::Study& study,
                       const DesignPoint& point,
                       const std::string& of_what = "");
 
-/// Warns of the tire of a file, over its ranges.
+/// Checks the tire of a model's file over the validity ranges that it states.
 void warn_beyond_data(const experiment::SpecimenKind& kind,
                       const Document& numbers,
                       const std::string& file);

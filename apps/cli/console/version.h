@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The output of latsch --version: the program, its build and the machine.
+// Text of `latsch --version`: the program, its build and the machine.
 #pragma once
 
 #include <string>
 
 namespace latsch::cli {
 
-/// Returns "latsch 0.1.0 (AMD EPYC, kernels avx2)", then a line for each part: compiler, libraries
-/// in the loaded versions, MPI, the page of `latsch serve`. Throws if LATSCH_KERNELS is impossible.
+/// Returns "latsch 0.1.0 (AMD EPYC, kernels avx2)", then a line for each of: compiler, versions of
+/// the loaded libraries, MPI, the page of `latsch serve`. Throws if LATSCH_KERNELS names a kernel
+/// set that this processor lacks.
 std::string version_text();
 /// Returns the version number alone: "0.1.0".
 std::string version_number();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The date that an exported file states. Nothing else in such a file differs from one export to the
-// next; SOURCE_DATE_EPOCH (seconds since 1970, as reproducible-builds.org defines it) sets it, and
-// then the same study gives the same bytes.
+// next. The environment variable SOURCE_DATE_EPOCH (seconds since 1970, as reproducible-builds.org
+// defines it) sets the date; then equal studies give equal bytes.
 #pragma once
 
 #include <functional>
@@ -9,10 +9,10 @@
 
 namespace latsch::cli {
 
-/// Returns seconds since 1970-01-01 UTC.
+/// A clock that returns seconds since 1970-01-01 UTC.
 using Calendar = std::function<double()>;
-/// Returns SOURCE_DATE_EPOCH if it is set, else the time of the system clock. Throws InputError if
-/// SOURCE_DATE_EPOCH is no number of seconds.
+/// Returns a clock that gives SOURCE_DATE_EPOCH if it is set, else the time of the system. Throws
+/// InputError if SOURCE_DATE_EPOCH is no number of seconds.
 Calendar calendar_of_system();
 
 /// "2026-03-01", in UTC.

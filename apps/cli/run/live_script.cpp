@@ -11,7 +11,7 @@
 namespace latsch::cli {
 namespace {
 
-/// Unzips data that the program contains [RFC 1952].
+/// Decompresses gzip data that the program contains [RFC 1952].
 std::string unzipped(std::string_view bytes) {
   constexpr int kGzip = 15 + 16;
   z_stream stream{};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The script and the style sheet of the studio's views for a report, contained in the program.
+// The script and the style sheet that draw the studio's views in a report. The program contains
+// both.
 #pragma once
 
 #include <string>

@@ -23,11 +23,11 @@ extern char** environ;
 
 namespace latsch::cli {
 
-/// Studio and server refer to each other: messages published while there is no server have no
-/// receiver.
+/// The studio publishes messages through the server, and the server calls the studio. Messages
+/// published before the server exists or after it has ended are dropped.
 struct ServedStudies::Parts {
   std::unique_ptr<studio::Studio> studio;
-  std::mutex publishing;  // protects the following members; held only briefly
+  std::mutex publishing;  // protects the members below; held only briefly
   studio::Server* published_to = nullptr;
   std::unique_ptr<studio::Server> server;
 };
@@ -38,8 +38,9 @@ ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Lang
   studio::ServerOptions server;
   server.listen = options.listen;
   server.port = static_cast<std::uint16_t>(options.port);
-  server.threads = 12;  // most threads wait for one that computes, so a few slow views must not
-                        // block the others
+  // Most threads wait for one that computes; with so many of them a few slow views do not block the
+  // others.
+  server.threads = 12;
   server.assets = studio::web_assets();
   server.report = [](std::string_view what) { warn("a request failed: " + std::string(what)); };
   const studio::StudioOptions about{options.root,
@@ -59,8 +60,9 @@ ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Lang
 }
 
 ServedStudies::~ServedStudies() {
-  // The server's handlers call the studio, and the studio's threads call the server: therefore
-  // messages stop first, then the sockets and handlers end, then the threads.
+  // Handlers of the server call the studio, and threads of the studio call the server. Therefore
+  // publishing stops first, then the server with its sockets and handlers ends, then the threads of
+  // the studio end.
   {
     const std::lock_guard lock(parts_->publishing);
     parts_->published_to = nullptr;
@@ -84,7 +86,7 @@ bool ServedStudies::open_browser() const {
       ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) return false;
-  // The browser ends at any time; waitpid() prevents a zombie process.
+  // The browser's process may end at any time; waitpid() prevents that it remains as a zombie.
   std::thread([process] { ::waitpid(process, nullptr, 0); }).detach();
   return true;
 }

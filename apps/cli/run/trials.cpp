@@ -89,7 +89,8 @@ void say_kind_of_journal(const correlation::Study& study) {
 
 namespace {
 
-/// Returns unexpected events: ", 2 failed, 1 repeated; 1 slow, the longest for 12 s".
+/// Returns the count of unexpected events as text: ", 2 failed, 1 repeated; 1 slow, the longest for
+/// 12 s".
 std::string troubles(const RunProgress& progress) {
   std::string text = fmt::format("{} failed", progress.failed);
   const auto add = [&](long number, const char* what) {
@@ -164,14 +165,15 @@ bool take_refined(const correlation::Study& study, correlation::Identifiability&
   ProcessOptions options = worker_processes(study);
   options.arguments.emplace_back("--refined");
   options.workers = 1;
-  options.timeout = std::numeric_limits<double>::infinity();  // the limit of trials is meant for
-                                                              // the coarse model
+  // The study's limit of the time of a trial is meant for the coarse model, not for the refined
+  // one.
+  options.timeout = std::numeric_limits<double>::infinity();
   try {
     ProcessExecutor executor(options);
     if (!correlation::evaluate_refined(
             study, result.point, executor, counting_options(study, "the refined model")))
       return false;
-  } catch (const InputError& error) {  // the study's files have changed meanwhile
+  } catch (const InputError& error) {  // a file of the study has changed since it was read
     warn("the refined model is not evaluated: " + std::string(error.what()));
     return true;
   }
@@ -181,7 +183,8 @@ bool take_refined(const correlation::Study& study, correlation::Identifiability&
 
 namespace {
 
-/// Prints the mesh error, which a fit hides in its values.
+/// Prints the error of the mesh, because a fit shifts the values of the variables to compensate for
+/// it.
 void print_mesh_error(const report::StudyReport& page) {
   const report::DiscretizationError* worst = nullptr;
   double sum = 0.0;
@@ -196,7 +199,8 @@ void print_mesh_error(const report::StudyReport& page) {
       worst->quantity);
 }
 
-/// Prints every experiment's error in its own measure, beside the least error of an earlier stage.
+/// Prints every experiment's error in its own measure, and beside it the least error of an earlier
+/// stage.
 void print_errors(const report::StudyReport& page) {
   if (page.experiments.empty()) return;
   say("\nErrors by experiment\n");
@@ -249,7 +253,8 @@ void print_errors(const report::StudyReport& page) {
 
 namespace {
 
-/// Returns the report, with the views of the studio if the program contains its page.
+/// Returns the page of the report. It includes the views of the studio if the program contains the
+/// studio's page.
 std::string report_page(const correlation::Study& study,
                         const report::StudyReport& page,
                         const experiment::Language& language) {
@@ -264,7 +269,7 @@ std::string report_page(const correlation::Study& study,
 
 namespace {
 
-/// Says why trials failed, as a warning if the failures decide the result.
+/// Prints why trials failed; as a warning if the failures decide the result.
 void print_failures(const correlation::FailedTrials& failures) {
   for (const auto& [reason, trials] : failures.reasons)
     answer()["failures"].push_back({{"reason", reason}, {"trials", trials}});
@@ -275,15 +280,17 @@ void print_failures(const correlation::FailedTrials& failures) {
     say("{}\n", words);
 }
 
-/// `change` says how the study's files have changed since they were read; empty: not at all.
+/// Writes the report. `change` says how the study's files have changed since they were read; empty:
+/// not at all.
 int write_page(const correlation::Study& study,
+               const correlation::Study& as_read,
                const Journal& journal,
                const experiment::Language& language,
                experiment::Thoroughness thoroughness,
                const std::filesystem::path& file,
                const std::string& change) {
   const correlation::Study weighted = correlation::with_estimated_noise(study, journal);
-  auto page = correlation::study_report(weighted, journal, thoroughness);
+  auto page = correlation::study_report(weighted, journal, thoroughness, &as_read);
   if (!page) {
     complain(page.failure().reason);
     return kFailed;
@@ -299,13 +306,24 @@ int write_page(const correlation::Study& study,
   say("\nReport: {}\nJournal: {}, {}\n",
       file.string(),
       journal.file().string(),
-      correlation::in_words(counts));
+      correlation::in_words_below_result(counts));
   print_failures(correlation::failed_trials(weighted, journal));
   return kDone;
 }
 
 std::filesystem::path report_file(const correlation::Study& study) {
   return std::filesystem::path(study.run.journal).replace_extension(".html");
+}
+
+/// Returns the file of the report. Throws InputError if the study's folder may not be written.
+std::filesystem::path writable_report(const correlation::Study& study,
+                                      const std::filesystem::path& output) {
+  const auto file = output.empty() ? report_file(study) : output;
+  if (output.empty() && !may_be_written(file))
+    throw InputError({file.string(), 0},
+                     "may not be written here: latsch report " + study.file.string() +
+                         " -o FILE writes the report elsewhere");
+  return file;
 }
 
 }  // namespace
@@ -315,12 +333,8 @@ int write_report(const correlation::Study& study,
                  const experiment::Language& language,
                  experiment::Thoroughness thoroughness,
                  const std::filesystem::path& output) {
-  const auto file = output.empty() ? report_file(study) : output;
-  if (output.empty() && !may_be_written(file))
-    throw InputError({file.string(), 0},
-                     "may not be written here: latsch report " + study.file.string() +
-                         " -o FILE writes the report elsewhere");
-  return write_page(study, journal, language, thoroughness, file, "");
+  const auto file = writable_report(study, output);
+  return write_page(study, study, journal, language, thoroughness, file, "");
 }
 
 int write_report_of_run(const correlation::Study& study,
@@ -330,14 +344,17 @@ int write_report_of_run(const correlation::Study& study,
                         const std::filesystem::path& output) {
   using experiment::Thoroughness;
   const auto change = correlation::change_since_read(as_read, language);
-  if (!change) return write_report(study, journal, language, Thoroughness::seconds, output);
+  if (!change) {
+    const auto file = writable_report(study, output);
+    return write_page(study, as_read, journal, language, Thoroughness::seconds, file, "");
+  }
   const std::string sentence = fmt::format(
       "The files of the study have changed while this run went on: {}. The result and "
       "the report are of the study as it was read at the beginning",
       *change);
   const auto file = output.empty() ? report_file(study) : output;
   const int exit_code =
-      write_page(study, journal, language, Thoroughness::seconds, file, sentence + ".");
+      write_page(study, as_read, journal, language, Thoroughness::seconds, file, sentence + ".");
   complain(sentence + ". Next: restore the files, or latsch run " + study.file.string() +
                " for the changed ones",
            {study.file.string(), 0});

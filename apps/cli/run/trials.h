@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Common parts of run, resume and doe: the worker processes of a study, its progress on the
-// terminal, its report.
+// Common parts of the verbs run, resume and doe: the worker processes of a study, its progress on
+// the terminal, its report.
 #pragma once
 
 #include <string>
@@ -15,56 +15,61 @@
 
 namespace latsch::cli {
 
-/// Returns a text that differs for studies whose trials may differ.
+/// Returns a text that identifies the trials of a study: it differs for two studies if their trials
+/// may differ.
 std::string identity_key(const correlation::Study& study);
 
-/// Returns the settings that start this program as `latsch worker STUDY`. The workers refuse a
-/// study whose files have changed.
+/// Returns settings that start this program as `latsch worker STUDY`. Such a worker refuses a study
+/// whose files have changed.
 ProcessOptions worker_processes(const correlation::Study& study);
 
-/// Opens the journal of the study. Trials that failed at a limit which has been raised since are
-/// tried again; with `retries_failed` all failed trials are.
+/// Opens the journal of the study. Trials that failed because of a limit that has been raised since
+/// are run again; if `retries_failed`, all failed trials are.
 Journal open_for_trials(const correlation::Study& study, bool retries_failed);
 
-/// Removes files that killed workers of an outside program left behind. The journal is locked
-/// meanwhile.
+/// Removes files that killed workers of an outside program left behind. The journal must be locked
+/// during the removal, so that no other run uses the files.
 void clear_scratch(const correlation::Study& study);
 
-/// Explains why the journal uses a slower log than on a local disk, if it does.
+/// If the journal lies on a network file system, says that its log is of another kind than on a
+/// local disk, and why it is slower.
 void say_kind_of_journal(const correlation::Study& study);
 
-/// Reports on standard error that nothing succeeded, why the first trial failed, and what to try.
+/// Reports on standard error that no trial succeeded, why the first one failed, and what to try.
 void print_no_success(const correlation::Study& study,
                       const Journal& journal,
                       const std::string& reason);
 
-/// Returns options that print progress on standard error and stop on interrupts. An ETA requires
-/// the number of points, which is known for a design of experiments but not for an optimizer.
+/// Returns options of a run that print its progress on standard error and stop it if a signal
+/// arrives. The remaining time is shown if `length_known`: the number of points is known for a
+/// design of experiments but not for an optimizer.
 RunOptions run_options(const correlation::Study& study, bool length_known);
 
-/// Says why a run with on_failure = "abort" has ended.
+/// Reports why a run with on_failure = "abort" has ended.
 void print_aborted(const correlation::Study& study,
                    const DesignPoint& point,
                    const Failure& failure);
 
-/// Returns the options of a run without target: counts the trials, described by `what`.
+/// Returns the options of a run that has no target: its progress counts the trials, which `what`
+/// describes.
 RunOptions counting_options(const correlation::Study& study, const std::string& what);
 
-/// Runs the trial of the study's refined model, if it has one, in a worker of its own; `result`
-/// then contains the shift of its numbers. Returns false if that was interrupted.
+/// Runs one trial on the study's refined model, if the study has one, in a separate worker, and
+/// stores in `result` how the refinement shifts the values. Returns false if a signal interrupted
+/// it.
 bool take_refined(const correlation::Study& study, correlation::Identifiability& result);
 
-/// Writes the report and names it; returns the exit code. `output` is its file; empty: beside the
-/// study. Throws InputError if that folder is not writable.
+/// Writes the report and prints the name of its file, `output`, or a file beside the study if
+/// `output` is empty. Returns the exit code. Throws InputError if the folder is not writable.
 int write_report(const correlation::Study& study,
                  const Journal& journal,
                  const experiment::Language& language,
                  experiment::Thoroughness thoroughness = experiment::Thoroughness::seconds,
                  const std::filesystem::path& output = {});
 
-/// Writes the report of a run that read `as_read` at its beginning. If the files of the study have
-/// changed meanwhile, it says so, writes a report of what the run has read, without the views that
-/// would read the files again, and returns the exit code of a failure.
+/// Writes the report of a run; `as_read` is the study as read at the beginning of the run. If the
+/// files of the study have changed since, it reports this, writes a report of the study as read,
+/// without the views that would read the files again, and returns the exit code of a failure.
 int write_report_of_run(const correlation::Study& study,
                         const correlation::Study& as_read,
                         const Journal& journal,

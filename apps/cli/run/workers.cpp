@@ -25,7 +25,8 @@ constexpr bool kBuiltWithMpi = true;
 constexpr bool kBuiltWithMpi = false;
 #endif
 
-/// Returns true if another task reports the error: of several tasks only the first one reports.
+/// Refuses to run. Only the first of several tasks reports the error: returns true if another task
+/// does.
 bool refuse(const Launch& launch, const std::string& why) {
   if (launch.task == 0) throw InputError(why);
   be_silent();

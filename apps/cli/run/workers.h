@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Executors of run, resume, doe and identify: worker processes of this machine or, under mpirun or
-// srun, the ranks of one job. Tasks that do not form a job are refused, because each would lead a
-// run of its own on the same journal.
+// srun, the ranks of one job. Several tasks that do not form a job are refused, because each would
+// run the same study on the same journal.
 #pragma once
 
 #include <memory>
@@ -13,23 +13,24 @@ namespace latsch::cli {
 
 class Workers {
  public:
-  /// Throws InputError, on the first of several tasks, if the tasks do not form one job or have
+  /// Throws InputError, on the first of several tasks, if the tasks do not form one job or read
   /// different studies.
   explicit Workers(const correlation::Study& study);
-  /// Under mpirun this ends the other ranks, even if nothing was ever started.
+  /// Under mpirun the destructor ends the other ranks, even if no trial was started.
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// On a rank that works for another one: works until that one ends, then returns true. Returns
-  /// false if this process itself leads the run. `in_stages` says that the leader starts its
-  /// workers stage by stage.
+  /// On a rank that works for the leader: computes trials until the leader ends, then returns true.
+  /// In the process that leads the run: returns false at once. `in_stages` says that the leader
+  /// starts its workers anew for each stage.
   bool served(const correlation::Study& study, bool in_stages = false);
 
   /// Starts the executor in the process that leads the run.
   Executor& start(const correlation::Study& study);
 
-  /// Ends the workers: later work does not need them and may take longer than they wait.
+  /// Ends the workers. Called before long work that does not need them, because they would give up
+  /// waiting.
   void end();
 
  private:
@@ -37,13 +38,13 @@ class Workers {
   std::unique_ptr<Job> job_;  // declared before the executor, which uses it until its end
   std::unique_ptr<Executor> executor_;
   int started_ = 0;
-  int expected_ = 1;      // number of times the other ranks are started
+  int expected_ = 1;      // number of times that the leader starts the other ranks
   bool refused_ = false;  // true if another task reports the refusal
 };
 
-/// Trials run during its lifetime. On every kind of end, even a full disk, it ends the workers and
-/// then removes the files of killed ones. Must be declared after the journal, which is locked
-/// meanwhile.
+/// Scope in which the trials of a study run. At every kind of end, even with a full disk, its
+/// destructor ends the workers and then removes the files of killed ones. It must be declared after
+/// the journal, which has to be locked meanwhile.
 class TrialsRun {
  public:
   TrialsRun(Workers& workers, const correlation::Study& study);

@@ -73,7 +73,7 @@ count = 6
 start = ["0 m", "0.3 m"]             # its right edge 0.3 m to the left of the car's middle
 )";
 
-/// Returns the text from its first line that is no comment.
+/// Returns the text without its opening comment.
 std::string without_head(std::string_view text) {
   while (text.starts_with('#') || text.starts_with('\n')) text.remove_prefix(text.find('\n') + 1);
   return std::string(text);
@@ -108,7 +108,8 @@ std::string car_study() {
   return text + "\n[run]\nworkers = 2\ntimeout = \"5 min\"\n";
 }
 
-/// The car's file with the names of the suspension files in the study's folder.
+/// Returns the text of the car's file, changed to the names that the suspension files have in the
+/// study's folder.
 std::string four_post_car() {
   std::string text = without_head(published_four_post_car());
   text = replaced(std::move(text), "../kerb/front_rigid.toml", "front.toml");
@@ -120,7 +121,7 @@ std::string four_post_car() {
          text;
 }
 
-/// Adds the scatter and resolution of load cells.
+/// Adds measurement scatter and the resolution of a load cell to forces, N.
 void scatter(std::vector<double>& forces, RandomStream& chance) {
   constexpr double kScatter = 3.0, kDigit = 0.1;  // N
   for (double& force : forces)
@@ -166,7 +167,7 @@ std::string example_sweep(const std::string& car_file, const experiment::Languag
     const bool is_force = channel.name.starts_with("pushrod_");
     if (!is_force && channel.name != "time" && !channel.name.starts_with("post_")) continue;
     if (is_force) scatter(channel.values, chance);
-    channel.values.pop_back();  // its rounded time must not exceed that of the test
+    channel.values.pop_back();  // after rounding, this time could exceed the duration of the test
     sweep.add(std::move(channel));
   }
   return "# An example, not measured: this car with " + made_of +

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studies that `latsch new --suspension` and `--car` write.
+// The studies that `latsch new --suspension` and `latsch new --car` write.
 //
-//   suspension  sixteen numbers of a K&C rig and the bushings that cause them: studies/compliance,
-//               built into the program
-//   car         a car on four posts, whose springs and dampers are found from the forces of its
-//               push-rods in a sweep: car and suspensions of studies/four_post and studies/kerb.
-//               The recording is an example, of that car with springs and dampers different from
-//               the study's start, with the scatter of load cells; and a kerb to drive over.
+//   suspension  identifies the bushings of a suspension from sixteen numbers of a K&C rig:
+//               studies/compliance, contained in the program
+//   car         identifies the springs and dampers of a car on four posts from the forces of its
+//               push-rods in a sweep. Car and suspensions are those of studies/four_post and
+//               studies/kerb. The recording is an example: it was computed from the car with other
+//               springs and dampers than the study's start, with the scatter of load cells. A kerb
+//               to drive over is included.
 #pragma once
 
 #include <string>
@@ -21,18 +22,20 @@ struct WrittenFile {
   std::string name, text;
 };
 
-/// Contained in the program.
+/// Return texts that the program contains: files of studies/compliance, studies/four_post and
+/// studies/kerb.
 std::string_view published_corner();
 std::string_view published_compliance_study();
 std::string_view published_four_post_car();
 std::string_view published_front_suspension();
 std::string_view published_rear_suspension();
 
-/// Writes corner.toml, study.toml.
+/// Returns the files corner.toml and study.toml.
 std::vector<WrittenFile> suspension_study_files();
-/// Writes car.toml, front.toml, rear.toml, kerb.toml, study.toml.
+/// Returns the files car.toml, front.toml, rear.toml, kerb.toml and study.toml.
 std::vector<WrittenFile> car_study_files();
-/// Returns the sweep.csv of the study, recorded from the car in `car_file`.
+/// Returns the text of the study's sweep.csv, an example recording computed from the car in
+/// `car_file`.
 std::string example_sweep(const std::string& car_file, const experiment::Language& language);
 
 }  // namespace latsch::cli

@@ -32,14 +32,18 @@ using correlation::ProcessedPlateau;
 using correlation::ProcessedRun;
 using correlation::RigFile;
 
-constexpr double kBefore = 0.04, kBehind = 0.2;  // s around the hit, in which the response decays
-constexpr double kOfTurn = 0.9;                  // most of the distance to the passage's ends
-constexpr double kRoom = 0.1;                    // share of the window, reserved for the delay
-constexpr double kMoreRoom = 5e-3;               // s, added to that share
-constexpr double kQuiet = 15e-3;                 // s before the hit; the mean load ends there
-constexpr double kFarthest = 60e-3;              // s, most between the hits of record and test
-constexpr double kShiftStep = 0.5e-3;            // s
-constexpr double kAlike = 0.5;  // correlation below which a dissimilarity is reported
+// s, shown part of the response before and behind the hit
+constexpr double kBefore = 0.04, kBehind = 0.2;
+// largest distance of the hit from the ends of a passage, as a share of the drum's period
+constexpr double kOfTurn = 0.9;
+// share of the window that is reserved on each side for a fitted delay
+constexpr double kRoom = 0.1;
+constexpr double kMoreRoom = 5e-3;     // s, added to that share
+constexpr double kQuiet = 15e-3;       // s; the mean load is taken up to this time before the hit
+constexpr double kFarthest = 60e-3;    // s, largest time between the hits in record and test
+constexpr double kShiftStep = 0.5e-3;  // s
+// correlation below which the program reports that record and simulation are dissimilar
+constexpr double kAlike = 0.5;
 
 const std::vector<RingNumber> kNumbers = {
     {"radial", "sidewall.radial.stiffness", "MN/m^2", 2.0},
@@ -48,12 +52,12 @@ const std::vector<RingNumber> kAlong = {
     {"tangential", "sidewall.tangential.stiffness", "MN/m^2", 2.0},
     {"tangential_damping", "sidewall.tangential.damping", "N s/m^2", 5.0}};
 
-/// A column of a recording by its name in the rig file and its quantity.
+/// A channel that the study needs, and the column of the recording that holds it.
 struct Column {
   std::string ours, unit;          // "Fz", "N"
-  std::vector<std::string> usual;  // usual names, in any case
-  std::string written = {};        // name in the file; empty: there is none
-  std::string unit_of_table = {};  // unit if the file states none
+  std::vector<std::string> usual;  // usual names of the column, in any case
+  std::string written = {};        // name of the column in the file; empty: no such column
+  std::string unit_of_table = {};  // unit from the header of the table; empty if it states none
 };
 
 std::string lower(std::string text) {
@@ -94,11 +98,12 @@ bool is_called(const Channel& channel, const Column& column) {
       for (const char* frame : {"w", "h", "c"})
         if (framed == usual + frame) return true;
   }
-  const auto known = recognized(channel.name);  // a laboratory's name, such as "Radlast"
+  const auto known = recognized(channel.name);  // a name known from a laboratory, such as "Radlast"
   return known && known->meaning->name == (column.ours == "speed" ? "Vx" : column.ours);
 }
 
-/// Returns the unit at the end of a name, as of "V_kph", if the file states no other.
+/// Returns the unit that a column's name ends with, such as km/h for "V_kph", if the file states no
+/// other.
 std::string unit_of_name(const Channel& channel) {
   const auto known = recognized(channel.name);
   return known && channel.unit == "1" ? known->unit : "";
@@ -170,7 +175,7 @@ double length_in(const std::string& text, const std::string& option, const char*
   return quantity->si;
 }
 
-/// Converts "10 mm x 20 mm" into the table of a test.
+/// Converts "10 mm x 20 mm" to the table that describes the cleat in a test.
 std::string cleat_table(const std::string& text) {
   constexpr const char* kExpected = "height and length of the cleat, such as \"10 mm x 20 mm\"";
   const auto cross = text.find('x');
@@ -245,7 +250,7 @@ std::string rig_text(const DrumRecordings& recordings,
   return text;
 }
 
-/// Returns the speeds that the first recording holds.
+/// Returns the constant speeds, m/s, at which the first recording runs.
 std::vector<double> speeds_in(const Channels& channels,
                               const DrumRecordings& recordings,
                               const std::vector<Column>& columns,
@@ -264,7 +269,8 @@ std::vector<double> speeds_in(const Channels& channels,
   return held_speeds(record, "speed of the teeth", {});
 }
 
-/// One plateau of one run as a measurement and a test.
+/// One recording at one constant speed: its averaged passage over the cleat, as a measurement and
+/// as a test.
 class DrumPassage {
  public:
   DrumPassage(const ProcessedRun& run, const ProcessedPlateau& plateau)
@@ -295,13 +301,13 @@ class DrumPassage {
   double turn() const { return plateau_.period.samples / rate_; }
   double speed() const { return plateau_.plateau.mean; }
   double diameter() const { return speed() * turn() / std::numbers::pi; }
-  /// Mean of the force before the hit, N.
+  /// Returns the mean of the vertical force before the hit, N.
   double load() const {
     const auto& force = plateau_.force();
     const auto end = std::max<long>(1, hit_ - std::lround(kQuiet * rate_));
     return std::accumulate(force.begin(), force.begin() + end, 0.0) / static_cast<double>(end);
   }
-  /// Standard deviation of the average of a channel, given by its index.
+  /// Returns the standard deviation of the averaged channel with this index.
   double noise(std::size_t channel) const {
     const auto& spread = plateau_.channels[channel].average.spread;
     double square = 0.0;
@@ -312,7 +318,7 @@ class DrumPassage {
   const std::string& channel(std::size_t i) const { return plateau_.channels[i].name; }
   std::size_t passages() const { return plateau_.passages.starts.size(); }
 
-  /// Margin for the delay on both sides, s.
+  /// Returns the time, s, reserved on either side of the window for a fitted delay.
   double room() const { return kRoom * (before_ + behind_) + kMoreRoom; }
 
   std::string test(const std::string& cleat, double diameter) const {
@@ -340,7 +346,8 @@ class DrumPassage {
     return ours + (has_frame ? known->channel.substr(2) : frames_.front());
   }
 
-  /// Finds the shift with the greatest similarity between record and simulation, and keeps both.
+  /// Finds the time shift at which record and simulation are most similar; stores shift and
+  /// similarity.
   void align(const Channels& simulated, double sign) {
     const auto &time = simulated["time"], &force = simulated[in_test(0, "Fz")];
     for (double moved = -kFarthest; moved <= kFarthest; moved += kShiftStep) {
@@ -352,10 +359,10 @@ class DrumPassage {
   }
   double alike() const { return alike_; }
 
-  /// N: load at rest with which the tire, rolling at the same height, has the measured force.
+  /// Load, N, of the tire at rest at the height at which it has the measured force while it rolls.
   double load_at_rest() const { return at_rest_ * std::abs(load()); }
-  /// The known ring has another force when it rolls than at rest; the measured tire is assumed to
-  /// have the same ratio.
+  /// Stores the ratio between the forces of the known ring at rest and while rolling. The measured
+  /// tire is assumed to have the same ratio.
   void learn_rolling_load(const Channels& simulated) {
     const auto &time = simulated["time"], &force = simulated[in_test(0, "Fz")];
     double sum = 0.0;
@@ -389,7 +396,8 @@ class DrumPassage {
   }
 
  private:
-  /// Correlation of the simulated force with the average shifted onto the simulated times.
+  /// Returns the correlation of the simulated force with the measured average, shifted in time and
+  /// interpolated at the simulated times.
   double correlation_at(const std::vector<double>& time,
                         const std::vector<double>& force,
                         double moved) const {
@@ -409,15 +417,16 @@ class DrumPassage {
   double rate_;
   const ProcessedPlateau& plateau_;
   std::string name_, table_;
-  std::vector<std::string> frames_;  // of the columns' names; empty: they state none
+  /// axis frames stated in the names of the columns; empty: no name states one
+  std::vector<std::string> frames_;
   long hit_ = 0;
-  double before_ = 0.0, behind_ = 0.0;  // s, the window around the hit
+  double before_ = 0.0, behind_ = 0.0;  // s, parts of the window before and behind the hit
   double moved_ = 0.0, alike_ = 0.0;
-  double at_rest_ = 1.0;  // ratio of the load at rest to that of rolling
+  double at_rest_ = 1.0;  // load at rest over the load of the rolling tire
 };
 
-/// Returns the drum's diameter, stated or computed from speed and period, and adds remarks about
-/// it.
+/// Returns the drum's diameter, m, either stated by the user or computed from speed and period, and
+/// adds remarks about it to `words`.
 double diameter_of(const DrumPassage& passage,
                    std::optional<double> stated,
                    std::vector<std::string>& words) {
@@ -429,7 +438,7 @@ double diameter_of(const DrumPassage& passage,
   return *stated;
 }
 
-/// Tables of the study, from the passages that have been added.
+/// Sections of the study for all passages that have been added.
 struct PassageTables {
   std::string tests, measurements, experiments;
 
@@ -441,7 +450,8 @@ struct PassageTables {
   }
 };
 
-/// Returns the drum's diameter, if one is stated. Throws InputError if a toothed wheel needs one.
+/// Returns the drum's diameter, m, if the user states one. Throws InputError if the speed was
+/// recorded as teeth of a wheel and no diameter is stated.
 std::optional<double> stated_diameter(const DrumRecordings& recordings) {
   if (!recordings.diameter.empty())
     return length_in(recordings.diameter, "--drum-diameter", "a length such as \"2.5 m\"");
@@ -452,7 +462,8 @@ std::optional<double> stated_diameter(const DrumRecordings& recordings) {
   return {};
 }
 
-/// Aligns a passage with the known ring over the same cleat and returns the text of its test.
+/// Aligns a passage in time with the known ring over the same cleat and returns the text of the
+/// passage's test.
 std::string aligned_test(DrumPassage& passage,
                          const std::string& cleat,
                          double drum,
@@ -472,7 +483,7 @@ std::string aligned_test(DrumPassage& passage,
   return passage.test(cleat, drum);
 }
 
-/// Adds remarks on a passage.
+/// Adds remarks on a passage to `words`.
 void tell_of(const DrumPassage& passage, std::vector<std::string>& words) {
   words.push_back(fmt::format("{}: {} passages at {}, load {}, likeness to the known ring {}",
                               passage.name(),
@@ -492,7 +503,7 @@ DrumStudy drum_study(const DrumRecordings& recordings,
                      const Document& known,
                      const fs::path& folder,
                      const experiment::Language& language) {
-  ring_tire::read_ring_tire(known.root());  // fails before any work is done
+  ring_tire::read_ring_tire(known.root());  // throws for an invalid ring before any work is done
   const std::string cleat = cleat_table(recordings.cleat);
   const std::optional<double> diameter = stated_diameter(recordings);
   const Channels first = formats::read_recording(recordings.files.front());

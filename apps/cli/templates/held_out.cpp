@@ -60,7 +60,7 @@ std::vector<std::string> windows_outside(const std::vector<std::string>& windows
   std::sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
   constexpr double kEnd = std::numeric_limits<double>::infinity();
   std::vector<std::string> outside;
-  double from = -kEnd;  // smallest value that is not yet covered
+  double from = -kEnd;  // least value that no window so far covers
   for (const correlation::Window& window : held) {
     const double to = std::nextafter(window.from, -kEnd);
     if (to >= from && std::isfinite(to))

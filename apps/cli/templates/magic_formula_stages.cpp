@@ -9,15 +9,15 @@
 namespace latsch::cli {
 namespace {
 
-// Upper bound of QCZ1, the shape factor of the trail: far from zero slip the trail tends to at
-// least cos(C pi/2) of its peak, -0.31 for 1.2. A larger bound lets the aligning moment change its
-// sign further beyond the data.
+// Upper bound of QCZ1, the shape factor C of the pneumatic trail. Far from zero slip the trail
+// tends to at least cos(C pi/2) of its peak, -0.31 for C = 1.2. A larger bound would let the
+// aligning moment change its sign further beyond the data.
 constexpr double kMostQCZ1 = 1.2;
 
-/// Returns the stages of all coefficients that the forces of a test could determine, whatever its
-/// conditions. The coefficients by which E depends on the sign of the slip (PEY3, PEY4, QEZ4, QEZ5)
-/// are left out: where the formula limits E to 1 they have no effect, and a search moves along them
-/// for long.
+/// Returns the stages with all coefficients that the forces of a test could determine, before its
+/// load, camber and pressure levels are considered. The coefficients by which E depends on the sign
+/// of the slip (PEY3, PEY4, QEZ4, QEZ5) are left out: they have no effect where the formula limits
+/// E to 1, and a search spends many trials on them.
 std::vector<Stage> every_stage_of(const TireTest& t) {
   std::vector<Stage> stages;
   if (t.cornering) {
@@ -63,9 +63,9 @@ std::vector<Stage> every_stage_of(const TireTest& t) {
                       {"QBZ4", "QBZ5", "QDZ3", "QDZ8", "QHZ3", "QDZ9", "QHZ4", "PPZ1", "PPZ2"}});
   }
   if (t.has("Mx")) {
-    // The effect of camber has a term over the load (QSX10 beside QSX2), the side force an arm of
-    // its own (QSX13, QSX14 beside QSX3). Without them Mx of a race tire has an RMS error of 7.1 %
-    // of its peak at two fitted pressures, with them 3.8 %.
+    // QSX10 lets the effect of camber depend on the load, beside QSX2, and QSX13 and QSX14 give the
+    // side force a lever arm of its own, beside QSX3. Without them Mx of a race tire has an RMS
+    // error of 7.1 % of its peak at two fitted pressures, with them 3.8 %.
     stages.push_back({"Mx", {"Mx"}, {"QSX1", "QSX2", "QSX10"}});
     if (t.cornering)
       for (const char* sheared : {"QSX3", "QSX13", "QSX14"})
@@ -75,7 +75,8 @@ std::vector<Stage> every_stage_of(const TireTest& t) {
   return stages;
 }
 
-/// Bounds narrower than the usual range, which keep a tire plausible beyond the data.
+/// Bounds narrower than the usual range of a coefficient. They keep a tire plausible beyond the
+/// data.
 struct Bounds {
   std::string_view coefficient;
   double lower, upper, initial;

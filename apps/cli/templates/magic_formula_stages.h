@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stages of a Magic Formula study: the coefficients that a tire test determines, and their
-// order.
+// The stages in which a Magic Formula study fits its coefficients: which coefficients a tire test
+// determines, and in which order they are fitted.
 #pragma once
 
 #include <string>
@@ -12,14 +12,15 @@
 
 namespace latsch::cli {
 
-/// Coefficients that a stage frees if the test determines them.
+/// A stage of the fit, and the coefficients that become variables in it if the test determines
+/// them.
 struct Stage {
   const char* name;
   std::vector<std::string> experiments, coefficients;
 };
 
-/// The freed coefficients, and the others by the reason: "of order 2 in the pressure, of which
-/// there are 2 levels: 69, 83 kPa".
+/// The coefficients that become variables, and the others with the reason why not: "of order 2 in
+/// the pressure, of which there are 2 levels: 69, 83 kPa".
 struct Freed {
   std::vector<Stage> stages;
   std::vector<std::pair<std::string, std::vector<std::string>>> left_out;
@@ -27,15 +28,16 @@ struct Freed {
   std::vector<std::string> in_words() const;
 };
 
-/// A coefficient of a condition is freed if the recordings contain more distinct levels of the
-/// condition than the order of its polynomial.
+/// Returns the stages for a test. A coefficient of a polynomial in a condition (load, camber,
+/// pressure, speed) becomes a variable if the recordings contain more distinct levels of the
+/// condition than the order of the polynomial.
 Freed stages_of(const TireTest& t);
 
 /// True if the study bounds a coefficient more narrowly than its usual range.
 bool is_bounded(std::string_view coefficient);
 
-/// Returns [variable.NAME] of the bounded ones among the coefficients, one line each, with a
-/// comment.
+/// Returns the sections [variable.NAME] of those coefficients that the study bounds, one line each,
+/// with a comment.
 std::string bounded_variables(const std::vector<std::string>& coefficients);
 
 }  // namespace latsch::cli

@@ -25,10 +25,11 @@ namespace {
 namespace fs = std::filesystem;
 using correlation::Measurement;
 
-constexpr std::size_t kMostSamples = 2000;  // more add little, because neighboring samples share
-                                            // noise
+// Limit of the fitted samples. More samples add little information, because neighboring samples
+// share noise.
+constexpr std::size_t kMostSamples = 2000;
 
-/// Returns the files of a recording, for errors.
+/// Returns the place of a recording, the names of its files, for error messages.
 Place place_of(const Measurement& measured) {
   std::string files = measured.files().front().string();
   if (measured.files().size() > 1)
@@ -36,8 +37,8 @@ Place place_of(const Measurement& measured) {
   return {files, 0};
 }
 
-/// Returns the columns that may be a missing channel, as a sentence with the option that names one;
-/// "" if there are none.
+/// Returns a sentence that lists the columns that may hold a missing channel and the option that
+/// names such a column; "" if there are none.
 std::string columns_for(const Measurement& measured, const ChannelMeaning& missing) {
   std::vector<OtherColumn> columns;
   for (const Channel& channel : measured.recorded().all()) {
@@ -53,7 +54,7 @@ std::string columns_for(const Measurement& measured, const ChannelMeaning& missi
   return "; columns that may be it: " + list_in_words(may_be, kMostNamed);
 }
 
-/// Throws InputError if a channel that every tire test needs is missing.
+/// Throws InputError if the recordings lack a channel that every tire test needs.
 void expect_channels(const Measurement& measured) {
   for (const char* needed : {"Fz", "alpha"}) {
     if (measured.has(needed)) continue;
@@ -67,7 +68,8 @@ void expect_channels(const Measurement& measured) {
   }
 }
 
-/// Throws InputError if the test has no curve to fit.
+/// Throws InputError if the recordings contain neither a sweep of the slip angle nor one of the
+/// longitudinal slip, so that there is nothing to fit.
 void expect_curve(const Measurement& measured, const TireTest& test) {
   if (test.cornering || test.driving) return;
   const auto missing = [&](const char* slip, const char* force, double least) {
@@ -88,14 +90,14 @@ void expect_curve(const Measurement& measured, const TireTest& test) {
                    "neither slip angle nor slip goes through a sweep: there is no curve to fit");
 }
 
-/// Returns the vertical stiffness, N/m, if a loaded radius was recorded that falls with the load.
+/// Returns the vertical stiffness, N/m, if the recorded loaded radius falls with the load.
 std::optional<double> recorded_stiffness(const TireTest& t) {
   if (!t.has("loaded_radius")) return std::nullopt;
   const double slope = line_through(t.of("Fz"), t.of("loaded_radius")).first;
   return slope < 0.0 ? std::optional(-1.0 / slope) : std::nullopt;
 }
 
-/// Rejects a radius that no tire has: it is probably in another unit.
+/// Throws InputError for a radius that no tire has: it is probably in another unit.
 void expect_radius(const Measurement& measured, double radius, bool is_given) {
   constexpr double kLeast = 0.1, kMost = 2.5;  // m, from a kart to the largest mining truck
   if (radius >= kLeast && radius <= kMost) return;
@@ -108,7 +110,7 @@ void expect_radius(const Measurement& measured, double radius, bool is_given) {
           "its loaded radius leads to {:g} m without load; {}, or --radius", radius, expected));
 }
 
-/// Estimates start values directly from the recordings.
+/// Returns start values of the coefficients, estimated directly from the recordings.
 magic_formula::Parameters start_of(const TireTest& t,
                                    const Measurement& measured,
                                    const std::optional<double>& unloaded_radius,
@@ -126,7 +128,8 @@ magic_formula::Parameters start_of(const TireTest& t,
         place_of(measured),
         "has no loaded radius: the tire's radius has to be given, --radius \"0.32 m\"");
   expect_radius(measured, p.UNLOADED_RADIUS, unloaded_radius.has_value());
-  constexpr double kUsualDeflection = 0.05;  // share of the radius, under the nominal load
+  // deflection under the nominal load as a share of the radius
+  constexpr double kUsualDeflection = 0.05;
   const auto stiffness = recorded_stiffness(t);
   p.VERTICAL_STIFFNESS =
       rounded(stiffness.value_or(p.FNOMIN / (kUsualDeflection * p.UNLOADED_RADIUS)), 1e3);
@@ -149,7 +152,8 @@ magic_formula::Parameters start_of(const TireTest& t,
   p.PDX1 = t.driving ? digits(t.grip("Fx")) : 1.0;
   p.PEX1 = -0.5;
   p.PKX1 = std::max(8.0, digits(t.steepness("Fx", "kappa", kSmallSlip)));
-  // Relaxation lengths are slip stiffnesses over these stiffnesses (19).
+  // The relaxation lengths are the slip stiffnesses divided by these carcass stiffnesses, equation
+  // (19).
   if (t.side_lag && t.side_lag->is_seen())
     p.LATERAL_STIFFNESS = rounded(-p.PKY1 * kAtNominalLoad * p.FNOMIN / t.side_lag->sigma, 100.0);
   if (t.drive_lag && t.drive_lag->is_seen())
@@ -158,7 +162,7 @@ magic_formula::Parameters start_of(const TireTest& t,
   p.QCZ1 = 1.05;
   p.QDZ1 = 0.1;
   p.QEZ1 = -1.0;
-  p.QSX11 = 1.0;  // the load of QSX10 in units of FNOMIN
+  p.QSX11 = 1.0;  // load, in units of FNOMIN, at which the term of QSX10 applies
   p.RBX1 = p.RBY1 = 10.0;
   p.RBX2 = p.RBY2 = 8.0;
   p.RCX1 = p.RCY1 = 1.0;
@@ -169,7 +173,7 @@ std::string quoted(const std::vector<std::string>& names) {
   return fmt::format("[\"{}\"]", fmt::join(names, "\", \""));
 }
 
-/// Returns the keys of a measurement that consists of some recordings.
+/// Returns the keys of a [measurement] that reads the files `of`.
 std::string measurement_keys(const TireTestFiles& test,
                              const std::vector<fs::path>& of,
                              std::size_t every) {
@@ -200,23 +204,53 @@ std::string measurement_keys(const TireTestFiles& test,
   return text;
 }
 
+/// file name in messages about keys that are made from command line options
+constexpr const char* kNoFile = "recordings";
+
+/// Returns a message about a key of the measurement as one about the option that stated it:
+/// "--column alpha is ..." for "measurement.all.columns.alpha is ...".
+std::string of_option(std::string message, const std::vector<fs::path>& files) {
+  constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
+      {"columns.", "--column "},
+      {"columns", "--column"},
+      {"axes", "--axes"},
+      {"select.", "--hold-out "},
+      {"files", "--magic-formula"},
+      {"file", ""}};
+  const std::size_t at = message.find("measurement.all.");
+  if (at == message.npos) return message;
+  message.erase(0, at + std::string_view("measurement.all.").size());
+  for (const auto& [key, option] : kOptions) {
+    if (!message.starts_with(key)) continue;
+    message.replace(0, key.size(), option.empty() ? files.front().string() : option);
+    break;
+  }
+  return message;
+}
+
 Measurement read_some(const TireTestFiles& test,
                       const std::vector<fs::path>& files,
                       const Select& select) {
-  const Document document = Document::parse(
-      "measurement.all = {" + measurement_keys(test, files, 1) + select_text(select) + "}\n",
-      "recordings");
-  return correlation::read_measurement(document.root().table("measurement").table("all"), "");
+  try {
+    const Document document = Document::parse(
+        "measurement.all = {" + measurement_keys(test, files, 1) + select_text(select) + "}\n",
+        kNoFile);
+    return correlation::read_measurement(document.root().table("measurement").table("all"), "");
+  } catch (const InputError& error) {
+    if (error.place().file != kNoFile) throw;
+    throw InputError(of_option(error.what(), files));
+  }
 }
 
-/// Samples that a study fits or predicts: recordings, and windows in them.
+/// Samples that a study fits or predicts: the recordings, and the ranges of values that select
+/// samples from them.
 struct Samples {
   std::vector<fs::path> files;
   Select select;
 };
 
-/// Reads the samples to fit. The recordings as a whole were read before if some are held out, so
-/// that only the windows can be at fault.
+/// Reads the samples to fit. If some are held out, the whole recordings have been read before, so
+/// only the ranges can be at fault here.
 Measurement read_fitted(const TireTestFiles& test, const Samples& fitted) {
   try {
     return read_some(test, fitted.files, fitted.select);
@@ -230,7 +264,8 @@ Measurement read_fitted(const TireTestFiles& test, const Samples& fitted) {
       fmt::join(test.held_out.windows, ", ")));
 }
 
-/// Returns the test with axes chosen by the sign of Fz, if the user has not stated them.
+/// Returns the test with its axis convention. If the user has not stated one, the sign of Fz
+/// decides.
 TireTestFiles with_axes(const TireTestFiles& test) {
   if (!test.axes.empty()) return test;
   const Measurement measured = read_some(test, test.files, {});
@@ -240,7 +275,8 @@ TireTestFiles with_axes(const TireTestFiles& test) {
   return sae;
 }
 
-/// Returns the fitted samples and the held-out ones, which have no file if nothing is held out.
+/// Splits the test into fitted samples and held-out samples; the latter have no files if nothing is
+/// held out.
 std::pair<Samples, Samples> parted(const TireTestFiles& test) {
   Samples fitted{test.files, {}}, held;
   const HeldOut& out = test.held_out;
@@ -266,8 +302,8 @@ std::pair<Samples, Samples> parted(const TireTestFiles& test) {
   return {fitted, held};
 }
 
-/// An experiment of a study: a channel of a set of samples. Sets are "cornering", "driving"; those
-/// that are held out "cornering_held" and "driving_held".
+/// An experiment of the study: a channel compared over a set of samples. The sets are "cornering"
+/// and "driving", and "cornering_held" and "driving_held" for held-out samples.
 struct Compared {
   std::string name, channel, set;
 
@@ -299,8 +335,8 @@ std::vector<Compared> compared_in(const TireTest& t) {
   return all;
 }
 
-/// Selects the samples that belong to a set: all, or those with suitable slip if the test has both
-/// sets.
+/// Adds the condition by which samples belong to a set. Without both sets in the test, all samples
+/// belong to its only set.
 Select select_of(const TireTest& t, const std::string& set, Select select) {
   if (!(t.cornering && t.driving)) return select;
   if (select.contains("kappa"))
@@ -313,7 +349,7 @@ Select select_of(const TireTest& t, const std::string& set, Select select) {
   return select;
 }
 
-/// True if the held-out samples contain any of a set.
+/// True if the held-out samples contain samples of the set.
 bool has_samples(const TireTest& t, const TireTest& held, const std::string& set) {
   if (set == "cornering" ? !t.cornering : !t.driving) return false;
   if (!(t.cornering && t.driving)) return true;
@@ -346,7 +382,8 @@ std::vector<fs::path> seen_from(const fs::path& folder, std::vector<fs::path> fi
   return files;
 }
 
-/// Returns the measurements of the held-out samples, with their experiments.
+/// Returns the text of the measurements of held-out samples and of the experiments that predict
+/// them.
 std::string held_out_lines(const TireTest& t,
                            const TireTestFiles& test,
                            const Samples& held,
@@ -369,7 +406,7 @@ std::string held_out_lines(const TireTest& t,
   return text;
 }
 
-/// Describes the loops, one comment each.
+/// Returns a comment for each detected loop, the lag of a force behind its slip.
 std::string lags_in_words(const TireTest& t) {
   std::string text;
   const auto add =
@@ -403,7 +440,8 @@ std::string names_in_words(const std::vector<fs::path>& files) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The .tir at which the fit starts: each value was seen in the recordings or is assumed.
+/// Returns the .tir file at which the fit starts. A remark at each value says whether it was
+/// estimated from the recordings or assumed.
 std::string tire_text(const TireTest& t,
                       const magic_formula::Parameters& p,
                       const std::vector<fs::path>& files,

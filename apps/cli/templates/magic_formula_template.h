@@ -51,19 +51,19 @@ namespace latsch::cli {
 
 struct TireTestFiles {
   std::vector<std::filesystem::path> files;
-  std::string axes;                       // "sae"; empty: determined by the sign of Fz
+  std::string axes;  // axis convention, such as "sae"; empty: the sign of Fz decides
   std::vector<std::string> columns = {};  // "Fz = LOAD [N]"
   std::optional<double> unloaded_radius;  // m; unless the loaded radius was recorded
-  HeldOut held_out = {};                  // predicted, not fitted
+  HeldOut held_out = {};                  // samples that are predicted instead of fitted
 };
 
 struct MagicFormulaStudy {
   std::string tire, study;         // contents of a .tir and of the study
-  std::vector<std::string> words;  // contents of the recordings
+  std::vector<std::string> words;  // remarks for the user about the contents of the recordings
 };
 
-/// The study is in `folder`. Throws InputError if the files are no tire test or the radius is not
-/// known.
+/// Returns the study, to be written to `folder`. Throws InputError if the files are no tire test or
+/// the radius is not known.
 MagicFormulaStudy magic_formula_study(const TireTestFiles& test,
                                       const std::filesystem::path& folder);
 

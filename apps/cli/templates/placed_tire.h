@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes the ends of a tire file's columns of elements and its number of sectors.
+// Replaces the positions of the element columns and the number of sectors in the text of a tire
+// file.
 #pragma once
 
 #include <string>
@@ -8,12 +9,12 @@
 
 namespace latsch::cli {
 
-/// Returns "columns = [0, 0.1, 1]", a line of [mesh].
+/// Returns the line "columns = [0, 0.1, 1]" for the section [mesh] of a tire file.
 std::string columns_line(const std::vector<double>& columns);
 
-/// Returns the tire file `text` with that line instead of its description of columns, and with that
-/// number of sectors. Throws InputError with the lines to write by hand if the file is written in
-/// another way than expected.
+/// Returns the tire file `text` with these columns instead of its own and with that number of
+/// sectors. If the file has another layout than expected, throws InputError that states the lines
+/// to write by hand.
 std::string placed_tire(std::string_view text, const std::vector<double>& columns, int sectors);
 
 }  // namespace latsch::cli

@@ -13,11 +13,13 @@ namespace {
 
 using correlation::Measurement;
 
-constexpr std::size_t kReach = 2;      // samples to each side from which a derivative by time is
-                                       // computed
-constexpr std::size_t kFewest = 30;    // samples of small slip
-constexpr double kNoOtherSlip = 0.02;  // rad or 1; greatest other slip
-constexpr double kLightest = 0.5;      // share of the median load; below it the wheel is lifted
+// Number of samples on each side from which a time derivative is computed.
+constexpr std::size_t kReach = 2;
+constexpr std::size_t kFewest = 30;  // least number of samples with small slip
+// rad, or 1 for longitudinal slip; largest value of the other slip
+constexpr double kNoOtherSlip = 0.02;
+// share of the median load; at smaller loads the wheel counts as lifted
+constexpr double kLightest = 0.5;
 
 std::vector<double> values_of(const Measurement& measured, const std::string& channel) {
   if (!measured.has(channel)) return {};
@@ -30,7 +32,8 @@ double quantile(std::vector<double> values, double share) {
   return *at;
 }
 
-/// Regressors of a force over its load: s, ds/dt / |V|, 1, s^3, then load, s load, camber.
+/// Regressors for force over load, where s is the slip and V the speed: s, ds/dt / |V|, 1, s^3,
+/// then load, s load, camber.
 constexpr int kAlways = 4, kAll = 7;
 using Regressors = Eigen::Matrix<double, kAll, 1>;
 
@@ -71,10 +74,11 @@ Rows rows_of(const Measurement& measured,
   return rows;
 }
 
-/// Returns the regressors that vary, each normalized to length 1; `scale` has their lengths before.
+/// Returns the columns of those regressors that vary, each normalized to length 1; `scale` receives
+/// the lengths before normalization.
 Eigen::MatrixXd columns_of(const Rows& rows, Eigen::VectorXd& scale) {
-  constexpr double kVaries = 0.02;  // root mean square of the load over its median, or rad of
-                                    // camber
+  // Least variation of the load (root mean square over its median) or of the camber (rad).
+  constexpr double kVaries = 0.02;
   const Eigen::Index n = std::ssize(rows.y);
   Eigen::MatrixXd X(n, kAll);
   for (Eigen::Index i = 0; i < n; ++i) X.row(i) = rows.X[static_cast<std::size_t>(i)];
@@ -90,7 +94,8 @@ Eigen::MatrixXd columns_of(const Rows& rows, Eigen::VectorXd& scale) {
   return kept * scale.cwiseMax(1e-300).cwiseInverse().asDiagonal();
 }
 
-/// Factor by which the variance of a mean grows because neighbors share noise.
+/// Returns the factor by which the variance of a mean grows because neighboring samples share
+/// noise.
 double shared_noise(const Eigen::VectorXd& r, const std::vector<std::size_t>& samples) {
   double products = 0.0, squares = 0.0;
   for (Eigen::Index i = 1; i < r.size(); ++i) {
@@ -106,8 +111,8 @@ double shared_noise(const Eigen::VectorXd& r, const std::vector<std::size_t>& sa
 }  // namespace
 
 bool RecordedLag::is_seen() const {
-  constexpr double kDeviations = 4.0, kLeast = 0.01;  // number of deviations, and m; smaller lags
-                                                      // count as unseen
+  // A lag counts as seen if it exceeds this number of standard deviations and this length, m.
+  constexpr double kDeviations = 4.0, kLeast = 0.01;
   return sigma > kLeast && sigma > kDeviations * deviation;
 }
 
@@ -129,7 +134,7 @@ std::optional<RecordedLag> recorded_lag(const Measurement& measured,
   const double slope = b[0] / scale[0], lag = b[1] / scale[1];
   RecordedLag found;
   found.sigma = -lag / slope;
-  // sigma = -b1/b0; `by` are its derivatives by both, for its variance.
+  // sigma = -b1/b0. The vector `by` holds the derivatives of sigma by b0 and b1, for its variance.
   Eigen::VectorXd by = Eigen::VectorXd::Zero(columns);
   by[0] = -found.sigma / slope / scale[0];
   by[1] = -1.0 / slope / scale[1];

@@ -46,13 +46,13 @@ bool has(const Document& document, const std::string& path) {
   return std::find(paths.begin(), paths.end(), path) != paths.end();
 }
 
-/// Returns a plain number, or a quantity in quotes.
+/// Returns the value as text of a study: a plain number, or a quantity with its unit in quotes.
 std::string written(double value, const std::string& unit, int digits = 6) {
   return unit == "1" ? format_number(value, digits)
                      : in_quotes(format_quantity(value, unit, digits));
 }
 
-/// `modes` is empty for a channel without modes.
+/// Returns the text of an experiment. `modes` is empty for a channel without modes.
 std::string experiment(const std::string& name,
                        const std::string& channel,
                        const std::vector<std::string>& modes,
@@ -67,7 +67,8 @@ std::string experiment(const std::string& name,
          fmt::format("values = [{}]\nnoise = \"1 %\"\nexponent = 2\n", fmt::join(list, ", "));
 }
 
-/// Returns the experiment of a channel of modes, with those of these names that exist.
+/// Returns the experiment of a channel with one value for each mode, with those modes of the list
+/// that the channel has.
 std::string experiment_of_modes(const std::string& name,
                                 const Channel& channel,
                                 const std::vector<std::string>& names,
@@ -85,11 +86,12 @@ std::string experiment_of_modes(const std::string& name,
   return experiment(name, "air/" + channel.name, found, values, channel.unit);
 }
 
-constexpr double kSecondPressure = 0.8;  // share of the tire's own pressure: that of an
-                                         // underinflated tire
-constexpr double kShare = 0.5;           // start value of the pressure's share
+// Second pressure as a share of the tire's own, like that of an underinflated tire.
+constexpr double kSecondPressure = 0.8;
+// initial value of the share of the sidewall stiffness that is due to pressure
+constexpr double kShare = 0.5;
 
-/// Returns a test of the load at a second pressure, for a tire that states its own pressure.
+/// Returns a load test at a second pressure, if the tire states its own pressure.
 std::string soft_test(const Document& model) {
   if (!has(model, "pressure") || !(model.get("pressure") > 0.0)) return "";
   return fmt::format(
@@ -97,8 +99,8 @@ std::string soft_test(const Document& model) {
       written(kSecondPressure * model.get("pressure"), "bar"));
 }
 
-/// If a ring does not state the share of its sidewall stiffness that is due to pressure, this adds
-/// the share at the ring's own pressure, at which the ring stays unchanged.
+/// Adds the share of the sidewall stiffness that is due to pressure, if the ring does not state it.
+/// The share applies at the ring's own pressure, so the ring stays unchanged there.
 std::string with_pressure_share(const Document& ring) {
   std::string text = ring.text();
   const auto table = text.find("\n[sidewall]");
@@ -124,7 +126,7 @@ std::string ring_variables(const std::vector<RingNumber>& numbers, const Documen
   std::string text;
   for (const RingNumber& number : numbers) {
     const double guess = has(known, number.path) ? known.get(number.path) : 0.0;
-    if (!(guess > 0.0)) continue;  // a part that this ring does not have
+    if (!(guess > 0.0)) continue;  // skips a part that this ring does not have
     text += fmt::format(
         "variable.{} = {{path = \"{}\", lower = {}, upper = {}, initial = {}, scale = "
         "\"logarithmic\"}}\n",

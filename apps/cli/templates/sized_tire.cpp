@@ -9,6 +9,7 @@
 
 #include "base/document.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "cli/templates/placed_tire.h"
 #include "cli/templates/tire_lines.h"
 #include "experiment/rigs/fe_tire/column_placement.h"
@@ -31,7 +32,7 @@ SizeDesignation size_of(const std::string& text) {
     throw InputError("--size is " + in_quotes(text) +
                      ", expected a size such as \"275/35R19\" or \"16x7.5-10\"");
   }
-  // These are the usual sizes; beyond them a template would be stretched too far.
+  // Limits of the usual sizes. For other sizes the template would be stretched too far.
   const double height = 0.5 * (size->outer_diameter - size->rim_diameter);
   const bool usual =
       size->metric ? height > 0.06 && height < 0.18 && size->width > 0.12 && size->width < 0.36 &&
@@ -54,7 +55,7 @@ SizeDesignation size_of(const std::string& text) {
   return *size;
 }
 
-/// Half the width of the measuring rim of a tire of the given size, m.
+/// Returns half the width, m, of the measuring rim of a tire of the given size.
 double half_rim(const SizeDesignation& size) {
   if (!size.metric) return 0.5 * (size.width - 0.5 * kInch);
   const double aspect = 0.5 * (size.outer_diameter - size.rim_diameter) / size.width;
@@ -66,7 +67,7 @@ double half_rim(const SizeDesignation& size) {
   return 0.5 * std::round(2.0 * share * size.width / kInch) / 2.0 * kInch;
 }
 
-/// Maps points of the contour of one tire to those of another size.
+/// Maps points on the contour of the template tire to points on the contour of another size.
 class Stretch {
  public:
   Stretch(const TireDescription& from, const SizeDesignation& to)
@@ -88,7 +89,7 @@ class Stretch {
     return {p.y * (rim_ + up * (width_ - rim_)), bead_r_ + high * (crown_r_ - bead_r_)};
   }
 
-  /// Position along the wall of the same point.
+  /// Returns the new position along the wall, 0 to 1, of the point with the old position `old`.
   double position(double old) const {
     const double k = std::clamp(old, 0.0, 1.0) * static_cast<double>(arc_.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(k), arc_.size() - 2);
@@ -112,10 +113,10 @@ class Stretch {
   std::vector<MeridianPoint> old_;
   MeridianPoint bead_, crown_;
   double widest_ = 0.0, width_ = 1.0, rim_ = 1.0, bead_r_ = 0.0, crown_r_ = 0.0;
-  std::vector<double> arc_;  // m, at equal steps of the old position
+  std::vector<double> arc_;  // m, arc length on the new contour at equal steps of the old position
 };
 
-/// Rounds to 1/`parts`: the nearest number, which then has a short decimal form.
+/// Rounds to a multiple of 1/`parts`, so that the number has a short decimal form.
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
 /// True if the number at a path of a tire file is a position along the wall.
@@ -128,14 +129,14 @@ bool is_position(const std::string& path) {
   return profile && path.ends_with(".0");
 }
 
-/// Returns the text with the line of a key replaced.
+/// Returns the text with the value of the key `key` replaced in its line.
 std::string with_line(std::string_view text, const std::string& key, const std::string& value) {
   return by_lines(text, [&](std::string line) {
     return line.starts_with(key + " =") ? fmt::format("{} = {}\n", key, value) : line;
   });
 }
 
-/// Replaces the template's own opening comment, which describes another tire.
+/// Replaces the opening comment of the template, which describes another tire.
 std::string with_head(std::string_view text, const std::string& head) {
   while (text.starts_with('#')) text.remove_prefix(text.find('\n') + 1);
   return head + std::string(text);
@@ -150,7 +151,7 @@ std::string template_of(const std::string& size) {
   return height >= 0.495 * wanted.width ? "passenger_205_55R16" : "passenger_235_45R20";
 }
 
-/// The limit is one and a half times the unknowns of tires B and A in [Hempel & Oertel 2016].
+/// Returns one and a half times the unknowns of tires B and A in [Hempel & Oertel 2016].
 int most_unknowns(const std::string& size) {
   return template_of(size) == "passenger_235_45R20" ? 40500 : 23220;
 }
@@ -185,12 +186,13 @@ std::string stretched_tire(std::string_view text, const std::string& size) {
   for (const std::string& path : tire.paths()) {
     if (is_position(path)) tire.set(path, rounded(stretch.position(tire.get(path)), 1e3));
   }
-  if (old.section.columns.empty()) return tire.text();  // a coarse mesh with equal columns
+  // a coarse mesh with equal columns needs no placement
+  if (old.section.columns.empty()) return tire.text();
   std::vector<double> columns = old.section.columns;
   for (double& q : columns) q = rounded(stretch.position(q), 1e4);
   std::string stretched = placed_tire(tire.text(), columns, old.section.sectors);
-  // Walls higher than the template's bend more in the crown, where columns are then more useful
-  // than the narrowest sectors in the contact: wider sectors change the vertical force by 0.1 %.
+  // Walls higher than the template's bend more in the crown, so more columns there are worth more
+  // than the narrowest sectors in the contact, whose effect on the vertical force is 0.1 %.
   if (template_of(size) == "passenger_205_55R16") {
     stretched = with_line(stretched, "sector_zones", "[[4, \"3.2 deg\"], [2, \"5 deg\"]]");
   }
@@ -213,6 +215,29 @@ std::string with_placed_mesh(const std::string& stretched,
 
 std::string sized_tire(std::string_view text, const std::string& size) {
   return with_placed_mesh(stretched_tire(text, size), size);
+}
+
+std::string inflated_size_in_words(const Document& tire,
+                                   const std::string& size,
+                                   const experiment::Language& language) {
+  const std::string contour = "its contour is drawn to the size without pressure";
+  const auto test = language.read_test(
+      Document::parse("test = {kind = \"inflation\"}", "inflation").root().table("test"), {});
+  const auto inflated = test->run(*language.find_kind("fe_tire")->build(tire));
+  if (!inflated) return contour;  // check says why the tire does not inflate
+  const double diameter = 2.0 * (*inflated)["outer_radius"].front();
+  const double wanted = size_of(size).outer_diameter;
+  return fmt::format(
+      "inflated to {} the tire is {:.1f} mm high (outer diameter) and {:.1f} mm wide, {:+.1f} % of "
+      "the diameter of its size, {:.1f} mm: {}, and the crown grows by {:.1f} mm. If the size is "
+      "that of the inflated tire, subtract the growth from the radii of the contour",
+      format_quantity((*inflated)["pressure"].front(), "kPa", 4),
+      1e3 * diameter,
+      1e3 * (*inflated)["section_width"].front(),
+      100.0 * (diameter / wanted - 1.0),
+      1e3 * wanted,
+      contour,
+      1e3 * (*inflated)["growth"].front());
 }
 
 std::string coarse_tire(const std::string& text) {

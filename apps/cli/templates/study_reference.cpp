@@ -121,7 +121,7 @@ std::string expected_words(const TabledKey& key) {
   };
   const std::string range = key.words.range.empty() ? "" : ", " + key.words.range;
   for (const KeyForm& form : key.forms) {
-    // The table {from = ...} of a condition is in the sentence.
+    // A key that may be a measured value: the description already mentions the table {from = ...}.
     if (form.kind == Kind::table && key.is_measurable && key.forms.size() > 1) continue;
     for (const std::string& words : form.expected) add(words);
     const bool is_share = is_number(form.kind) && form.units == std::vector<std::string>{"1"};
@@ -138,9 +138,10 @@ std::string default_words(const TabledKey& key) {
   return fmt::format("{}", fmt::join(quoted, " or "));
 }
 
-/// Returns the rows of a section; keys with the same words share a row.
+/// Returns the table rows of a section. Keys with equal descriptions share a row.
 std::string rows_of(const std::vector<TabledKey>& keys) {
-  std::vector<std::pair<std::string, std::string>> rows;  // names of the keys, the other columns
+  // pairs of the keys' names and the other columns
+  std::vector<std::pair<std::string, std::string>> rows;
   for (const TabledKey& key : keys) {
     const std::string words =
         fmt::format("{} | {} | {}", key.words.sentence, expected_words(key), default_words(key));
@@ -215,7 +216,9 @@ Json key_json(const TabledKey& key) {
                {"forms", Json::array()}};
   for (const KeyForm& form : key.forms) {
     json["forms"].push_back(form_json(form));
-    if (!key.words.range.empty()) json["forms"].back().erase("choices");  // those of the sample
+    // the choices in the form are those of an example, so the description of the range replaces
+    // them
+    if (!key.words.range.empty()) json["forms"].back().erase("choices");
   }
   if (!key.words.range.empty()) json["range"] = key.words.range;
   if (!key.words.otherwise.empty()) {

@@ -9,12 +9,14 @@
 
 namespace latsch::cli {
 
-/// Returns the page: a section for each table, with an example and a row for each key.
+/// Returns the reference as a Markdown page: a section for each table of a study, with an example
+/// and a row for each key.
 std::string study_reference(const experiment::KeyTable& keys);
 
-/// Returns the same for programs: a list of sections, each with the path of its table, its text and
-/// its keys. A key has its path below the table, its sentence, the forms of its values (kind, SI
-/// units, range, choices) and its default. "*" in a path stands for a free name.
+/// Returns the reference for programs: a list of sections, each with the path of its table, its
+/// text and its keys. A key has its path below the table, its description, the forms of its values
+/// (kind, SI units, range, choices) and its default. "*" in a path stands for a name that the user
+/// chooses.
 Json study_keys_json(const experiment::KeyTable& keys);
 
 }  // namespace latsch::cli

@@ -14,7 +14,7 @@ namespace latsch::cli {
 namespace {
 
 constexpr double kWithin =
-    4.0;  // ratio of the upper bound to the tire's own value, and of that value to the lower
+    4.0;  // Ratio of the upper bound to the tire's own value, and of that value to the lower bound.
 
 constexpr std::string_view kHead =
     R"(# A study: which numbers of tire.toml may vary, what was measured, how the two are compared.
@@ -69,7 +69,7 @@ std::string modulus(double value) {
   return format_quantity(value, cords ? "GPa" : "N/mm^2", 3);
 }
 
-/// Adds the variable of the numbers at `paths`, if there are any.
+/// Adds a variable for the parameters at `paths`, if the tire has any of them.
 void add(const Document& tire,
          const std::string& name,
          std::vector<std::string> paths,
@@ -100,7 +100,8 @@ std::string text_of(const StarterVariable& variable) {
                     modulus(variable.initial));
 }
 
-/// Deflections in mm, up to a quarter of the section's height, the range of use of a tire.
+/// Returns the deflections of the study in mm, up to a quarter of the section's height, the usual
+/// range of a tire.
 std::string deflections_of(const fe_tire::TireDescription& tire) {
   const double height = tire.section.contour.front().r - tire.section.contour.back().r;
   std::string list;

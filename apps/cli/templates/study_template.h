@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The study that `latsch new` writes for a tire: which of its numbers vary, and in which ranges.
-// The tires are those of studies/tires, contained in the program.
+// The study that `latsch new` writes for a tire: which of its parameters are variables, and their
+// ranges. The tires are those of studies/tires, contained in the program.
 #pragma once
 
 #include <string>
@@ -16,19 +16,21 @@ struct TireTemplate {
   std::string_view text;  // content of the tire file
 };
 
-/// Generated from studies/tires/*.toml when the program is built.
+/// Returns the tires that the build generates from studies/tires/*.toml.
 const std::vector<TireTemplate>& tire_templates();
 
-/// One variable of the study, which may stand for several numbers of the tire.
+/// A variable of the study, which may set several parameters of the tire.
 struct StarterVariable {
   std::string name;
   std::vector<std::string> paths;
-  double initial = 0.0;  // Pa; the geometric mean of the tire's numbers
-  double example = 0.0;  // factor of that value with which the example's measurements are computed
+  double initial = 0.0;  // Pa; the geometric mean of these parameters in the tire
+  /// ratio of the true value, with which the example's measurements are computed, to the initial
+  /// value
+  double example = 0.0;
 };
 
-/// Returns the moduli that determine the stiffness of a tire, as far as it has them: of the
-/// sidewalls' rubber, of the carcass with its turnups, of the belts. Throws InputError if it has
+/// Returns the moduli that determine the stiffness of a tire, if it has them: of the sidewalls'
+/// rubber, of the carcass with its turnups, and of the belts. Throws InputError if the tire has
 /// none of them.
 std::vector<StarterVariable> starter_variables(const Document& tire);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits tire files line by line, so that comments and order stay.
+// Functions that edit the text of a tire file line by line, so that comments and the order of lines
+// remain.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""An axle on the K&C rig: with locked springs each wheel gives the results of the corner in the
-test kc, and with rigid joints those of the rigid linkage in the test kinematics; the compliance
-matrix equals differences."""
+"""Tests an axle on the K&C rig. With its springs locked each wheel gives the results of its corner in the test kc,
+and with rigid joints those of the rigid linkage in the test kinematics. The compliance matrix equals finite
+differences."""
 import csv
 import io
 import pathlib
@@ -32,7 +32,7 @@ class AxleKc(unittest.TestCase):
         for name in ("camber", "toe", "caster"):
             start = linkage[name][2]
             for i in range(5):
-                # The compliance of 10^10 N/m in each joint causes less than a thousandth of a degree.
+                # The joints have 10^10 N/m, whose compliance causes less than a thousandth of a degree.
                 self.assertAlmostEqual(rig[name + "_L"][i] - rig[name + "_L"][2], linkage[name][i] - start, delta=2e-5,
                                        msg=f"{name} {i}")
                 self.assertAlmostEqual(rig[name + "_L"][i], rig[name + "_R"][i], delta=1e-8)
@@ -41,7 +41,8 @@ class AxleKc(unittest.TestCase):
         opposed = run("kerb/proposed.toml", '{kind = "axle_kc", axle = "rear", mode = "opposed", travel = ["20 mm"]}')
         self.assertAlmostEqual(opposed["dz_L"][0], -opposed["dz_R"][0], delta=2e-4)
         single = run("kerb/proposed.toml", '{kind = "axle_kc", axle = "rear", mode = "single", travel = ["20 mm"]}')
-        self.assertAlmostEqual(single["camber_L"][0], opposed["camber_L"][0], delta=1e-6)  # no bar couples them
+        # no anti-roll bar couples the two wheels
+        self.assertAlmostEqual(single["camber_L"][0], opposed["camber_L"][0], delta=1e-6)
         self.assertAlmostEqual(single["camber_R"][0], 0.0, delta=1e-7)
 
     def test_a_rack_steers_both(self):
@@ -85,7 +86,8 @@ class AxleKc(unittest.TestCase):
             mean = sum(x) / len(x)
             slope = sum((a - mean) * b for a, b in zip(x, y)) / sum((a - mean) ** 2 for a in x)
             self.assertAlmostEqual(rig["toe_R_by_Fy_L"][0] / slope, 1.0, delta=1e-9)
-            # If the specimen belongs to the model class, its stiffness is found, from a start five times too soft.
+            # The measurement comes from the same kind of model, so the fit must find its stiffness, from a start five
+            # times too soft.
             rig = run("compliance/rear_axle/car.toml", test)
             with open(folder / "rig.csv", "w", newline="") as file:
                 table = csv.writer(file)

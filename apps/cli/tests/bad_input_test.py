@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Invalid input and a full disk: the messages and the exit status of the program.
+"""Tests the messages and the exit status of the program for invalid input and for a full disk.
 
-    bad_input_test.py PATH/TO/latsch
-"""
+   bad_input_test.py PATH/TO/latsch"""
 import os
 import resource
 import signal
@@ -121,7 +120,7 @@ class BadInput(Coarse):
 
         text = self.latsch("run", self.study, code=FAILED, preexec_fn=small_files)
         self.assert_says(text, "study.latsch")
-        resumed = self.latsch("resume", self.study)  # no finished trial is lost or spoiled
+        resumed = self.latsch("resume", self.study)  # no finished trial is lost or damaged
         self.assert_says(resumed, "Best of")
 
 

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""A car on four posts: channels over time and frequency, posts from a table and from a
-measurement, and errors that name the faulty part.
+"""Tests a car on four posts: channels over time and frequency, post motions from a table and from a measurement, and
+errors that name the faulty part.
 
-    car_test.py PATH/TO/latsch
-"""
+   car_test.py PATH/TO/latsch"""
 import csv
 import math
 import pathlib
@@ -52,8 +51,9 @@ class OnRoads(Cars):
     def filed(self, name, **keys):
         return f'[road]\nfile = "{name}"\n' + "".join(f"{key} = {value}\n" for key, value in keys.items())
 
-    # The kerb in words and the kerb from a file have plane faces, as triangles do, and lie below all wheels. The
-    # remaining difference is that of the mean height below a piece of tread, in closed form or by samples.
+    # A kerb described by its shape and the same kerb in a file of triangles both have plane faces and lie below all
+    # wheels. What remains is the difference between the mean height below a part of the tread in closed form and by
+    # samples.
     def test_a_kerb_from_a_file_is_that_in_words(self):
         (self.folder / "kerb.toml").write_text(self.KERB)
         self.latsch("road", self.folder / "kerb.toml", "--triangles", self.folder / "kerb.rdf")
@@ -75,8 +75,8 @@ class OnRoads(Cars):
         self.write_grid("round.crg", "$ROAD_CRG_OPTS\nborder_mode_u = 3\n$\n")
         self.run_on(self.filed("round.crg", start='["18.5 m", "0 m"]'))
 
-    # The kerb lies only below the left wheels: the right ones roll on the ground beside it, which
-    # the file contains too.
+    # The kerb lies only below the left wheels; the right ones roll on the ground beside it, which the file contains
+    # too.
     def test_a_kerb_from_a_file_has_ground_beside_it(self):
         kerb = 'kind = "kerb"\nshape = "triangle"\npitch = "800 mm"\nwidth = "800 mm"\nheight = "10 mm"\ncount = 2\nstart = ["0 m", "0.2 m"]\n'
         (self.folder / "kerb.toml").write_text(kerb)
@@ -87,7 +87,7 @@ class OnRoads(Cars):
             size = math.sqrt(sum(x * x for x in a) / len(a))
             self.assertLess(math.sqrt(sum((x - y) ** 2 for x, y in zip(a, b)) / len(a)), 0.001 * size)
 
-    # The driven axle is stated in the file; drag transfers the same load for either axle.
+    # The car's file states the driven axle. The drag transfers the same load whichever axle is driven.
     def test_drag_starts_in_balance_and_keeps_the_speed(self):
         text = self.car.read_text()
         for drives in ("", 'drives = "front"\n', 'drives = "both"\n'):
@@ -99,7 +99,8 @@ class OnRoads(Cars):
         self.car.write_text(text + '\n[driver]\ndrives = "left"\n')
         self.assertIn("driver.drives", self.run_on("", code=WRONG_INPUT))
 
-    # Regression for 60 m/s and maps of several weights on rigid joints: the equilibrium was not found.
+    # Regression test: at 60 m/s and with aerodynamic maps of several times the weight, a car with rigid joints has an
+    # equilibrium, which was once not found.
     def test_downforce_on_rigid_joints_finds_rest(self):
         text = self.car.read_text()
         for times in (1.0, 2.0, 3.0):
@@ -109,13 +110,13 @@ class OnRoads(Cars):
             down = 9.80665 * (220.0 + 2.0 * 2.0 * (0.8 + 1.0 + 0.4 + 0.3 + 0.4 + 4.0 + 8.2)) + 0.5 * 1.2 * 3600.0 * 1.2 * 2.2 * times
             self.assertAlmostEqual(sum(record[f"Fz_{c}"][0] for c in CORNERS), down, delta=1e-6 * down)
 
-    # Relaxation lengths of 2 m and more under several weights: the tires have to roll farther before the car starts.
-    # The loads are judged at the start and after the car has rolled on for as long.
+    # Under a load of several weights a tire has a relaxation length of 2 m and more, so it has to roll farther before the
+    # maneuver starts. The loads are compared at the start and after the car has rolled on for the same time.
     def test_heavy_downforce_on_one_axle_starts_in_balance(self):
         weight = 9.80665 * (220.0 + 2.0 * 2.0 * (0.8 + 1.0 + 0.4 + 0.3 + 0.4 + 4.0 + 8.2))
         for base in ("baseline.toml", "mf_compliant.toml"):
             text = (self.folder / "kerb" / base).read_text()
-            # The last two are maps for which rounding of the rigid joints was taken for an imbalance.
+            # With the last two maps, rounding errors of the rigid joints were once taken for an imbalance of the car.
             for speed, front, rear in ((20.0, 2.5, 2.5), (20.0, 0.0, 4.0), (25.0, 3.0, 0.0), (45.0, 4.0, 1.0), (25.0, 0.0, 4.0)):
                 per = weight / (0.5 * 1.2 * 1.2 * speed**2)
                 self.car.write_text(text + '\n[aero]\narea = "1.2 m^2"\ndensity = "1.2 kg/m^3"\nfloor = ["30 mm", "40 mm"]\ndrag = 0.9\n'
@@ -138,7 +139,7 @@ class OnRoads(Cars):
         self.assertRegex(words, r"not even a small share of the load .* grows by \d+ N with every millimeter that the floor sinks")
         self.assertNotIn("had sunk most", words)
 
-    # The additional load on a level road is q A (C_f + C_r), with constant coefficients.
+    # With constant coefficients the downforce on a level road is q A (C_f + C_r).
     def test_air_presses_it_down(self):
         still = self.run_on("", code=None)
         with open(self.car, "a") as file:
@@ -156,7 +157,7 @@ class OnRoads(Cars):
             self.assertIn(words, self.run_on(road, code=WRONG_INPUT))
 
     def write_grid(self, name, options):
-        """Returns a level road, u from 0 to 20 m, v from -1.5 to 1.5 m."""
+        """Writes a level road for u from 0 to 20 m and v from -1.5 to 1.5 m."""
         rows = "".join(f"{0.0:10.4f}{0.0:10.4f}\n" for _ in range(21))
         (self.folder / name).write_text(
             "$ROAD_CRG\nreference_line_start_u = 0\nreference_line_end_u = 20\nreference_line_increment = 1\n"
@@ -178,8 +179,8 @@ class OnPosts(Cars):
         self.assertEqual(record["frequency"], [0.5 * f for f in range(2, 21)])
         self.assertTrue(all(0.0 <= c <= 1.0 + 1e-12 for c in record["coherence_hub_RR"]))
         self.assertTrue(all(abs(p) <= math.pi for p in record["phase_body_z"]))
-        # Far below its resonance of 6 Hz the body rises slightly more than its posts: acceleration over height is (2 pi
-        # f)^2.
+        # Far below its resonance of 6 Hz the body moves slightly more than the posts; the acceleration is (2 pi f)^2
+        # times the height.
         line = record["frequency"].index(2.0)
         self.assertAlmostEqual(record["tf_body_z"][line] / (4.0 * math.pi) ** 2, 1.0 / (1.0 - (2.0 / 6.0) ** 2), delta=0.1)
 
@@ -196,7 +197,7 @@ class OnPosts(Cars):
         self.assertLess(max(map(abs, record["heave"])), 1e-4)
         edit(self.folder / "heights.csv", (r"\n0.250,", "\n0.2504,"))
         self.assertIn("not even in time at sample 251", self.latsch("test", self.car, self.folder / "warp.toml", code=WRONG_INPUT))
-        # A gap is named where it is, and times that begin elsewhere are told.
+        # The message names where a gap in the recorded heights is, and says if the times do not begin at 0.
         (self.folder / "heights.csv").write_text("\n".join(rows[:203] + rows[250:]) + "\n")
         said = self.latsch("test", self.car, self.folder / "warp.toml", code=WRONG_INPUT)
         self.assertIn("at sample 203: it follows 0.048 s after the sample before it, while 0.001 s are usual", said)
@@ -205,7 +206,7 @@ class OnPosts(Cars):
         self.assertIn("begins at 100 s", self.latsch("test", self.car, self.folder / "warp.toml"))
 
     def swept_posts(self, to):
-        """Returns a test of 8 s in heave, a sweep from 2 Hz upward with an amplitude of 1 mm."""
+        """Writes a test of 8 s in heave: a sweep from 2 Hz upward with an amplitude of 1 mm."""
         rows = ["time [s],post_FL [m],post_FR [m],post_RL [m],post_RR [m]"]
         for i in range(2001):
             t = 4e-3 * i
@@ -214,7 +215,7 @@ class OnPosts(Cars):
             rows.append(f"{t:.3f}" + f",{h:.9f}" * 4)
         (self.folder / "swept.csv").write_text("\n".join(rows) + "\n")
 
-    # Beyond what the posts move at a response is that of rounding.
+    # At frequencies that the posts do not excite, the response is only rounding noise, so the spectra must end there.
     def test_recorded_posts_hold_the_frequencies_they_move_at_and_no_others(self):
         self.swept_posts(10.0)
         swept = self.folder / "swept.toml"
@@ -342,7 +343,7 @@ class Refused(Cars):
             self.assertIn(words, self.latsch("test", self.car, SHORT, code=WRONG_INPUT))
             self.car.write_text(original)
 
-    # Every model file of the studies is checked by itself: cars, suspensions, rings, .tir.
+    # Every model file of the studies passes `latsch check` by itself: cars, suspensions, rings, .tir.
     def test_check_takes_every_model_file(self):
         for file in ("kerb/baseline.toml", "kerb/front_rigid.toml", "kerb/slick_ring.toml", "kerb/slick.tir", "tires/passenger_205_55R16.toml"):
             path = STUDIES / file
@@ -354,7 +355,7 @@ class Refused(Cars):
         broken.write_text(self.car.read_text().replace("[front]\n", "[front]\ncambr = \"1 deg\"\n", 1))
         self.assertIn("front.cambr", self.latsch("check", broken, code=WRONG_INPUT))
 
-    # A tire that states no side is reported where it is used, and assumed to be a left one.
+    # A tire that does not state its side is assumed to be a left one, and a message says so where the tire is used.
     def test_a_tire_without_a_side_is_told_of(self):
         tire = self.folder / "kerb" / "slick.tir"
         for arguments in (("check", self.car), ("check", tire), ("test", self.car, SHORT)):

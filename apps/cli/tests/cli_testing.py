@@ -1,4 +1,4 @@
-"""For the tests of the program: how it is called, its page, and studies to call it on."""
+"""Support for tests of the program: how it is called, its page, and studies to test it with."""
 import contextlib
 import json
 import pathlib
@@ -28,8 +28,7 @@ def edit(file, *replacements):
 
 
 def trials_of(journal):
-    """Returns the number of trials in a journal, also while a run writes it; 0 if the file does
-    not exist yet."""
+    """Returns the number of trials in a journal, also while a run writes to it; 0 if the file does not exist yet."""
     try:
         with contextlib.closing(sqlite3.connect(f"file:{journal}?mode=ro", uri=True)) as rows:
             return rows.execute("select count(*) from trials").fetchone()[0]
@@ -38,8 +37,8 @@ def trials_of(journal):
 
 
 class Coarse(unittest.TestCase):
-    """Makes a study with `latsch new`, with a few hundred elements and with measurements from the
-    model itself."""
+    """Base class of tests that make a study with `latsch new`, with a few hundred elements and with measurements
+    computed by the model itself."""
 
     template = None
 
@@ -49,7 +48,7 @@ class Coarse(unittest.TestCase):
         folder = cls.base / "template"
         subprocess.run([LATSCH, "new", folder, "--coarse"], check=True, stdout=subprocess.DEVNULL)
         edit(folder / "tire.toml", (r"\n(meridional|columns) = .*", "\nmeridional = 14"), ("sectors = .*", "sectors = 18"),
-             ('young_modulus = "4 MPa"', 'young_modulus = "5 MPa"'))  # both sidewalls, as in the variable
+             ('young_modulus = "4 MPa"', 'young_modulus = "5 MPa"'))  # one variable sets both sidewalls
         edit(folder / "study.toml",
              (r"values = \[.*\]}", "values = [6, 12]}"),
              ("measured_modes = 10", "measured_modes = 6"),
@@ -83,7 +82,7 @@ class Coarse(unittest.TestCase):
 
 
 class Outside(unittest.TestCase):
-    """Makes copies of studies of the repository in which an outside program replaces the model."""
+    """Base class of tests that copy studies of the repository in which an outside program replaces the model."""
 
     latsch = Coarse.latsch
     assert_says = Coarse.assert_says
@@ -102,7 +101,7 @@ class Outside(unittest.TestCase):
 
 
 class Page:
-    """The server, asked as scripts ask it."""
+    """The server of the studio, accessed as scripts of the page access it."""
 
     def __init__(self, *arguments, environment=None, program=LATSCH):
         self.process = subprocess.Popen([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
@@ -156,7 +155,7 @@ class Page:
 
 @contextlib.contextmanager
 def served(folder, program=LATSCH):
-    """The page over a folder, once it has read all studies in it."""
+    """Serves a folder and yields its page, once the server has read all studies in the folder."""
     page = Page("serve", str(folder), "--no-browser", program=program)
     try:
         page.wait("/api/home", lambda view: view["studies"] and not view.get("loading")
@@ -167,7 +166,8 @@ def served(folder, program=LATSCH):
 
 
 def assert_identifiability(case, folder, names, study="study.toml"):
-    """The identifiability view of a study that has run with intervals opens and shows each of its variables once."""
+    """Checks that the identifiability view of a study that has run with intervals opens and shows each variable once.
+    """
     with served(folder) as page:
         with page.open(f"/api/identifiability?study={study}", timeout=300) as answer:  # reads the whole journal
             view = json.load(answer)

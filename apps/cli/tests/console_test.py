@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
-"""Options that all verbs share: --json, --quiet, --log and help; no verb prints without regard to
-them.
+"""Tests the options that all verbs share: --json, --quiet, --log and help. No verb may print without regard to them.
 
-    console_test.py PATH/TO/latsch
-"""
+   console_test.py PATH/TO/latsch"""
 import json
 import pathlib
 import re
@@ -24,8 +22,8 @@ class Console(Coarse):
         return run.stdout, run.stderr
 
     def answer(self, *arguments, code=DONE):
-        """Runs the program and returns the one JSON object that must be its standard output in any
-        case; NaN and Infinity are not allowed."""
+        """Runs the program and returns the JSON object that its standard output must be in any case; NaN and Infinity
+        are not allowed."""
         def refuse(word):
             raise ValueError(f"{word} is no JSON")
 
@@ -133,7 +131,8 @@ class Console(Coarse):
         self.assertIn("subcommand", found["error"]["message"])
 
     def test_nothing_is_printed_past_the_console(self):
-        for file in (TREE / "apps/cli").rglob("*.cpp"):  # not apps/exchange, which other programs load
+        # leaves out apps/exchange, a library that other programs load
+        for file in (TREE / "apps/cli").rglob("*.cpp"):
             if file.name == "console.cpp":
                 continue
             printed = re.search(r"fmt::print|printf\s*\(|std::(cout|cerr)", file.read_text())

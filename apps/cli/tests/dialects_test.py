@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""Dialects of files of other programs: PAC2002 with pressure, names and versions of .tir, all of
-OpenCRG, decks with equations, size designations.
+"""Tests dialects of files of other programs: PAC2002 with pressure, names and versions of .tir files, all of OpenCRG,
+finite-element decks with equations, size designations.
 
-PAC2002 is evaluated here a second time, from its documented formulas [Adams/Tire, PAC2002; as read in Project Chrono's
-ChPac02Tire, which names its pressure terms], in plain Python.
+PAC2002 is evaluated here a second time, in plain Python, from its documented formulas [Adams/Tire, PAC2002; as read
+in Project Chrono's ChPac02Tire, which names its pressure terms].
 
-    dialects_test.py PATH/TO/latsch
-"""
+   dialects_test.py PATH/TO/latsch"""
 import json
 import math
 import pathlib
@@ -84,7 +83,7 @@ def magic(function, B, C, D, E, x):
 
 
 def pac2002(p, Fz, kappa, alpha, gamma, V, pressure):
-    """Fx, Fy, Mx, My, Mz in ISO-W."""
+    """Returns Fx, Fy, Mx, My, Mz in the axes ISO-W."""
     Fz0 = p["LFZO"] * FNOMIN
     d, p0 = (Fz - Fz0) / Fz0, p["LIP"] * IP_NOM
     i = (pressure - p0) / p0
@@ -193,7 +192,7 @@ class Pac2002(InFolder):
         said = self.latsch("check", "tire.tir")
         self.assert_says(said, "no FITTYP; Pac2002 is evaluated with the equations of MF 5.2", "QFZ3 = 5 has no effect",
                          "[VERTICAL] QFZI is not known here", 'did you mean "QFZ1"')
-        self.assertNotIn("FE_METHOD =", said)  # 'NO' requests nothing
+        self.assertNotIn("FE_METHOD =", said)  # the key has the value 'NO', which requests nothing
         self.assert_says(self.latsch("show", "tire.tir"), "PPMX1", "multiplies NOMPRES", "friction ellipse")
 
     def test_a_file_with_warnings_is_not_called_in_order(self):
@@ -252,7 +251,7 @@ class OpenCrg(InFolder):
 
     def test_statements_of_the_standard_leave_the_surface_and_are_shown(self):
         self.write("points.csv", "x,y\n0,-1\n1,0\n2,1\n2.5,-0.5\n3,0\n4,1\n")
-        right = [0, 0.02, 0.01, 0.0225, 0.04, 0.01]  # computed by hand
+        right = [0, 0.02, 0.01, 0.0225, 0.04, 0.01]  # computed by hand from the friction in the file
         globe = "".join(f"REFERENCE_LINE_{end}_{axis} = {value}\n" for end in ("START", "END")
                         for axis, value in (("LON", 11.1234567), ("LAT", 48.1), ("ALT", 512.3)))
         for name, road, shown in (
@@ -272,7 +271,8 @@ class OpenCrg(InFolder):
 
 
 class DeckWithEquations(Coarse):
-    """Returns a tire whose rows end in the sidewall: the deck ties their corners by *EQUATION."""
+    """Returns the deck of a tire whose rows of elements end in the sidewall: the deck ties their corner nodes by
+    *EQUATION."""
 
     def test_a_deck_of_our_own_is_read_to_the_same_results(self):
         tire, deck = self.folder / "tire.toml", self.folder / "tire.inp"
@@ -280,8 +280,8 @@ class DeckWithEquations(Coarse):
         self.latsch("export", tire, "--ccx", deck, "--deflection", "12 mm", "--modes", "6")
         self.assertIn("*EQUATION", deck.read_text())
         self.assert_says(self.latsch("check", deck), "18 equal sectors")
-        # Written again, the mesh and its results are the same. (A test beside the reader, which can smear cords on such a
-        # mesh, compares them with those of the original tire.)
+        # The deck that the program writes again gives the same mesh and results. (A test beside the reader, which can
+        # smear cords on such a mesh, compares them with those of the original tire.)
         again = self.folder / "again.inp"
         self.latsch("export", deck, "--ccx", again, "--deflection", "12 mm", "--modes", "6")
         self.assertEqual(again.read_text().count("*EQUATION"), deck.read_text().count("*EQUATION"))
@@ -329,7 +329,7 @@ class DeckWithEquations(Coarse):
 
 class PlacedColumns(Coarse):
     def test_numbers_of_sectors_that_need_too_many_unknowns_do_not_lose_those_that_do_not(self):
-        """24 and 26 sectors need 3,096 and 3,354 unknowns at least, 22 need 2,838."""
+        """Checks the limit of unknowns: 24 and 26 sectors need at least 3,096 and 3,354 unknowns, 22 sectors 2,838."""
         subprocess.run([LATSCH, "new", self.folder / "co", "--coarse"], check=True, stdout=subprocess.DEVNULL)
         tire, placed = self.folder / "co/tire.toml", self.folder / "placed.toml"
         edit(tire, (r"\n\[mesh\]\n", '\n[mesh]\nfaces = ["carcass", "belt_1", "belt_2"]\n'), (r"\nrows_\w+ = .*", ""))

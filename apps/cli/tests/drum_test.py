@@ -1,14 +1,11 @@
 #!/usr/bin/env python3
-"""From the raw record of a drum to a fitted ring, without a script between: `latsch process`
-averages the passages, a [measurement.NAME] reads the average, and a study fits the ring to its
-spectra.
+"""Tests the way from the raw record of a drum to a fitted ring without a script: `latsch process` averages the
+passages, a [measurement.NAME] reads the average, and a study fits the ring to its spectra.
 
-The record is the response of a ring to a cleat, repeated as the drum turns, with noise and a
-run-up; the angle of the cleat on the drum is not stated. The fit must find the sidewall with which
-the record was made.
+The record is the response of a ring to a cleat, repeated as the drum turns, with noise and a run-up; the angle of the
+cleat on the drum is not stated. The fit must find the sidewall parameters with which the record was computed.
 
-    drum_test.py PATH/TO/latsch
-"""
+   drum_test.py PATH/TO/latsch"""
 import bisect
 import csv
 import json
@@ -23,7 +20,7 @@ import unittest
 from cli_testing import DONE, LATSCH, WRONG_INPUT, assert_identifiability
 
 RINGS = pathlib.Path(__file__).resolve().parents[3] / "studies/ring_tires"
-STIFFNESS, DAMPING = 0.55, 55.0  # MN/m^2, N s/m^2: of the shipped ring
+STIFFNESS, DAMPING = 0.55, 55.0  # MN/m^2 and N s/m^2, sidewall of the shipped ring
 SPEED, DRUM = 40.0 / 3.6, 2.5    # m/s, m
 TEETH, RATE = 120, 2000          # Hz
 
@@ -154,8 +151,8 @@ class Drum(unittest.TestCase):
         return self.latsch("new", folder, "--drum", *arguments)
 
     def test_one_command_makes_a_study_of_a_raw_record(self):
-        """Checks a record of teeth without a speed: the page of the rig, the averages, and a study
-        that finds the sidewall and its delays."""
+        """Checks a record of a toothed wheel instead of a speed: the page of the rig, the averages, and a study that
+        identifies the sidewall and the delays of the record."""
         wrote = self.new("from_raw", "raw.csv", "--cleat", "10 mm x 20 mm", "--drum-diameter", f"{DRUM} m",
                          "--teeth", str(TEETH))
         self.assertEqual(wrote.returncode, DONE, wrote.stderr)

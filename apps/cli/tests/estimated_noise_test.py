@@ -1,12 +1,9 @@
 #!/usr/bin/env python3
-"""noise = "estimated": the unstated standard deviations of two experiments are estimated together
-with the variables.
-
-Side force and aligning moment of a tire whose coefficients are known, with noise of 1 % and of 6 %
+"""Tests noise = "estimated": the unknown standard deviations of two experiments are estimated together with the
+variables. The data are side force and aligning moment of a tire with known coefficients, with noise of 1 % and of 6 %
 of their largest values.
 
-    estimated_noise_test.py PATH/TO/latsch
-"""
+   estimated_noise_test.py PATH/TO/latsch"""
 import csv
 import json
 import math
@@ -93,7 +90,7 @@ class EstimatedNoise(unittest.TestCase):
     def test_deviations_and_variables_are_found_together(self):
         text = self.latsch("run", self.study)
         noise = re.findall(r"Noise, as the stage before leaves it: Fy ([\d.]+) %, Mz ([\d.]+) %", text)
-        self.assertEqual(len(noise), 2, text)  # two further rounds after the one with equal weights
+        self.assertEqual(len(noise), 2, text)  # two further rounds after the round with equal weights
         for found, (channel, true) in zip(noise[-1], NOISE.items()):
             # The estimate from 180 values has a standard deviation of 1 / sqrt(360) = 5 %; the largest measured value
             # includes noise.
@@ -102,8 +99,8 @@ class EstimatedNoise(unittest.TestCase):
         inside = sum(v["interval"][0] <= TRUTH[k] <= v["interval"][1] for k, v in found.items())
         self.assertGreaterEqual(inside, len(TRUTH) - 1)  # 95 % each
 
-        # If these numbers are stated, the fit is the same, and so are the intervals except for the spread, which is now
-        # known.
+        # With these standard deviations stated in the study the fit is the same. So are the intervals, except that
+        # the noise now counts as known.
         stated = self.base / "stated.toml"
         stated.write_text(self.study.read_text())
         for channel, share in zip(NOISE, noise[-1]):
@@ -115,7 +112,7 @@ class EstimatedNoise(unittest.TestCase):
             self.assertAlmostEqual(one["value"], found[name]["value"], delta=0.05 * width, msg=name)
             self.assertAlmostEqual(one["interval"][1] - one["interval"][0], width, delta=0.25 * width, msg=name)
 
-        # With equal weights the fitted force adapts to the noise of the moment.
+        # With equal weights the noise of the moment disturbs the fitted force.
         alike = self.base / "alike.toml"
         alike.write_text(self.study.read_text().replace(', noise = "estimated"', ""))
         wide = self.variables("run", alike)["PKY1"]["interval"]
@@ -132,7 +129,8 @@ class EstimatedNoise(unittest.TestCase):
         for name, one in first.items():
             self.assertEqual(one["value"], identified[name]["value"], name)
             for a, b in zip(one["interval"], identified[name]["interval"]):
-                # Slopes are used in one run, differences in the other; some values are hardly determined.
+                # One run uses derivatives, the other finite differences; a few values are hardly determined by the
+                # data.
                 self.assertTrue(a == b or abs(a - b) < 0.01 * abs(a - one["value"]), name)
             self.assertAlmostEqual(float(re.search(rf"^{name} *= *(\S+)", fitted, re.M)[1]), one["value"], places=12)
 

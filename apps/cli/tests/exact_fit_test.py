@@ -1,10 +1,8 @@
 #!/usr/bin/env python3
-"""Results and messages of a search in a fit without noise, from any start, and at the bounds of
-its variables. The outside program computes y = a exp(b t) + c; the measurement is 2, -1.3, 0.5 to
-the last digit.
+"""Tests the results and messages of a search that can fit without error, from any start, and at the bounds of its
+variables. The outside program computes y = a exp(b t) + c; the measurement is that of 2, -1.3, 0.5 to the last digit.
 
-    exact_fit_test.py PATH/TO/latsch
-"""
+   exact_fit_test.py PATH/TO/latsch"""
 import json
 import math
 import pathlib
@@ -53,8 +51,8 @@ def exponential(t):
 
 class ExactFit(unittest.TestCase):
     def fit(self, variables, formula=EXPONENTIAL, measured=exponential, more=""):
-        """Returns the printed text and the JSON of `run` for variables {name: (lower, upper,
-        initial, further lines)}."""
+        """Returns the text and the JSON that `run` prints for variables {name: (lower, upper, initial, further
+        lines)}."""
         with tempfile.TemporaryDirectory(prefix="latsch_exact_") as name:
             folder = pathlib.Path(name)
             (folder / "sim.py").write_text(SIMULATOR.replace("FORMULA", formula))
@@ -122,7 +120,7 @@ class ExactFit(unittest.TestCase):
                 self.assertAlmostEqual(answer["variables"][0]["value"], 2.0, delta=1e-2)
                 self.assertLess(answer["target"], 1e-4)
                 self.assertNotIn("in the noise", words)
-                # Numbers between such bounds differ by more than the data leave open.
+                # The bounds are so narrow that they alone limit the interval: the data allow a wider one.
                 self.assertRegex(words, r"(?m)^  a .*, set by its bounds$")
                 self.assertIn("The interval of a comes from the bounds alone", words)
                 self.assertNotRegex(words, r"(?m)^  [bc] .*set by its bounds")
@@ -135,8 +133,8 @@ class ExactFit(unittest.TestCase):
         self.assertNotIn("set by its bounds", words)
 
     def test_exact_values_beside_one_far_off_have_intervals_as_narrow_as_the_corner(self):
-        """The corner of the loss limits how far one wrong value moves the fit; the intervals contain the truth and do
-        not depend on the start or on how far off the value is."""
+        """Checks a robust loss with one wrong value. The scale of the loss limits how far the value moves the fit;
+        the intervals contain the truth and depend neither on the start nor on the size of the error."""
         starts = [{"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)}, {"a": (0, 10, 0), "b": (-5, 0, 0), "c": (0, 2, 2)},
                   {"a": (0, 10, 10), "b": (-5, 0, -5), "c": (0, 2, 0)}]
         cases = [("huber", 2, -50.0), ("cauchy", 2, 3.0), ("cauchy", 4, 1.0)]
@@ -149,13 +147,15 @@ class ExactFit(unittest.TestCase):
                     self.assertNotIn("anywhere", words)
                     self.assertNotIn("share noise", words)
                     self.assertIn("1 of 21 values lies beyond the corner of its loss", words)
-                    # The corner, 1 % of 2.5, moves a variable by its leverage at most.
+                    # The wrong value moves a variable at most by the scale of the loss, 1 % of 2.5, times the
+                    # leverage of that value.
                     self.assert_known(answer, to=0.2)
                     self.assertEqual({row["interval_from"] for row in answer["variables"]}, {"data"})
                 halves.append([row["interval"][1] - row["interval"][0] for row in answer["variables"]])
             for half in halves[1:]:
                 for one, other in zip(halves[0], half):
-                    # An identification moves its center for what changes an interval by more than a sixth.
+                    # An identification moves its center to a better point only if an interval changes by more than a
+                    # sixth.
                     self.assertAlmostEqual(other / one, 1.0, delta=1 / 6, msg=f"{loss}, {off}")
 
     def test_a_wrong_value_at_the_end_of_a_curve_leaves_the_intervals_closed(self):
@@ -204,7 +204,7 @@ class ExactFit(unittest.TestCase):
         self.assertIn("State the noise", words)
 
     def words_of_two_values(self):
-        """Fits three numbers to two values of the curve."""
+        """Fits three variables to two values of the curve."""
         with tempfile.TemporaryDirectory(prefix="latsch_exact_") as name:
             folder = pathlib.Path(name)
             (folder / "sim.py").write_text(SIMULATOR.replace("FORMULA", EXPONENTIAL))
@@ -219,13 +219,14 @@ class ExactFit(unittest.TestCase):
             return run.stdout
 
     def test_held_at_its_bound_names_the_bound_and_only_there(self):
-        # The least-squares solution is 0.2, pulled down by one outlier; with exponent 1 the target is least at the start.
+        # The least-squares solution is a = 0.2 because of one outlier; with exponent 1 the objective is least at the
+        # start.
         words, _ = self.fit({"a": (0.2, 1.2, 0.286)}, formula='v["a"] * t',
                             measured=lambda t: 0.286 * t if t < 3.9 else -12.0, more="exponent = 1")
         found = re.search(r"(?m)^  a .*$", words).group()
         self.assertNotIn("bound 0.286", found)
         self.assertRegex(found, r"its (bound|least squares at its bound) 0\.2\b")
-        # Also if the variable itself starts at the bound.
+        # The message is the same if the variable already starts at the bound.
         words, _ = self.fit({"a": (0.2, 1.2, 0.7)}, formula='v["a"] * t', measured=lambda t: 0.1 * t)
         self.assertRegex(words, r"(?m)^  a .*held at its bound 0\.2\b")
 

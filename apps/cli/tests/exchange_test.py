@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""latsch export --fmu and --sti: the contents of a package, and a valid description.
+"""Tests latsch export --fmu and --sti: the contents of a package, and its valid description.
 
-The schemas of the standard, fmi2ModelDescription.xsd and fmi3ModelDescription.xsd with the files
-that they include, are searched for in the folder that LATSCH_FMI_SCHEMAS names; if it is not set,
-only the structure of the descriptions is checked."""
+The schemas of the standard, fmi2ModelDescription.xsd and fmi3ModelDescription.xsd with the files that they include,
+are searched for in the folder that LATSCH_FMI_SCHEMAS names; if it is not set, only the structure of the descriptions
+is checked."""
 import os
 import pathlib
 import re
@@ -83,7 +83,7 @@ class Exchange(unittest.TestCase):
             self.assertEqual(description.count('causality="output"'), 55)
             units = set(re.findall(r'<Unit name="([^"]+)"', description))
             self.assertLessEqual(set(re.findall(r' unit="([^"]+)"', description)), units)
-        # The written model is a car again and makes the same package.
+        # The exported model can be read as a car and gives the same package.
         written = self.folder / "model.toml"
         written.write_text(model)
         again = self.folder / "again" / "car.fmu"
@@ -137,7 +137,7 @@ class Exchange(unittest.TestCase):
                 ask(f"count({variables}[{value}@unit][not({value}@unit = {head}/UnitDefinitions/Unit/@name)])"), "0")
             references = re.findall('valueReference="([0-9]+)"', ask(f"{variables}/@valueReference"))
             self.assertEqual([int(one) for one in references], list(range(len(references))))
-            # The structure lists the outputs and nothing else.
+            # The section ModelStructure lists the outputs and nothing else.
             if version == "2.0":
                 listed = re.findall('index="([0-9]+)"', ask(f"{head}/ModelStructure/Outputs/Unknown/@index"))
                 self.assertEqual(len(listed), outputs)

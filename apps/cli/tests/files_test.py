@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Heights of roads, display of files, processing of recordings of a rig, reports about bushings and roads.
+"""Tests heights of roads, the display of files, the processing of rig recordings, and messages about bushings and
+roads.
 
-    files_test.py PATH/TO/latsch
-"""
+   files_test.py PATH/TO/latsch"""
 import pathlib
 import re
 import shutil
@@ -20,7 +20,7 @@ POINTS = "x [m],y [m]\n0,0\n1.2,0\n"
 
 
 def bushing(units=UNITS, more="", stiffness=38000):
-    """A bushing of `stiffness` N/mm and 200 N m/rad in mm and degrees."""
+    """Returns a bushing file in mm and degrees, with `stiffness` N/mm and 200 N m/rad."""
     text = f"[MDI_HEADER]\nFILE_TYPE = 'bus'\nFILE_VERSION = 4.0\nFILE_FORMAT = 'ASCII'\n[UNITS]\n{units}[DAMPING]\n"
     text += "".join(f"{axis}_DAMPING = 0\n" for axis in ("FX", "FY", "FZ", "TX", "TY", "TZ"))
     for axis in "XYZ":
@@ -31,7 +31,7 @@ def bushing(units=UNITS, more="", stiffness=38000):
 
 
 def without(text, key):
-    """The text without the lines that begin with `key`."""
+    """Returns the text without the lines that begin with `key`."""
     return "".join(line for line in text.splitlines(True) if not line.startswith(key))
 
 
@@ -76,7 +76,7 @@ class Files(FileCase):
         self.assertAlmostEqual(x / stiffness, 1.0, delta=1e-3)
         self.assertAlmostEqual(damping / (1e-4 * stiffness), 1.0, delta=1e-3)
         self.assertEqual((self.folder / "page.html").read_text().count("<svg"), 6)
-        # Here the corner reads its bushings from these files.
+        # In this test the corner reads its bushings from these files.
         joints = sorted(file.stem for file in (self.folder / "bushings").glob("*.bus"))
         text = front.read_text()
         own = "".join(f'[bushing.{joint}]\nfile = "bushings/{joint}.bus"\n' for joint in joints)
@@ -124,7 +124,7 @@ class Files(FileCase):
         self.assertEqual(rows[1][2:], ["0", "0", "0", "1", "1"])
         self.assertEqual(rows[2][1:3] + rows[2][6:], ["0.25", "0.02", "0.8"])
         self.assertAlmostEqual(float(rows[3][2]), 0.015)
-        self.assertAlmostEqual(float(rows[3][3]), -(0.5 ** 0.5))  # 45 deg, rising in the forward direction
+        self.assertAlmostEqual(float(rows[3][3]), -(0.5 ** 0.5))  # 45 deg slope, rising in the forward direction
 
     def test_a_kerb_becomes_a_file_of_triangles(self):
         kerb = self.write("kerb.toml", 'kind = "kerb"\nshape = "saw_tooth"\npitch = "800 mm"\nwidth = "800 mm"\n'
@@ -245,7 +245,7 @@ class Files(FileCase):
 
 
 class Drum(unittest.TestCase):
-    """`latsch process` on the example of studies/drum_processing, with short plateaus."""
+    """Tests `latsch process` on the example of studies/drum_processing, with short plateaus."""
 
     @classmethod
     def setUpClass(cls):
@@ -272,7 +272,7 @@ class Drum(unittest.TestCase):
         self.assertLess(abs(f - true_f), 0.005 * true_f)
         time, psd = zip(*((int(a), int(b)) for a, b in re.findall(r"([+-]\d+)%.*?([+-]\d+)%", text)))
         self.assertEqual(len(time), 6)
-        self.assertLess(max(time + psd), -50)  # the filter improves every case, fitted or not
+        self.assertLess(max(time + psd), -50)  # the filter reduces the error of every case, fitted or not
         page = pathlib.Path(re.search(r"Report: (.*)", text)[1])
         self.assertIn("<svg", page.read_text())
         self.assertIn("frequency [Hz]", (page.parent / "psd_light_real_60kph.csv").read_text())
@@ -324,10 +324,11 @@ class Drum(unittest.TestCase):
 
 
 class BushingFiles(FileCase):
-    """Units and unread parts of the files that a suspension names are told by show, check, test and run."""
+    """Tests that show, check, test and run report the units and the unread parts of the files that a suspension
+    names."""
 
     def suspension(self, text):
-        """A corner with one bushing from a file, and a study that loads it."""
+        """Returns a corner with one bushing from a file, and a study that loads it."""
         self.write("rubber.bus", text)
         source = (STUDIES / "compliance" / "corner.toml").read_text()
         head, tail = source.split("[bushing.lca_front]\n", 1)
@@ -363,7 +364,7 @@ scale = "1 mm"
                 text = self.latsch(*command, code=WRONG_INPUT)
                 self.assertIn(f"rubber.bus:5: [UNITS] has no {key}", text)
                 self.assertIn(f"add the line {line}", text)
-        # A mass has no part in a bushing, a time none in one without damping.
+        # A bushing needs no unit of mass, and without damping no unit of time.
         self.latsch("check", self.suspension(bushing(without(without(UNITS, "MASS"), "TIME"))))
 
     def test_unread_parts_are_told_wherever_the_bushing_is_used(self):
@@ -389,10 +390,10 @@ scale = "1 mm"
 
 
 class SignsOfFiles(FileCase):
-    """Signs that contradict mechanics are told by check and run with file and line."""
+    """Checks that check and run report signs that contradict mechanics, with file and line."""
 
     def corner_table(self, **flips):
-        """The motion of a compliant corner on a K&C rig, with changed signs of columns."""
+        """Simulates a compliant corner on a K&C rig and changes the signs of columns."""
         rig = ('{kind = "kc", Fx = ["0 N", "2 kN", "-2 kN", "0 N", "0 N", "0 N", "0 N", "0 N", "0 N"], '
                'Fy = ["0 N", "0 N", "0 N", "2 kN", "-2 kN", "0 N", "0 N", "0 N", "0 N"], '
                'Fz = ["2 kN", "2 kN", "2 kN", "2 kN", "2 kN", "2 kN", "2 kN", "1 kN", "3 kN"], '
@@ -488,7 +489,7 @@ scale = "0.1 deg"
 
 
 class RoadFiles(FileCase):
-    """Units and unread parts of a road are told wherever it is used."""
+    """Tests that units and unread parts of a road file are reported wherever the road is used."""
 
     PLANK = ("[MODEL]\nMETHOD = '2D'\nROAD_TYPE = 'plank'\n[PARAMETERS]\nMU = 0.8\nHEIGHT = 20\nSTART = 1000\n"
              "LENGTH = 500\nDIRECTION = 0\n")
@@ -507,7 +508,7 @@ class RoadFiles(FileCase):
            " 0.1000000 0.1000000\n 0.2000000 0.2000000\n")
 
     def test_points_beyond_a_road_are_counted_and_have_no_height_where_there_is_no_road(self):
-        """Border mode 0 of OpenCRG refuses the computation, 2 keeps the edge and 3 repeats the grid."""
+        """Checks the border modes of OpenCRG: 0 refuses the computation, 2 continues the edge, 3 repeats the grid."""
         points = self.write("p.csv", "x [m],y [m]\n0.5,0\n3,0\n0.5,-4\n")
         heights = {}
         for mode in (0, 1, 2, 3):

@@ -1,11 +1,8 @@
 #!/usr/bin/env python3
-"""The file of a fitted tire states the source of each number, and reading it gives the same tire.
+"""Tests that the file of a fitted tire states the source of each number, and that reading it gives the same tire. The
+recordings belong to a tire with known coefficients and were computed by the program's own test of steady states.
 
-The recordings belong to a tire with known coefficients; the program's own test of steady states
-wrote them.
-
-    fitted_tir_test.py PATH/TO/latsch
-"""
+   fitted_tir_test.py PATH/TO/latsch"""
 import csv
 import json
 import math
@@ -140,7 +137,8 @@ class FittedTir(unittest.TestCase):
               ("Fx over kappa, by load", "Fy over alpha, by load", "Mz over alpha, by load")}
         self.assertIn("stroke-dasharray", of["Fx over kappa, by load"])
         self.assertIn("N, assumed", of["Fx over kappa, by load"])
-        for known in ("Fy over alpha, by load", "Mz over alpha, by load"):  # fitted, and kept from tire.tir
+        # one is fitted, the other keeps the value in tire.tir
+        for known in ("Fy over alpha, by load", "Mz over alpha, by load"):
             self.assertNotIn(", assumed", of[known])
             self.assertIn('class="outside"', of[known])
 
@@ -152,18 +150,17 @@ class FittedTir(unittest.TestCase):
         keys = keys_of(text)
         most = max(abs(math.sin(2 * math.pi * i / 21)) for i in range(21)) * math.radians(12.0)
         for key, value in (("FZMIN", 500), ("FZMAX", 2600), ("ALPMIN", -most), ("ALPMAX", most), ("PRESMIN", 69e3),
-                           ("PRESMAX", 83e3)):  # 97 kPa is held out
+                           ("PRESMAX", 83e3)):  # the samples at 97 kPa are held out
             self.assertAlmostEqual(float(keys[key][0]) / value, 1.0, places=12, msg=key)
             self.assertEqual(keys[key][1], "from the data")
-        self.assertNotIn("CAMMIN", keys)  # one camber limits nothing, and the file says so
-        self.assertRegex(text, r"\[INCLINATION_ANGLE_RANGE\]\n\$ no range from the data: they have one camber, 0 to 0 deg")
+        self.assertNotIn("CAMMIN", keys)  # with a single camber angle there is no range, and the file says so
+        self.assertRegex(text, r"\[INCLINATION_ANGLE_RANGE\]\n\$ no range from the data: they have only one camber, 0 to 0 deg")
         self.assertRegex(text, r"\[LONG_SLIP_RANGE\]\n\$ no range from the data: ")
         self.assertIn("without a margin", text)
         self.assertRegex(text, r"speeds of the data: 11\.11 to 11\.11 m/s")
 
     def test_the_file_is_read_to_the_same_tire(self):
-        """The file is also the model of the next study, which leaves the coefficients fitted here
-        unchanged."""
+        """The file is also the model of another study, which leaves the coefficients fitted here unchanged."""
         folder = self.study("again", self.tire())
         run = json.loads(self.latsch("run", folder / "study.toml", "--json").stdout)
         found = {v["name"]: v["value"] for v in run["result"]["variables"]}
@@ -228,8 +225,8 @@ class FittedTir(unittest.TestCase):
         self.assertIn("SOURCE_DATE_EPOCH", said.stderr)
 
     def test_what_new_holds_out_frees_nothing(self):
-        """The record has three pressures, of which two are fitted: the fit has no quadratic term,
-        and the third pressure is predicted."""
+        """The record has three pressures, two of which are fitted. The fit has no quadratic term, and the third
+        pressure is predicted."""
         columns = []
         for k, held in enumerate((["--hold-out", "p = 97 kPa +- 5 kPa"], [])):
             folder = self.base / f"new_{k}"

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Channels of the pressures and of the grip of a footprint.
+"""Tests the channels of pressure and grip in a footprint.
 
-    footprint_test.py PATH/TO/latsch
-"""
+   footprint_test.py PATH/TO/latsch"""
 import json
 import pathlib
 import unittest
@@ -58,8 +57,8 @@ class Footprint(Coarse):
             self.assertAlmostEqual(at_x, x * 1e-3, delta=1e-9)
             self.assertAlmostEqual(at_y, y * 1e-3, delta=1e-9)
         peak, = found["peak_pressure"]
-        self.assertGreaterEqual(peak, max(found["pressure"]) * (1 - 1e-4))  # the peak is searched to a thousandth of a
-                                                                            # sensor
+        # the peak is located to a thousandth of a sensor's size
+        self.assertGreaterEqual(peak, max(found["pressure"]) * (1 - 1e-4))
         self.assertGreater(peak, found["mean_pressure"][0])
 
     def test_a_larger_sensor_sees_a_lower_peak(self):

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""One wrench, written in every frame and convention that a rig may use, gives the same
-measurement.
+"""Tests that a wheel's force and moment give the same measurement in whatever frame and sign convention a rig writes
+them.
 
-Forces and moments of a wheel are arrows in space here; their components along the axes of a frame, about its origin, and
-the axes of a convention are written into a file, and the program has to find the arrows again in the frame it is asked
-for. Frames are their axes and origins in space: none of the program's formulas between two of them is used.
+Forces and moments of a wheel are vectors in space here. Their components along the axes of a frame, about its origin
+and in the signs of a convention, are written into a file, and the program has to find the vectors again in the frame
+that the study asks for. A frame is given by its axes and origin in space: none of the program's formulas between two
+frames is used.
 
-    frames_test.py PATH/TO/latsch
-"""
+   frames_test.py PATH/TO/latsch"""
 import csv
 import itertools
 import json
@@ -80,8 +80,8 @@ def cross(a, b):
 
 
 class Wheel:
-    """Samples of a wheel: camber, loaded radius, and the force and moment at its center; the axes
-    of space are forward, left, up."""
+    """Samples of a wheel: camber, loaded radius, and the force and moment at its center, in axes that point forward,
+    left and up."""
 
     def __init__(self, seed):
         chance = random.Random(seed)
@@ -91,7 +91,7 @@ class Wheel:
         self.moment = [[chance.gauss(0, 400) for _ in range(3)] for _ in TIMES]
 
     def frame(self, name, i):
-        """Returns axes and origin of a frame in space; the wheel's top leans to the right."""
+        """Returns the axes and the origin of a frame in space; the top of the wheel leans to the right."""
         forward, left, up = [1, 0, 0], [0, 1, 0], [0, 0, 1]
         along_wheel = [0, -math.sin(self.gamma[i]), math.cos(self.gamma[i])]  # upward in the wheel plane
         if name == "C":
@@ -109,7 +109,7 @@ class Wheel:
 
 
 def written(rows, convention):
-    """Converts to y to the right and z downward; adapted sae has a positive load."""
+    """Converts components to y to the right and z downward, except that adapted_sae has a positive load."""
     signs = {"iso": [1, 1, 1, 1, 1, 1], "sae": [1, -1, -1, 1, -1, -1], "adapted_sae": [1, -1, 1, 1, -1, -1]}[convention]
     return [[sign * x for sign, x in zip(signs, row)] for row in rows]
 
@@ -238,8 +238,8 @@ class Frames(unittest.TestCase):
                 with open(self.base / "rig.csv") as file:
                     self.assertTrue(next(file).startswith("# Not measured"))
                     rows = list(csv.DictReader(file))
-                # The wheel of the test is upright and has another radius: forces of the file are converted with their
-                # own.
+                # In the study's test the wheel is upright and has another radius. The forces of the file must be
+                # converted with the camber and radius of the file.
                 answer = json.loads(self.latsch("simulate", study, "--json").stdout)["result"]["experiments"]
                 simulated = {e["name"]: e["curve"]["simulated"] for e in answer}
                 for i, row in enumerate(rows):

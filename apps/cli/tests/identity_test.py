@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A journal and the study it belongs to: a best point that was found for other numbers is combined with none, a study in a
-folder that may not be written can be read, and what cannot be compared is no failure of the model. Trials that were
-run for other measurements, weights or bounds are counted alike by terminal, page and JSON, and none is called the best.
+"""Tests which trials of a journal count for a study. A best point that was found for other numbers is never used with
+this model. A study in a folder without write permission can be read. Values that cannot be compared are no failure of
+the model. Terminal, page and JSON count the trials for other measurements, weights or bounds alike, and call none of
+them the best.
 
-    identity_test.py PATH/TO/latsch     (the program "spring" lies beside it)
-"""
+   identity_test.py PATH/TO/latsch     (the program "spring" is in the same folder)"""
 import json
 import math
 import os
@@ -134,7 +134,7 @@ class OtherStudies(SpringStudy):
 
 
 class NotCompared(SpringStudy):
-    """The model is correct, and the faulty measurement is corrected afterwards."""
+    """Checks a study whose model is correct and whose faulty measurement is corrected after a run."""
 
     def test_a_failed_comparison_leaves_nothing_to_be_tried_again(self):
         self.run_it("run", self.study)
@@ -249,7 +249,7 @@ class ReadOnly(SpringStudy):
         rows = sqlite3.connect(there)
         rows.execute("pragma journal_mode = wal").fetchone()
         rows.execute("pragma wal_autocheckpoint = 0")
-        for change in (1, -1):  # unchanged pages are not written
+        for change in (1, -1):  # an unchanged page is not written again
             rows.execute(f"update tally set trials = trials + {change}")
             rows.commit()
         shutil.copy(there, self.journal)
@@ -333,7 +333,7 @@ class MeasuredSpring(unittest.TestCase):
         return json.loads(run.stdout)
 
     def doors(self):
-        """Every verb that takes the best point of a journal."""
+        """Returns the command line of every verb that uses the best point of a journal."""
         return {"export": ("export", self.study, "--model", self.folder / "found.toml"),
                 "test": ("test", self.study, PULL),
                 "validate": ("validate", self.study, self.folder / "suite.toml"),
@@ -386,11 +386,13 @@ class OtherData(MeasuredSpring):
                 self.assertEqual((counts["trials"], counts["foreign"]), (trials, trials))
                 said = self.run_it("run", self.study)
                 self.assertIn(f"{trials} finished trials are reused", said)
-                # Three values on a line fit exactly, and the rest is held out.
+                self.assertIn("simulated earlier, for other measurements", said)
+                self.assertNotIn("of them were run for the study as it stands", said)
+                # Three values on a line fit exactly; the other values are held out.
                 self.assert_open(without=("identify",) if what == "held out" else ())
                 self.assertNotIn(FOREIGN, self.run_it("check", self.study))
                 stiffness = float(re.search(r"stiffness = \"?([0-9.]+)", (self.folder / "found.toml").read_text()).group(1))
-                if what == "bounds":  # trials outside of them are there, and better
+                if what == "bounds":  # better trials outside the new bounds are in the journal
                     self.assertLessEqual(stiffness, 19.0)
             file.write_text(text)
 
@@ -434,7 +436,7 @@ class OtherData(MeasuredSpring):
         self.run_it("doe", self.study)
         edit(self.data, ("6,241", "6,250"))
         self.assert_refused(trials_of(self.journal))
-        said = self.run_it("doe", self.study)  # all of its points are known
+        said = self.run_it("doe", self.study)  # all points of the design are already in the journal
         self.assertIn("9 of 9 points succeeded", said)
         best = self.answer("doe", self.study)["result"]
         self.assertEqual(best["target"], best["points"][0]["target"])
@@ -459,10 +461,10 @@ class OtherData(MeasuredSpring):
 
 
 class Counts(MeasuredSpring):
-    """The counts of trials that the terminal, the JSON answers and the page give."""
+    """Tests the counts of trials that the terminal, the JSON answers and the page show."""
 
     def page(self):
-        """What the page says of the study, and in its list of studies."""
+        """Returns what the page says about the study, and what its list of studies says."""
         with served(self.folder, program=str(SPRING)) as page:
             home = page.get("/api/home")["studies"]
             return page.get("/api/study?study=study.toml"), next(one for one in home if one["study"] == "study.toml")
@@ -573,7 +575,8 @@ measurement = "m"
 
 
 class FittedTire(unittest.TestCase):
-    """A .tir fitted to a recording: its force is edited, which changes no input of the test, so all trials stay valid."""
+    """Tests a .tir fitted to a recording whose force is edited afterwards. This changes no input of the test, so all
+    trials stay valid."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_foreign_"))

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Channels of the dimensions of an inflated tire, and moduli identified from them.
+"""Tests the channels of the dimensions of an inflated tire, and moduli identified from them.
 
-    inflation_test.py PATH/TO/latsch
-"""
+   inflation_test.py PATH/TO/latsch"""
 import json
 import re
 import unittest
@@ -74,7 +73,7 @@ class Inflation(Coarse):
         self.assertEqual(found["pressure"], [100.0, 1e5, 3e5])
         growth, radius = found["growth"], found["outer_radius"]
         self.assertTrue(0 < growth[0] < 1e-5 < growth[1] < growth[2] < 0.02, growth)
-        # Both refer to the same node, or to different nodes on a nearly flat crown.
+        # Both channels refer to the same node, or to different nodes on a nearly flat crown.
         self.assertAlmostEqual(radius[2] - radius[0], growth[2] - growth[0], delta=0.3 * growth[2])
         self.assertTrue(0.15 < found["section_width"][2] < 0.4)
 

@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
-"""A mesh in a user's .inp file in every verb that accepts a tire: check, show, test, mesh, a
-study, export.
+"""Tests a mesh in a user's .inp file with every verb that accepts a tire: check, show, test, mesh, a study, export.
 
-    inp_test.py PATH/TO/latsch
-"""
+   inp_test.py PATH/TO/latsch"""
 import json
 import pathlib
 import re
@@ -65,7 +63,7 @@ class Deck(Coarse):
         self.assert_says(page.read_text(), "Finite-element deck", self.C10[0][0])
 
     def test_answers_as_the_tire_it_was_written_from(self):
-        """Checks a deck of plain elements with smeared cords."""
+        """Checks a deck of solid elements with smeared cords."""
         edit(self.folder / "tire.toml", ('cords = "rebar"', 'cords = "smeared"\nelement = "full_integration"'))
         self.latsch("export", self.folder / "tire.toml", "--ccx", self.deck, "--deflection", "12 mm", "--modes", "6")
         for test in (PRESS, '{kind = "modes", count = 6}', '{kind = "modes", count = 6, deflection = "12 mm"}'):
@@ -75,8 +73,9 @@ class Deck(Coarse):
                 self.assertAlmostEqual(a / b, 1.0, delta=1e-5)
 
     def test_answers_as_the_tire_with_cords_as_springs(self):
-        """Checks the deck of the tire as it is: its cords are springs, which become layers again, and comments state its
-        walls, its tread and, if it has zones, the division of the standing tire. A deck has 12 to 15 digits."""
+        """Checks the deck of the tire itself. Its cords are springs, which become layers again, and comments state
+        its walls, its tread and, if it has zones, the division into sectors of the tire on the ground. Numbers in a
+        deck have 12 to 15 digits."""
         self.assertIn("TYPE=SPRINGA", self.deck.read_text())
         tire = self.folder / "tire.toml"
         for zones, loaded in ((False, True), (False, False), (True, False), (True, True)):
@@ -114,7 +113,7 @@ class Deck(Coarse):
         found = self.folder / "found.inp"
         self.latsch("export", study, "--model", found)
         before, after = self.deck.read_text().splitlines(), found.read_text().splitlines()
-        # The file that was written begins with comments on the fit it comes from.
+        # The exported file begins with comments on the fit from which it comes.
         self.assertGreater(len(after), len(before))
         self.assertTrue(all(line.startswith("**") for line in after[:len(after) - len(before)]), after[:20])
         after = after[len(after) - len(before):]

@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
-"""A corner of a suspension on the K&C rig: published statics, identified bushings, and refused
-input.
+"""Tests a corner of a suspension on the K&C rig: published static values, identified bushings, and refused input.
 
-    kc_test.py PATH/TO/latsch
-"""
+   kc_test.py PATH/TO/latsch"""
 import csv
 import io
 import math
@@ -38,7 +36,7 @@ class Kc(unittest.TestCase):
         names = [name.split(" [")[0] for name in next(table)]
         return [dict(zip(names, map(float, (x or "nan" for x in row)))) for row in table]
 
-    def test_it_moves_as_published(self):  # the figures of corner_test.cpp
+    def test_it_moves_as_published(self):  # the published figures are those in corner_test.cpp
         row = self.rows('{kind = "kc", Fy = "-4 kN"}')[0]
         for name, value in {"dx": 0.02265e-3, "dy": -0.56246e-3, "dz": -0.16064e-3}.items():
             self.assertAlmostEqual(row[name], value, delta=0.5e-8)
@@ -52,8 +50,8 @@ class Kc(unittest.TestCase):
         dz = [row["dz"] for row in rows]
         self.assertAlmostEqual(rows[0]["dz_by_Fz"] / ((dz[3] - dz[1]) / 2000.0), 1.0, delta=1e-9)
 
-    # Forces times travel are work in all axes: signs change in pairs. In sae and adams the force -4 kN along y, to the
-    # right, is +4 kN; toe, camber and caster are the same.
+    # Force times travel is work in any axes, so both change sign together. In sae and adams y points to the right,
+    # and a force of -4 kN along y becomes +4 kN; toe, camber and caster have the same sign.
     def test_signs_of_others_are_those_of_their_axes(self):
         test = '{kind = "kc", Fx = "1 kN", Fy = "-4 kN", Fz = "2 kN", Mz = "100 N m"}'
         iso = self.rows(test)[0]
@@ -94,7 +92,8 @@ class Kc(unittest.TestCase):
     def test_at_the_wheel_center_a_side_force_does_not_tilt_it_by_its_height(self):
         patch = self.rows('{kind = "kc", Fy = "100 N"}')[0]
         center = self.rows('{kind = "kc", Fy = "100 N", at = "wheel_center"}')[0]
-        moved = self.rows('{kind = "kc", Fy = "100 N", Mx = "-23.5 N m", at = "contact_patch"}')[0]  # Fy 235 mm higher
+        # Fy acts 235 mm higher
+        moved = self.rows('{kind = "kc", Fy = "100 N", Mx = "-23.5 N m", at = "contact_patch"}')[0]
         self.assertNotAlmostEqual(patch["camber"], center["camber"], delta=1e-6)
         for angle in ("camber", "toe", "caster"):
             self.assertAlmostEqual(moved[angle], center[angle], delta=1e-3 * abs(center[angle]))
@@ -113,13 +112,13 @@ class Kc(unittest.TestCase):
             self.assertGreater(high, stiffness)
         for end in ("pushrod_inner", "pushrod_outer", "trackrod_inner", "trackrod_outer"):
             self.assertRegex(text, rf"{end} .*anywhere between the bounds")
-        # Only the series of both ends of a rod is measured: each end has at least the stiffness of the series, for any
-        # stiffness of the other end.
+        # The data determine only the series stiffness of the bushings at both ends of a rod: each end is at least as
+        # stiff as the series, whatever the stiffness of the other end.
         profiles = self.latsch("identify", self.folder / "study.toml").split("Profiles:")[1].split("Cross-validation")[0]
         self.assertNotIn("several minima", profiles)
         for rod in ("pushrod", "trackrod"):
             inner, outer = (float(truth[f"{rod}_{end}"]["x"].split()[0]) for end in ("inner", "outer"))
-            limit = 1.0 / (1.0 / inner + 1.0 / outer - 1.0 / 400.0)  # the other end at its upper bound
+            limit = 1.0 / (1.0 / inner + 1.0 / outer - 1.0 / 400.0)  # if the other end is at its upper bound
             for end in ("inner", "outer"):
                 found = re.search(rf"{rod}_{end} +one-sided.*\n +95 %: at least ([\d.]+)", profiles)
                 self.assertTrue(found, profiles)
@@ -132,14 +131,15 @@ class Kc(unittest.TestCase):
         text = self.latsch("identify", study)
         self.assertIn("from 16 measured values and 30 priors", text)
         truth = tomllib.loads((self.folder / "specimen.toml").read_text())["bushing"]
-        for joint, axis in ((j, a) for j in truth if j != "all" for a in "xyz"):  # all are within two deviations
+        # each error is below two standard deviations
+        for joint, axis in ((j, a) for j in truth if j != "all" for a in "xyz"):
             found = re.search(rf"{joint}_{axis} +[\d.]+ kN/mm +95 %: ([\d.]+) \.\. ([\d.]+)", text)
             self.assertTrue(found, f"{joint}_{axis}: {text}")
             self.assertLess(float(found[1]), float(truth[joint][axis].split()[0]), f"{joint}_{axis}")
             self.assertGreater(float(found[2]), float(truth[joint][axis].split()[0]), f"{joint}_{axis}")
         gains = text.split("experiments that are only predicted so far")[1].split("Computed values")[0]
         self.assertRegex(gains, r"test G, all of it +1 / [\d.]+")
-        # A load case gives at least as much information as one of its numbers.
+        # A whole load case gives at least as much information as one of its values.
         gain = {name: float(value) for name, value in re.findall(r"\n  (\S.*?) +1 / ([\d.]+)", gains)}
         self.assertGreaterEqual(gain["test G, all of it"], gain["G_caster"])
 

@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
-"""Suspensions as rigid links: printed static values, five links, a study of hardpoints, and
-refused input.
+"""Tests suspensions with rigid links: published static values, five links, a study of hardpoints, and refused input.
 
-    kinematics_test.py PATH/TO/latsch
-"""
+   kinematics_test.py PATH/TO/latsch"""
 import csv
 import io
 import math
@@ -38,7 +36,7 @@ class Kinematics(unittest.TestCase):
         names = [name.split(" [")[0] for name in next(table)]
         return [dict(zip(names, map(float, row))) for row in table]
 
-    def test_static_values_of_the_example_are_the_printed_ones(self):  # verification/lotus_shark
+    def test_static_values_of_the_example_are_the_printed_ones(self):  # published in verification/lotus_shark
         row = self.rows('{kind = "kinematics", travel = "0 mm"}', self.folder / "lotus_bat.toml")[0]
         for name, printed in (("caster", 15.71), ("kpi", 17.53)):
             self.assertAlmostEqual(math.degrees(row[name]), printed, delta=0.005)
@@ -74,7 +72,7 @@ class Kinematics(unittest.TestCase):
         self.assertIn("has 4 links, expected five", self.latsch("test", five, TRAVEL, code=WRONG_INPUT))
 
     def table_of_points(self, spoil=lambda rows: rows, head="of,name,x [mm],y [mm],z [mm]"):
-        """Writes the front axle with its points in a table that also contains those of another corner."""
+        """Writes the front axle with its hardpoints in a table that also contains those of another corner."""
         text = self.front.read_text()
         points = re.findall(r'^(\w+) = \["([-\d.]+) mm", "([-\d.]+) mm", "([-\d.]+) mm"\]$', text, re.M)
         rows = [["FL", *point] for point in points] + [["RL", "ubj", "-25.6", "530.8", "350"]]
@@ -116,7 +114,7 @@ class Kinematics(unittest.TestCase):
         edit(self.front, (r'\[hardpoint\]', 'hardpoints = "points.csv"\n[hardpoint]'))
         self.assertIn("is given beside [hardpoint]", self.latsch("test", self.front, TRAVEL, code=WRONG_INPUT))
 
-    # Text behind the table keeps its line number in the file.
+    # Lines after a table of hardpoints keep their line number in the file.
     def test_lines_behind_a_table_of_hardpoints_are_those_of_the_file(self):
         filed = self.table_of_points()
         edit(filed, (r"\[spring\]", "[spring]\nstifness = 3"))
@@ -129,7 +127,8 @@ class Kinematics(unittest.TestCase):
             self.assertAlmostEqual(row["steer"], -image["other_steer"], delta=1e-12)
             self.assertAlmostEqual(row["ackermann"], image["ackermann"], delta=1e-6)
         self.assertGreater(abs(rows[0]["steer"]), 0.2)
-        # The limit at straight ahead continues the curve, as a parabola through its neighbors shows.
+        # The Ackermann value at zero steer is a limit. It continues the curve, as a parabola through its neighbors
+        # shows.
         near = self.rows('{kind = "kinematics", rack = ["-2 mm", "0 mm", "2 mm"], wheelbase = "1.55 m"}')
         self.assertAlmostEqual(near[1]["ackermann"], near[0]["ackermann"], delta=0.02 * abs(near[0]["ackermann"]))
         turn = (rows[2]["steer"] - rows[0]["steer"] + rows[2]["other_steer"] - rows[0]["other_steer"]) / 2
@@ -141,8 +140,8 @@ class Kinematics(unittest.TestCase):
         for title in ("Toe and camber", "Height of the roll center", "Motion ratio", "Rates"):
             self.assertIn(title, page.read_text())
 
-    # Steer by rack is a rotation about z over a displacement along y, and caster is an angle that has the same sign in
-    # all conventions.
+    # Steer by rack is a rotation about z over a displacement along y, so its sign is the same in all conventions, and
+    # so is that of the caster angle.
     def test_signs_of_others(self):
         test = '{kind = "kinematics", travel = "10 mm", rack = "5 mm", anti_roll_bar = true}'
         iso, sae, adams = (self.rows(test, signs=view)[0] for view in ("iso", "sae", "adams"))
@@ -159,7 +158,7 @@ class Kinematics(unittest.TestCase):
         self.latsch("test", self.front, '{kind = "kinematics", rack = ["-5 mm", "0 mm", "5 mm"]}', "--html", page, "--signs", "sae")
         self.assertIn("rack to the right [mm]", page.read_text())
 
-    # The height of the track-rod's inner end is identified from the resulting bump steer.
+    # The study identifies the height of the track rod's inner end from the bump steer that it causes.
     def test_hardpoints_are_variables_of_a_study(self):
         specimen = self.folder / "specimen.toml"
         shutil.copy(self.front, specimen)

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""The interpretation of a file: the ledger in show, check, run and --json, which reports names,
-signs and axes.
+"""Tests the ledger of a file, the list of how each column was interpreted: names, signs and axes, in show, check, run
+and --json.
 
-    ledger_test.py PATH/TO/latsch
-"""
+   ledger_test.py PATH/TO/latsch"""
 import json
 import math
 import pathlib
@@ -102,7 +101,8 @@ class Ledger(unittest.TestCase):
         return answer["result"]["experiments"][0]["curve"]["simulated"]
 
     def test_the_head_of_a_test_says_what_was_read_and_assumed(self):
-        """On standard error where the table goes to standard output, so that a pipe gets the table alone."""
+        """Checks that the lines about files go to standard error if the table goes to standard output, so that a pipe
+        gets the table alone."""
         (self.folder / "states.csv").write_text("Fz [N],alpha [deg]\n4000,1\n4000,2\n")
         (self.folder / "steady.toml").write_text('kind = "steady_states"\nstates = "states.csv"\n')
         call = [LATSCH, "test", self.folder / "tire.tir", self.folder / "steady.toml"]
@@ -111,7 +111,7 @@ class Ledger(unittest.TestCase):
         self.assertNotIn("states.csv", run.stdout)
         for words in ("states.csv: 2 columns: 2 used", "kappa is taken as 0", "tire.tir: "):
             self.assertIn(words, run.stderr)
-        self.assertNotIn("steady.toml: ", run.stderr)  # all of it is used as written
+        self.assertNotIn("steady.toml: ", run.stderr)  # nothing in this file is assumed or unused
         said = self.latsch(*call[1:], "-o", self.folder / "out.csv")
         for words in ("kappa is taken as 0", "tire.tir: ", "steady.toml: "):
             self.assertIn(words, said)
@@ -230,7 +230,7 @@ class Ledger(unittest.TestCase):
         self.assertIn('"tread_center"', text)
         text = self.latsch("check", self.study(GOOD, 'columns = {alpha = "SA", SA = "IA"}'), code=WRONG_INPUT)
         self.assertIn("the same channel", text)
-        # A name of its own that something uses is right.
+        # A column with a name of the user's own that the study uses is in order.
         own = 'columns = {warm = "TSTC"}\n[measurement.m.select]\nwarm = "20 degC .. 90 degC"'
         self.assertIn("Everything is in order", self.latsch("check", self.study(GOOD, own)))
 
@@ -275,13 +275,13 @@ class Ledger(unittest.TestCase):
         stated = self.study((GOOD.split("\n")[0] + "\n").replace("SA [deg]", "- Slip angle [deg]") + GOOD.split("\n", 1)[1],
                             f'columns = {{alpha = "-{name}"}}')
         self.assertEqual(self.forces(stated), expected)
-        # A table of states has no columns = {...}: there a minus is refused.
+        # A table of states has no columns = {...}, so a minus sign before a name is refused.
         (self.folder / "states.csv").write_text("Fz [N],-SA [deg]\n4000,2\n")
         text = self.latsch("test", self.folder / "tire.tir", '{kind = "steady_states", states = "states.csv"}', code=WRONG_INPUT)
         self.assertIn("change the signs", text)
 
     def test_signs_that_contradict_are_answered_by_statements_that_remove_it(self):
-        """Every statement of the message is tried: with it the record is in order."""
+        """Checks every correction that the message proposes: with it the record is in order."""
         def record(signs):
             rows = []
             for i in range(60):
@@ -291,7 +291,7 @@ class Ledger(unittest.TestCase):
             return "time [s],FZ [N],FY [N],MZ [N m],SA [deg],IA [deg]\n" + "\n".join(rows) + "\n"
 
         self.assertIn("Everything is in order", self.latsch("check", self.study(record({}))))
-        sae = {"FY": -1, "MZ": -1, "SA": -1}  # SAE J670e but for the sign of the load
+        sae = {"FY": -1, "MZ": -1, "SA": -1}  # signs of SAE J670e, except for the sign of the load
         for signs, statements in (({**sae, "FZ": -1}, ['axes = "sae"']),
                                   (sae, ['axes = "sae"\ncolumns = {Fz = "-FZ"}', 'columns = {gamma = "-IA"}']),
                                   ({"FY": -1, "MZ": -1}, ['axes = "adapted_sae"']),
@@ -305,7 +305,7 @@ class Ledger(unittest.TestCase):
         self.assertIn('columns = {Fz = "-FZ"}', self.latsch("check", self.study(record(sae), 'axes = "sae"'), code=WRONG_INPUT))
 
     def long_table(self, change=lambda i, row: row):
-        """A sweep of 60 samples with a little noise; `change` may spoil the fields of a row."""
+        """Returns a sweep of 60 samples with a little noise; `change` may damage the fields of a row."""
         rows = []
         for i in range(60):
             alpha = 6 * math.sin(0.15 * i)
@@ -331,7 +331,8 @@ class Ledger(unittest.TestCase):
             self.assertIn("54 steady states", text)
             self.assertIn("Everything is in order", text)
             self.assertIn("in 6 of 60 samples", self.latsch("show", self.folder / "record.csv"))
-        # A channel that nothing uses is a warning; so is one that a person has selected by.
+        # An unreadable value in a channel that nothing uses is only a warning; in a channel of a selection it is an
+        # error.
         spoiled = self.long_table(lambda i, row: row[:5] + ["-9999" if i in (3, 4) else row[5]])
         text = self.latsch("check", self.study(spoiled))
         self.assertIn('"TSTC" (tread_center) is -9999 degC in 2 of 60 samples (lines 5, 6)', text)
@@ -400,8 +401,8 @@ class Ledger(unittest.TestCase):
 
 
 class AxesOfARig(unittest.TestCase):
-    """Checks that a table of a K&C rig in the signs of a convention gives the model's own values
-    if its axes are stated."""
+    """Checks a table of a K&C rig in the signs of a convention: if its axes are stated, it gives the model's own
+    values."""
 
     def test_a_table_in_sae_axes_is_turned_whole(self):
         folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_ledger_"))
@@ -435,7 +436,7 @@ class AxesOfARig(unittest.TestCase):
 
 
 class Cells(unittest.TestCase):
-    """Cells, headers, units and encodings: what is read, and what is refused in which words."""
+    """Tests cells, headers, units and encodings: which are read, and with which message others are refused."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_ledger_"))

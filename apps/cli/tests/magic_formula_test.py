@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""From raw recordings of cornering and driving to a .tir with intervals: `latsch new --magic-formula`, run, export.
+"""Tests the way from raw recordings of cornering and driving to a .tir with intervals: `latsch new --magic-formula`,
+run, export.
 
-The recordings are forces that the program computes for a tire with known coefficients
-(models/magic_formula is compared with published tables), with noise, in SAE signs and the units of
-a tire test consortium.
+The recordings are forces that the program computes for a tire with known coefficients (models/magic_formula is
+compared with published tables), with noise, in SAE signs and the units of a tire test consortium.
 
-    magic_formula_test.py PATH/TO/latsch
-"""
+   magic_formula_test.py PATH/TO/latsch"""
 import csv
 import json
 import math
@@ -68,7 +67,7 @@ intervals = false
 
 
 def sweep(most, count):
-    """Returns a sweep there and back, as on a rig: both ends occur twice."""
+    """Returns a sweep up and down, as on a rig: both ends occur twice."""
     return [most * math.sin(2 * math.pi * i / count) for i in range(count)]
 
 
@@ -127,9 +126,9 @@ class MagicFormula(unittest.TestCase):
         self.latsch("new", folder, "--magic-formula", self.base / "cornering.dat", self.base / "driving.dat")
         study = (folder / "study.toml").read_text()
         self.assertLessEqual(len([line for line in study.splitlines() if line and not line.startswith("#")]), 25)
-        self.assertIn('axes = "sae"', study)  # determined by the sign of Fz
+        self.assertIn('axes = "sae"', study)  # the sign of Fz shows which axes it has
         tire = (folder / "tire.tir").read_text()
-        for name, value in (("FNOMIN", 1600), ("NOMPRES", 83000)):  # reference values of the coefficients
+        for name, value in (("FNOMIN", 1600), ("NOMPRES", 83000)):  # these reference values define the coefficients
             self.assertRegex(tire, rf"{name} += {value}\b")
         run = json.loads(self.latsch("run", folder / "study.toml", "--json").stdout)
         found = {v["name"]: v["interval"] for v in run["result"]["variables"]}
@@ -155,7 +154,8 @@ class MagicFormula(unittest.TestCase):
             self.assertLess(error, 0.01, c)
 
     def test_what_rolls_tells_slopes_of_steady_states_alone(self):
-        """Checks that a formula has slopes in its coefficients, except for a standing tire."""
+        """Checks that a Magic Formula has derivatives with respect to its coefficients in every test except static
+        ones."""
         for keys in (('"load_deflection", deflections = ["5 mm", "10 mm"]', "force", "N", "1000, 2000"),
                      ('"static_stiffness", load = "2 kN", directions = ["vertical"]', "vertical", "N/mm", "200")):
             folder = pathlib.Path(tempfile.mkdtemp(dir=self.base))
@@ -174,7 +174,7 @@ class MagicFormula(unittest.TestCase):
         self.latsch("check", folder / "study.toml")
 
     def test_levels_of_a_condition_are_those_of_the_samples_that_a_stage_fits(self):
-        """Writes recordings: cornering has three pressures and two cambers, driving one of each."""
+        """Writes recordings with three pressures and two camber angles in cornering, and one of each in driving."""
         folder = self.base / "levels"
         said = self.latsch("new", folder, "--magic-formula", self.base / "cornering.dat", self.base / "driving.dat")
         study = (folder / "study.toml").read_text()

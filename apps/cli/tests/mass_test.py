@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Mass and moments of inertia of a finite-element tire, and densities identified from them.
+"""Tests mass and moments of inertia of a finite-element tire, and densities identified from them.
 
-    mass_test.py PATH/TO/latsch
-"""
+   mass_test.py PATH/TO/latsch"""
 import json
 import re
 import unittest
@@ -69,7 +68,8 @@ class Mass(Coarse):
             self.assertAlmostEqual(theirs[0] / ours[0], 1.0, delta=1e-5)
 
     def test_densities_of_regions_are_found_by_slopes(self):
-        """Checks that three values determine three densities, and that frequencies determine them, too."""
+        """Checks that the mass and two moments of inertia determine three densities, and that frequencies determine
+        them, too."""
         tire, study = self.folder / "tire.toml", self.folder / "mass.toml"
         weighed, units = self.channels(tire), ("kg", "kg m^2", "kg m^2")
         study.write_text(STUDY + "".join(VARIABLE.format(region) for region in REGIONS) +

@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
-"""`latsch new` for every shipped tire and for random sizes: the written files pass the check and
-can be fitted.
+"""Tests `latsch new` for every shipped tire and for random sizes: the written files pass the check and can be fitted.
 
-    new_test.py PATH/TO/latsch
-"""
+   new_test.py PATH/TO/latsch"""
 import json
 import pathlib
 import random
@@ -19,7 +17,7 @@ TIRES = sorted(p.stem for p in (pathlib.Path(__file__).resolve().parents[3] / "s
 SHIPPED = [name for name in TIRES if not name.startswith("comparison_")]
 
 WIDTHS, ASPECTS, RIMS = range(145, 326, 10), range(30, 81, 5), range(13, 22)  # mm, %, inches
-HEIGHTS = (62, 150)  # mm: sizes 325/30 and 185/80 exist, a 325/80 does not
+HEIGHTS = (62, 150)  # mm, section height: sizes 325/30 and 185/80 exist, a 325/80 does not
 
 
 def drawn_sizes(count, seed=2024):
@@ -74,7 +72,7 @@ class New(unittest.TestCase):
                 bounds = {v["name"]: v for v in json.loads(subprocess.run(
                     [LATSCH, "check", study, "--json"], capture_output=True, text=True).stdout)["result"]["variables"]}
                 self.assertLess(found["target"], 0.01)
-                self.assertLessEqual(found["trials"], 10)  # slopes come with every trial
+                self.assertLessEqual(found["trials"], 10)  # derivatives come with every trial
                 for variable in found["variables"]:
                     limits = bounds[variable["name"]]
                     self.assertEqual(variable["unit"], limits["unit"])
@@ -132,8 +130,8 @@ class New(unittest.TestCase):
         self.latsch("test", study.parent / "corner.toml", '{kind = "kinematics", from = "-30 mm", to = "30 mm", points = 5}')
         self.assertIn("exists already", self.latsch("new", self.folder / "corner", "--suspension", code=WRONG_INPUT))
 
-    # Values are in N/mm and kN s/m. A scatter of 3 N is small beside the forces of a sweep: the values of the recording
-    # are identified.
+    # The units are N/mm and kN s/m. A noise of 3 N is small compared with the forces of a sweep, so the fit finds the
+    # values of the recording.
     def test_a_car_is_found_at_once_and_drives(self):
         self.latsch("new", self.folder / "car", "--car")
         study = self.folder / "car" / "study.toml"

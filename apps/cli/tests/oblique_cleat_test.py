@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Tires on an oblique bar: effects that a model neglects are reported with the result, and a
-flexible ring whose sections bend loses the force that one with straight sections gains.
+"""Tests tires on an oblique bar: effects that a model neglects are reported with the result, and a flexible ring
+whose cross sections bend loses force as the bar turns, while one with rigid cross sections gains force.
 
-    oblique_cleat_test.py PATH/TO/latsch
-"""
+   oblique_cleat_test.py PATH/TO/latsch"""
 import json
 import pathlib
 import shutil
@@ -82,7 +81,8 @@ class OnAnObliqueBar(unittest.TestCase):
         self.assertIn(LIMIT, run.stdout + run.stderr)
 
     def test_a_study_says_it_before_it_runs(self):
-        """In check, at the head of run, in JSON; a sentence for all tests that it concerns, none for a straight cleat."""
+        """Checks the warning in check, at the start of run and in JSON: one sentence for all tests that it concerns,
+        and none for a straight cleat."""
         study = self.folder / "study.toml"
         text = f"""model = "{STRAIGHT}"
 test.straight = {bar(0)}
@@ -110,10 +110,12 @@ initial = "9 kg"
 
 
 class OverAKerb(unittest.TestCase):
-    """A car on flexible rings: a wheel on the edge of a kerb has an obstacle below a part of its width."""
+    """Checks a car on flexible rings: if a wheel is on the edge of a kerb, the obstacle is below a part of its width.
+    """
 
     def warned(self, line):
-        """line: of the car's middle, m; the kerb of 1 m begins 0.4 m to its left."""
+        """Returns the warning if the car's center line is at `line`, m; the kerb, 1 m wide, begins 0.4 m to its left.
+        """
         kerb = ('{kind = "kerb", speed = "40 m/s", run_in = "0.02 s", duration = "0.02 s", line = "%g m", '
                 'kerb = {kind = "kerb", shape = "sine", pitch = "800 mm", width = "1 m", height = "5 mm", count = 2, '
                 'start = ["0 m", "0.4 m"]}}' % line)

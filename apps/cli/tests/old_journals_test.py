@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""Journals that older programs wrote (verification/old_journals): one of an outside program in
-format 4 is converted to the present format with a backup, and the run continues. One that does not
-state every key and file of its tests, the version of the model or the files of the program is
-refused with a message that says so, and `--adopt` reuses its trials.
+"""Tests journals that older versions of the program wrote (verification/old_journals). A journal of an outside
+program in format 4 is converted to the present format with a backup, and the run continues. A journal that lacks a
+key or file of its tests, the version of the model or the files of the program is refused with a message that says so,
+and `--adopt` reuses its trials.
 
-If a later search takes other steps, its new trials are no fault of the journal: the test requires
-only that every trial of the journal is reused.
+A later version of the search may take other steps and so add trials; the test requires only that every trial of the
+journal is reused.
 
-    old_journals_test.py PATH/TO/latsch
-"""
+   old_journals_test.py PATH/TO/latsch"""
 import contextlib
 import pathlib
 import re
@@ -34,7 +33,7 @@ class OldJournals(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.scratch)
 
     def study_with(self, journal):
-        """Makes a copy of the study with that journal."""
+        """Copies the study together with that journal."""
         self.folder = self.scratch / f"{journal.parent.name}_{journal.stem}"
         shutil.copytree(journal.parent, self.folder)
         self.journal = self.folder / "study.latsch"
@@ -61,7 +60,7 @@ class OldJournals(unittest.TestCase):
         self.study_with(STUDIES / "magic_formula/format4.journal")
         self.assert_taken_over(self.latsch("resume", "study.toml", "--adopt"))
         self.assertEqual(trials_of(self.journal), self.trials)
-        self.assertEqual(self.latsch("run", "study.toml").returncode, DONE)  # it has to be adopted only once
+        self.assertEqual(self.latsch("run", "study.toml").returncode, DONE)  # a journal has to be adopted only once
         self.assertEqual(trials_of(self.journal), self.trials)
 
     def test_one_of_another_model_cannot_be_adopted(self):

@@ -1,10 +1,8 @@
 #!/usr/bin/env python3
-"""Every file that `latsch check` opens for a shipped study has a ledger in its answer.
+"""Tests that every file that `latsch check` opens for a shipped study has a ledger in its answer. The kernel reports
+the opened files (inotify), so a new reader without a ledger fails this test.
 
-The kernel reports the opened files (inotify), so a new reader without a ledger fails this test.
-
-    opened_files_test.py PATH/TO/latsch
-"""
+   opened_files_test.py PATH/TO/latsch"""
 import ctypes
 import json
 import os
@@ -17,12 +15,12 @@ from cli_testing import DONE, LATSCH
 
 STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
 IN_OPEN = 0x20
-# Results of earlier runs and what a run writes are no input.
+# Endings of files that are no input: results of earlier runs and files that a run writes.
 NO_INPUT = (".journal", ".journal-wal", ".journal-shm", ".db", ".html", ".log", ".lock")
 
 
 class Opened:
-    """Returns the regular files that are opened in the folders and their subfolders."""
+    """Records which regular files are opened in the folders and their subfolders."""
 
     def __init__(self, folders):
         self.libc = ctypes.CDLL(None, use_errno=True)

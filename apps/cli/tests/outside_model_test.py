@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Models other than finite-element tires: tables of tire states, outside programs; also another
-file system.
+"""Tests models other than finite-element tires: tables of tire states, outside programs; also a study on another file
+system.
 
-    outside_model_test.py PATH/TO/latsch
-"""
+   outside_model_test.py PATH/TO/latsch"""
 import os
 import re
 import shutil
@@ -16,7 +15,7 @@ from cli_testing import DONE, FAILED, LATSCH, STOPPED, WRONG_INPUT, Outside, edi
 
 
 class SteadyStates(Outside):
-    """A study of a steady-state tire with a table of states."""
+    """Tests a study of a steady-state tire with a table of states."""
 
     TIRE = """[MODEL]
 FITTYP = 61
@@ -60,7 +59,7 @@ PKY2 = 1.5
                          'limits = "off"', "no turn slip coefficients")
 
     def test_a_long_table_is_answered_block_by_block(self):
-        """Checks that a table longer than a block and than the part in memory gives the results of
+        """Checks that a table longer than a block, and longer than the part kept in memory, gives the same results as
         its parts."""
         tire, states, forces = (self.folder / name for name in ("tire.tir", "states.csv", "forces.csv"))
         tire.write_text(self.TIRE)
@@ -100,7 +99,8 @@ class Simulators(Outside):
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX (ccx) is not installed")
     def test_calculix_is_fitted(self):
         text = self.latsch("run", self.study("cantilever_calculix"))
-        self.assertAlmostEqual(self.found(text, "modulus"), 2.1e5, delta=2e3)  # mesh error 0.1 %; two digits are required
+        # the mesh error is 0.1 %, and two digits are required
+        self.assertAlmostEqual(self.found(text, "modulus"), 2.1e5, delta=2e3)
 
     def test_a_program_that_hangs_crashes_or_prints_nonsense_is_told_in_words(self):
         study = self.study("quarter_car")
@@ -111,7 +111,8 @@ class Simulators(Outside):
                            ("open('response.csv', 'wb').write(bytes(range(256)))", "response.csv"),
                            ("open('response.csv', 'w').write('time [s],body [mm]\\n0,0\\n')", "reaches from 0 to 0 s")):
             script.write_text(text)
-            # All scripts except the sleeping one end by themselves, even if a loaded machine starts them slowly.
+            # All scripts except the sleeping one end by themselves, so their time limit is long enough for a loaded
+            # machine on which they start slowly.
             edit(study, ("timeout = .*", f'timeout = "{"0.5 s" if "1000" in text else "60 s"}"'))
             (study.parent / "study.latsch").unlink(missing_ok=True)
             edit(study, (r"\[optimizer\](\n.*)*?\n\n", '[optimizer]\nmax_steps = 1\n\n'))
@@ -160,7 +161,7 @@ class Simulators(Outside):
         self.assertRegex(self.latsch("check", study), r"trials failed: .*took more than the 0\.7 s allowed")
 
     def test_an_interrupt_also_ends_what_cannot_be_asked(self):
-        """Checks a run that writes its page to a pipe that nobody reads."""
+        """Checks a run that writes its report to a pipe that nobody reads."""
         study = self.study("quarter_car")
         edit(study, ("step_tolerance = .*", "max_steps = 3"), (r"\[run\]", "[run]\nintervals = false"))
         os.mkfifo(study.parent / "study.html")
@@ -187,9 +188,10 @@ class Simulators(Outside):
         text = self.latsch("run", study, code=FAILED)
         self.assert_says(text, "no trial succeeded", "no license", "nothing to do with the point", "--retry-failed")
         self.assertLess(trials_of(journal), 30)
-        licensed.write_text(whole)  # another program: trials of the old one are not reused
+        licensed.write_text(whole)  # this is another program, so trials of the old one are not reused
         self.assert_says(self.latsch("resume", study, code=WRONG_INPUT), "program files", "licensed.py", "--adopt", "--anew")
-        self.assert_says(self.latsch("report", study, code=FAILED), "succeeded")  # reading is not refused
+        # reading the journal is still allowed
+        self.assert_says(self.latsch("report", study, code=FAILED), "succeeded")
         text = self.latsch("resume", study, "--adopt", "--retry-failed")
         self.assert_says(text, "failed points are tried again", "Report: ")
         self.assertAlmostEqual(self.found(text, "spring"), 25, delta=0.5)
@@ -225,7 +227,7 @@ step_tolerance = 0.002
 
 """), (r"\[run\]", "[run]\nintervals = false"))
         self.assert_says(self.latsch("check", study), "wide", "bounds 0.2 as wide", "the 2 lowest minima of the design")
-        def found(text):  # in every stage, except for the number of trials in the journal
+        def found(text):  # the results of every stage, without the number of trials in the journal
             return re.sub(r"\d+ (finished trials are reused|trials in )", "", text[text.index("Best of"):text.index("Report")])
 
         journal, slow = study.parent / "study.latsch", self.folder / "slow"
@@ -239,7 +241,8 @@ step_tolerance = 0.002
             run = subprocess.Popen([LATSCH, "run", study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             while trials_of(journal) < killed_at and run.poll() is None:
                 if trials_of(journal) >= killed_at // 2:
-                    slow.touch()  # The run cannot end before it is killed, not on a loaded machine either.
+                    # the trials wait, so the run cannot end before it is killed, even on a loaded machine
+                    slow.touch()
                 time.sleep(0.005)
             run.kill()
             self.assertEqual(run.wait(), -signal.SIGKILL)
@@ -255,7 +258,7 @@ step_tolerance = 0.002
 
 
 class OnAnotherFileSystem(Outside):
-    """Checks a study on a file system in user space, which counts as a network file system because
+    """Checks a study on a file system in user space (FUSE). It counts as a network file system, because the kind of
     its storage is unknown."""
 
     def setUp(self):

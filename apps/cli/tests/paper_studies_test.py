@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""The studies of tires measured outside the fitted class: every file passes the check, and the
-quickest study runs.
+"""Tests the studies of tires whose measurements come from another program or rig: every file passes the check, and
+the quickest study runs.
 
-    paper_studies_test.py PATH/TO/latsch
-"""
+   paper_studies_test.py PATH/TO/latsch"""
 import json
 import pathlib
 import shutil
@@ -34,8 +33,8 @@ class Files(Coarse):
 
 class ForeignTruth(Coarse):
     def test_the_comparison_element_finds_the_moduli_of_CalculiX_deck_and_its_forces_at_other_pressures(self):
-        """Checks against results of CalculiX for the moduli in the tire's file: within 0.1 %;
-        forces that were not fitted within 0.3 %."""
+        """Compares one trial at the moduli of the tire's file with results of CalculiX: fitted forces agree within
+        0.1 %, others within 0.3 %."""
         folder = self.folder / "foreign_truth"
         shutil.copytree(STUDIES / "foreign_truth", folder, ignore=shutil.ignore_patterns("*.latsch*", "*.html"))
         answer = json.JSONDecoder().raw_decode(self.latsch("run", folder / "same_mesh.toml", "--json"))[0]["result"]

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Implausible magnitudes and duplicates in tire files: the messages of `latsch check` and their
-line numbers.
+"""Tests the messages of `latsch check` about implausible magnitudes and duplicates in tire files, and their line
+numbers.
 
-    plausibility_test.py PATH/TO/latsch
-"""
+   plausibility_test.py PATH/TO/latsch"""
 import pathlib
 import shutil
 import subprocess
@@ -30,8 +29,8 @@ class Magnitudes(Coarse):
     def test_bar_for_kilopascal(self):
         edit(self.study, ('pressure = "2.4 bar"', 'pressure = "240 bar"'))
         self.said(self.study, '"240 bar"', 'experiment.stiffness.pressure is "240 bar"', "0.3 to 16 bar", '"240 kPa" would be usual')
-        self.assert_says(self.latsch("run", self.study, code=WRONG_INPUT), '"240 kPa" would be usual')  # before any trial
-                                                                                                        # runs
+        # the message comes before any trial runs
+        self.assert_says(self.latsch("run", self.study, code=WRONG_INPUT), '"240 kPa" would be usual')
         self.assertFalse((self.folder / "study.latsch").exists())
 
     def test_unusual_may_be_meant(self):
@@ -59,8 +58,8 @@ class Magnitudes(Coarse):
         forces = self.folder / "stiffness.csv"
         forces.write_text("deflection [cm], force [N]\n6, 9000\n12, 21000\n")
         self.said(forces, "12, 21000", "deflection is 120 mm", "deeper than the section", code=WRONG_INPUT)
-        forces.write_text("deflection [cm], force [N]\n7, 9000\n12, 21000\n")  # the impossible value follows one that is
-                                                                               # nearly plausible
+        # The impossible value follows one that is nearly plausible.
+        forces.write_text("deflection [cm], force [N]\n7, 9000\n12, 21000\n")
         self.said(forces, "12, 21000", "deflection is 120 mm", "deeper than the section", code=WRONG_INPUT)
         forces.write_text("deflection [mm], force [N]\n70, 15000\n")
         self.said(forces, "70, 15000", "warning: ", "close to the section", code=DONE)
@@ -77,7 +76,7 @@ class Magnitudes(Coarse):
         modes.write_text("frequency [Hz], n, type\n46, 0, lateral\n46, 0, lateral\n50, 2, lateral\n50, 2, lateral\n")
         text = self.latsch("check", self.study)
         self.assert_says(text, "modes.csv:3: ", "is in the table twice", "warning")
-        self.assertNotIn("modes.csv:5", text)  # a pair of modes
+        self.assertNotIn("modes.csv:5", text)  # its two equal frequencies are a pair of modes
         modes.write_text("frequency [Hz], n, type\n" + 3 * "46, 1, lateral\n")
         self.assert_says(self.latsch("check", self.study, code=WRONG_INPUT), "modes.csv:4: ", "three times")
         modes.write_text("frequency [kHz], n, type\n46, 1, lateral\n")
@@ -106,7 +105,7 @@ class Magnitudes(Coarse):
 
 
 class ModelsAlone(unittest.TestCase):
-    """Files of models without a study get the findings that a study gets."""
+    """Checks that model files without a study get the same messages as in a study."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_plausible_"))
@@ -149,7 +148,7 @@ class ModelsAlone(unittest.TestCase):
                 for arguments in (("check", ring), ("test", ring, self.PRESSED)):
                     self.assertIn(says, self.run_it(*arguments, code=WRONG_INPUT))
         self.assertNotIn("usual", self.run_it("check", self.RING))
-        for pressure in ("20 bar", "2.4 kPa", "0 bar"):  # unusual, and perhaps intended
+        for pressure in ("20 bar", "2.4 kPa", "0 bar"):  # unusual values, which may be intended
             unusual = self.changed(self.RING, ('pressure = "2.4 bar"', f'pressure = "{pressure}"'))
             self.assertIn("warning: ", self.run_it("check", unusual))
             self.assertIn("warning: ", self.run_it("test", unusual, self.PRESSED))
@@ -207,7 +206,8 @@ class ModelsAlone(unittest.TestCase):
     def test_a_wrong_sign_is_told_as_one_within_the_data(self):
         tir = self.changed(self.TIR, (r"PKY1 +=.*", "PKY1 = 8.9"))
         self.assertIn("within the data already, ", self.run_it("check", tir))
-        rising = self.changed(self.TIR, (r"LMUY +=.*|PDY1 +=.*", "PDY1 = 100"))  # a sibling, told by a test, too
+        # another faulty coefficient, which a test reports too
+        rising = self.changed(self.TIR, (r"LMUY +=.*|PDY1 +=.*", "PDY1 = 100"))
         self.assertIn("beyond the data", self.run_it("test", rising, self.PRESSED))
 
     def test_what_a_table_of_states_lacks_is_told(self):

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""The program under mpirun.
+"""Tests the program under mpirun.
 
-    ranks_test.py PATH/TO/latsch
-"""
+   ranks_test.py PATH/TO/latsch"""
 import contextlib
 import os
 import pathlib
@@ -18,7 +17,7 @@ from cli_testing import DONE, LATSCH, WRONG_INPUT, Outside, edit, trials_of
 
 @unittest.skipUnless(shutil.which("mpirun"), "Open MPI (mpirun) is not installed")
 class Ranks(Outside):
-    """Kills ranks under mpirun; ./bench.sh mpi_faults is the long form."""
+    """Tests killed ranks under mpirun; ./bench.sh mpi_faults is the long form."""
 
     RESULT = re.compile(r"Best of .*?\n\n", re.S)
 
@@ -81,7 +80,8 @@ class Ranks(Outside):
 
     def test_stages_are_served_one_after_the_other(self):
         edit(self.quarter_car, (r"\[optimizer\]", '[stage.wide]\nstep_tolerance = 0.05\n[stage.narrow]\nbounds = 0.3\n[optimizer]'))
-        # The number of reused trials in the second stage depends on how many workers worked ahead in the first.
+        # The number of trials that the second stage reuses depends on how many workers evaluated points ahead in the
+        # first stage, so it is not compared.
         result = lambda text: re.sub(r"\d+ finished trials are reused\n", "", self.RESULT.search(text)[0])
         alone = result(self.latsch("run", self.quarter_car))
         self.journal.unlink()
@@ -89,7 +89,7 @@ class Ranks(Outside):
         self.assert_says(self.mpi("doe", self.quarter_car, "--levels", "2"), "of 4 points")
 
     def ranks(self):
-        """Returns the processes of `latsch run` in the job, by rank."""
+        """Returns the processes of `latsch run` in the MPI job, by rank."""
         found = {}
         for process in pathlib.Path("/proc").glob("[0-9]*"):
             with contextlib.suppress(OSError):
@@ -106,7 +106,8 @@ class Ranks(Outside):
         os.kill(self.ranks()[rank], signal.SIGKILL)
 
     def wait_for_the_last_rank(self):
-        """Waits for the ranks: mpirun may end before them, and the master records until its own end."""
+        """Waits until all ranks have ended: mpirun may end before them, and the master writes to the journal until
+        its own end."""
         end = time.monotonic() + 30
         while self.ranks():
             self.assertLess(time.monotonic(), end, "a rank goes on without its job")
@@ -114,8 +115,8 @@ class Ranks(Outside):
 
 
 class Tasks(Outside):
-    """Starts several tasks that no MPI joins into one job, as srun --mpi=none does; ./bench.sh
-    slurm uses a real Slurm."""
+    """Tests several tasks that no MPI joins to one job, as with srun --mpi=none; ./bench.sh slurm uses a real Slurm.
+    """
 
     def test_one_says_what_works_and_none_touches_the_journal(self):
         study = self.study("quarter_car")

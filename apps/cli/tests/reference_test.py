@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""docs/study_reference.md and `latsch help study` are written from the readers of a study.
+"""Tests that docs/study_reference.md and `latsch help study` agree with the keys that a study may have.
 
-    reference_test.py PATH/TO/latsch
-"""
+   reference_test.py PATH/TO/latsch"""
 import json
 import pathlib
 import re
@@ -66,7 +65,7 @@ class Reference(unittest.TestCase):
         self.assertNotRegex(PAGE.read_text(), r"\bk[A-Z][a-z]{2,}\w*|any_model|\w+_keys\b|std::|\w+\.h\b")
 
     def test_units_of_examples_are_those_of_their_keys(self):
-        """A scale of x over time is a time: "10 %" fits only where x has no unit."""
+        """The scale of an x that is a time is a time; "10 %" is allowed only if x has no unit."""
         rows = [line for line in PAGE.read_text().splitlines() if line.startswith("| `x_scale`")]
         self.assertEqual(len(rows), 1)
         self.assertIn('"10 ms" over time', rows[0])

@@ -1,13 +1,11 @@
 #!/usr/bin/env python3
-"""A recorded sweep determines the relaxation length of the side force if the force lags; otherwise
-a message says that it does not.
+"""Tests whether a recorded sweep determines the relaxation length of the side force: if the force lags, the study
+fits it; otherwise a message says that it does not lag.
 
-The lag of the record is integrated here (Runge-Kutta of order 4, a hundred steps a sample); the
-forces at the lagged slip angles are the program's steady states, which tests of
-models/magic_formula compare with published tables.
+The lag of the record is integrated here (Runge-Kutta of order 4, a hundred steps for each sample). The forces at the
+lagged slip angles are the program's steady states, which tests of models/magic_formula compare with published tables.
 
-    relaxation_test.py PATH/TO/latsch
-"""
+   relaxation_test.py PATH/TO/latsch"""
 import csv
 import json
 import math
@@ -22,7 +20,7 @@ from cli_testing import DONE, LATSCH
 
 CARCASS = 140e3  # N/m, LATERAL_STIFFNESS
 SPEED = 40 / 3.6  # m/s
-PERIOD, STEP, MOST = 8.0, 0.05, 10.0  # s, s, deg: some 8 deg/s where the slip angle is small
+PERIOD, STEP, MOST = 8.0, 0.05, 10.0  # s, s, deg: about 8 deg/s near zero slip angle
 LOADS = (600, 1600, 2600)  # N
 TIR = f"""[UNITS]
 LENGTH = 'meter'
@@ -89,7 +87,7 @@ class Relaxation(unittest.TestCase):
         return run.stdout
 
     def answers(self, rows):
-        """Returns the side forces of steady states (Fz, tan alpha)."""
+        """Returns the steady-state side forces for rows of (Fz, tan alpha)."""
         (self.base / "states.csv").write_text(
             "Fz [N],alpha [rad]\n" + "".join(f"{Fz},{math.atan(y)!r}\n" for Fz, y in rows))
         self.latsch("test", self.base / "truth.tir",
@@ -101,8 +99,8 @@ class Relaxation(unittest.TestCase):
         return [dict(zip(names, map(float, row))) for row in table[1:]]
 
     def record(self, name, lags, seed):
-        """Writes two periods for each load with a pause between the loads; the noise is 0.5 % of
-        the largest force."""
+        """Writes two periods of the sweep for each load with a pause between the loads; the noise is 0.5 % of the
+        largest force."""
         count = round(2 * PERIOD / STEP)
         chance, rows, lines = random.Random(seed), [], []
         for Fz in LOADS:

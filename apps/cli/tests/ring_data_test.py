@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""The study that `latsch new --ring-data` writes identifies the numbers of a flexible ring from
-measured loads and modes.
+"""Tests that the study of `latsch new --ring-data` identifies the parameters of a flexible ring tire from measured
+loads and modes.
 
-    ring_data_test.py PATH/TO/latsch
-"""
+   ring_data_test.py PATH/TO/latsch"""
 import csv
 import json
 import pathlib
@@ -19,7 +18,7 @@ from cli_testing import DONE, LATSCH, WRONG_INPUT, assert_identifiability, edit
 RING = pathlib.Path(__file__).resolve().parents[3] / "studies" / "ring_tires" / "passenger_205_55R16.toml"
 PRESSED = '{kind = "load_deflection", deflections = ["10 mm", "18 mm", "26 mm"]}'
 AIR = '{kind = "modes", count = 30}'
-TYPES = ["torsional", "lateral", "radial"]  # codes of the channel
+TYPES = ["torsional", "lateral", "radial"]  # index: the code of the type of mode in the channel
 FACTORS = {"belt.mass": 1.2, "sidewall.radial.stiffness": 0.8, "sidewall.tangential.stiffness": 1.25,
            "sidewall.lateral.stiffness": 0.75, "sidewall.torsion": 1.5, "sidewall.progressivity": 1.5,
            "belt.pressure_width": 1.2, "belt.bending_in_plane": 2.0, "belt.bending_out_of_plane": 0.6,
@@ -44,7 +43,7 @@ class RingData(unittest.TestCase):
         return run
 
     def shown(self, model):
-        """Returns the loads, and the lowest frequency of each name."""
+        """Returns the loads, and for each mode name the lowest frequency."""
         def rows(test):
             return list(csv.DictReader(self.latsch("test", model, test).stdout.splitlines()))
         frequencies = {}
@@ -54,8 +53,8 @@ class RingData(unittest.TestCase):
         return [float(row["force [N]"]) for row in rows(PRESSED)], frequencies
 
     def fitted(self, model):
-        """Makes a study of data simulated with a model, runs it, and returns its folder, which then
-        contains the fitted ring."""
+        """Makes a study with data simulated by a model, runs it, and returns its folder, which then contains the
+        fitted ring."""
         study = self.folder / "ring" / "study.toml"
         self.latsch("new", study.parent, "--ring-data", model)
         found = json.loads(self.latsch("run", study, "--json").stdout)["result"]
@@ -73,7 +72,8 @@ class RingData(unittest.TestCase):
         self.assertEqual(len(asked), 6)
         for name, value in [*zip(loads, study["load"]["values"]), *((frequencies[n], v) for n, v in asked.items())]:
             self.assertAlmostEqual(float(value.split()[0]) / name, 1.0, delta=1e-5)
-        # A ring of nine numbers cannot reproduce the curvature of the load.
+        # A ring with nine parameters cannot reproduce the curvature of the load over deflection, so the tolerance is
+        # wide.
         ring_loads, ring_frequencies = self.shown(ring / "fitted.toml")
         for own, shown in zip(loads, ring_loads):
             self.assertAlmostEqual(shown / own, 1.0, delta=0.04)
@@ -91,7 +91,7 @@ class RingData(unittest.TestCase):
         text = text.replace("\n[sidewall]\n", '\n[sidewall]\npressure_share = 0.62\nreference_pressure = "2.4 bar"\n')
         (self.folder / "truth.toml").write_text(text)
         found = tomllib.loads((self.fitted(self.folder / "truth.toml") / "fitted.toml").read_text())
-        for path, factor in FACTORS.items():  # the data determine bending and torsion least
+        for path, factor in FACTORS.items():  # the data determine bending and torsion less accurately than the others
             self.assertAlmostEqual(number(found, path) / (factor * number(known, path)), 1.0, delta=0.02, msg=path)
         self.assertAlmostEqual(found["sidewall"]["pressure_share"], 0.62, delta=0.02)
 
@@ -102,7 +102,7 @@ class RingData(unittest.TestCase):
         self.latsch("new", self.folder / "ring", "--ring-data", RING, "--known", own)
         variables = tomllib.loads((self.folder / "ring" / "study.toml").read_text())["variable"]
         self.assertEqual(variables["mass"]["initial"], "5 kg")
-        self.assertNotIn("progressivity", variables)  # the ring has none
+        self.assertNotIn("progressivity", variables)  # this ring has no such parameter
 
     def test_a_second_pressure_is_that_of_a_tire_with_one(self):
         for text, words in (("[sidewall]  # per meter", True), ("[sidewall]", True), ('pressure = "0 bar"', False)):

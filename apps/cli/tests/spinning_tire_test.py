@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""A finite-element tire that spins: modes with and against the spin, growth, standing waves, a rim that moves.
+"""Tests a finite-element tire that rotates: modes that travel with and against the rotation, growth, standing waves,
+a rim that moves.
 
-    spinning_tire_test.py PATH/TO/latsch
-"""
+   spinning_tire_test.py PATH/TO/latsch"""
 import json
 import math
 import pathlib

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""A new model needs one file and one line: a program whose only model is a spring goes through
-every verb of a study, with itself as its worker.
+"""Tests that a new model needs one file and one line: a program whose only model is a spring runs every verb of a
+study, and serves as its own worker.
 
-    spring_test.py PATH/TO/latsch     (the program "spring" lies beside it)
-"""
+   spring_test.py PATH/TO/latsch     (the program "spring" is in the same folder)"""
 import contextlib
 import json
 import pathlib
@@ -127,7 +126,8 @@ class SpringAlone(unittest.TestCase):
         edit(self.study, ('"220 N"', '"250 N"'))
         self.spring("run", self.study)
         [missed] = self.answer("identify", self.study)["missed"]
-        # 20 N/mm 5 mm + 300 N s/m 0.4 m/s = 220 N; 30 N more of damping are a tenth of the 300 N of the fitted curve
+        # The spring's force is 20 N/mm 5 mm + 300 N s/m 0.4 m/s = 220 N; 30 N more of it need a damping that is
+        # larger by a share of the 300 N of the fitted curve: a tenth.
         self.assertEqual([missed["value"], missed["fitted"], missed["variable"]],
                          ["each, fast/force, value 2", False, "damping"])
         self.assertAlmostEqual(missed["error"], 220 / 250 - 1, delta=1e-3)
@@ -137,7 +137,8 @@ class SpringAlone(unittest.TestCase):
 
     def test_intervals_reach_to_the_numbers_of_the_refined_model(self):
         self.write_twin()
-        # Pulled at 0.41 m/s the same forces require 0.4/0.41 of the damping: 2.5 % less, to first order.
+        # Pulled at 0.41 m/s instead of 0.4 m/s, the spring has the same forces with 0.4/0.41 of the damping, 2.5 %
+        # less to first order.
         (self.folder / "fine.toml").write_text((self.folder / "fast.toml").read_text().replace("0.4 m/s", "0.41 m/s"))
         self.study.write_text(STUDY + '[refined.test.fast]\nfile = "fine.toml"\n')
         self.assertIn("tests fast", self.spring("check", self.study))

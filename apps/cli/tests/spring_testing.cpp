@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program of somebody who has added a model: the same program with another language.
+// A program that has only a model of the user's own, a spring: the program latsch with another set
+// of models and tests.
 #include "correlation/study/spring_testing.h"
 
 #include "cli/run_cli.h"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The program end to end on a coarse tire: new, export, check, simulate, doe, run, kill, resume, identify, report.
+"""Tests the program end to end on a coarse tire: new, export, check, simulate, doe, run, kill, resume, identify,
+report.
 
-    tire_study_test.py PATH/TO/latsch
-"""
+   tire_study_test.py PATH/TO/latsch"""
 import contextlib
 import json
 import pathlib
@@ -30,7 +30,7 @@ class GoodInput(Coarse):
         self.assertLess(float(re.search(r"target ([\d.]+) %", text)[1]), 0.001)
 
     def test_a_test_takes_number_of_modes_and_sensors_from_their_measurement(self):
-        """Simulates the measurement as the experiment's own test does."""
+        """Exports measurements that the model computes with the test of the experiment."""
         edit(self.study, ("# shapes = .*", 'shapes = "mode_shapes.csv"'))
         self.latsch("export", self.study, "--measurements")
         own = json.loads(self.latsch("simulate", self.study, "--json"))["result"]["experiments"][-1]
@@ -103,8 +103,8 @@ bounds = 0.4
 
     @contextlib.contextmanager
     def running_with_trials(self, finished):
-        """Runs `latsch run` in the background; the body of the `with` begins once its journal
-        holds the given number of trials."""
+        """Runs `latsch run` in the background; the body of the `with` begins once the journal holds the given number
+        of trials."""
         journal = self.folder / "study.latsch"
         run = subprocess.Popen([LATSCH, "run", self.study], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         try:
@@ -121,14 +121,15 @@ bounds = 0.4
         self.assert_says(self.latsch("run", self.study), "9 finished trials are reused")
 
     def test_a_fit_ends_with_intervals_and_identify_adds_verdicts_and_resumes(self):
-        # A search that ends farther from the minimum finds a better trial near its end, and identify starts from that
-        # trial.
+        # The search ends at some distance from the minimum, so identify finds a better trial near its end and
+        # continues from that one.
         text = self.latsch("run", self.study)
         self.assertRegex(text, r"carcass +[0-9.]+ GPa +95 %: .*GPa")
         trials = trials_of(self.folder / "study.latsch")
         text = self.latsch("identify", self.study, "--short")
         self.assert_says(text, "singular value", "Values and their confidence intervals, from 8 measured values")
-        self.assertEqual(trials_of(self.folder / "study.latsch"), trials)  # the fit has left them in the journal
+        # the fit has already stored these trials in the journal
+        self.assertEqual(trials_of(self.folder / "study.latsch"), trials)
         verdict = r"(sidewall|carcass) +(identifiable|one-sided|flat|several minima)"
         self.assertRegex(self.latsch("identify", self.study), verdict)
         self.assertIn("What the data determine", (self.folder / "study.html").read_text())
@@ -156,7 +157,8 @@ bounds = 0.4
         self.assert_says(self.latsch("doe", self.study, "--levels", "2"), "3 finished trials")
 
     def test_a_failed_trial_ends_the_run_where_that_is_asked_for(self):
-        # Pressing a mesh of this tire never fails, so the failure is produced by a time limit that is too short.
+        # Pressing this tire's mesh on the ground never fails, so a time limit that is too short makes the trials
+        # fail.
         edit(self.study, (r"\[run\]", '[run]\non_failure = "abort"'), ("timeout = .*", 'timeout = "1 ms"'))
         self.assert_says(self.latsch("run", self.study, code=FAILED), "Aborted", "0.001 s allowed", "It failed at")
 

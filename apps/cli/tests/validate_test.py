@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Suites of checks: a spring, whose forces are known in closed form, and the flexible ring against
-published numbers.
+"""Tests suites of checks for a spring, whose forces are known in closed form, and for the flexible ring, compared
+with published numbers.
 
-    validate_test.py PATH/TO/latsch     (the program "spring" lies beside it)
-"""
+   validate_test.py PATH/TO/latsch     (the program "spring" is in the same folder)"""
 import json
 import pathlib
 import shutil
@@ -43,7 +42,8 @@ class Validated(unittest.TestCase):
         return answer["checks"]
 
     def test_errors_are_those_of_the_experiment_and_limits_are_inclusive(self):
-        # Errors (200 - 160)/200 = 20 %, 0, (240 - 300)/240 = -25 %: mean 15 %, largest 25 %.
+        # The errors are (200 - 160)/200 = 20 %, 0 and (240 - 300)/240 = -25 %: their mean magnitude is 15 %, the
+        # largest 25 %.
         mean, largest = self.rows(TESTS + FORCES + 'mean_error = "15 %"\nlargest_error = "25 %"\n', DONE)
         self.assertAlmostEqual(mean["value"], 0.15, places=12)
         self.assertAlmostEqual(largest["value"], 0.25, places=12)
@@ -112,7 +112,7 @@ class Validated(unittest.TestCase):
     def test_the_ring_tire_is_the_published_one_within_the_stated_limits(self):
         self.assertIn("7 of 7 accepted", self.ring(code=DONE).stdout)
         page = (self.folder / "suite.html").read_text()
-        self.assertEqual(page.count("<figure"), 2)  # the modes; single values are rows of a table
+        self.assertEqual(page.count("<figure"), 2)  # a figure for the modes; single values are rows of a table
         for name in ("first_load", "second_load"):
             self.assertIn(f"<tr><td>{name}<", page.split('<section id="values">')[1])
 

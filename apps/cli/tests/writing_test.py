@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
-"""The effect of an option that names an output file on an existing one: a pipe, a link, a full
-device.
+"""Tests options that name an output file if that file exists already: as a pipe, a link, or a full device.
 
-    writing_test.py PATH/TO/latsch
-"""
+   writing_test.py PATH/TO/latsch"""
 import os
 import pathlib
 import shutil
@@ -85,7 +83,8 @@ class Writing(unittest.TestCase):
             self.assertTrue(stat.S_ISCHR(full.lstat().st_mode), verb)
 
     def test_a_file_that_the_command_reads_is_no_output(self):
-        """Reading and writing one file is a slip, also by a link or for a file that another file names."""
+        """Checks that a command refuses to write to a file that it reads, also through a link and for files that its
+        input names."""
         tire = self.write("tire.toml", (STUDIES / "tires" / "passenger_205_55R16.toml").read_text())
         ring = self.write("ring.toml", (STUDIES / "ring_tires" / "passenger_205_55R16.toml").read_text())
         test = self.write("test.toml", 'kind = "load_deflection"\ndeflections = ["10 mm"]\n')
@@ -104,7 +103,7 @@ class Writing(unittest.TestCase):
             before = lost.read_bytes()
             self.assertIn("is read by this command", self.latsch(*verb, code=WRONG_INPUT), verb)
             self.assertEqual(lost.read_bytes(), before, verb)
-        for _ in range(2):  # an output of an earlier command is replaced
+        for _ in range(2):  # the output of an earlier command may be replaced
             self.latsch("show", points, "--html", self.folder / "points.html")
 
     def test_a_log_is_not_appended_to_a_file_that_is_none(self):

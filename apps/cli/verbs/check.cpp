@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch check: reads a study, its model and its measurements, and reports its interpretation of
-// them.
+// Implements `latsch check`: reads a study, its model and its measurements, and reports how it
+// interprets them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,7 +60,8 @@ void print_tests(const Study& study) {
   }
 }
 
-/// Describes what an experiment runs or compares: its own test, or channels of others.
+/// Returns in words what an experiment compares: channels of its own test, or of another
+/// experiment's test.
 std::string what(const Study& study, const StudyExperiment& experiment) {
   for (const correlation::StudyTest& test : study.tests)
     if (test.name == experiment.name) return test.test->in_words();
@@ -113,8 +114,8 @@ void answer_check(const Study& study) {
   }
 }
 
-/// Reports on earlier trials: how many failed, why most of them did, for what they were run, and
-/// whether the measurements can be compared with the successful ones.
+/// Reports on earlier trials: how many failed, why most of them did, for which study they were run,
+/// and whether the measurements can be compared with the successful ones.
 void print_trials_so_far(const Study& study) {
   if (!std::filesystem::exists(study.run.journal)) return;
   const Journal journal = Journal::read(study.run.journal);
@@ -159,8 +160,8 @@ void print_stages(const Study& study) {
   if (!start.empty()) say("\nThe search starts at {}\n", start);
 }
 
-/// Checks variable by variable whether the slopes of the model agree with differences of its
-/// values.
+/// Checks for each variable whether the derivatives that the model computes agree with finite
+/// differences of its values.
 int check_derivatives(const std::string& file, const experiment::Language& language) {
   const Study study = correlation::read_study(file, language);
   const auto slopes = correlation::check_slopes(study, study.space.initial());
@@ -197,8 +198,8 @@ int check_derivatives(const std::string& file, const experiment::Language& langu
   return all_agree ? kDone : kFailed;
 }
 
-/// Describes the numbers of one table, such as material.RUBBER, in one line: by unit, the first and
-/// last name, their count, the smallest and largest.
+/// Returns one line on the parameters of a table, such as material.RUBBER: for each unit, first and
+/// last name, their count, smallest and largest value.
 std::string many_in_words(const std::vector<std::string>& paths, const Document& numbers) {
   std::vector<std::pair<std::string, std::vector<std::string>>> by_unit;
   for (const std::string& path : paths) {
@@ -226,7 +227,7 @@ std::string many_in_words(const std::vector<std::string>& paths, const Document&
   return text;
 }
 
-/// Prints each number in a line of its own, those of a table with many of them in one line.
+/// Prints each parameter in a line of its own. A table with many parameters has one line.
 void print_numbers(const Document& numbers, const std::string& file) {
   constexpr std::size_t kFew = 6;
   std::vector<std::pair<std::string, std::vector<std::string>>> things;
@@ -254,7 +255,7 @@ void print_numbers(const Document& numbers, const std::string& file) {
   if (shortened) say("  {:<40} each by itself: latsch show {}\n", "", file);
 }
 
-/// Prints the final sentence of a check. A file with warnings is accepted, but not called correct.
+/// Returns the final sentence of a check. A file with warnings is accepted but not called correct.
 std::string verdict() {
   const int count = warnings();
   if (count == 0) return "Everything is in order.";
@@ -266,7 +267,7 @@ std::string verdict() {
 }
 
 /// Reports on a model file of another program: its kind, the assumptions made for it, and the
-/// numbers that a study may vary.
+/// parameters that a study may vary.
 void check_model(const std::string& file, const experiment::Language& language) {
   const experiment::SpecimenKind& kind = language.kind_of_file(file);
   const Document numbers = kind.read(file);
@@ -290,8 +291,8 @@ void check_model(const std::string& file, const experiment::Language& language) 
       std::filesystem::path(file).filename().string());
 }
 
-/// True if a file is a model of some kind: a car, a suspension, a tire. Any other file is read as a
-/// study, with the error messages of a study.
+/// True if the file is a model of some kind: a car, a suspension, a tire. Any other file is read as
+/// a study, with the error messages of a study.
 bool is_model(const std::string& file, const experiment::Language& language) {
   expect_no_pipe(file);
   if (!experiment::is_document(file)) return true;
@@ -303,8 +304,8 @@ bool is_model(const std::string& file, const experiment::Language& language) {
   });
 }
 
-/// Warns of faults of the tire beyond the data and of coefficients that the data do not determine.
-/// Judges the best trial if there is one, else the initial values, which are no result.
+/// Warns if the tire behaves implausibly beyond the data, and of coefficients that the data do not
+/// determine. The tire is that of the best trial, or of the initial values if there is none.
 void warn_tire(const Study& study) {
   std::optional<DesignPoint> best;
   if (std::filesystem::exists(study.run.journal)) {

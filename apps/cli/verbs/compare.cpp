@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch compare: runs tires of several kinds through the same drum tests, or models of any kind
-// through the same tests, beside measurements.
+// Implements `latsch compare`: runs tires of several kinds through the same drum tests, or models
+// of any kind through the same tests, and compares them with measurements.
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ using correlation::TireComparison;
 
 constexpr int kUsualThreads = 2;
 
-/// Writes the results of the specimen as tables to which a study can be fitted.
+/// Writes the simulated results of the specimen as measured tables, to which a study can be fitted.
 void write_measurements(const ComparisonFile& file, const fs::path& folder) {
   if (!file.specimen)
     throw InputError({file.file.string(), 0}, "has no [specimen] to write measurements from");

@@ -34,7 +34,7 @@ void write_recordings(const ModelComparisonFile& file,
       warn(fmt::format("{}: {} ({})", file.reference.title, limit, file.cases[i].name),
            {file.file.string(), 0});
     for (Channel channel : all.all()) {
-      const double digits = channel.unit == "N" ? 1.0 : 1e4;  // resolution of the sensors
+      const double digits = channel.unit == "N" ? 1.0 : 1e4;  // inverse resolution of the sensors
       for (double& value : channel.values) value = std::round(value * digits) / digits;
       rounded.add(std::move(channel));
     }

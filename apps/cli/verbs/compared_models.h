@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch compare for models, over grids of tests (correlation/comparison/model_comparison.h).
+// Implements `latsch compare` for models, over grids of tests
+// (correlation/comparison/model_comparison.h).
 #pragma once
 
 #include <filesystem>
@@ -9,8 +10,8 @@
 
 namespace latsch::cli {
 
-/// If `measurements` names a folder, writes the results of the reference, one file for each case,
-/// and ends.
+/// Compares the models and prints the results. If `measurements` names a folder, writes the results
+/// of the reference model instead, one file for each case.
 void compare_models(const std::string& name,
                     const experiment::Language& language,
                     const std::filesystem::path& measurements,

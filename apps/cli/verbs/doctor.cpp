@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch doctor: examines whether a journal is as it was written, what is damaged and what can be
-// saved.
+// Implements `latsch doctor`: examines whether a journal is as it was written, which parts are
+// damaged and which trials can be saved.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -30,7 +30,7 @@ void print_findings(const std::string& file, const JournalReport& report) {
   if (report.healthy()) say("Every page and every hash is in order.\n");
 }
 
-/// Returns the journal itself, or that of a study.
+/// Returns the file itself if it is a journal, or the journal of a study.
 std::string journal_of(const std::string& file) {
   if (std::filesystem::path(file).extension() != ".toml") return file;
   const Document study = Document::read(file);

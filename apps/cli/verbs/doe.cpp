@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch doe: runs a design of experiments on the worker processes and keeps all channels in the
-// journal.
+// Implements `latsch doe`: runs a design of experiments on the worker processes and stores all
+// channels in the journal.
 
 #include <algorithm>
 #include <map>
@@ -31,11 +31,14 @@ using correlation::Study;
 using correlation::StudyDesign;
 
 constexpr size_t kShownPoints = 5;
-constexpr double kNear = 2.0;     // largest ratio of targets to the least one, unless a level is
-                                  // given
-constexpr double kWhole = 0.999;  // share of a variable's range that counts as the whole range
+// Largest ratio of an objective to the least one for a point to count as near the optimum, unless
+// the user gives a level.
+constexpr double kNear = 2.0;
+// share of a variable's range from which on its whole range counts as covered
+constexpr double kWhole = 0.999;
 
-/// Returns the study's design, or a grid with the given number of levels for every variable.
+/// Returns the study's design of experiments, or a grid with `levels` levels of every variable if
+/// `levels` is above 0.
 StudyDesign design_of(const Study& study, int levels) {
   if (levels > 0) return {.levels = std::vector<int>(study.space.size(), levels)};
   if (study.doe) return *study.doe;
@@ -43,8 +46,8 @@ StudyDesign design_of(const Study& study, int levels) {
                    " has no [doe]; add one with levels = 5, or use --levels 5");
 }
 
-using Targets = std::map<std::string, double>;  // targets of successful trials by the bits of the
-                                                // point
+// Objectives of successful trials, by the bits of their points.
+using Targets = std::map<std::string, double>;
 
 Targets targets_of(const Study& study, const Journal& journal) {
   Targets targets;
@@ -54,7 +57,7 @@ Targets targets_of(const Study& study, const Journal& journal) {
   return targets;
 }
 
-/// Returns the points of the plan that have a target, the least first.
+/// Returns the points of the design that have an objective, in ascending order of it.
 std::vector<RatedTrial> rated(const SamplingPlan& plan, const Targets& targets) {
   std::vector<RatedTrial> points;
   for (const DesignPoint& point : plan.points) {
@@ -87,7 +90,8 @@ void print_basins(const Study& study, const StudyDesign& design, const Journal& 
   if (!found->doubt.empty()) say("Too coarse to trust: {}.\n", found->doubt);
 }
 
-/// Prints the extent of a valley: the box around the points whose target is at most the level.
+/// Prints the extent of a valley of the objective: the box around the points whose objective is at
+/// most the level.
 void print_extent(const DesignSpace& space, const std::vector<RatedTrial>& points, double level) {
   const auto found = correlation::doe_extent(space, points, level);
   if (!found) {
@@ -145,7 +149,8 @@ std::optional<Trial> first_failure(const Journal& journal) {
   return first;
 }
 
-/// The value that replaces a failure for an optimizer has no meaning here.
+/// Failed points are only listed: a value that replaces a failure for an optimizer would have no
+/// meaning in a design of experiments.
 void print_policy_of_designs(const FailurePolicy& policy) {
   using Then = FailurePolicy::Then;
   if (policy.then != Then::recover && policy.then != Then::continuation) return;
@@ -161,7 +166,7 @@ int doe(const std::string& file,
         double level,
         bool retries_failed) {
   Study study = correlation::read_study(file, language);
-  study.asks_slopes = false;  // a design uses no slopes
+  study.asks_slopes = false;  // a design of experiments uses no derivatives
   if (workers > 0) study.run.workers = workers;
   const StudyDesign design = design_of(study, levels);
   const SamplingPlan plan = correlation::plan(design, study.space);

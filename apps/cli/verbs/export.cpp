@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch export: writes the identified model, measurements computed by the model itself, a
-// finite-element tire for other programs, a rolling tire for programs that simulate a car, or a
-// car.
+// Implements `latsch export`: writes the identified model, measurements computed by the model
+// itself, a finite-element tire for other programs, or a rolling tire or a car for programs that
+// simulate the system around it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -43,7 +43,7 @@ struct ExportOptions {
 
 struct State {
   double pressure = 0.0;
-  double deflection = 0.0;  // 0: off the ground
+  double deflection = 0.0;  // m; 0: the tire does not touch the ground
 };
 
 State state_of(const ExportOptions& options, const MeshedTire& tire) {
@@ -56,7 +56,7 @@ State state_of(const ExportOptions& options, const MeshedTire& tire) {
   return state;
 }
 
-/// Returns the value, or ends the verb with the reason.
+/// Returns the value. If the result is a failure, ends the verb with the reason.
 template <class T>
 T required(Result<T> result) {
   if (!result) throw std::runtime_error(result.failure().reason);
@@ -71,8 +71,8 @@ void add_modes(std::vector<formats::VtuField>& fields, const std::vector<fe_tire
   }
 }
 
-/// Writes the patch beside the tire's file, if that is a regular file; beside a device nothing can
-/// be written.
+/// Writes the table of the contact patch beside the tire's output file if that is a regular file;
+/// nothing can be written beside a device.
 void write_patch(const fs::path& tire, const fe_tire::Standing& standing) {
   if (fs::exists(tire) && !fs::is_regular_file(tire)) return;
   const fs::path patch = fs::path(tire).replace_extension(".patch.vtu");
@@ -99,7 +99,7 @@ void write_vtu(const ExportOptions& options, const MeshedTire& tire) {
   say_written(options.vtu);
 }
 
-/// Says what makes the deck another tire, and by how much.
+/// Warns how the exported deck differs from the tire, and of the size of the effect.
 void say_differences(const fe_tire::Mesh& mesh, const formats::CcxRun& run) {
   const bool has_cords = std::any_of(
       mesh.elements.begin(), mesh.elements.end(), [](const auto& e) { return !e.rebars.empty(); });
@@ -163,8 +163,8 @@ void warn_of_lost_keys(const fs::path& file, const std::string& exported) {
        {file.string(), 0});
 }
 
-/// Returns a model's file as it is read or, for a study, the identified model with the origin of
-/// its numbers.
+/// Returns the text of the model: a model's file as it is read or, for a study, the identified
+/// model with the origin of its parameters.
 std::string model_text(const std::string& file,
                        const fs::path& output,
                        const experiment::Language& language) {

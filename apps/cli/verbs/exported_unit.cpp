@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Finds a library relative to the program, ../lib/latsch, in the build folder as in an
-/// installation.
+/// Returns the path of a library of the program, ../lib/latsch/`name` relative to the program, in a
+/// build folder as well as in an installation.
 fs::path library(const std::string& name) {
   const fs::path program = fs::read_symlink("/proc/self/exe");
   const fs::path file = program.parent_path().parent_path() / "lib" / "latsch" / name;
@@ -41,7 +41,8 @@ void write_fmu(const std::string& file,
                const experiment::Language& language) {
   if (output.empty()) throw InputError("export --fmu: expected the package to write, -o FILE.fmu");
   const ModelSource source = model_source(file, language);
-  // The numbers of the model's text, with the ranges that the data give the inputs of a tire.
+  // The exported text of the model holds the parameters and, for a tire, the ranges of its inputs
+  // that the data cover.
   std::string text;
   if (is_study(file)) {
     const correlation::Study study = study_with_model(file, language);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch export --fmu, --sti: exports a model to programs that simulate the system around it.
+// Implements `latsch export --fmu` and `--sti`: exports a model to programs that simulate the
+// system around it.
 #pragma once
 
 #include <string>
@@ -8,16 +9,16 @@
 
 namespace latsch::cli {
 
-/// Writes the package of FMI "2.0" or "3.0" of a rolling tire or of a car, on the road of a file
-/// (empty: flat). Throws InputError.
+/// Writes the FMI package, version "2.0" or "3.0", of a rolling tire or of a car, on the road of
+/// the file `road` (empty: a flat road). Throws InputError.
 void write_fmu(const std::string& file,
                const std::string& version,
                const std::string& road,
                const std::string& output,
                const experiment::Language& language);
 
-/// Says which library and which file a program with the Standard Tyre Interface needs. Throws
-/// InputError if the library would not accept the file.
+/// Prints which library and which file a program that uses the Standard Tyre Interface needs.
+/// Throws InputError if the library would not accept the file.
 void say_sti(const std::string& file, const experiment::Language& language);
 
 }  // namespace latsch::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch help: describes the program, the options of a verb, and the keys of a study.
+// Implements `latsch help`: describes the program, the options of a verb, and the keys of a study.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch identify: reports what the measurements determine around the best trial of a journal.
+// Implements `latsch identify`: reports how well the measurements determine the variables around
+// the best trial of a journal.
 
 #include <fmt/format.h>
 
@@ -31,8 +32,8 @@ namespace {
 
 using correlation::Study;
 
-/// Returns the best point, or the point close to it at which an earlier analysis began, because the
-/// trials of that analysis may include a slightly better one.
+/// Returns the best point, or a point close to it at which an earlier analysis began: the trials of
+/// that analysis may include a slightly better one, and starting there would repeat the analysis.
 DesignPoint start(const Study& study, const Journal& journal, const DesignPoint& best) {
   constexpr double kClose = 0.02;  // share of the range of every variable
   const auto recorded = correlation::recorded_identifiability(study, journal);
@@ -52,9 +53,9 @@ void say_interrupted(const Journal& journal) {
                                 correlation::RefitTrials::file(journal.file()).string()));
 }
 
-/// Ranks experiments that are only predicted so far by the information they would give if they were
-/// measured. Returns false if that was interrupted. It takes one trial for each variable, on
-/// workers of this machine, also below mpirun.
+/// Ranks experiments that have no measurement yet by the information that measuring them would
+/// give. Takes one trial for each variable, on workers of this machine, also under mpirun. Returns
+/// false if a signal interrupted it.
 bool rank_predictions(const Study& study, const correlation::Identifiability& what) {
   if (!correlation::has_predictions(study)) return true;
   const auto points = correlation::prediction_points(study, what);
@@ -76,7 +77,8 @@ bool rank_predictions(const Study& study, const correlation::Identifiability& wh
   return true;
 }
 
-/// Reports as far as a journal without write permission allows: no trial can be added to it.
+/// Reports from the trials in a journal without write permission, to which no further trial can be
+/// added.
 int identify_as_recorded(const Study& as_written,
                          const experiment::Language& language,
                          const std::string& output) {
@@ -104,8 +106,8 @@ int identify_as_recorded(const Study& as_written,
   return kDone;
 }
 
-/// Prints what the identification found and adds it to the answer of --json. Returns false if the
-/// user interrupted the ranking of predictions.
+/// Prints the result of the identification and adds it to the JSON answer. Returns false if the
+/// user interrupted the ranking of experiments.
 bool print_found(const Study& study,
                  const Journal& journal,
                  const correlation::Identifiability& found,

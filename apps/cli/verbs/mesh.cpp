@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch mesh: shows the finite-element mesh of a tire and its distance from the converged tire.
+// Implements `latsch mesh`: shows the finite-element mesh of a tire and the error of the mesh
+// compared with the converged solution.
 #include <fmt/format.h>
 
 #include <map>
@@ -65,7 +66,7 @@ void print_counts(const MeshedTire& tire, const fe_tire::Mesh& mesh, double mass
   }
 }
 
-/// Returns m; 0 if none is given.
+/// Returns the deflection, m; 0 if none is given.
 double deflection_of(const MeshOptions& options) {
   return options.deflection.empty() ? 0.0 : parse_option("--deflection", options.deflection, "m");
 }
@@ -135,7 +136,7 @@ int print_convergence(const TireDescription& tire, const MeshOptions& options) {
   return kDone;
 }
 
-/// Writes the tire with columns of elements placed where they reduce the error.
+/// Places the columns of elements where they reduce the error and writes the tire with them.
 int place(const TireDescription& tire, const MeshOptions& options) {
   RunningNote note;
   long done = 0;

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch new: writes a study to start from. Its measurements are an example, computed from the tire
-// itself with moduli different from the study's start, rounded and with the scatter of a rig, so
-// that the first run ends well.
+// Implements `latsch new`: writes a study to start from. Its measurements are an example: they are
+// computed from the tire itself with other moduli than the study's start, with the scatter and the
+// resolution of a rig, so that the first run ends well.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/random.h"
 #include "base/units.h"
-#include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
@@ -27,9 +25,7 @@
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/twin.h"
-#include "experiment/language.h"
 #include "formats/tables/measurement_file.h"
-#include "models/fe_tire/description/size_designation.h"
 
 namespace latsch::cli {
 namespace {
@@ -39,9 +35,12 @@ namespace fs = std::filesystem;
 struct NewOptions {
   std::string folder, tire = "passenger_205_55R16", size;
   bool coarse = false;
-  std::vector<std::string> recordings, columns, held_out;  // files of a tire test
+  // files of a tire test, names of their columns, and held-out parts
+  std::vector<std::string> recordings, columns, held_out;
   std::string axes, radius;
-  std::string ring_data, known;  // a model, or kExample; a flexible ring
+  // --ring-data: the model that is measured to fit a ring to it, or kExample; --known: the file of
+  // the flexible ring at which the fit begins
+  std::string ring_data, known;
   bool suspension = false, car = false;
   std::vector<std::string> drum;  // recordings of a drum with a cleat
   std::string cleat, diameter;
@@ -53,7 +52,8 @@ std::string_view text_of(const std::string& name) {
   for (const TireTemplate& tire : tire_templates()) {
     if (tire.name == name) return tire.text;
   }
-  throw InputError("no tire " + name);  // cannot happen: the command line has checked the name
+  // not reached, because the command line has checked the name
+  throw InputError("no tire " + name);
 }
 
 std::string tire_of(const NewOptions& options) {
@@ -63,7 +63,7 @@ std::string tire_of(const NewOptions& options) {
   return options.size.empty() ? tire : stretched_tire(tire, options.size);
 }
 
-/// Returns the tire with the mesh for its size.
+/// Returns the tire's text, with the mesh that its size needs if the user gave a size.
 std::string meshed(const std::string& tire, const NewOptions& options) {
   if (options.size.empty()) return tire;
   RunningNote note;
@@ -77,8 +77,8 @@ void write(const fs::path& file, std::string_view text) {
   say_written(file.string());
 }
 
-/// Returns "sidewall 6.25 N/mm^2, carcass 4.5 GPa": the values with which the example's
-/// measurements are computed.
+/// Returns the values with which the example's measurements are computed: "sidewall 6.25 N/mm^2,
+/// carcass 4.5 GPa".
 std::string truth_in_words(const correlation::Study& study, const DesignPoint& truth) {
   std::string text;
   for (int i = 0; i < study.space.size(); ++i) {
@@ -91,9 +91,9 @@ std::string truth_in_words(const correlation::Study& study, const DesignPoint& t
   return text;
 }
 
-/// Gives values the scatter and the resolution of a rig.
+/// Adds the scatter and the resolution of a rig to the measurements of the study.
 void make_measured(const correlation::Study& study, const std::string& comment) {
-  constexpr double kScatter = 0.003;  // share of a value
+  constexpr double kScatter = 0.003;  // standard deviation as a share of a value
   RandomStream chance(1, 0);
   const auto measured = [&](double value, double parts) {
     return std::round(value * (1.0 + kScatter * chance.normal()) * parts) / parts;
@@ -125,7 +125,7 @@ void write_example(const fs::path& file, const experiment::Language& language) {
   for (const fs::path& table : written->written) say_written(table.string());
 }
 
-/// Returns the study's file in a folder that contains none yet.
+/// Returns the path of the study's file. Throws InputError if the folder already contains one.
 fs::path new_study(const fs::path& folder) {
   const fs::path study = folder / "study.toml";
   if (fs::exists(study))
@@ -297,46 +297,17 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
       (folder / "rig.toml").string());
 }
 
-/// Says how large the tire is under its pressure: the size of a designation is that of an inflated
-/// tire, but the contour is drawn to it without pressure.
-void say_inflated_size(const Document& tire,
-                       const std::string& size,
-                       const experiment::Language& language) {
-  const auto designation = fe_tire::parse_size(size);
-  const experiment::SpecimenKind& kind = *language.find_kind("fe_tire");
-  const auto test = language.read_test(
-      Document::parse("test = {kind = \"inflation\"}", "inflation").root().table("test"), {});
-  const auto inflated = test->run(*kind.build(tire));
-  if (!designation || !inflated) return;  // check says why a tire does not inflate
-  const double radius = (*inflated)["outer_radius"].front(),
-               pressure = (*inflated)["pressure"].front(), growth = (*inflated)["growth"].front(),
-               wanted = designation->outer_diameter;
-  const std::string words = fmt::format(
-      "inflated to {} the tire is {:.1f} mm high (outer diameter) and {:.1f} mm wide, {:+.1f} % of "
-      "the diameter of its size, {:.1f} mm: its contour is drawn to the size without pressure, and "
-      "the crown grows by {:.1f} mm",
-      format_quantity(pressure, "kPa", 4),
-      2e3 * radius,
-      1e3 * (*inflated)["section_width"].front(),
-      100.0 * (2.0 * radius / wanted - 1.0),
-      1e3 * wanted,
-      1e3 * growth);
-  answer()["inflated"] = Json{{"outer_diameter_m", 2.0 * radius}, {"size_diameter_m", wanted}};
-  say("\nAssumed: {}. If the size is that of the inflated tire, subtract the growth from the radii "
-      "of its contour\n",
-      words);
-}
-
 void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = new_study(folder);
   const std::string shape = tire_of(options);
-  fs::create_directories(folder);  // fails before the mesh is computed, which takes seconds
+  fs::create_directories(folder);  // throws before the mesh is computed, which takes seconds
   const Document tire = Document::parse(meshed(shape, options), (folder / "tire.toml").string());
   const std::string text = study_template(tire);
   write(folder / "tire.toml", tire.text());
   write(study, text);
   write_example(study, language);
-  if (!options.size.empty()) say_inflated_size(tire, options.size, language);
+  if (!options.size.empty())
+    say("\nAssumed: {}\n", inflated_size_in_words(tire, options.size, language));
   say("\nReplace the example values of the .csv files by your measurements, then\n"
       "  latsch check {0}\n  latsch run {0}\n",
       study.string());
@@ -425,7 +396,7 @@ void add_ring_options(Verb& verb, NewOptions* options) {
       .between(1, 100000);
 }
 
-/// Writes the study that the options ask for.
+/// Writes the kind of study that the options choose.
 void write_new(const NewOptions& options, Program& program) {
   if (!options.drum.empty()) {
     start_drum(options, program.language);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch pareto: computes the trade-off between two experiments, from the trials in the journal.
+// Implements `latsch pareto`: computes the trade-off between two experiments from the trials in the
+// journal.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>

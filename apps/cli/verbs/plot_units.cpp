@@ -14,8 +14,8 @@ constexpr double kDeg = 180.0 / std::numbers::pi;
 struct Reading {
   const char *si, *unit;
   double factor;
-  double from = 0.0, below = 1e300;  // SI; range of largest magnitudes for which the unit is
-                                     // suitable
+  // Range of the largest magnitude, SI, in which the unit is suitable.
+  double from = 0.0, below = 1e300;
 };
 constexpr std::array<Reading, 9> kReadings = {{{"m", "mm", 1e3, 0.0, 1.0},
                                                {"rad", "deg", kDeg},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Units of the axes of a page's plots that people do not read in SI: lengths below a meter in mm,
-// angles in deg, forces of a kilonewton or more in kN, and quantities derived from these. Tables
-// stay in SI.
+// Units for the plots of a page, where people do not expect SI: lengths below a meter in mm, angles
+// in deg, forces of a kilonewton or more in kN, and quantities derived from these. Tables stay in
+// SI.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ namespace latsch::cli {
 
 struct PlotUnit {
   std::string unit;
-  double factor = 1.0;  // converts from SI
+  double factor = 1.0;  // factor from SI to the unit
 };
 
-/// Chooses the unit for values in this SI unit; the SI unit itself if it is suitable.
+/// Returns the unit in which to plot values that have the unit `si`; `si` itself if it is suitable.
 PlotUnit plot_unit(const std::string& si, const std::vector<double>& values);
-/// Returns the values in the given unit; values that are not finite stay.
+/// Returns the values converted to the plot's unit; values that are not finite stay as they are.
 std::vector<double> in_plot_unit(std::vector<double> values, const PlotUnit& unit);
 
 }  // namespace latsch::cli

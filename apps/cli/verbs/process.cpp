@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch process: processes recordings of a drum rig into passages, averages, spectra and the rig's
-// filter.
+// Implements `latsch process`: processes recordings of a drum rig into passages, averages, spectra
+// and the rig's filter.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -50,7 +50,8 @@ void print_passages(const RigResults& results) {
   }
 }
 
-/// Returns the digits that the bootstrap deviation leaves known, if there is one.
+/// Returns the value with as many digits as its standard deviation, from a bootstrap, allows; with
+/// `decimals` decimals if the deviation is 0.
 std::string known(double value, double deviation, int decimals) {
   return deviation > 0.0 ? format_known(value, deviation) : fmt::format("{:.{}f}", value, decimals);
 }
@@ -58,7 +59,7 @@ std::string known(double value, double deviation, int decimals) {
 void print_response(const char* name,
                     const RigResponse& r,
                     const correlation::ResponseDeviation& d = {}) {
-  const double Hz = 2.0 * std::numbers::pi;  // rad/s per Hz
+  const double Hz = 2.0 * std::numbers::pi;  // rad/s for one Hz
   answer()["responses"].push_back(
       {{"name", name}, {"f_Hz", r.f / Hz}, {"zeta", r.zeta}, {"gain", r.gain()}, {"c", r.c}});
   say("{:<28} f = {} Hz, zeta = {}, A/f^2 = {}, c = {}\n",

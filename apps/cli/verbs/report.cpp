@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch report: writes the contents of the journal as one HTML file.
+// Implements `latsch report`: writes the contents of the journal as one HTML file.
 #include "cli/run/trials.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/search/search_standing.h"

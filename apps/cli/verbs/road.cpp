@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch road: reports the surface that a tire meets on a road at given points.
+// Implements `latsch road`: reports height, normal and friction of a road at given points.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,10 +26,10 @@ struct RoadOptions {
   std::string road, points, output, time, triangles;
 };
 
-/// Points that lie beyond the data of a road.
+/// The requested points that lie beyond the data of a road.
 struct Beyond {
   std::size_t count = 0, without_road = 0;
-  std::string first;  // place of the first one, and what ends there
+  std::string first;  // the first such point, and the part of the data that ends before it
 };
 
 void warn_of_points_beyond(const Beyond& beyond,
@@ -52,15 +52,15 @@ void warn_of_points_beyond(const Beyond& beyond,
   warn(sentence, {road, 0});
 }
 
-/// True if a road whose data end before a point is continued there.
+/// True if the road is continued at a point beyond its data.
 bool is_there(const formats::RoadFile& file, double x, double y) {
   if (const auto* drum = dynamic_cast<const road::DrumRoad*>(file.road.get()))
     return std::abs(x) <= drum->radius();
   return !file.crg || file.crg->elevation(file.crg->locate(x, y));
 }
 
-/// Returns one row for each point: height, normal, friction; u and v if the road has them. A point
-/// where the file says that there is no road has gaps.
+/// Returns the road at each point, one row each: height, normal, friction; u and v if the road has
+/// them. If the file says that there is no road at a point, its values are gaps.
 Channels ask(const formats::RoadFile& file,
              const std::vector<double>& x,
              const std::vector<double>& y,
@@ -81,7 +81,7 @@ Channels ask(const formats::RoadFile& file,
       ground.height = ground.friction = std::nan("");
       ground.normal.setConstant(std::nan(""));
     }
-    z.push_back(ground.height + 0.0);  // + 0.0 removes the sign of -0
+    z.push_back(ground.height + 0.0);  // + 0.0 turns -0 into 0
     nx.push_back(ground.normal.x() + 0.0);
     ny.push_back(ground.normal.y() + 0.0);
     nz.push_back(ground.normal.z());
@@ -103,9 +103,10 @@ Channels ask(const formats::RoadFile& file,
   return answers;
 }
 
-/// Writes a kerb in words as a road file of triangles.
+/// Converts a kerb that is described by its shape to a road file of triangles.
 void write_triangles(const RoadOptions& options) {
-  // m: distance in which a car runs in, at 60 m/s for 0.2 s; its other wheels are beside the kerb.
+  // m: length of road before the kerb, on which a car runs in at 60 m/s for 0.2 s, and width of
+  // ground beside it for the other wheels.
   constexpr double kApproach = 20.0, kBeside = 4.0;
   const Node root = Document::read(options.road).root();
   const auto mesh = road::kerb_triangles(road::read_kerb(root), kApproach, kBeside);
@@ -128,7 +129,8 @@ int road(const RoadOptions& options) {
   for (const formats::TeimOrbitPart& part : file.unused) unused.push_back(part.name);
   if (!unused.empty())
     warn(fmt::format("not used: {}", fmt::join(unused, ", ")), {options.road, 0});
-  // The table may be piped on, so it must not contain the kept statements.
+  // The table on standard output may be piped on, so the header statements of the file are printed
+  // only if it goes elsewhere.
   if (!options.output.empty() || answers_in_json())
     for (const std::string& key : file.kept) {
       say("not of the surface: {}\n", key);

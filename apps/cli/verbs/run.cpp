@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch run, latsch resume: run the optimizer on the worker processes. To resume is to run the
-// same optimizer again on its journal.
+// Implements `latsch run` and `latsch resume`: both run the optimizer of a study on worker
+// processes. Resuming runs the same optimizer again, which finds its earlier trials in the journal.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -63,7 +63,8 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
   }
 }
 
-/// Explains how modes were compared with the best trial, if that is not obvious.
+/// Prints how measured modes were paired with those of the best trial, if the pairing is not
+/// obvious.
 void print_remarks(const Study& study, const DesignPoint& best, const Journal& journal) {
   const Channels recording = correlation::recording_at(best, journal);
   for (const correlation::StudyExperiment& experiment : study.experiments) {
@@ -75,8 +76,8 @@ void print_remarks(const Study& study, const DesignPoint& best, const Journal& j
   }
 }
 
-/// Prints the identified values, with their intervals if these are requested and available; returns
-/// false if that was interrupted.
+/// Prints the identified values, with their intervals if these are requested and available. Returns
+/// false if a signal interrupted the computation of the intervals.
 bool print_values(const Study& study,
                   const DesignPoint& point,
                   correlation::Depth depth,
@@ -123,7 +124,7 @@ bool print_values(const Study& study,
 }
 
 /// Returns the best point of the journal, which all commands use, and says so if another command
-/// has found it.
+/// than this run has found it.
 DesignPoint best_of_journal(const Study& study, const DesignPoint& of_run, const Journal& journal) {
   const auto best = correlation::best_trial(study, journal);
   if (!best || best->point == of_run) return of_run;
@@ -135,10 +136,10 @@ DesignPoint best_of_journal(const Study& study, const DesignPoint& of_run, const
   return best->point;
 }
 
-/// Options of run and resume beyond the study.
+/// Options of run and resume on the command line.
 struct Asked {
   std::string file;
-  int workers = 0;  // 0: number of the study
+  int workers = 0;  // 0: the number that the study states
   bool resuming = false;
   bool retries_failed = false;
   bool adopts = false;
@@ -146,7 +147,8 @@ struct Asked {
   bool watch = false;
 };
 
-/// Renames "study.latsch" to "study.1.latsch", with the first free number.
+/// Renames the journal, for example from "study.latsch" to "study.1.latsch"; the number is the
+/// first that is free.
 void set_aside(const std::filesystem::path& journal) {
   if (!std::filesystem::exists(journal)) return;
   for (int number = 1;; ++number) {
@@ -154,8 +156,8 @@ void set_aside(const std::filesystem::path& journal) {
     aside.replace_extension(fmt::format(".{}{}", number, journal.extension().string()));
     if (std::filesystem::exists(aside)) continue;
     const JournalLock nobody_writes(journal);
-    for (const char* part : {"", "-wal", "-shm", "-journal"}) {  // files that SQLite leaves after a
-                                                                 // kill
+    // The files that SQLite may leave beside a journal after a kill.
+    for (const char* part : {"", "-wal", "-shm", "-journal"}) {
       if (!std::filesystem::exists(journal.string() + part)) continue;
       move_file(journal.string() + part, aside.string() + part);
     }
@@ -216,7 +218,7 @@ void print_hopeless(const Study& study, const Journal& journal, const std::strin
       study.file.string()));
 }
 
-/// Returns true if a fit ended with a best point; reports the reason if it did not.
+/// Returns true if the fit of a stage ended with a best point; otherwise reports the reason.
 bool has_found(const Study& stage, const correlation::Fit& fit, const Journal& journal) {
   const Run& run = fit.run;
   if (run.end == RunEnd::stopped) {
@@ -238,8 +240,8 @@ bool has_found(const Study& stage, const correlation::Fit& fit, const Journal& j
   return false;
 }
 
-/// Runs one stage after the other on the workers. Journal and executor of the last stage stay open
-/// for the trials around its best point.
+/// Runs the stages of a study one after the other on the workers. Journal and executor of the last
+/// stage stay open for further trials around its best point.
 class StagesOnWorkers {
  public:
   StagesOnWorkers(const Study& study, const Asked& asked, Workers& workers)
@@ -265,8 +267,8 @@ class StagesOnWorkers {
     correlation::Fit fit =
         correlation::fit(stage, *executor_, *journal_, run_options(stage, /*length_known=*/false));
     if (has_found(stage, fit, *journal_) && !part.is_last) print_end(fit.run);
-    // Stages that share a journal: it is set aside, or its failures retried, only in the first
-    // stage.
+    // If stages share a journal, only the first of them sets the old journal aside or runs failed
+    // trials again.
     once_.anew = asked_.anew && !part.next_shares_journal;
     once_.retries_failed = asked_.retries_failed && !part.next_shares_journal;
     return correlation::StageResult{std::move(fit), &*journal_};
@@ -298,8 +300,8 @@ void say_finished(const Study& study) {
       study.file.string());
 }
 
-/// Prints the result of the last stage, evaluates the trials that its intervals need, and writes
-/// the report; returns the exit code.
+/// Ends a run after its last stage: prints the result, runs the trials that the intervals need, and
+/// writes the report. Returns the exit code.
 int finish(const Study& study,
            const Study& as_read,
            const Run& run,
@@ -370,7 +372,7 @@ int fit(const Asked& asked, const experiment::Language& language) {
   }
 }
 
-/// Fits beside its page, which stays until it is ended.
+/// Runs the fit while the studio serves its page. The page stays until the user ends the program.
 int fit_watched(const Asked& asked, const experiment::Language& language) {
   if (!asked.watch || launch().task > 0) return fit(asked, language);
   catch_interrupts();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch serve: starts the studio, a page over the studies of a folder.
+// Implements `latsch serve`: starts the studio, a web page for the studies of a folder.
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -40,9 +40,9 @@ void serve(const AskedToServe& asked, const experiment::Language& language) {
     warn(asked.folder +
          ": there is no study in this folder or below it yet; the page shows one as soon as it is "
          "there. latsch new FOLDER writes one");
-  put(served.address() + "\n");  // also with --quiet
+  put(served.address() + "\n");  // printed also with --quiet
   say("Ctrl-C ends the page; runs it has started continue\n");
-  std::fflush(stdout);  // a program that reads the output from a pipe waits for the address
+  std::fflush(stdout);  // another program may wait for the address at the end of a pipe
   if (!asked.no_browser) served.open_browser();
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   say("\n");

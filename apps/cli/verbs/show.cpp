@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch show: shows the content of a file, with units, on the terminal or as a page.
+// Implements `latsch show`: shows the content of a file, with units, on the terminal or as a page.
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@
 namespace latsch::cli {
 namespace {
 
-constexpr std::size_t kWidest = 40;    // characters of a column on the terminal
-constexpr std::size_t kLongest = 400;  // characters of a sentence
+constexpr std::size_t kWidest = 40;    // characters; widest column on the terminal
+constexpr std::size_t kLongest = 400;  // characters; longest sentence
 
 std::size_t characters(const std::string& text) {
   return std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; });
 }
 
-/// Returns the text cut to the widest column and without control characters for terminals.
+/// Returns the text cut to `widest` characters and without control characters.
 std::string plain(const std::string& text, std::size_t widest = kWidest) {
   std::string result;
   std::size_t count = 0;
@@ -67,14 +67,15 @@ bool is_recording(const std::string& file) {
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// If the whole study can be read, the users of a column are known.
+/// Adds to the ledgers which parts of a study use each column. This needs the whole study; if
+/// reading it fails, the users stay unknown.
 void name_users(const std::string& file, const experiment::Language& language, ShownFile& shown) {
   if (shown.ledgers.empty()) return;
   std::vector<Ledger> known;
   try {
     known = correlation::ledgers_of(correlation::read_study(file, language));
   } catch (const InputError&) {
-    return;  // only the statements of the measurement remain
+    return;  // then only the users within the measurement itself are known
   }
   std::erase_if(shown.tables,
                 [](const ShownTable& table) { return table.heads == ledger_heads(); });
@@ -92,7 +93,8 @@ void name_users(const std::string& file, const experiment::Language& language, S
       show_ledger(ledger, true, shown, known);
 }
 
-/// True if a recording gave no number at all: texts, unknown units, or no row.
+/// True if no column of a recording could be read as numbers, because of texts, unknown units, or a
+/// lack of rows.
 bool has_no_channel(const std::string& file, const ShownFile& shown) {
   const bool may_be =
       std::any_of(shown.facts.begin(), shown.facts.end(), [](const std::string& fact) {
@@ -132,8 +134,8 @@ int show(const std::string& file,
     for (const auto ledgers = correlation::ledgers_of_file(file, "the model");
          const Ledger& ledger : ledgers)
       show_ledger(ledger, true, shown, ledgers);
-  // The page is written first: `latsch show FILE --html PAGE | head` ends the program at the tenth
-  // line.
+  // The page is written before the text, because `latsch show FILE --html PAGE | head` ends the
+  // program at the tenth line.
   if (!html.empty()) write_text_file(html, shown_page(file, shown));
   answer()["kind"] = shown.kind;
   answer()["facts"] = shown.facts;

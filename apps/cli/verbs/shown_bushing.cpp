@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows a bushing property file: its stiffnesses and dampings, its forces over the deflection.
+// Implements `latsch show` for a bushing property file: its stiffnesses and dampings, and its
+// forces over the deflection.
 #include <array>
 #include <cmath>
 
@@ -15,8 +16,8 @@ using multibody::BushingParameters;
 constexpr std::array<const char*, 6> kBushingAxes = {
     "x", "y", "z", "about x", "about y", "about z"};
 constexpr int kBushingDigits = 6, kCurvePoints = 200;
-constexpr double kBushingReach = 1e-3, kTurn = 0.1;  // m, rad: range in which a straight line is
-                                                     // drawn
+// Range, m and rad, in which a linear curve is drawn.
+constexpr double kBushingReach = 1e-3, kTurn = 0.1;
 
 const multibody::ForceCharacteristic* curve_of(const BushingParameters& bushing, int axis) {
   for (const BushingParameters::Part& part : bushing.parts)

@@ -26,15 +26,15 @@ namespace {
 using formats::TydexFile;
 
 constexpr int kDigits = 6;
-constexpr int kMostRows = 100;  // rows shown of a table without channels
+constexpr int kMostRows = 100;  // largest number of rows shown of a table without channels
 
 std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
 }
 
 /// Shows the channels of a recording under the names of the file, in the units that a study reads:
-/// table and ledger come from one reading. Returns false if a study cannot read the file or leaves
-/// a column out.
+/// table and ledger come from one reading. Returns false if a study cannot read the file, leaves a
+/// column out, or finds no number in one.
 bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownFile& shown) {
   try {
     const auto measurement = correlation::read_measurement(path, axes);
@@ -45,10 +45,17 @@ bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownF
     const bool is_whole = std::none_of(ledger.rows.begin(), ledger.rows.end(), [](const auto& row) {
       return row.state == LedgerState::doubtful && row.unit.empty();
     });
-    if (channels.empty() || !is_whole) return false;
+    const bool has_texts =
+        std::any_of(channels.all().begin(), channels.all().end(), [](const Channel& channel) {
+          return std::none_of(channel.values.begin(), channel.values.end(), [](double value) {
+            return std::isfinite(value);
+          });
+        });
+    if (channels.empty() || !is_whole || has_texts) return false;
     show_channels(channels, false, shown);
     return true;
-  } catch (const InputError&) {  // the ledger says why
+  } catch (const InputError&) {
+    // `latsch show` adds the reason when it reads the ledger (show_ledger_of).
     return false;
   }
 }
@@ -103,7 +110,7 @@ ShownFile show_csv(const std::filesystem::path& path, AxisConvention axes) {
   if (show_as_read(path, axes, shown)) return shown;
   try {
     show_channels(to_iso(table.channels(), axes), false, shown);
-  } catch (const InputError& error) {  // texts or an unknown unit: shown unchanged
+  } catch (const InputError& error) {  // texts or an unknown unit: the table is shown as it stands
     shown.facts.push_back(std::string("no channels: ") + error.what());
     ShownTable rows{"As written", table.columns(), {}};
     for (int row = 0; row < std::min(table.rows(), kMostRows); ++row) {
@@ -142,7 +149,7 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
   return shown;
 }
 
-/// Shows a recording of a kind that has no view of its own.
+/// Shows a recording of a kind without a special view.
 ShownFile show_recording(const std::filesystem::path& path, AxisConvention axes) {
   const auto measurement = correlation::read_measurement(path, axes);
   ShownFile shown;
@@ -167,7 +174,7 @@ ShownFile show_document(const std::filesystem::path& path) {
   return shown;
 }
 
-/// Shows the deck, and if it is a tire the numbers that a study may vary.
+/// Shows a finite-element deck and, if it is a tire, the parameters that a study may vary.
 ShownFile show_inp(const std::filesystem::path& path) {
   const formats::InpDeck deck = formats::read_inp(path);
   ShownFile shown;
@@ -185,7 +192,7 @@ ShownFile show_inp(const std::filesystem::path& path) {
                             format_number(numbers.get(number.path), kDigits),
                             numbers.unit(number.path),
                             format_number(number.value, kDigits)});
-  } catch (const InputError& error) {  // the deck is no tire
+  } catch (const InputError& error) {  // the deck is not that of a tire
     shown.facts.push_back(std::string("no tire: ") + error.what());
     for (const formats::InpNumber& number : deck.numbers)
       table.rows.push_back({number.path, "", "", format_number(number.value, kDigits)});
@@ -198,7 +205,8 @@ ShownFile show_inp(const std::filesystem::path& path) {
 
 namespace {
 
-/// Returns the channel over which others are drawn: the first that varies, or the first.
+/// Returns the channel that serves as abscissa of the plots: the first that varies, or the first of
+/// all.
 const Channel* first_that_varies(const Channels& channels) {
   for (const Channel& channel : channels.all())
     if (std::any_of(channel.values.begin(), channel.values.end(), [&](double value) {
@@ -220,12 +228,14 @@ void show_channels(const Channels& channels, bool over_first, ShownFile& shown) 
   }
   if (!over && over_first) over = first_that_varies(channels);
   shown.tables.push_back(std::move(table));
-  // A file is drawn in its own units, a test in units that people read.
+  // Plots of a file have the units of the file, plots of a test those that people expect
+  // (plot_units.h).
   const auto unit_of = [&](const Channel& channel) {
     return over_first ? plot_unit(channel.unit, channel.values) : PlotUnit{channel.unit};
   };
   for (const Channel& channel : channels.all()) {
-    if (&channel == over || channel.values.size() < 2) continue;  // the table has single values
+    // single values are only in the table
+    if (&channel == over || channel.values.size() < 2) continue;
     const PlotUnit y = unit_of(channel), x = over ? unit_of(*over) : PlotUnit{};
     report::PlotLine line{"",
                           over ? in_plot_unit(over->values, x) : std::vector<double>(),

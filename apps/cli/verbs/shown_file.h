@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content of a file for a person to look at: facts, tables, plots.
+// The content of a file as `latsch show` presents it: facts, tables, plots.
 #pragma once
 
 #include <filesystem>
@@ -30,21 +30,22 @@ struct ShownFile {
   std::vector<report::LinePlot> plots;
 };
 
-/// Decides by the extension: .tdx, .tydex, .csv, .mat, .tir, .bus, .crg, .rdf, .toml, .inp.
-/// Channels are returned in iso, converted from the signs `axes` of the file. Throws InputError.
+/// Reads a file by its extension: .tdx, .tydex, .csv, .mat, .tir, .bus, .crg, .rdf, .toml, .inp.
+/// `axes` is the sign convention of the file; channels are returned in iso. Throws InputError.
 ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 
-/// Shows every [measurement.NAME] of a study, or `only` one of them. See shown_measurement.cpp.
+/// Returns the view of every [measurement.NAME] of a study, or of the measurement `only` if it is
+/// not empty (shown_measurement.cpp).
 ShownFile shown_measurements(const std::filesystem::path& study, const std::string& only = "");
-/// Adds the ledger of what was read: a table, with its doubts as facts. `with_users` is true for a
-/// study, where the users of a column are known. Its file has its folder in the title if another
-/// one `among` these ledgers has the same name.
+/// Adds a ledger to the view: a table of how each column was interpreted, with its doubts as facts.
+/// `with_users` is true for a study, which knows the users of each column. The title contains the
+/// folder of the file if another ledger `among` has a file of the same name.
 void show_ledger(const Ledger& ledger,
                  bool with_users,
                  ShownFile& shown,
                  const std::vector<Ledger>& among = {});
-/// Adds the ledger of a table or recording alone, with its stated axes; if the file is neither, a
-/// fact says so. See shown_ledger.cpp.
+/// Adds the ledger of a single table or recording with its stated axes. If the file is neither, a
+/// fact of the view says so. Defined in shown_ledger.cpp.
 void show_ledger_of(const std::filesystem::path& file,
                     std::optional<AxisConvention> axes,
                     ShownFile& shown);
@@ -52,11 +53,12 @@ ShownFile shown_tire(const std::filesystem::path& tir);
 ShownFile shown_bushing(const std::filesystem::path& bus);
 ShownFile shown_road(const std::filesystem::path& road);
 
-/// Shows channels as table and plots, over the time if there is one; else over the first channel if
-/// `over_first`, or over the sample number.
+/// Adds a table and plots of the channels. The abscissa is the time if there is one; else the first
+/// channel if `over_first`, or the sample number.
 void show_channels(const Channels& channels, bool over_first, ShownFile& shown);
 
-/// Returns name, unit, samples, gaps, smallest, mean, largest.
+/// Returns name, unit, number of samples and of gaps, smallest value, mean and largest value of a
+/// channel.
 std::vector<std::string> statistics(const Channel& channel);
 
 }  // namespace latsch::cli

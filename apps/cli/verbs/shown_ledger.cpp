@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows the ledger of a file: how each column was interpreted.
+// Implements the view of a ledger in `latsch show`: how each column of a file was interpreted.
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -19,7 +19,8 @@ void show_ledger(const Ledger& ledger,
   for (const LedgerRow& row : ledger.rows) {
     auto cells = ledger_cells(row);
     if (!with_users && row.state == LedgerState::not_used)
-      cells.back() = row.taken_as.empty() ? "no" : "yes";
+      cells.back() = std::string(row.taken_as.empty() ? "no" : "yes") +
+                     (row.remark.empty() ? "" : ": " + row.remark);
     table.rows.push_back(std::move(cells));
   }
   shown.tables.push_back(std::move(table));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows the measurements of a study: in words what was read and what each step left, and in plots
-// the used samples over the recorded ones.
+// Implements `latsch show` for the measurements of a study: in words what was read and how many
+// samples each step left, and in plots the used samples over the recorded ones.
 #include <algorithm>
 
 #include "base/document.h"
@@ -14,7 +14,7 @@ namespace {
 
 using correlation::Measurement;
 
-/// Converts values to the unit in which people read them.
+/// Converts values from SI to `unit`.
 std::vector<double> read_in(const std::string& unit, std::vector<double> values) {
   const Unit shown = Unit::of(unit);
   for (double& value : values) value = shown.from_si(value);
@@ -26,7 +26,7 @@ std::string title_of(const Channel& channel) {
   return channel.name + (unit == "1" ? "" : " [" + unit + "]");
 }
 
-/// Returns the time, or the numbers of the samples.
+/// Returns the time or, if there is none, the sample numbers.
 std::vector<double> abscissa(const Measurement& measurement, const Channels& channels) {
   if (const Channel* time = channels.find("time")) return time->values;
   const bool all = &channels == &measurement.recorded();
@@ -59,7 +59,8 @@ void add_measurement(const Measurement& measurement, bool alone, ShownFile& show
       shown.plots.back().lines.push_back(counts(*counting, unit));
   }
   for (const Channel& channel : measurement.channels().all()) {
-    if (measurement.recorded().find(channel.name)) continue;  // converted to other axes
+    // the recorded channel was converted to other axes
+    if (measurement.recorded().find(channel.name)) continue;
     const std::string y_title = title_of(channel);
     shown.plots.push_back(
         {of + y_title, x_title, y_title, {counts(channel, correlation::read_unit(channel.unit))}});

@@ -12,7 +12,7 @@ namespace {
 
 using report::escape;
 
-constexpr double kColumn = 600.0;  // pixels: a wider plot uses the whole width of the page
+constexpr double kColumn = 600.0;  // px; a wider plot takes the whole width of the page
 
 std::string table_html(const ShownTable& table) {
   std::string text = "<section>\n<h2>" + escape(table.title) + "</h2>\n<table>\n<tr>";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows the content of a file as one HTML page that needs no other file.
+// Writes the content of a file as one HTML page that needs no other file.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows a road: heights along lines of equal y, or of equal v for a curved grid.
+// Implements `latsch show` for a road: heights along lines of equal y, or of equal v for a curved
+// grid.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,11 +12,12 @@
 namespace latsch::cli {
 namespace {
 
-constexpr int kPoints = 2000;  // points of a line
+constexpr int kPoints = 2000;  // number of points on a line
 constexpr int kLines = 5;
 constexpr double kWide = 1040.0, kHigh = 340.0;  // pixels
 
-/// m, along the road and to the sides; for a road without bounds the part around its origin.
+/// Part of the road that is shown, m, along it and to both sides. For a road without bounds it lies
+/// around the origin.
 struct Extent {
   double from = -5.0, to = 5.0, right = -0.5, left = 0.5;
 };

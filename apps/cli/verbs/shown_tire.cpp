@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows a Magic Formula tire: its file as written, and the forces of the tire.
+// Implements `latsch show` for a Magic Formula tire: its file as written, and the forces of the
+// tire.
 #include <map>
 
 #include "cli/verbs/shown_file.h"

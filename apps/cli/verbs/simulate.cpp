@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch simulate: runs one trial and prints every experiment beside its measurement.
+// Implements `latsch simulate`: runs one trial and prints the results of every experiment beside
+// its measurement.
 
 #include <nlohmann/json.hpp>
 #include <set>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch test: runs any model through any test it supports and prints the channels.
+// Implements `latsch test`: runs any model through any test that it supports and prints the
+// channels.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -38,7 +39,7 @@ struct TestOptions {
   bool convergence = false, list = false;
 };
 
-/// Reports the effects of step and segments, beside the results.
+/// Reports how finer time steps and more segments change the results.
 int say_convergence(const experiment::SpecimenKind& kind,
                     const Document& numbers,
                     const experiment::Test& test) {
@@ -75,7 +76,7 @@ int say_convergence(const experiment::SpecimenKind& kind,
   return kDone;
 }
 
-/// Reports which kinds of models can run which kinds of tests, as both declare.
+/// Prints which kinds of models can run which kinds of tests.
 int say_matrix(const experiment::Language& language) {
   Json& rows = answer()["tests"] = Json::array();
   for (const experiment::TestKind* test : language.tests) {
@@ -86,7 +87,8 @@ int say_matrix(const experiment::Language& language) {
   return kDone;
 }
 
-/// Reads a test and the names of its files from a file, or from its keys in braces.
+/// Reads a test from a file, or from a text of its keys in braces, together with the names of the
+/// files that it opens.
 experiment::ReadTest test_of(const std::string& text, const experiment::Language& language) {
   if (!text.starts_with('{')) {
     auto test = language.read_identified_test(text);
@@ -99,7 +101,7 @@ experiment::ReadTest test_of(const std::string& text, const experiment::Language
   return test;
 }
 
-/// Writes the requested output besides the channels.
+/// Writes the further output that the user requested in addition to the channels.
 void write_details(const TestOptions& options,
                    const experiment::Test& test,
                    const Channels& channels,
@@ -122,7 +124,7 @@ void write_details(const TestOptions& options,
   say_written(options.html);
 }
 
-/// Writes CSV, the header before the first block.
+/// Writes blocks of samples as CSV, with the header before the first block.
 class CsvBlocks {
  public:
   explicit CsvBlocks(std::function<void(const std::string&)> to) : to_(std::move(to)) {}
@@ -159,12 +161,13 @@ void append(const Channels& block, Channels& all) {
   all = std::move(longer);
 }
 
-/// Carries the failure of a test out of the writing of a file, which is then not created.
+/// Thrown if a test fails while its output file is being written, so that the file is not created.
 struct Unsuccessful {
   Failure failure;
 };
 
-/// Works block by block, so that a recording of any length needs the same memory.
+/// Runs the test and writes its channels. Blocks of samples are written one by one, so a recording
+/// of any length needs the same memory.
 int run_and_give(const TestOptions& options,
                  const experiment::Language& language,
                  const ModelSource& model,
@@ -199,7 +202,7 @@ int run_and_give(const TestOptions& options,
   return kDone;
 }
 
-/// Rejects other signs for a test that has only its own.
+/// Throws InputError if `signs` are not iso and the test's results exist only in iso.
 void refuse_signs(const std::string& signs, const experiment::Test& test) {
   if (signs == "iso" || experiment::has_sign_views(test)) return;
   throw InputError("--signs " + signs + ": this test (" + test.in_words() +
@@ -246,7 +249,7 @@ int test(const TestOptions& options, const experiment::Language& language) {
   return kDone;
 }
 
-/// Examples of the help: a kind of test, and a command line that runs it.
+/// Examples for the help text: a kind of test, and a command line that runs it.
 constexpr std::array<std::pair<const char*, const char*>, 6> kExamples{{
     {"drum_cleat",
      "studies/ring_tires/passenger_205_55R16.toml studies/cleat_fit/tests/slow.toml > forces.csv"},
@@ -262,7 +265,7 @@ constexpr std::array<std::pair<const char*, const char*>, 6> kExamples{{
     {"modes", "my_tire/study.toml '{kind = \"modes\", count = 6}'   # its best point"},
 }};
 
-/// True if the program has this kind of test. A program for models of one's own has other kinds.
+/// True if the program has this kind of test. A user's own program may have other kinds.
 bool knows(const experiment::Language& language, std::string_view kind) {
   return std::ranges::any_of(language.tests, [&](const auto* test) { return test->name == kind; });
 }

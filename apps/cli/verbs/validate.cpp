@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch validate: runs a model through the checks of a suite, each with its limit and its source.
+// Implements `latsch validate`: runs a model through a suite of checks, each with its limit and its
+// source.
 
 #include <algorithm>
 #include <filesystem>
@@ -67,7 +68,7 @@ void print_results(const std::vector<CheckResult>& results) {
   }
 }
 
-/// Returns the ledgers of all files that the model and the suite open.
+/// Returns the ledgers of all files that the model and the suite read.
 std::vector<Ledger> ledgers_of(const correlation::Suite& suite,
                                const std::string& model_file,
                                const experiment::Language& language) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs of the program, one file each. A verb adds itself to the app; when chosen it runs and
-// sets the exit code.
+// The verbs of the program, each in a file of its own. An add_...() function adds the verb to the
+// command line; if the user chooses the verb, it runs and sets the exit code.
 #pragma once
 
 #include "cli/console/command_line.h"
@@ -9,14 +9,15 @@
 namespace latsch::cli {
 
 /// Exit codes of the program.
-inline constexpr int kDone = 0;        // the request was carried out
-inline constexpr int kFailed = 1;      // the run failed: no trial succeeded, the journal cannot be
-                                       // written; or a model is not accepted
+inline constexpr int kDone = 0;  // the request was carried out
+/// The run failed: no trial succeeded, the journal cannot be written, or a model is not accepted.
+inline constexpr int kFailed = 1;
 inline constexpr int kWrongInput = 2;  // wrong arguments or wrong files
-inline constexpr int kStopped = 130;   // stopped on request, by Ctrl-C or SIGTERM: no failure; as
-                                       // shells count it, 128 + SIGINT
+/// Ctrl-C or SIGTERM stopped the program on request, which is no failure. The number is that of
+/// shells, 128 + SIGINT.
+inline constexpr int kStopped = 130;
 
-/// Knowledge of a verb about its program.
+/// Data that all verbs share: the program's models and tests, and its exit code.
 struct Program {
   const experiment::Language& language;  // available models and tests
   int exit_code = kDone;
@@ -41,6 +42,7 @@ void add_test(CommandLine& app, Program& program);
 void add_show(CommandLine& app, Program& program);
 void add_help(CommandLine& app, Program& program);
 void add_process(CommandLine& app, Program& program);
-void add_worker(CommandLine& app, Program& program);  // hidden: started by run and doe
+/// not listed in the help: run and doe start it
+void add_worker(CommandLine& app, Program& program);
 
 }  // namespace latsch::cli

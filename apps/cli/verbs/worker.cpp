@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// latsch worker: evaluates the trials of a study for the process that started it.
+// Implements `latsch worker`: evaluates the trials of a study for the process that started it.
 #include "evaluation/executors/worker.h"
 
 #include "base/error.h"
@@ -36,7 +36,7 @@ void add_worker(CommandLine& app, Program& program) {
     if (!stage->empty()) study = correlation::stage_called(study, *stage);
     study.asks_slopes = *slopes;
     if (!identity->empty() && identity_key(study) != *identity)
-      throw InputError(  // short, because the process that started this one quotes its beginning
+      throw InputError(  // the text is short because the starting process quotes only its beginning
           "the files of the study have changed since the run began; latsch resume once they are "
           "restored");
     if (*finer) study = correlation::refined(study);

@@ -20,7 +20,7 @@ namespace latsch::python {
 
 namespace py = pybind11;
 
-/// Accepts anything that NumPy can convert into a C-ordered array of doubles.
+/// A C-ordered NumPy array of doubles; any argument that NumPy can convert is accepted.
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 inline Array array(const std::vector<double>& values) {
@@ -36,7 +36,7 @@ inline Array array(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-/// Returns one row for each point; (0, variables) if there is none.
+/// Returns an array with one row for each point; its shape is (0, variables) if there is none.
 inline Array array(const std::vector<DesignPoint>& points, int variables) {
   Array rows({static_cast<py::ssize_t>(points.size()), static_cast<py::ssize_t>(variables)});
   double* to = rows.mutable_data();
@@ -49,7 +49,8 @@ inline std::vector<double> vector(const Array& values) {
   return {values.data(), values.data() + values.size()};
 }
 
-/// Reads one value for each variable; throws InputError for another shape.
+/// Reads a design point from an array of one value for each variable. Throws InputError for another
+/// shape.
 inline DesignPoint point(const Array& values, int variables) {
   if (values.ndim() != 1 || values.shape(0) != variables)
     throw InputError("a point has one value a variable, expected an array of the shape (" +
@@ -58,7 +59,8 @@ inline DesignPoint point(const Array& values, int variables) {
   return {vector(values)};
 }
 
-/// Reads an m x n matrix of `rows` x `columns`; throws InputError naming it for another shape.
+/// Reads a matrix of `rows` x `columns`. Throws InputError, which names the argument, for another
+/// shape.
 inline Eigen::MatrixXd matrix(const Array& values,
                               py::ssize_t rows,
                               py::ssize_t columns,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Designs of experiments as arrays, one row for each point.
+// Designs of experiments for Python; a design is an array with one row for each point.
 #include <cmath>
 
 #include "bindings/arrays.h"
@@ -13,7 +13,7 @@
 namespace latsch::python {
 namespace {
 
-/// A design with the space that its effects require.
+/// A screening design, with the design space that its effects refer to.
 struct Screening {
   DesignSpace space;
   MorrisDesign design;
@@ -30,7 +30,7 @@ Array trajectories_of(const Screening& of) {
   return all;
 }
 
-/// Returns mu, mu_star, sigma, effects: one array each.
+/// Returns a dict of arrays: the Morris measures mu, mu_star and sigma, and the single effects.
 py::dict effects_of(const Screening& of, const Array& values) {
   const int n = of.space.size();
   const Eigen::MatrixXd given = matrix(values, of.trajectories(), n + 1, "values of trajectories");
@@ -53,7 +53,8 @@ py::dict effects_of(const Screening& of, const Array& values) {
   return found;
 }
 
-/// Returns rows of (position of the minimum, points that lead to it, value), and the doubtful ones.
+/// Returns a tuple: the basins as rows of (index of the minimum, number of points that lead to it,
+/// value), and the doubtful basins.
 py::tuple basins_of(const Array& values, const std::vector<int>& levels) {
   const std::vector<double> known = vector(values);
   std::size_t points = 1;

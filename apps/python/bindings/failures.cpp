@@ -13,8 +13,12 @@ namespace py = pybind11;
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kCauses{
-    "point", "timeout", "bad_output", "transient", "not_begun"};  // ordered like Cause
+constexpr std::array<std::string_view, 5> kCauses{// names in the order of the values of Cause
+                                                  "point",
+                                                  "timeout",
+                                                  "bad_output",
+                                                  "transient",
+                                                  "not_begun"};
 
 py::object failure_class() { return py::module_::import("latsch._errors").attr("Failure"); }
 

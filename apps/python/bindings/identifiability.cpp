@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Identifiability: what residuals and their Jacobian determine about the variables, as arrays. Ends
-// of intervals are in the units of the variables, also beyond their ranges.
+// Identifiability for Python: how well residuals and their Jacobian determine the variables, as
+// arrays. Ends of intervals are in the units of the variables and may lie beyond their ranges.
 #include <cmath>
 #include <memory>
 
@@ -12,10 +12,11 @@
 namespace latsch::python {
 namespace {
 
-/// Returns the value at u of the range without limiting it to the range, unlike from_unit.
+/// Returns the value of a variable at the coordinate u, in units of its range, without limiting it
+/// to the range, unlike from_unit.
 double beyond_bounds(const DesignVariable& v, double u) {
   if (v.scale == Scale::linear) return v.lower + u * (v.upper - v.lower);
-  return v.lower * std::pow(v.upper / v.lower, u);  // 0 and infinity at the ends of the line
+  return v.lower * std::pow(v.upper / v.lower, u);  // infinite u give 0 and infinity
 }
 
 Array intervals(const DesignSpace& space, const std::vector<Interval>& of) {
@@ -58,7 +59,8 @@ void check_traits(const ResidualTraits& traits, std::size_t residuals) {
   check(traits.curves.size(), "curves");
 }
 
-/// Returns the loss of that name; its scale is in units of the deviation of a residual.
+/// Returns the robust loss with this name. Its scale is in units of the standard deviation of a
+/// residual.
 RobustLoss robust_loss(const std::string& name, const std::optional<double>& scale) {
   if (name == "squares") {
     if (scale) throw InputError("loss_scale: a loss of \"squares\" has no scale");
@@ -71,7 +73,7 @@ RobustLoss robust_loss(const std::string& name, const std::optional<double>& sca
   return {name == "huber" ? Loss::huber : Loss::cauchy, *scale};
 }
 
-/// Applies the loss to residuals and slopes, and states it in the traits.
+/// Applies the robust loss to residuals and Jacobian, and states it in the traits.
 void limit(RobustLoss loss, ResidualTraits& traits, Linearization& linear) {
   if (loss.loss == Loss::squares) return;
   for (Eigen::Index k = 0; k < linear.r.size(); ++k) {
@@ -120,7 +122,7 @@ SpacedConfidence confidence_at(const DesignSpace& space,
   return {space, confidence(linear, asked)};
 }
 
-/// Reads residuals, (residuals, jacobian) or a Failure.
+/// Converts what the Python function returned: residuals, (residuals, jacobian) or a Failure.
 Result<Evaluated> evaluated(const DesignSpace& space,
                             const DesignPoint& at,
                             const py::handle& told) {

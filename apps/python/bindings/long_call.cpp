@@ -63,7 +63,7 @@ void run_long(std::function<void(const Abandonment&)> work) {
   const auto job = std::make_shared<Job>();
   std::thread thread([job, work = std::move(work)]() mutable {
     work(job->abandonment);
-    work = nullptr;  // its captures are destroyed here, not in the waiting thread
+    work = nullptr;  // the captured data are destroyed here, not in the waiting thread
     finish(*job);
   });
   thread.detach();

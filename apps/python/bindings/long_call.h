@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A call that may take minutes: it runs in a thread of its own, without the interpreter's lock,
-// while the calling thread looks for signals. So other threads of Python continue, and Ctrl-C has
-// an immediate effect although a simulation cannot be stopped: the simulation runs to its end, and
-// its result is dropped. A recording in blocks ends with the next block. The data that `work` uses
-// must be its own (captured by value) and no Python objects.
+// Runs a call that may take minutes in a separate thread, without the lock of the Python
+// interpreter, while the calling thread watches for signals. So other Python threads continue, and
+// Ctrl-C has an immediate effect although a simulation cannot be stopped: the simulation runs to
+// its end, and its result is dropped. A recording that is computed in blocks ends after the current
+// block. The data that `work` uses must be captured by value and contain no Python objects.
 //
-// A process that ends while such a call still computes does so by _exit, once Python is closed: no
-// destructor then frees memory that the call uses.
+// If the process ends while such a call still computes, it ends by _exit after Python has been
+// closed, so that no destructor frees memory that the call uses.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -19,12 +19,12 @@
 
 namespace latsch::python {
 
-/// Thrown by a call that detects that nobody waits for it any more.
+/// Thrown within a call when it notices that nobody waits for it any more.
 struct Abandoned {};
 
 class Abandonment {
  public:
-  /// Throws Abandoned if the call was abandoned.
+  /// Throws Abandoned if nobody waits for the call any more.
   void check() const {
     if (abandoned_) throw Abandoned{};
   }
@@ -35,8 +35,8 @@ class Abandonment {
 };
 
 namespace detail {
-/// Called with the interpreter's lock held: returns when `work` has returned, or raises
-/// KeyboardInterrupt.
+/// Runs `work` as described above; call it with the interpreter's lock held. Returns when `work`
+/// has returned, or raises KeyboardInterrupt.
 void run_long(std::function<void(const Abandonment&)> work);
 }  // namespace detail
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models and tests: numbers by their paths, recordings as arrays.
-//
-// A model keeps its last specimen: results that do not depend on a changed number are not computed
+// Models and tests for Python: parameters by their paths, recordings as arrays. A model keeps the
+// specimen of its last test: results that do not depend on a changed parameter are not computed
 // again, and the recording equals that of a fresh specimen to the last bit (SpecimenKind::build).
 #include "bindings/models.h"
 
@@ -63,13 +62,14 @@ void check_slopes(const Model& model, const Test& test, const std::vector<std::s
       }))
     throw InputError("slopes: this test (" + test.in_words() + ") tells none");
   for (const std::string& path : paths) {
-    model.numbers().get(path);  // throws InputError if the path leads to no number
+    model.numbers().get(path);  // throws InputError if there is no number at the path
     if (!model.kind().knows_slopes_in(path))
       throw InputError("slopes: a " + model.kind().in_words() + " knows none in \"" + path + "\"");
   }
 }
 
-/// Collects blocks into one recording, so that an abandoned recording ends with a block.
+/// Joins blocks of samples into one recording. Between two blocks it checks whether the caller
+/// still waits.
 struct Recorded {
   std::vector<Channel> channels;
   std::vector<std::string> notes;
@@ -119,7 +119,8 @@ py::tuple arrays_of(const std::vector<Channel>& channels, std::size_t paths) {
     values[name] = array(channel.values);
     units[name] = channel.unit;
     if (channel.slopes.empty() || paths == 0) continue;
-    // The slopes contain all values for the first path, then for the next, which are columns here.
+    // `slopes` contains the derivatives of all samples for the first path, then for the next; each
+    // path becomes a column here.
     const auto samples = static_cast<Eigen::Index>(channel.values.size());
     slopes[name] = array(Eigen::MatrixXd(Eigen::Map<const Eigen::MatrixXd>(
         channel.slopes.data(), samples, static_cast<Eigen::Index>(paths))));
@@ -129,7 +130,7 @@ py::tuple arrays_of(const std::vector<Channel>& channels, std::size_t paths) {
 
 namespace {
 
-/// Returns (values, units, slopes, notes).
+/// Runs a test; returns (values, units, slopes, notes).
 py::tuple run_test(const Model& model,
                    const std::string& text,
                    const std::vector<std::string>& paths) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model of any kind with its numbers, for Python.
+// A model of any kind with its parameters, as a Python object.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -35,7 +35,8 @@ class Model {
   std::shared_ptr<Kept> kept_;
 };
 
-/// Returns (values, units, slopes): dicts by the names of channels; slopes are (samples, paths).
+/// Converts channels; returns (values, units, slopes), each a dict by channel name. An array of
+/// slopes has the shape (samples, paths).
 pybind11::tuple arrays_of(const std::vector<Channel>& channels, std::size_t paths);
 
 }  // namespace latsch::python

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extension module latsch._latsch: the libraries of the program, unchanged. Convenience is
-// added in Python (apps/python/latsch).
+// The Python extension module latsch._latsch: the libraries of the program without additions.
+// Python code in apps/python/latsch adds the convenient interface.
 #include <pybind11/pybind11.h>
 
 #include "base/error.h"
@@ -16,7 +16,7 @@ py::object class_of_errors(const char* name) {
   return py::module_::import("latsch._errors").attr(name);
 }
 
-/// Translates InputError with its place, and JournalError.
+/// Translates InputError, with its file and line, and JournalError to Python exceptions.
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ask and tell. Only one thread at a time calls an optimizer, and others run meanwhile: the
-// optimizer has a lock of its own besides the interpreter's.
+// Optimizers with ask and tell for Python. Only one thread at a time may call an optimizer, which
+// has its own lock besides the interpreter's; other Python threads run meanwhile.
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -76,10 +76,11 @@ class AskTell {
   std::unique_ptr<Optimizer> optimizer_;
   MethodChoice choice_;
   std::mutex mutex_;
-  std::optional<Counts> first_;  // of the first point that did not fail
+  std::optional<Counts> first_;  // counts at the first point that did not fail
 };
 
-/// Reads a point that a search may take: finite and, up to rounding, inside the bounds.
+/// Reads a point of the design space at which a search may evaluate the objective: it is finite
+/// and, up to rounding, inside the bounds.
 DesignPoint point_of_search(const Array& at, const DesignSpace& space) {
   constexpr double kRounding = 1e-9;  // share of the range
   const DesignPoint read = point(at, space.size());
@@ -95,7 +96,8 @@ DesignPoint point_of_search(const Array& at, const DesignSpace& space) {
   return read;
 }
 
-/// The choice of a method as in a study: the same keys, the same error messages.
+/// An optimization method with its options, chosen as in a study: with the same keys and the same
+/// error messages.
 struct Chosen {
   Method method;
   OptimizerSettings settings;
@@ -186,7 +188,8 @@ bool is_finite(const Score& score) {
          all(score.equations);
 }
 
-/// Reads a number, a Score or a Failure. A value that is not finite is a failure, as in a study.
+/// Converts the outcome that Python tells an optimizer: a number, a Score or a Failure. A number
+/// that is not finite becomes a failure, as in a study.
 Result<Score> outcome_of(const py::handle& told, int variables) {
   const auto checked = [](Score score) -> Result<Score> {
     if (is_finite(score)) return score;
@@ -245,7 +248,7 @@ void bind_score(py::module_& module) {
           "is_better_than",
           [](const Score& a, const Score& b) { return is_better(a, b); },
           py::arg("other"))
-      .def(py::pickle(  // for processes that evaluate
+      .def(py::pickle(  // so that a Score can be passed between processes
           [](const Score& s) {
             return py::make_tuple(
                 s.value, s.residuals, s.jacobian, s.stand_ins, s.constraints, s.equations);

@@ -33,7 +33,7 @@ DesignVariable variable(const std::string& name,
           .unit = unit};
 }
 
-/// Applies a function to every row of a (k, n) array, or to one point of (n,).
+/// Applies a function to every row of an array of shape (k, n), or to a single point of shape (n,).
 template <class Of>
 Array of_rows(const Array& values, int variables, const Of& of) {
   if (values.ndim() == 1) return array(of(point(values, variables)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies: their variables and comparisons, the target at channels, trials of a journal as arrays.
-// Runs are those of the program (apps/python/latsch/_study.py).
+// Studies for Python: their variables and experiments, the objective for given channels, and the
+// trials of a journal as arrays. The program runs the studies (apps/python/latsch/_study.py).
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
@@ -41,14 +41,14 @@ using correlation::StudyExperiment;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A study and its journal, which need not exist yet.
+/// A study with its journal. The journal's file need not exist yet.
 using SharedStudy = std::shared_ptr<const Study>;
 
-// A run that has just begun holds an incomplete journal for some milliseconds.
+// When a run begins, its journal is incomplete for some milliseconds, so reading is tried again.
 constexpr int kMostReads = 10;
 constexpr std::chrono::milliseconds kBetweenReads{50};
 
-/// Returns nullopt before the first run.
+/// Returns the study's journal; nullopt before the first run.
 std::optional<Journal> journal_of(const Study& study) {
   const std::filesystem::path& file = study.run.journal;
   for (int read = 1;; ++read) {
@@ -62,13 +62,13 @@ std::optional<Journal> journal_of(const Study& study) {
   }
 }
 
-/// The columns of a journal, one row for each trial.
+/// The trials of a journal by columns, with one entry for each trial.
 struct Trials {
   std::vector<DesignPoint> points;
   std::vector<double> targets, violations, seconds;
   std::vector<bool> asked, own;
   std::vector<Status> failures;
-  std::vector<std::string> channels;                             // in order of appearance
+  std::vector<std::string> channels;  // names in the order of their first appearance
   std::map<std::string, std::vector<std::vector<double>>> rows;  // empty: failed
   std::map<std::string, std::string> units;
 
@@ -114,7 +114,8 @@ Trials trials_of(const Study& as_written, const std::vector<std::string>& names,
   return trials;
 }
 
-/// Returns (N, samples), NaN for failed trials; a list if trials differ in their number of samples.
+/// Returns an array of shape (trials, samples) with NaN for failed trials, or a list of arrays if
+/// the numbers of samples differ.
 py::object column(const std::vector<std::vector<double>>& rows) {
   std::size_t samples = 0;
   for (const auto& row : rows) samples = std::max(samples, row.size());
@@ -165,7 +166,7 @@ Channels channels_of(const py::dict& values) {
   Channels channels;
   for (const auto& [name, samples] : values)
     channels.add({.name = name.cast<std::string>(),
-                  .unit = "1",  // a target compares numbers in SI
+                  .unit = "1",  // an objective compares values in SI
                   .values = vector(samples.cast<Array>())});
   return channels;
 }
@@ -176,7 +177,8 @@ Score target_of(const Study& study, const DesignPoint& at, const Channels& chann
   return *score;
 }
 
-/// Returns the result of a trial for a search, with slopes if the model knows them.
+/// Runs a trial and returns its score for a search, with derivatives if `slopes` and if the model
+/// knows them.
 Result<Score> score_at(const Study& study, const DesignPoint& at, bool slopes) {
   Study asking = study;
   asking.asks_slopes = slopes;
@@ -229,7 +231,7 @@ Model model_at(const Study& study, const py::object& at) {
   return {*kind, correlation::at(study.model, study.space, p)};
 }
 
-/// Returns (point, target, violation) or None.
+/// Returns (point, objective, constraint violation) of the best trial, or None.
 py::object best_of(const Study& as_written) {
   std::optional<correlation::RatedTrial> best;
   {

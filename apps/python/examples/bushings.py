@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A suspension on the K&C rig: changes a number, reads channels as arrays, and finds the bushing with the largest effect
-under a side force.
+"""Shows a suspension on the K&C rig: changes a parameter, reads channels as arrays, and finds the bushing with the
+largest effect on toe under a side force.
 
-    python3 bushings.py [corner.toml]
-"""
+   python3 bushings.py [corner.toml]"""
 import pathlib
 import sys
 
@@ -19,7 +18,7 @@ bushings = [path for path in model.paths() if path.startswith("bushing.") and mo
 recording = latsch.test(model, side_force, slopes=bushings)
 print(f"{model.describe()}\ntoe at {recording['Fy'][0]:.0f} N: {np.degrees(recording['toe'][0]):+.4f} deg")
 
-# d toe / d ln k: the effect of a percent of a stiffness, independent of its size.
+# d toe / d ln k: the effect of a relative change of a stiffness k, so that stiffnesses of any size can be compared.
 felt = {path: slope * model[path] for path, slope in zip(bushings, recording.slopes["toe"][0])}
 for path in sorted(felt, key=lambda path: -abs(felt[path]))[:5]:
     print(f"{path:28} {np.degrees(felt[path]) / 100:+.2e} deg a percent")

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Fits a decay to six measurements by ask and tell, and prints the confidence intervals of its two parameters.
 
-    python3 decay.py
-"""
+   python3 decay.py"""
 import latsch
 import numpy as np
 
@@ -13,7 +12,7 @@ noise = 0.02
 
 
 def residuals(point):
-    """(measured - computed) / noise, array (6,)."""
+    """Returns (measured - computed) / noise, an array of shape (6,)."""
     A, k = point
     return (measured - A * np.exp(-k * t)) / noise
 
@@ -26,7 +25,7 @@ print(f"{optimizer.method}: {optimizer.reason}")
 
 best, least = space.initial, np.inf
 while not optimizer.converged:
-    point = optimizer.propose()[0]  # propose(8) for eight workers
+    point = optimizer.propose()[0]  # with eight workers: propose(8)
     score = latsch.Score(residuals=residuals(point))
     optimizer.observe(point, score)
     if score.value < least:

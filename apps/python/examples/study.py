@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Reads a study, runs it by the program, and reads its journal as arrays; then repeats the fit with a loop in Python.
+"""Reads a study, runs it with the program, and reads its journal as arrays; then repeats the fit with a loop in
+Python.
 
-    python3 study.py FOLDER      (a copy of studies/compliance is made there)
-"""
+   python3 study.py FOLDER      (copies studies/compliance to FOLDER)"""
 import pathlib
 import shutil
 import sys
@@ -16,7 +16,7 @@ shutil.copytree(pathlib.Path(__file__).resolve().parents[3] / "studies/complianc
 study = latsch.read_study(folder / "study.toml")
 print(f"{study.title}: {len(study.variables)} variables, {len(study.experiments)} experiments, by {study.method}")
 
-result = study.run(workers=1, progress=False)  # run() continues an interrupted run
+result = study.run(workers=1, progress=False)  # run() also continues an interrupted run
 print(f"{result['trials']} trials, target {result['target']:.2e}")
 
 trials = study.trials(channels=["B/toe_by_Fy"])
@@ -25,7 +25,8 @@ print(f"B/toe_by_Fy of {good.sum()} trials, {trials.channels['B/toe_by_Fy'].shap
       f"from {trials.channels['B/toe_by_Fy'][good].min():.2e} to {trials.channels['B/toe_by_Fy'][good].max():.2e} "
       f"{trials.units['B/toe_by_Fy']}")
 
-# This is the same search with evaluation here: study.score() is a trial with its residuals and their slopes.
+# This search takes the same path as the program, but evaluates the trials in this process: study.score() returns
+# residuals and their derivatives.
 optimizer = latsch.optimizer(study.space, "levenberg_marquardt")
 least = np.inf
 while not optimizer.converged:

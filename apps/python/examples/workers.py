@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Ask and tell over several processes: points that will probably be requested are evaluated ahead, and the search takes
-the same path to the last bit as with one process.
+"""Uses ask and tell with several processes. Points that the optimizer will probably request are evaluated ahead, and
+the search takes the same path to the last bit as with one process.
 
-    python3 workers.py [PROCESSES]
-"""
+   python3 workers.py [PROCESSES]"""
 import concurrent.futures
 import math
 import sys
@@ -15,7 +14,7 @@ SPACE = latsch.DesignSpace([latsch.Variable(name, lower=-2, upper=2, initial=-1)
 
 
 def evaluate(point):
-    """Returns the Score of a model that takes a long time and fails in a corner of its space."""
+    """Returns the Score of a model that takes a long time and fails in a corner of its design space."""
     a, b, c = point
     if a + b > 3:
         return latsch.Failure("no equilibrium: a + b is above 3")
@@ -29,8 +28,8 @@ def search(pool, look_ahead):
         for point in plan:
             if point.tobytes() not in begun:
                 begun[point.tobytes()] = pool.submit(evaluate, point)
-        outcome = begun[plan[0].tobytes()].result()  # only the first one, so that the others affect
-                                                     # nothing but the time
+        # Only the outcome of the first point is observed, so the points evaluated ahead affect only the time.
+        outcome = begun[plan[0].tobytes()].result()
         optimizer.observe(plan[0], outcome)
         steps.append((plan[0].tolist(), getattr(outcome, "value", math.inf)))
     return steps, len(begun)

@@ -46,14 +46,14 @@ def read_study(file):
 
 
 class Trials:
-    """The trials in the journal of a study, one row for each, in the order in which they finished.
+    """The trials in the journal of a study, in the order in which they finished; every array has one row for each
+    trial.
 
-    points (N, n); targets (N,), NaN where a trial failed; violations (N,) of constraints; failures: a Failure each, None
-    where it succeeded; seconds (N,); asked (N,): False of what ran ahead of a search and is no result; own (N,): False of what
-    was run for other measurements, weights or bounds than those of the study as it stands; channels: by
-    "TEST/CHANNEL" arrays (N, samples), rows of NaN where failed, or lists of arrays where trials differ in their samples;
-    units: of these.
-    """
+       points (N, n); targets (N,), NaN for failed trials; violations (N,) of constraints; failures: a Failure each, None for
+       successful trials; seconds (N,); asked (N,): False for trials that ran ahead of a search and are no result of it;
+       own (N,): False for trials that were run for other measurements, weights or bounds than those of the present study;
+       channels: arrays (N, samples) by "TEST/CHANNEL", with rows of NaN for failed trials, or lists of arrays if the numbers
+       of samples differ; units: the units of the channels."""
 
     def __init__(self, columns):
         self.__dict__.update(columns)

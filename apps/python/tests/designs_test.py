@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Designs of experiments as arrays, compared with SciPy's Sobol sequence and closed forms."""
+"""Tests designs of experiments as arrays, compared with SciPy's Sobol sequence and closed forms."""
 import itertools
 import unittest
 

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Intervals are compared with those of SciPy's least squares and Student's quantile, profiles with
-intervals."""
+"""Tests intervals against SciPy's least squares and Student's quantile, and profiles against intervals."""
 import unittest
 
 import latsch
@@ -31,7 +30,7 @@ class Identifiability(unittest.TestCase):
     def intervals_of_scipy(self, sigma=None):
         J, r = self.fit.jac, self.fit.fun
         variance = sigma ** 2 if sigma else r @ r / (len(r) - 2)
-        # A stated sigma has no degrees of freedom that are estimated.
+        # With a stated sigma, the quantile is that of the normal distribution, because no variance is estimated.
         t = scipy.stats.norm.ppf(0.975) if sigma else scipy.stats.t.ppf(0.975, len(r) - 2)
         half = t * np.sqrt(np.diag(np.linalg.inv(J.T @ J) * variance))
         return np.stack([self.fit.x - half, self.fit.x + half], axis=1)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Tests of models from Python: the bits of `latsch test --json`, slopes against differences,
-numbers set by path, threads and Ctrl-C."""
+"""Tests models from Python: equality to the bit with `latsch test --json`, derivatives against differences,
+parameters set by path, threads and Ctrl-C."""
 import json
 import pathlib
 import signal
@@ -67,7 +67,8 @@ class Models(unittest.TestCase):
             changed = latsch.test(model, SIDE_FORCE)
             self.assert_same_bits(latsch.test(latsch.read_model(file), SIDE_FORCE), (dict(changed), changed.units))
         self.assertNotEqual(changed["toe"][0], before["toe"][0])
-        # The specimen kept between tests leaves nothing behind, and copies are independent.
+        # The specimen that is kept between tests does not affect later results, and copies of a model are
+        # independent.
         model[path] = copy[path]
         self.assert_same_bits(latsch.test(model, SIDE_FORCE), (dict(before), before.units))
         self.assert_same_bits(latsch.test(copy, SIDE_FORCE), (dict(before), before.units))
@@ -130,7 +131,7 @@ class Models(unittest.TestCase):
         self.assertGreater(other.turns, 20)
 
     def interrupted(self, model, test):
-        """Returns the time from Ctrl-C to the end of a process that repeats this test."""
+        """Returns the time, s, from Ctrl-C to the end of a process that repeats this test."""
         script = textwrap.dedent(f"""
             import sys, latsch
             model = latsch.read_model({str(model)!r})
@@ -153,8 +154,8 @@ class Models(unittest.TestCase):
 
     def test_ctrl_c_is_answered_at_once(self):
         self.assertLess(self.interrupted(RING, OVER_A_CLEAT), 2)
-        # Ctrl-C works within seconds although the computation cannot be stopped: the process ends with its exit code and
-        # abandons the computation.
+        # Ctrl-C ends the process within seconds with its usual exit code, although the computation itself cannot be
+        # stopped: it is abandoned.
         self.assertLess(self.interrupted(ROOT / "studies/tires/passenger_225_50R16.toml",
                                          {"kind": "modes", "pressure": "2.6 bar", "deflection": "25 mm"}), 2)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Intervals of fits with robust losses, against the formulas of M-estimation written out in NumPy and against the
+"""Tests intervals of fits with robust losses, against the formulas of M-estimation written in NumPy and against the
 truth in 2000 synthetic data sets."""
 import unittest
 
@@ -11,11 +11,13 @@ import scipy.optimize
 import scipy.stats
 
 SETS = 2000
-NEAR = (0.93, 0.98)  # shares; the chance of 2000 sets is half a hundredth, and the larger of two estimates covers more
+# coverage of 95 % intervals; its standard deviation over 2000 sets is 0.5 %, and intervals that use the larger of two
+# estimates cover more
+NEAR = (0.93, 0.98)
 
 
 def psi_of(loss, x, c):
-    """Returns psi and psi' [Huber, Robust Statistics, 1981]."""
+    """Returns psi and psi', the derivatives of the loss [Huber, Robust Statistics, 1981]."""
     if loss == "huber":
         return np.clip(x, -c, c), (np.abs(x) <= c) * 1.0
     z = (x / c) ** 2
@@ -23,7 +25,7 @@ def psi_of(loss, x, c):
 
 
 def common_covariance(loss, x, X, c):
-    """Huber's (6.5) of section 7.6: K^2 sum psi^2 / (N - n) / mean(psi')^2 (X'X)^-1."""
+    """Returns the covariance by Huber's (6.5) in section 7.6: K^2 sum psi^2 / (N - n) / mean(psi')^2 (X'X)^-1."""
     psi, slope = psi_of(loss, x, c)
     N, n = X.shape
     factor = 1 + n / N * slope.var() / slope.mean() ** 2
@@ -31,7 +33,8 @@ def common_covariance(loss, x, X, c):
 
 
 def own_covariance(loss, x, X, c):
-    """A^-1 B A^-1 with the psi' of every value, the spread of those inside and psi itself beyond the corner."""
+    """Returns the covariance A^-1 B A^-1. A uses psi' of every value; B uses the variance of the values within the
+    scale of the loss, and psi itself beyond it."""
     psi, slope = psi_of(loss, x, c)
     inside = np.abs(x) <= c
     G = (slope[:, None] * X)[inside]
@@ -48,7 +51,8 @@ def larger(a, b):
 
 
 def fitted(loss, f, J, start, y, c):
-    """Returns the least sum of rho; iteratively reweighted least squares, first with Huber's loss, which has one minimum."""
+    """Returns the minimum of the sum of rho by iteratively reweighted least squares. Huber's loss, which has a single
+    minimum, is used first."""
     p = np.array(start, float)
     for one in ("huber", loss):
         for _ in range(500):
@@ -133,7 +137,8 @@ class RobustIntervals(unittest.TestCase):
                     self.assertLess(share, NEAR[1])
 
     def test_exact_values_beside_one_far_off_anywhere(self):
-        """Whichever value is wrong, and by how much, the interval contains the truth and is as narrow as the corner."""
+        """Checks with one wrong value, any of them and of any size: the interval contains the truth, and its width is
+        limited by the scale of the loss."""
         for loss in ("huber", "cauchy"):
             for problem in ("line", "parabola", "decay"):
                 f, J, truth, _ = PROBLEMS[problem]
@@ -147,7 +152,7 @@ class RobustIntervals(unittest.TestCase):
                             p = fitted(loss, f, J, truth, y, c)
                             found = self.found(loss, c, f, J, p, y)
                             self.assertEqual(found.beyond, 1)
-                            slack = 1e-9  # rounding of the fit
+                            slack = 1e-9  # rounding errors of the fit
                             self.assertTrue(np.all(found.intervals[:, 0] <= np.array(truth) + slack))
                             self.assertTrue(np.all(found.intervals[:, 1] >= np.array(truth) - slack))
                             half = (found.intervals[:, 1] - found.intervals[:, 0]) / 2

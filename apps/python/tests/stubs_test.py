@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The stubs contain exactly the existing names with their arguments; everything public has a
-docstring; the examples run."""
+"""Tests that the stubs contain exactly the existing names with their arguments, that everything public has a
+docstring, and that the examples run."""
 import ast
 import importlib.metadata
 import inspect
@@ -41,7 +41,8 @@ class Stubs(unittest.TestCase):
             own = {one for base in thing.__mro__ if base.__module__.startswith("latsch") for one in vars(base)
                    if not one.startswith("_")}
             told = {one for one in stubbed(names[name].body) if not one.startswith("_")}
-            if name not in ("InputError", "Failure", "Recording", "Trials"):  # the others have them in instances
+            # the other classes have these attributes only in instances
+            if name not in ("InputError", "Failure", "Recording", "Trials"):
                 self.assertEqual(told, own, name)
 
     def test_they_have_the_arguments(self):

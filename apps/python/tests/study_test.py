@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Studies from Python: their contents, runs by the program, journals as arrays, and an interrupted
-run that continues."""
+"""Tests studies from Python: their contents, runs by the program, journals as arrays, and an interrupted run that
+continues."""
 import contextlib
 import os
 import pathlib
@@ -25,7 +25,7 @@ from python_testing import LATSCH, ROOT  # noqa: E402
 LONG = '[optimizer]\nmethod = "genetic"\npopulation = 40\ngenerations = 15\nstep_tolerance = 1e-9\n[run]\nintervals = false\n'
 
 
-# An outside program that fails above a = 0.6.
+# An outside program that fails for a > 0.6.
 PROGRAM = """
 import sys
 a = float(open("a.txt").read().split("=")[1])
@@ -104,7 +104,8 @@ class Studies(unittest.TestCase):
         self.assertFalse(edited.trials().own.all())
 
     def test_every_door_refuses_the_journal_of_another_study(self):
-        """An edited program, another path, another test: of the studies in Python as of the program's verbs."""
+        """Checks that studies in Python notice an edited program, another path and another test, as the verbs of the
+        program do."""
         study = self.compliance()
         study.run(workers=1, progress=False)
         file = pathlib.Path(study.file)
@@ -161,7 +162,7 @@ class Studies(unittest.TestCase):
         np.testing.assert_array_equal(trials.points[row], best.point)
         self.assertEqual(trials.failures, [None] * len(trials))
         self.assertTrue(trials.asked.all())
-        # A trial here has the same bits, and the same target of its channels.
+        # A trial in this process has the same bits as in the journal, and its channels have the same objective.
         recording = study.simulate(best.point)
         channels = {name: column[row] for name, column in trials.channels.items()}
         for name, values in channels.items():

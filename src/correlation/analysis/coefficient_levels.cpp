@@ -73,7 +73,8 @@ std::vector<UntoldCoefficient> untold_coefficients(const Study& study) {
         untold.push_back({study.space[i].name, reason});
     return untold;
   }
-  // The last stage that names the variable decides, or the last one that frees everything.
+  // The last stage that names the variable decides; if none names it, the last stage that frees all
+  // variables.
   std::vector<UntoldCoefficient> last(static_cast<std::size_t>(study.space.size()));
   std::vector<bool> is_named(last.size(), false);
   for (int k = 0; k < std::ssize(study.stages); ++k) {

@@ -16,17 +16,16 @@ std::vector<double> driven_at(const Study& study, const std::string& condition, 
 
 struct UntoldCoefficient {
   std::string variable;
-  std::string reason;      // for example "PPY4 is of order 2 in the pressure, of which there are 2
-                           // levels: ..."
+  /// Reason, such as "PPY4 is of order 2 in the pressure, of which there are 2 levels: ...".
+  std::string reason;
   std::string stage = {};  // the stage that frees the coefficient; empty: no stages
 };
 
-/// Returns the coefficients in the order of the variables. Levels are counted over the
-/// experiments of one stage, because these are fitted together. The stages that name the
-/// variable in `free` count; if there are none, those that free every variable. A coefficient
-/// is listed, once, if the last of these stages cannot determine it. Empty if no variable is a
-/// coefficient of the Magic Formula, or no fitted test states the loads at which the tire
-/// rolls.
+/// Returns the coefficients in the order of the variables. Levels are counted over the experiments
+/// of one stage, because these are fitted together. A coefficient is listed, once, if the last
+/// stage that names its variable in `free` cannot determine it; if no stage names it, the last
+/// stage that frees all variables decides. The list is empty if no variable is a coefficient of the
+/// Magic Formula, or if no fitted test states the loads at which the tire rolls.
 std::vector<UntoldCoefficient> untold_coefficients(const Study& study);
 
 }  // namespace latsch::correlation

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extent of a design's good points. Along a valley the target cannot tell one set of values
-// from another, so a variable has points below a given level over much of its range.
-//
-// The points of a grid lie beside the floor of a valley, not on it. Choose a level at least as high
-// as what one step of the grid across the valley adds to the target.
+// The extent of a design's points with a low target. Along a valley the target cannot tell one set
+// of values from another, so points below a given level cover much of a variable's range. The
+// points of a grid lie beside the floor of a valley, not on it, so the level must be at least as
+// high as what one step of the grid across the valley adds to the target.
 #pragma once
 
 #include <optional>
@@ -18,8 +17,8 @@ struct DoeExtent {
   double level = 0.0;                  // upper limit of the target
   int points = 0;                      // points with a target of at most this level
   DesignPoint lower = {}, upper = {};  // bounding box of these points
-  std::vector<double> share = {};      // share of each variable's range that the box covers, on the
-                                       // variable's scale
+  /// share of each variable's range that the box covers, on the variable's scale
+  std::vector<double> share = {};
 };
 
 /// Considers the points among the trials that fulfill the constraints. Returns nullopt if no target

@@ -24,7 +24,7 @@ std::vector<RatedTrial> trials_of(const DesignSpace& space, Target target) {
   return trials;
 }
 
-// All sets on a diagonal of the grid fulfill a + 2 log10(b) = 4.
+// All points on a diagonal of the grid fulfill a + 2 log10(b) = 4.
 TEST(DoeExtent, AValleyReachesThroughTheRangeOfBothVariables) {
   const DesignSpace space = two_variables();
   const auto trials = trials_of(space, [](double a, double b) { return std::abs(a + 2 * b - 4); });
@@ -37,8 +37,8 @@ TEST(DoeExtent, AValleyReachesThroughTheRangeOfBothVariables) {
   EXPECT_DOUBLE_EQ(found->share[1], 1.0);
 }
 
-// Only a = 2 and its neighbors, one step of 1 away, are below 1. For b, only b = 10 is, because a
-// step is half a decade.
+// For a, the value 2 and its neighbors one step of 1 away are below a target of 1. For b only 10
+// is, because a step is half a decade.
 TEST(DoeExtent, ASingleMinimumReachesAsFarAsTheLevel) {
   const DesignSpace space = two_variables();
   const auto trials =

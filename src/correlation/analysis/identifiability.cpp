@@ -31,8 +31,8 @@ double value_at(const DesignSpace& space, int variable, double u) {
 class Forecast {
  public:
   RunProgress of(RunProgress progress, double share) {
-    constexpr double kTellsSomething = 0.03;  // below this share of the work done, no forecast is
-                                              // made
+    // Share of the work: before this share is done, no forecast of the number of trials is made.
+    constexpr double kTellsSomething = 0.03;
     known_ = progress.known;
     const auto total = std::lround(static_cast<double>(known_) / std::max(share, kTellsSomething));
     progress.known += before_;
@@ -53,7 +53,7 @@ DesignPoint best_of(const Study& study, const Journal& journal, const DesignPoin
   return best ? best->point : otherwise;
 }
 
-/// Returns the names in words: "a, b and c".
+/// Returns in words the names of the variables for which `holds` is true: "a, b and c".
 std::string names_where(const Study& study, const std::function<bool(int)>& holds) {
   std::vector<std::string> names;
   for (int i = 0; i < study.space.size(); ++i) {
@@ -90,17 +90,17 @@ std::optional<Interval> interval_of(const Study& study,
 
 namespace {
 
-/// True if an interval is as narrow as the bounds of its variable allow: the data tell more than
-/// neighboring numbers of the search differ by, so its width comes from the bounds alone.
+/// True if the interval of a variable comes from its bounds alone: the data determine it so exactly
+/// that the interval is as narrow as the spacing of representable numbers between these bounds.
 bool is_set_by_bounds(const Identifiability& what, int variable) {
-  constexpr double kNeighbors = 1e-15;  // share of the range; the least interval has 8e-16
+  constexpr double kNeighbors = 1e-15;  // share of the range; the least possible interval has 8e-16
   const Interval& own = what.identification.confidence().intervals[static_cast<size_t>(variable)];
   return own.upper > own.lower && own.upper - own.lower <= kNeighbors;
 }
 
 using Sentences = std::vector<std::string>;
 
-/// Adds remarks about values beyond the corner of a robust loss.
+/// Adds remarks about values beyond the scale of a robust loss.
 void remark_on_losses(const Confidence& c, Sentences& all) {
   if (c.beyond == 0) return;
   std::string text = fmt::format(
@@ -111,7 +111,8 @@ void remark_on_losses(const Confidence& c, Sentences& all) {
       c.beyond == 1 ? "lies" : "lie",
       c.beyond == 1 ? "its" : "their",
       c.beyond == 1 ? "it" : "each");
-  constexpr double kRare = 3.1;  // deviations, beyond which chance lies once in a thousand cases
+  // standard deviations, which chance exceeds once in a thousand cases
+  constexpr double kRare = 3.1;
   const double expected = c.expected_beyond * c.with_loss;
   const double chance = kRare * std::sqrt(expected * (1.0 - c.expected_beyond));
   if (c.expected_beyond > 0.0 && c.beyond > expected + chance + 1.0) {
@@ -225,7 +226,7 @@ std::string interval_source(const Study& study, const Identifiability& what, int
 }
 
 std::vector<std::string> remarks(const Study& study, const Identifiability& what) {
-  constexpr double kEarly = 1.0;  // multiple of the threshold at which an interval ends
+  constexpr double kEarly = 1.0;  // multiple of the threshold of an interval; a profile ends there
   const Confidence& c = what.identification.confidence();
   Sentences all;
   remark_on_losses(c, all);
@@ -250,8 +251,8 @@ std::optional<Result<Identifiability>> identify(const Study& study,
                                                 const RunOptions& options) {
   RunOptions enough = options;
   enough.max_steps = kMostIdentificationTrials;
-  enough.on_failure.then = FailurePolicy::Then::proceed;  // a trial may fail at the end of a
-                                                          // profile
+  // a trial may fail at the end of a profile
+  enough.on_failure.then = FailurePolicy::Then::proceed;
   const Objective residuals = residual_objective(study);
   Forecast forecast;
   const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const Share& share) {
@@ -280,8 +281,8 @@ std::optional<Result<Identifiability>> identify(const Study& study,
 
 namespace {
 
-/// The best trial around which the derivatives are known: by its own slopes, or by its neighbors.
-/// `has_slopes` says which.
+/// Returns the best trial at which the derivatives are known: by the derivatives in its recording
+/// (`has_slopes`), or by trials beside it.
 std::optional<DesignPoint> best_with_derivatives(const Study& study,
                                                  const Journal& journal,
                                                  bool& has_slopes) {
@@ -327,7 +328,7 @@ std::optional<Identifiability> recorded_identifiability(const Study& study,
   Identifiability result =
       read_from(identification_start(study, journal, *best, Depth::profiles), options);
   if (!result.identification.is_linearized()) {
-    options.most_centers = 1;  // other centers are unknown, or not available at the better point
+    options.most_centers = 1;  // other centers are not known
     result = read_from(*best, options);
   }
   if (!result.identification.is_linearized() && has_slopes) {
@@ -356,7 +357,7 @@ std::string shift_text(const Study& study, const Identifiability& what, int vari
 }
 
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction) {
-  constexpr double kShare = 0.3;  // least component, of a unit vector, of a variable that is named
+  constexpr double kShare = 0.3;  // least component of a unit vector for which a variable is named
   Eigen::Index largest = 0;
   direction.cwiseAbs().maxCoeff(&largest);
   std::string text;
@@ -434,8 +435,8 @@ namespace {
 
 /// Returns the bound that holds the variable in words; "" if none does.
 std::string held_text(const Study& study, const Identifiability& what, int variable) {
-  constexpr double kThere = 1e-6;  // distance from a bound that counts as at the bound, share of
-                                   // the range
+  // distance from a bound that counts as at the bound, share of the range
+  constexpr double kThere = 1e-6;
   const auto i = static_cast<size_t>(variable);
   const Bound held = what.identification.confidence().held[i];
   if (held == Bound::none) return "";

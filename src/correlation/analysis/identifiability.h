@@ -18,17 +18,20 @@
 namespace latsch::correlation {
 
 enum class Depth {
-  at_the_point,  // Computes the intervals at the point as it is. A search that did not reach its
-                 // end is not continued, because that would cost far more trials than it has had.
-  intervals,     // Moves to a better point if one is found by the analysis.
+  /// Computes the intervals at the given point. A search that did not reach its end is not
+  /// continued, because that could cost far more trials than the search itself.
+  at_the_point,
+  intervals,  // Moves to a better point if one is found by the analysis.
   profiles
 };
 
 struct Identifiability {
-  DesignPoint point;  // point of the analysis: the initial one, or a better one found since
+  /// point of the analysis: the initial one, or a better one found during the analysis
+  DesignPoint point;
   Identification identification;
   std::optional<CrossValidation> cross_validation;  // known for two experiments or more
-  DesignPoint best = {};  // best trial of the journal by the target; every display shows this point
+  /// trial with the least target in the journal; every display shows this point
+  DesignPoint best = {};
   /// Shift of the refined model's values from those at `point`, in the unit cube (refined_shift.h).
   std::optional<Eigen::VectorXd> refined_shift = {};
 };
@@ -38,20 +41,21 @@ struct Identifiability {
 /// of squares.
 Interval reported_interval(const Study& study, const Identifiability& what, int variable);
 
-/// Returns reported_interval() if `what` is known and belongs to the given point.
+/// Returns reported_interval() if `what` is known and belongs to the given point; else nullopt.
 std::optional<Interval> interval_of(const Study& study,
                                     const std::optional<Identifiability>& what,
                                     const DesignPoint& point,
                                     int variable);
 
-/// Returns what sets the ends of the reported interval: "data"; "data and a bound" if nothing but a
-/// bound limits one end; "bounds" if the data limit neither end, or if the interval is as narrow as
-/// numbers between so wide bounds can be; "not known" without an estimate of the noise.
+/// Returns what sets the ends of the reported interval: "data"; "data and a bound" if one end is
+/// limited only by a bound; "bounds" if the data limit neither end, or if the interval is as narrow
+/// as the spacing of representable numbers between the bounds; "not known" without an estimate of
+/// the noise.
 std::string interval_source(const Study& study, const Identifiability& what, int variable);
 
-/// Returns warnings, one sentence each: values beyond the corner of their robust loss, residuals
-/// larger than their stated noise, noise that neighboring values share, rough derivatives, a search
-/// that ended early, refits that did not converge.
+/// Returns warnings, one sentence each: values beyond the scale of their robust loss, residuals
+/// larger than their stated noise, noise that neighboring values share, inaccurate derivatives, a
+/// search that ended early, refits that did not converge.
 std::vector<std::string> remarks(const Study& study, const Identifiability& what);
 
 /// Runs the missing trials. Returns nullopt if a stop was requested, a Failure if the model fails
@@ -63,12 +67,12 @@ std::optional<Result<Identifiability>> identify(const Study& study,
                                                 Journal& journal,
                                                 const RunOptions& options);
 
-/// Returns what the journal determines without evaluating, around the best trial whose neighbors
-/// are known. Returns nullopt if there is none.
+/// Returns the part of the analysis that the journal determines without further trials, around the
+/// best trial at which derivatives are known. Returns nullopt if there is no such trial.
 std::optional<Identifiability> recorded_identifiability(const Study& study, const Journal& journal);
 
-/// Returns the value's number in the variable's unit, with the digits that the interval's half
-/// width supports. format_known() does this for every value shown beside an uncertainty.
+/// Returns the value in the variable's unit, with as many digits as the half width of the interval
+/// supports. format_known() formats every value shown beside an uncertainty in this way.
 std::string known_digits(const DesignSpace& space,
                          int variable,
                          double value,

@@ -71,8 +71,8 @@ TEST(Residuals, AreRelativeErrorsInUnitsOfTheirNoise) {
   EXPECT_EQ(residual_rows(s)[3].name, "20 mm");
 }
 
-// Fit and intervals use equal residuals, up to a common factor, for experiments with different
-// noise, weights and numbers of values.
+// The residuals of the fit and those of the intervals are equal up to a common factor, for
+// experiments with different noise, weights and numbers of values.
 TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
   for (const bool stated : {true, false}) {
     Study s = springs_study();
@@ -121,7 +121,8 @@ TEST(Residuals, APriorIsAMeasurementOfTheVariable) {
   EXPECT_EQ(residual_rows(s)[4].experiment, -1);
 }
 
-// The springs in series are distinguished only by the prior of one of them.
+// Springs in series have the same total stiffness for many pairs of stiffnesses; only the prior of
+// one of them determines both.
 TEST(Identifiability, APriorRepairsAValley) {
   const ScratchFolder folder;
   Study s = springs_study();
@@ -170,7 +171,7 @@ TEST(Identifiability, ABetterPointFoundOnTheWayIsTheOneThatIsReported) {
 }
 
 // A search that ended by its limit of steps is not continued implicitly: the intervals of twelve
-// numbers of a ring took 285 trials after 24 steps.
+// parameters of a ring took 285 trials after a search of 24 steps.
 TEST(Identifiability, OfAnUnfinishedSearchStaysWhereItIs) {
   const DesignPoint point{{3.7e3, 4.6e3}};
   const auto trials = [&](Depth depth) {
@@ -244,8 +245,8 @@ TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
   EXPECT_EQ(text(24.0, 26.0), "24 .. 26");
 }
 
-// One fit ended at 73.039 N/mm^2 with one kernel set and at 72.983 with another, with the interval
-// 47 .. 114. Only the first two digits are known.
+// One fit ended at 73.039 N/mm^2 with one SIMD kernel set and at 72.983 with another, with the
+// interval 47 .. 114. Only the first two digits are known.
 TEST(Identifiability, ValuesHaveTheDigitsThatTheirIntervalLeaves) {
   const DesignSpace space({{"E", {"E"}, 10e6, 150e6, 25e6, Scale::logarithmic, "N/mm^2"},
                            {"t", {"t"}, -1.0, 1.0, 0.1},
@@ -268,9 +269,8 @@ TEST(Identifiability, ValuesHaveTheDigitsThatTheirIntervalLeaves) {
   EXPECT_EQ(text(1, 0.001, -0.5, 0.5), "0.001, -0.5 .. 0.5");
 }
 
-// A report may be drawn after any interruption of a command, also when a better point was found but
-// its derivatives are not known yet. At the start the force is farthest off: there is no slope, and
-// better points lie on both sides.
+// A report may be drawn after any interruption, also when a better point was found but its
+// derivatives are not known yet. The start is chosen so that better points lie on both sides of it.
 TEST(Identifiability, ReadAtAnyMomentItBelongsToAPointWhoseDerivativesAreKnown) {
   Study s = springs_study();
   s.experiments.resize(1);
@@ -341,9 +341,9 @@ TEST(Residuals, WithoutNoiseWeightsSayHowFarAValueCanBeTrusted) {
   EXPECT_FALSE(residual_sigma(s));
 }
 
-// Two values of each spring arrangement are known to 1 %. In linear approximation a is known to 1 %
-// / sqrt(2). Since 1 / k = 1 / a + 1 / b, with a = b the relative error of b is that of 2 dk / k -
-// da / a: sqrt(5) times as large.
+// The stiffness k of both springs in series, 1 / k = 1 / a + 1 / b, and that of a alone are
+// measured twice each to 1 %. In linear approximation a is known to 1 % / sqrt(2). With a = b the
+// relative error of b is that of 2 dk / k - da / a: sqrt(5) times as large.
 TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   const ScratchFolder folder;
   Study s = springs_study();
@@ -371,8 +371,8 @@ TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   EXPECT_EQ(read->identification.profiles()[0].interval.upper, found.profiles()[0].interval.upper);
 }
 
-// Both springs together are measured, each alone is not. Measuring a alone would repair the valley
-// in (a, b); measuring both together once more would not.
+// Only the springs in series are measured. Measuring a alone would resolve the valley in (a, b);
+// measuring both in series once more would not.
 TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   const ScratchFolder folder;
   Study s = springs_study();
@@ -382,8 +382,8 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   InlineExecutor executor(springs);
   const auto result = identify(s, s.space.initial(), Depth::intervals, executor, journal, {});
   ASSERT_TRUE(result && *result);
-  EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);  // deviation along the
-                                                                        // valley
+  // deviation along the valley
+  EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);
 
   const auto points = prediction_points(s, **result);
   EXPECT_FALSE(predicted_channels(s, points));
@@ -403,8 +403,9 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   EXPECT_EQ(page.interval_sources[0], "bounds");
 }
 
-// With a ripple of 1 % and 150 waves over the range, differences over a hundredth of the range show
-// the ripple. The gain of the predicted experiment uses the step lengths found for the fitted one.
+// With a ripple of 1 % and 150 waves over the range, differences over a hundredth of the range
+// mostly show the ripple. The gain of the predicted experiment must use the step lengths found for
+// the fitted one.
 TEST(Identifiability, RippleLeavesTheGainOfAPredictedExperimentAlone) {
   double shrinkage[2];
   for (const bool is_rippled : {false, true}) {

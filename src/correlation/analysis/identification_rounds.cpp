@@ -18,8 +18,8 @@ constexpr double kRefitTolerance = 0.02;  // share of the threshold that ends an
 template <class Analysis>
 class InRounds : public Optimizer {
  public:
-  /// Ends if the analysis needs no more points, or if `ends` returns true after a round. `reduced`:
-  /// scores are those of RefitTrials.
+  /// The optimizer ends if the analysis needs no more points, or if `ends` returns true after a
+  /// round. `reduced` says that scores are those of RefitTrials.
   InRounds(
       const DesignSpace& space,
       Analysis& analysis,
@@ -67,8 +67,7 @@ class InRounds : public Optimizer {
   std::vector<Result<Evaluated>> seen_;  // outcomes of this round
 };
 
-/// Leaves out every experiment in turn; residuals that the identification does not use are never
-/// used.
+/// Leaves out every experiment in turn, without the residuals that the identification does not use.
 class UsedRows {
  public:
   UsedRows(CrossValidation& validation, const std::vector<Eigen::Index>& rows)
@@ -87,7 +86,7 @@ class UsedRows {
   const std::vector<Eigen::Index>& rows_;
 };
 
-/// Leaves out every experiment in turn, in terms of reduced rows.
+/// Leaves out every experiment in turn, with reduced rows (reduced_rows.h).
 bool cross_validate_reduced(const IdentificationTrials& trials,
                             Identifiability& result,
                             const std::vector<int>& group,

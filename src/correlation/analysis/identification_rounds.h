@@ -2,9 +2,9 @@
 // Runs an identification of a study from its first round to its last: determines which trials each
 // round needs, and in which journal and form they are stored.
 //
-// Rounds that take derivatives and refit all variables keep whole recordings in the journal of the
-// study. Profiles and the cross-validation store reduced trials (refit_trials.h) if recordings
-// contain slopes, and whole trials in the journal of the study otherwise.
+// Rounds that compute derivatives or refit all variables store whole recordings in the journal of
+// the study. Profiles and the cross-validation store reduced trials (refit_trials.h) if recordings
+// contain derivatives, and whole trials in the journal of the study otherwise.
 #pragma once
 
 #include <functional>
@@ -17,15 +17,15 @@ namespace latsch::correlation {
 
 inline constexpr long kMostIdentificationTrials = 100'000;  // limit on the trials of one optimizer
 
-/// Returns the share of the trials of one optimizer that is done, from 0 to 1; 0 if unknown.
+/// Returns the share of the optimizer's trials that are done, from 0 to 1; 0 if unknown.
 using Share = std::function<double()>;
 
-/// Evaluates trials, or reads them, until the optimizer proposes none; returns false if it was
-/// stopped. `refits` stores and scores reduced trials; nullptr: whole trials are stored in the
-/// journal of the study.
+/// Evaluates trials, or reads stored ones, until the optimizer proposes no more; returns false if
+/// it was stopped. `refits` stores and scores reduced trials; nullptr: whole trials are stored in
+/// the journal of the study.
 using Drive = std::function<bool(Optimizer&, RefitTrials* refits, const Share& share)>;
 
-/// Returns a drive that only reads trials that are already stored.
+/// Returns a function that only reads stored trials.
 Drive reading(const Study& study, const Journal& journal);
 
 /// The trials of one identification and the means to run them.
@@ -40,8 +40,7 @@ struct IdentificationTrials {
 
 IdentificationOptions options_for(const Study& study, Depth depth);
 
-/// Drives all rounds. Returns false if driving was stopped; `result` then contains the completed
-/// parts.
+/// Runs all rounds. Returns false if it was stopped; `result` then contains the completed parts.
 bool analyze(const IdentificationTrials& trials, Identifiability& result);
 
 }  // namespace latsch::correlation

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the point at which an identification begins, so that an interrupted identification
-// continues.
+// Finds the point at which an identification begins, so that an interrupted identification can
+// continue.
 //
-// An identification begins at the best trial of a journal and may find a better one. If it were
-// begun there after an interruption, it would need other trials than those that have run. So a mark
-// in the journal keeps where it began. The mark holds as long as the best trial is that point, or
-// one that the identification from there has found itself; after a better trial from elsewhere, a
-// search with more steps for example, an identification begins anew.
+// An identification begins at the best trial of a journal and may find a better one. If it began at
+// that better trial after an interruption, it would need other trials than those that have run.
+// Therefore a mark in the journal stores where it began. The mark is valid as long as the best
+// trial is that point, or one that the identification itself has found; after a better trial from
+// elsewhere, for example from a search with more steps, an identification begins anew.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,8 @@ namespace latsch::correlation {
 
 /// Returns a point as the text of a mark; its hexadecimal numbers keep every bit.
 std::string text_of_point(const DesignPoint& point);
-/// Returns the point of such a text; nullopt if the space of the study does not contain it.
+/// Returns the point that such a text describes; nullopt if the design space of the study does not
+/// contain it.
 std::optional<DesignPoint> point_of_text(const Study& study, const std::string& text);
 
 /// True if the journal contains the mark of an identification of that depth.

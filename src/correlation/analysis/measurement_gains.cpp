@@ -95,7 +95,7 @@ std::optional<Eigen::MatrixXd> rows_of(const Study& study,
   alone.experiments = {experiment};
   alone.experiments[0].fitted = true;
   alone.experiments[0].objective.weight = 1.0;
-  alone.experiments[0].loss = {};  // nobody knows before which value will be far off
+  alone.experiments[0].loss = {};  // a single value has no robust loss before it is measured
   if (!experiment.noise) alone.experiments[0].noise = typical_noise(study);
   alone.space = without_priors(study.space);
   const Objective residuals = residual_objective(alone);
@@ -114,7 +114,8 @@ std::optional<Eigen::MatrixXd> rows_of(const Study& study,
   return J;
 }
 
-/// Experiments of one test are measured together: a load case with all channels that change.
+/// Adds candidates for whole tests: all experiments of one test are measured together, such as all
+/// channels of a load case.
 void add_whole_tests(const Study& study, std::vector<Candidate>& candidates) {
   const std::vector<Candidate> single = candidates;
   for (const StudyTest& test : study.tests) {

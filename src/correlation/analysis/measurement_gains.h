@@ -17,12 +17,12 @@
 namespace latsch::correlation {
 
 struct MeasurementGain {
-  std::string measurement;  // for example "modes once more", "stiffness at 20 mm once more",
-                            // "footprint"
-  double shrinkage = 1.0;   // factor by which the volume of the confidence region shrinks
-  int helps = 0;            // index of the variable whose deviation falls by the largest factor
-  double before = 0.0, after = 0.0;  // its standard deviation without and with the measurement, in
-                                     // ranges of the variable
+  /// For example "modes once more", "stiffness at 20 mm once more", "footprint".
+  std::string measurement;
+  double shrinkage = 1.0;  // factor by which the volume of the confidence region shrinks
+  int helps = 0;           // index of the variable whose deviation falls by the largest factor
+  /// Standard deviation of that variable without and with the measurement, in units of its range.
+  double before = 0.0, after = 0.0;
 };
 
 /// Returns the mean relative noise that the fitted experiments state; nullopt if they state none.

@@ -16,10 +16,10 @@ namespace {
 constexpr std::size_t kMostValues = 20;
 constexpr double kUsualNoise = 0.01;  // relative noise assumed for a value that states none
 constexpr double kMissed = 3.0;       // multiple of the noise above which a value is missed
-constexpr double kNothing = 0.1;      // share of the noise: a smaller effect of a whole range
-                                      // counts as none
+// Share of the noise: a variable with a smaller effect over its whole range counts as having none.
+constexpr double kNothing = 0.1;
 
-/// A value with its difference d and the derivatives dd/du.
+/// A compared value with its difference d from the measurement and the derivatives dd/du.
 struct Row {
   std::string name;
   bool fitted;
@@ -49,7 +49,7 @@ std::vector<Row> fitted_rows(const Study& study, const Identification& identific
   for (Eigen::Index k = 0; k < at.r.size(); ++k) {
     const auto place = static_cast<std::size_t>(identification.residuals_used()[k]);
     const ResidualRow& row = known[place];
-    if (row.experiment < 0) continue;  // a prior is no measured value
+    if (row.experiment < 0) continue;  // this residual is a prior, not a measured value
     const StudyExperiment& experiment = study.experiments[row.experiment];
     if (!is_told(experiment)) continue;
     rows.push_back({name_of(experiment, row.name),
@@ -85,14 +85,14 @@ void add_predicted_rows(const Study& study, const Identifiability& what, std::ve
   }
 }
 
-/// Returns the fitted value whose error grows most when the variable changes by `change`, as a
+/// Returns the other fitted value whose error grows most when the variable changes by `change`, a
 /// share of its range.
 std::optional<MissedValue::Error> payer_of(const std::vector<Row>& rows,
                                            const Row& mended,
                                            int variable,
                                            double change) {
   std::optional<MissedValue::Error> payer;
-  double most = 1.0;  // in units of the noise
+  double most = 1.0;  // only an error of more than one standard deviation of the noise counts
   for (const Row& row : rows) {
     if (&row == &mended || !row.fitted) continue;
     const double d = row.d + change * row.slopes[variable];

@@ -66,9 +66,9 @@ class MissedValues : public ::testing::Test {
                {}};
 };
 
-// 100 N is measured, 80 N simulated; a tenth of a's range, 900 N/m, is 18 N. If a were 1000 N/m
-// stiffer, the value at 10 mm would be 50 N instead of 40 N; the springs in series would suffer
-// half of it.
+// Measured are 100 N, simulated 80 N; a tenth of the range of a, 900 N/m, changes the force by 18
+// N. If a were 1000 N/m stiffer, the value at 10 mm would be 50 N instead of 40 N; the springs in
+// series would change by half of that.
 TEST_F(MissedValues, TellWhatWouldMendThemAndWhatPays) {
   measure({20.0, 40.0}, {40.0, 100.0});
   EXPECT_EQ(sentences(at({{4e3, 4e3}})),
@@ -86,7 +86,7 @@ TEST_F(MissedValues, WithinThreeTimesTheirNoiseAreNone) {
   EXPECT_TRUE(sentences(at({{4e3, 4e3}})).empty());
 }
 
-// 500 N is more than a can reach inside its bounds.
+// A force of 500 N would need a stiffness a outside of its bounds.
 TEST_F(MissedValues, BeyondTheBoundsOfTheVariableAreToldSo) {
   measure({20.0, 40.0}, {40.0, 500.0});
   EXPECT_EQ(
@@ -95,7 +95,7 @@ TEST_F(MissedValues, BeyondTheBoundsOfTheVariableAreToldSo) {
                                "tenth of its range, and cannot correct it within its bounds"});
 }
 
-// The fitted spring a does not depend on b.
+// The force of spring a alone does not depend on b, so b can be corrected without any other error.
 TEST_F(MissedValues, CanBeMendedForNothing) {
   measure({20.0, 40.0}, {40.0, 80.0});
   const auto found = missed_values(study_, at({{4e3, 2e3}}));
@@ -120,8 +120,8 @@ TEST_F(MissedValues, OfPredictionsAreToldAsSoonAsTheyAreSimulated) {
   EXPECT_EQ(found[0].missed.name, "press, 10 mm");
   EXPECT_NEAR(found[0].missed.error, 200.0 / 9.0 / 30.0 - 1.0, 1e-9);
   EXPECT_EQ(found[0].variable, 0);
-  EXPECT_NEAR(found[0].effect, 0.01 / 30.0 * 25.0 / 81.0 * 9e3, 0.02);  // the differences are
-                                                                        // one-sided
+  // the differences are one-sided
+  EXPECT_NEAR(found[0].effect, 0.01 / 30.0 * 25.0 / 81.0 * 9e3, 0.02);
   ASSERT_TRUE(found[0].payer);
   EXPECT_EQ(found[0].payer->name.substr(0, 5), "alone");
   EXPECT_NE(found[0].in_words(study_.space).find("(it is not fitted)"), std::string::npos);

@@ -48,7 +48,8 @@ std::vector<ParetoTrial> all_trials(const Study& study,
   return trials;
 }
 
-/// Names the trial of the least target: "best", or "nearest" if no search has looked for it.
+/// Returns the name of the trial with the least target: "best", or "nearest" if no search has
+/// looked for the best one.
 std::string least_in_words(const ParetoFront& found) {
   return found.no_best.empty() ? "best" : "nearest";
 }
@@ -62,7 +63,8 @@ std::string picture(const ParetoFront& found) {
     as.push_back(100.0 * trial.a);
     bs.push_back(100.0 * trial.b);
   }
-  // The axes extend to twice the front's range. Far-off trials would shrink the front to a point.
+  // The axes extend to twice the range of the front, because distant trials would shrink it to a
+  // point.
   const double a_most = 2.0 * *std::max_element(as.begin(), as.end());
   const double b_most = 2.0 * *std::max_element(bs.begin(), bs.end());
   as.push_back(a_most);

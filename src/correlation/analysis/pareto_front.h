@@ -26,10 +26,11 @@ struct ParetoFront {
   std::string a, b;                     // names of the two experiments
   std::vector<ParetoTrial> front = {};  // sorted from the best in a to the best in b
   std::vector<ParetoTrial> others = {};
-  ParetoTrial best = {};  // trial of the least target by the weights of the study
+  ParetoTrial best = {};  // trial with the least target by the weights of the study
   std::vector<std::string> best_values = {};  // one text for each variable, such as "73 N/mm^2"
-  std::string no_best = {};                   // why it is no best point (search/search_standing.h);
-                                              // empty: it is one
+  /// Reason why that trial is not the best point of the study (search/search_standing.h); empty if
+  /// it is.
+  std::string no_best = {};
 };
 
 /// Throws InputError if an experiment of that name is not fitted, because then its channels are not

@@ -19,6 +19,7 @@
 #include "experiment/language/usual_numbers.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
+#include "measurement/axes.h"
 #include "measurement/meaning/channel_words.h"
 #include "measurement/meaning/natural_unit.h"
 #include "measurement/meaning/rest_offset.h"
@@ -47,7 +48,7 @@ void append(std::vector<Finding> more, std::vector<Finding>& found) {
   found.insert(found.end(), more.begin(), more.end());
 }
 
-/// A variable's bounds are values of its numbers, so the same ranges hold, as warnings.
+/// Checks a variable's bounds by the same ranges as the numbers that it sets, but only warns.
 void examine_variables(const Study& study, const Document& file, std::vector<Finding>& found) {
   std::map<std::string, std::string> owners;
   for (const DesignVariable& variable : study.space.variables()) {
@@ -70,7 +71,8 @@ void examine_variables(const Study& study, const Document& file, std::vector<Fin
       const std::string path = at + key;
       auto one = unusual(*range, written_at(file, path), path, file.get(path));
       if (!one) continue;
-      // A bound may lie far out on purpose.
+      // A bound far outside of the usual range may be intended, so only an impossible one is
+      // reported.
       const bool is_bound = std::string_view(key) != "initial";
       if (is_bound && !one->impossible) continue;
       one->impossible = false;
@@ -86,8 +88,8 @@ void examine_deflection(const TireSize& size,
                         const std::string& name,
                         double deflection,
                         std::vector<Finding>& found) {
-  constexpr double kDeep = 0.6;  // share of the section's height: deeper deflections come close to
-                                 // the rim
+  // Share of the section's height: larger deflections come close to the rim.
+  constexpr double kDeep = 0.6;
   const bool impossible = deflection > size.section_height;
   if (deflection <= kDeep * size.section_height) return;
   found.push_back({place,
@@ -101,7 +103,7 @@ void examine_deflection(const TireSize& size,
                    impossible});
 }
 
-/// Checks deflections that the study itself states: of tests and of standing tires.
+/// Checks the deflections that the study itself states, for its tests and for modes on the ground.
 void examine_deflections(const Document& file, const TireSize& size, std::vector<Finding>& found) {
   for (const std::string& path : file.paths()) {
     const std::string key = key_of(path);
@@ -141,9 +143,11 @@ void examine_load_deflection(const StudyExperiment& experiment,
                              const LoadDeflectionCurve& measured,
                              const TireSize& size,
                              std::vector<Finding>& found) {
-  constexpr double kGrowth = 1.1;  // allows for inflation, and for a tire softer than described
-  constexpr double kFirst = 0.03;  // share of the section's height: below, the first touch decides
-                                   // the force
+  // allows for growth by inflation and for a tire that is softer than described
+  constexpr double kGrowth = 1.1;
+  // Share of the section's height: at smaller deflections the moment of first contact decides the
+  // force.
+  constexpr double kFirst = 0.03;
   if (measured.force.empty()) return;
   std::optional<formats::CsvTable> table;
   if (!experiment.read_from) table = formats::CsvTable::read(experiment.measurement_file);
@@ -214,7 +218,7 @@ void examine_modes(const StudyExperiment& experiment,
   }
 }
 
-/// True if the tire of these modes is off the ground.
+/// True if the tire does not touch the ground in the test of these modes.
 bool hangs_free(const Study& study, const ModeSet& modes) {
   const std::string name = test_of(modes.asks().front());
   for (const StudyTest& test : study.tests) {
@@ -224,7 +228,8 @@ bool hangs_free(const Study& study, const ModeSet& modes) {
   return false;
 }
 
-/// Finds a table that is fitted twice. It counts twice, which a weight expresses better.
+/// Reports a table of measurements that is fitted twice. It then counts twice, which a weight would
+/// express better.
 void examine_repetitions(const Study& study, const Document& file, std::vector<Finding>& found) {
   for (std::size_t i = 0; i < study.experiments.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -249,8 +254,38 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
   }
 }
 
-/// Compares the side of the wheel on a K&C rig, which the signs of toe and camber tell, with the
-/// side that the model states.
+/// Returns the statements after which a K&C table has the signs of the given side, +1 for left:
+/// axes, if none are stated, and the table `columns` with toe and camber turned.
+std::vector<std::string> statements_for_side(const Measurement& measurement,
+                                             bool axes_are_stated,
+                                             int side) {
+  std::vector<std::string> statements;
+  for (const AxisConvention axes : {AxisConvention::sae, AxisConvention::adapted_sae})
+    if (!axes_are_stated && side_of_wheel(to_iso(measurement.channels(), axes)) == side)
+      statements.push_back("axes = " +
+                           in_quotes(axis_convention_names()[static_cast<std::size_t>(axes)]));
+  Channels turned;
+  std::string columns;
+  for (Channel channel : measurement.channels().all()) {
+    if (channel.name.starts_with("toe") || channel.name.starts_with("camber")) {
+      for (double& value : channel.values) value = -value;
+      columns += fmt::format("{}{} = \"-{}\"",
+                             columns.empty() ? "" : ", ",
+                             channel.name,
+                             measurement.written(channel.name).column);
+    }
+    turned.add(std::move(channel));
+  }
+  if (side_of_wheel(turned) == side)
+    statements.push_back(
+        fmt::format("columns = {{{}}}, if only the signs of toe and camber are exchanged (front "
+                    "inboard and top outboard are positive)",
+                    columns));
+  return statements;
+}
+
+/// Compares the side of the car to which a K&C table belongs, as the signs of toe and camber show
+/// it, with the side that the model states.
 void examine_sides(const Study& study, const Document& file, std::vector<Finding>& found) {
   const Node root = study.model.root();
   const std::string side = root.has("side") ? root.text("side") : "";
@@ -258,16 +293,21 @@ void examine_sides(const Study& study, const Document& file, std::vector<Finding
   for (const auto& measurement : study.laboratory) {
     const int measured = side_of_wheel(measurement->channels());
     if (measured == 0 || (measured > 0) == (side == "left")) continue;
+    const std::string table = "measurement." + measurement->name();
+    const bool axes_are_stated =
+        file.root().table("measurement").table(measurement->name()).has("axes");
+    const auto statements =
+        statements_for_side(*measurement, axes_are_stated, side == "left" ? 1 : -1);
     found.push_back(
-        {written_at(file, "measurement." + measurement->name() + ".file").place,
-         fmt::format("measurement.{} has the signs of a {} wheel (toe over Mz, camber over Fy), "
-                     "but the model is a {} one. If the wheel is the {} one, the signs of toe and "
-                     "camber are exchanged (front inboard and top outboard are positive): columns "
-                     "= {{toe = \"-toe\", camber = \"-camber\"}}",
-                     measurement->name(),
-                     measured > 0 ? "left" : "right",
-                     side,
-                     side),
+        {written_at(file, table + ".file").place,
+         fmt::format(
+             "{} has the signs of a {} wheel (toe over Mz, camber over Fy), but the model "
+             "is a {} one{}{}",
+             table,
+             measured > 0 ? "left" : "right",
+             side,
+             statements.empty() ? "" : fmt::format(". If the wheel is the {} one, say ", side),
+             fmt::join(statements, "; or ")),
          false});
   }
 }

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Recordings at each point, from all journals.
+/// Recordings from all journals, keyed by the bits of the point.
 using Recordings = std::multimap<std::string, Channels>;
 
 Recordings recordings_around(const Study& study,
@@ -51,8 +51,8 @@ Recordings recordings_around(const Study& study,
   return known;
 }
 
-/// Errors of an experiment at a point, NaN if nothing is computed. A fitted delay is the last row,
-/// s.
+/// Errors of an experiment at a point; NaN if a value was not computed. If a delay is fitted, it is
+/// the last row, s.
 struct Errors {
   Eigen::VectorXd values;
   Eigen::MatrixXd slopes;  // derivatives in the unit cube; empty: not known
@@ -71,7 +71,7 @@ Errors errors_of(const Study& study,
     if (!slopes.empty()) slopes.insert(slopes.end(), delay->slopes.begin(), delay->slopes.end());
   }
   Errors errors{to_vector(comparison.errors), {}, comparison.delay};
-  // the observable compares roots of forces, whose slopes are not recorded
+  // for roots of forces there are no recorded derivatives
   if (experiment.objective.compared != Compared::force) return errors;
   Score score;
   score.residuals = comparison.errors;
@@ -85,7 +85,7 @@ class ComputedValues {
   ComputedValues(const Study& study, const Identifiability& what, const Recordings& known)
       : study_(study), what_(what), known_(known), beside_(prediction_points(study, what)) {}
 
-  /// Returns the errors at a point. Of several known trials, one with slopes is preferred.
+  /// Returns the errors at a point. If there are several trials, one with derivatives is preferred.
   std::optional<Errors> at(const StudyExperiment& experiment, const DesignPoint& point) const {
     std::optional<Errors> found;
     const auto [first, end] = known_.equal_range(point.bits());
@@ -102,14 +102,15 @@ class ComputedValues {
     return found;
   }
 
-  /// Returns d error / du, one row for each value; nullopt if a trial beside the point is missing.
+  /// Returns the derivatives of the errors by u, the variables in the unit cube, one row for each
+  /// value; nullopt if a trial beside the point is missing.
   std::optional<Eigen::MatrixXd> slopes(const StudyExperiment& experiment,
                                         const Errors& center) const {
     if (center.slopes.size() > 0) return center.slopes;
     Eigen::MatrixXd all(center.values.size(), study_.space.size());
     for (int i = 0; i < study_.space.size(); ++i) {
       if (!study_.free.empty() && !std::binary_search(study_.free.begin(), study_.free.end(), i)) {
-        all.col(i).setZero();  // the last stage holds this variable fixed
+        all.col(i).setZero();  // the last stage holds this variable constant
         continue;
       }
       auto column = by_terms(experiment, i);
@@ -167,7 +168,8 @@ std::vector<double> noise_of(const Study& study,
     }
     return deviations;
   }
-  // The compared values share a common weighted spread.
+  // A relative noise of 1 gives the weight of each compared value; together they have one common
+  // spread.
   const MeasurementNoise whole{.relative = 1.0};
   const auto compared = experiment.observable->deviations(whole, experiment.objective);
   auto deviations = experiment.observable->deviations(whole, plain);
@@ -190,8 +192,8 @@ void count_inside(const StudyExperiment& experiment, double t, ExperimentBand& b
   }
 }
 
-/// `of_difference` is the deviation of a difference in units of its scale; `moved` is the band due
-/// to the variables.
+/// Returns the band of a fitted delay. `of_difference` is the standard deviation of a difference in
+/// units of its scale; `moved` is the band that the uncertainty of the variables causes.
 DelayBand delay_band(const FittedDelay& delay,
                      const PredictionBand& moved,
                      double of_difference,
@@ -318,8 +320,8 @@ std::string widest_text(const StudyExperiment& experiment, const ExperimentBand&
   if (!widest) return "";
   const size_t k = *widest;
   const std::string unit = experiment.observable->shown_unit();
-  const auto read_in = Unit::find(unit);  // a level in dB has no unit to convert
-  // A difference converts without the unit's offset.
+  const auto read_in = Unit::find(unit);  // a level in dB has no unit to convert to
+  // Differences are converted without the offset of the unit, such as that of degrees Celsius.
   const double times = read_in && unit != experiment.observable->unit()
                            ? read_in->from_si(1.0) - read_in->from_si(0.0)
                            : 1.0;

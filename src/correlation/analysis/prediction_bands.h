@@ -19,8 +19,8 @@ namespace latsch::correlation {
 /// own scatter at given variables and the change of the delay with the variables.
 struct DelayBand {
   double value = 0.0, lower = 0.0, upper = 0.0;
-  bool at_end = false;  // true if the delay lies at an end of its search range; there is no
-                        // interval then
+  /// True if the delay lies at an end of its search range; then there is no interval.
+  bool at_end = false;
 
   /// Returns for example "12.31 ms, 95 %: 12.2 .. 12.42 ms".
   std::string in_words() const;
@@ -30,10 +30,10 @@ struct DelayBand {
 struct ExperimentBand {
   std::vector<double> computed;      // at the best point; NaN for a mode without a partner
   std::vector<double> lower, upper;  // ends of the 95 % band; NaN: not known; empty: none known
-  std::vector<double> noise;         // standard deviation of each measured value, stated or
-                                     // estimated
-  int inside = 0, compared = 0;      // number of measured values inside band and noise, and number
-                                     // compared
+  /// standard deviation of each measured value, stated or estimated
+  std::vector<double> noise;
+  /// Number of measured values inside band and noise, and number of compared values.
+  int inside = 0, compared = 0;
   std::vector<std::string> remarks;  // reasons why the band is wide, one-sided or not known
 
   std::optional<DelayBand> delay = {};
@@ -41,7 +41,7 @@ struct ExperimentBand {
   bool is_known() const { return !lower.empty(); }
 };
 
-/// Trial that is in no journal.
+/// A trial that is in no journal.
 struct KnownTrial {
   DesignPoint point;
   Channels channels;
@@ -53,8 +53,8 @@ std::vector<ExperimentBand> prediction_bands(const Study& study,
                                              const Journal& journal,
                                              const std::vector<KnownTrial>& others = {});
 
-/// Returns the band that is widest relative to the computed value, with its position: "+- 12 N (3.1
-/// %), 20 mm"; empty if no band is known.
+/// Returns the band that is widest relative to its computed value, and the position of that value:
+/// "+- 12 N (3.1 %), 20 mm"; empty if no band is known.
 std::string widest_text(const StudyExperiment& experiment, const ExperimentBand& band);
 
 /// Returns for example "19 of 20 measured values"; empty if no band is known.

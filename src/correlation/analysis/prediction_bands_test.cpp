@@ -81,7 +81,7 @@ use = "predict"
 )" + more);
     return read_study(folder_ / "study.toml", experiment::spring_language());
   }
-  /// Simulates the predictions beside the best point, as latsch identify does.
+  /// Simulates the predicted experiments at and beside the best point, as latsch identify does.
   static void predict_beside(const Study& study, const Identifiability& what) {
     InlineExecutor executor(evaluator(with_predictions(study)));
     ASSERT_TRUE(predict(study, prediction_points(study, what), executor, {}));
@@ -90,7 +90,8 @@ use = "predict"
   ScratchFolder folder_;
 };
 
-// The fitted line a + k x has a = c v; predicted is 3 a + k x. With mean and Sxx of the travels,
+// The fitted line a + k x has a = c v; at the other speed the force is 3 a + k x. With the mean and
+// the sum of squares Sxx of the m travels about it,
 //   var k = sigma^2 / Sxx, var a = sigma^2 (1/m + mean^2 / Sxx), cov = -sigma^2 mean / Sxx.
 TEST_F(SpringBands, OfALinearModelAreThoseByHand) {
   const Study study = read("900 N s/m");
@@ -102,7 +103,7 @@ TEST_F(SpringBands, OfALinearModelAreThoseByHand) {
   const double x[] = {0.002, 0.005, 0.009}, sigma = 3.0, mean = 0.016 / 3.0;
   double Sxx = 0.0;
   for (const double one : x) Sxx += (one - mean) * (one - mean);
-  const auto half = [&](double at, double speed) {  // in units of the fitted speed
+  const auto half = [&](double at, double speed) {  // in units of the speed of the fitted test
     return kNormal * sigma *
            std::sqrt(speed * speed * (1.0 / 3.0 + mean * mean / Sxx) + at * at / Sxx -
                      2.0 * speed * at * mean / Sxx);
@@ -129,7 +130,7 @@ TEST_F(SpringBands, OfALinearModelAreThoseByHand) {
   EXPECT_EQ(inside_text(bands[0]), "3 of 3 measured values");
 }
 
-// A band is shown in the unit of its measurement: 0.2 mm of 2 mm.
+// The band of a value of 2 mm is 0.2 mm, shown in the unit of its measurement.
 TEST(WidestBand, IsToldInTheUnitOfItsMeasurement) {
   class Lengths : public Observable {
    public:
@@ -163,8 +164,8 @@ TEST(WidestBand, IsToldInTheUnitOfItsMeasurement) {
   EXPECT_EQ(widest_text(experiment, band), "+- 0.0002 m (10 %), dz");
 }
 
-// The trials number at most two for each variable, one more, and those of the ranking; bands need
-// none.
+// The trials are at most two for each variable, one more, and those of the ranking; bands need no
+// further trial.
 TEST_F(SpringBands, CostNoTrial) {
   const Study study = read("900 N s/m");
   const Identifiability what = identified(study, Depth::intervals);
@@ -204,7 +205,8 @@ TEST_F(SpringBands, SayWhatTheDataLeaveOpen) {
   EXPECT_NEAR(bands[0].upper[0] - bands[0].computed[0], kNormal * 0.22, 1e-3);
   ASSERT_EQ(bands[1].remarks.size(), 1u);
   EXPECT_NE(bands[1].remarks[0].find("do not determine"), std::string::npos) << bands[1].remarks[0];
-  // With F = k x + c v held, the damping ranges from 50 to 550 N s/m, where the stiffness ends.
+  // On the line F = k x + c v of equal forces, the damping ranges from 50 to 550 N s/m, limited by
+  // the bounds of the stiffness.
   EXPECT_GE(bands[1].upper[0] - bands[1].computed[0], (550 - 300) * 0.8);
   EXPECT_GE(bands[1].computed[0] - bands[1].lower[0], (300 - 50) * 0.8);
 }
@@ -257,16 +259,16 @@ class MagicBands : public FittedStudy {
   const DesignPoint truth_{{1.3, -22.0}};
 };
 
-// At both held-out states the band holds the true tire's force in 95 of 100 draws of the noise.
-// Fewer than 90 of 100 occur by chance once in ninety times.
+// At both held-out states the band contains the true tire's force in 95 of 100 draws of the noise
+// on average. Fewer than 90 occur by chance once in ninety times.
 TEST_F(MagicBands, HoldTheTruthNineteenTimesOfTwenty) {
   const Channels truth = *simulate_all(read(kHeldOut), truth_);
   int held[] = {0, 0};
   for (int draw = 0; draw < 100; ++draw) {
     measure(truth["steady/Fy"], 60.0, static_cast<std::uint64_t>(draw));
     Study study = read(kHeldOut);
-    study.space = study.space.starting_at(truth_);  // a start at the truth saves time; the fit ends
-                                                    // elsewhere
+    // Starting at the true values saves time; the fit ends elsewhere because of the noise.
+    study.space = study.space.starting_at(truth_);
     std::filesystem::remove(study.run.journal);
     fit_all(study);
     const Journal journal = Journal::read(study.run.journal);
@@ -286,7 +288,7 @@ TEST_F(MagicBands, HoldTheTruthNineteenTimesOfTwenty) {
   }
 }
 
-// Slopes of the recording and differences over trials give equal bands.
+// Derivatives from the recording and differences over trials give equal bands.
 TEST_F(MagicBands, AreTheSameBySlopesAndByDifferences) {
   const Channels truth = *simulate_all(read(kHeldOut), truth_);
   measure(truth["steady/Fy"], 60.0, 1);
@@ -314,15 +316,15 @@ TEST_F(MagicBands, AreTheSameBySlopesAndByDifferences) {
     for (std::size_t i = 0; i < slopes[e].upper.size(); ++i) {
       const double half = slopes[e].upper[i] - slopes[e].computed[i];
       EXPECT_GE(half, 0.0);  // 0 without slip
-      // Differences over one step of a hundredth of the range include the curvature.
+      // Differences over a hundredth of the range contain an effect of the curvature.
       EXPECT_NEAR(differences[e].upper[i] - differences[e].computed[i], half, 0.05 * half)
           << e << ", " << i;
     }
   }
 }
 
-// Slopes in the recordings give the profiles with fewer recordings: none beside the center, and
-// none to renew a quarter of the derivatives at every rung.
+// With derivatives in the recordings, profiles need fewer recordings: none beside the center, and
+// none to update the derivatives along the profile.
 TEST_F(MagicBands, ProfilesBySlopesAreThoseByDifferencesWithFewerRecordings) {
   const Channels truth = *simulate_all(read(kHeldOut), truth_);
   measure(truth["steady/Fy"], 60.0, 1);
@@ -350,7 +352,8 @@ TEST_F(MagicBands, ProfilesBySlopesAreThoseByDifferencesWithFewerRecordings) {
   for (int i = 0; i < 2; ++i) {
     const Interval &one = profiles[false][i].interval, &other = profiles[true][i].interval;
     EXPECT_EQ(profiles[true][i].verdict, profiles[false][i].verdict);
-    // Each refit may end a fiftieth of the threshold early, which moves an end by a hundredth.
+    // Each refit may end when a fiftieth of the threshold is left, which changes an end by a
+    // hundredth of the interval.
     EXPECT_NEAR(other.lower, one.lower, 0.02 * (one.upper - one.lower));
     EXPECT_NEAR(other.upper, one.upper, 0.02 * (one.upper - one.lower));
   }

@@ -40,16 +40,16 @@ std::unique_ptr<Journal> opened(const Journal& journal, bool writes) {
     return kept->identity() == identity ? std::move(kept) : nullptr;
   }
   if (std::filesystem::exists(file) && Journal::read(file).identity() != identity) {
-    for (const char* part : {"", "-wal", "-shm", "-journal"})  // files that SQLite leaves after a
-                                                               // kill
+    // files that SQLite leaves after a kill
+    for (const char* part : {"", "-wal", "-shm", "-journal"})
       std::filesystem::remove(file.string() + part);
   }
   return std::make_unique<Journal>(Journal::open(file, identity));
 }
 
-/// Visits the entries of [J r] of reduced rows that are not zero by construction, row by row:
-/// those of a triangular factor on and above its diagonal, and all of a group that has no more than
-/// n + 1 rows. `visit` is called with the row and the column, n being that of r.
+/// Calls `visit` for the entries of [J r] of reduced rows that are not zero by construction, row by
+/// row, with row and column (n for the column r). These are the entries of a triangular factor on
+/// and above its diagonal, and all entries of a group that has no more than n + 1 rows.
 void for_each_entry(const RowGroups& groups,
                     Eigen::Index n,
                     const std::function<void(Eigen::Index, Eigen::Index)>& visit) {
@@ -127,7 +127,7 @@ std::optional<Evaluated> RefitTrials::unpacked(const std::vector<double>& number
   return all;
 }
 
-/// A full recording and its reduced form give the same bits.
+/// A full recording and its stored reduced form give the same bits.
 Result<Score> RefitTrials::reduced(const DesignPoint& point, const Channels& channels) const {
   if (const Channel* kept = channels.find(name_)) {
     const auto rows = unpacked(kept->values);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The trials of refits, stored as reduced rows (reduced_rows.h).
 //
-// Profiles and a cross-validation take thousands of trials. If a model knows its slopes, the
-// recording of one trial with the slopes in n variables is n + 1 times as long as the recording
-// alone: some megabytes. A refit needs only the reduced residuals and derivatives, some kilobytes.
-// So these trials are stored in reduced form, in a journal of their own beside that of the study,
-// JOURNAL.refits: an interrupted identification continues from it, and a report reads it.
+// Profiles and a cross-validation take thousands of trials. If a model computes derivatives, the
+// recording of one trial with the derivatives by n variables is n + 1 times as long as the
+// recording alone: some megabytes. A refit needs only the reduced residuals and derivatives, some
+// kilobytes. These trials are therefore stored in reduced form, in a separate file beside the
+// journal of the study, JOURNAL.refits: an interrupted identification continues from it, and a
+// report reads it.
 //
 // A trial with a smaller target than all earlier ones is a result: it is stored whole in the
-// journal of the study, in which every reader searches for the best trial.
-//
-// The file is a cache. It may be deleted at any time; latsch identify then runs these trials again.
-// The name of a channel contains a hash of the residuals, derivatives and groups at the point where
-// the refits begin. Trials with another hash, for example after a change of weights, are not read.
+// journal of the study, in which every reader searches for the best trial. The file is a cache. It
+// may be deleted at any time; latsch identify then runs these trials again. The name of a channel
+// contains a hash of the residuals, derivatives and groups at the point where the refits begin.
+// Trials with another hash, for example after a change of weights, are not read.
 #pragma once
 
 #include <filesystem>
@@ -33,10 +33,11 @@ namespace latsch::correlation {
 
 class RefitTrials : public TrialStore {
  public:
-  /// The trials of `journal`, which belongs to the study, are known, too. `groups`: the used
-  /// residuals; `at`: start of the refits, with the used rows alone. `better`: the same journal, to
-  /// which trials better than its best one are added; the file is then created, or replaced if it
-  /// belongs to another study. nullptr: the file is only read, if it exists.
+  /// Reads the refits of a study. Trials in `journal`, which belongs to the study, are used too.
+  /// `groups` are the used residuals; `at` is the start of the refits, with the used rows alone.
+  /// `better` is the same journal: trials better than its best one are added to it, and the file of
+  /// refits is created, or replaced if it belongs to another study. If `better` is nullptr, the
+  /// file is only read, if it exists.
   RefitTrials(const Study& study,
               const Journal& journal,
               RowGroups groups,

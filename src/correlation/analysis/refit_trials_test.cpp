@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An identification of a study whose recordings bring slopes: what is stored of its trials, and
-// that it continues after a stop as if there had been none.
+// Tests an identification of a study whose recordings contain derivatives: how its trials are
+// stored, and that it continues after a stop as if there had been none.
 #include "correlation/analysis/refit_trials.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,8 @@ namespace {
 
 class RefitTrialsOfStudy : public FittedStudy {
  protected:
-  /// A curve with a wave of 30 N added to it, and its mean, 100 N off.
+  /// Returns a study of a curve to which a wave of 30 N is added, and of its mean, which is wrong
+  /// by 100 N.
   Study two_experiments(const std::string& noise_of_mean = "300 N") {
     std::vector<double> Fy = (*evaluator(read(""))({{1.3, -22.0}}))["steady/Fy"];
     double mean = 0.0;
@@ -111,8 +112,9 @@ TEST_F(RefitTrialsOfStudy, TheJournalHoldsWholeTrialsOfTheCenterAlone) {
   EXPECT_EQ(last_.known, last_.planned) << "all rounds are counted, and the end is foreseen";
 }
 
-// The reduced residuals have the same sums and products, so profiles and predictions of experiments
-// that are left out agree with those of differences, which store whole recordings.
+// Reduced residuals have the same sums of squares and products. Profiles and predictions of
+// experiments that are left out therefore agree with those from differences, which store whole
+// recordings.
 TEST_F(RefitTrialsOfStudy, GiveTheProfilesThatWholeRecordingsGive) {
   const Study study = two_experiments();
   const auto reduced = identified(study, {{1.3, -22.0}});
@@ -128,7 +130,8 @@ TEST_F(RefitTrialsOfStudy, GiveTheProfilesThatWholeRecordingsGive) {
     const double width = q.interval.upper - q.interval.lower;
     EXPECT_EQ(p.verdict, Verdict::identifiable);
     EXPECT_EQ(q.verdict, Verdict::identifiable);
-    // Both are found to the tolerance of refits, 2 % of a threshold: 1 % of half a width.
+    // Both results have the tolerance of refits, 2 % of a threshold, which is 1 % of half the
+    // interval.
     EXPECT_NEAR(p.interval.lower, q.interval.lower, 0.01 * width);
     EXPECT_NEAR(p.interval.upper, q.interval.upper, 0.01 * width);
     const LeftOut &a = reduced->cross_validation->left_out()[i],
@@ -138,8 +141,8 @@ TEST_F(RefitTrialsOfStudy, GiveTheProfilesThatWholeRecordingsGive) {
   }
 }
 
-// A point that is not the best: refits find better ones, so the best trial of the journal is
-// another one when the identification continues.
+// The identification starts at a point that is not the best, so refits find better ones, and the
+// best trial of the journal changes before the identification continues.
 TEST_F(RefitTrialsOfStudy, AStopAnywhereCostsNoTrialAndNoBit) {
   const DesignPoint beside{{1.29, -21.5}};
   const Study study = two_experiments();
@@ -195,8 +198,8 @@ TEST_F(RefitTrialsOfStudy, TheMarkHoldsUntilABetterTrialComesFromElsewhere) {
       << "no intervals were asked for";
 }
 
-// The target is no sum of squares here: profiles visit points at which it is less. The lowest such
-// point is the best trial of the journal, as if all trials were stored whole.
+// The target is no sum of squares here, so profiles visit points with a lower target. The lowest of
+// these becomes the best trial of the journal, as if all trials were stored whole.
 TEST_F(RefitTrialsOfStudy, ABetterTargetOnTheWayIsKeptWhole) {
   Channels measured;
   std::vector<double> Fy = (*evaluator(read(""))({{1.3, -22.0}}))["steady/Fy"];
@@ -264,7 +267,7 @@ TEST_F(RefitTrialsOfStudy, MayBeDeletedOrBeOfAnotherStudy) {
   }
 }
 
-// A fixed variable has no column in the Jacobian of the refits, reduced or not.
+// A variable that is held constant has no column in the Jacobian of the refits, reduced or not.
 TEST_F(RefitTrialsOfStudy, AVariableThatMayNotMoveKeepsItsBits) {
   Study study = two_experiments();
   const DesignPoint point{{1.3, -22.0}};

@@ -13,8 +13,8 @@ namespace latsch::correlation {
 
 namespace {
 
-/// Limits of a study or at a point of it, which terminal, page and report request one after the
-/// other.
+/// The limits of a study or at one of its points, kept because terminal, page and report request
+/// them one after the other.
 struct KnownLimits {
   std::string of;  // identity of the study and the point
   std::vector<std::string> sentences;

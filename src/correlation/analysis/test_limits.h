@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Known limits of a study's model in its tests (experiment/language/known_limits.h), for those who
-// read a study before it runs.
+// Finds the limits that a study's model meets in its tests (experiment/language/known_limits.h), to
+// be reported before the study runs.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace latsch::correlation {
 
-/// Returns a sentence for each limit, with the tests in which it counts: "test oblique: the
-/// sections ...". Looks at the model with the initial values. A model that does not accept these
-/// has no limits; its trials say why they fail.
+/// Returns a sentence for each limit, with the tests in which it matters: "test oblique: the
+/// sections ...". Examines the model with the initial values. If the model does not accept these,
+/// the list is empty; the trials then report the reason.
 std::vector<std::string> limits_of_tests(const Study& study);
 
 /// Runs the fitted and predicted tests once more at a point whose trial succeeded. Returns a

@@ -21,8 +21,8 @@ double rate_of(const Channels& channels) {
   return static_cast<double>(time.size() - 1) / (time.back() - time.front());
 }
 
-/// Throws InputError if the samples of a recording do not follow each other evenly: spectra would
-/// take a gap for none.
+/// Throws InputError if the samples of a recording are not equidistant in time, because spectra
+/// would ignore a gap.
 void check_even(const ModelComparisonFile& file,
                 const Channels& channels,
                 const std::string& whose) {
@@ -50,7 +50,7 @@ numerics::WelchSettings welch_of(const ModelComparisonFile& file,
                                   numerics::sample_count(file.segment, rate));
 }
 
-/// Throws InputError if a band or the segment asks for more than a recording contains.
+/// Throws InputError if a band or the segment needs a longer or faster recording.
 void check_spectrum(const ModelComparisonFile& file,
                     std::size_t samples,
                     double rate,

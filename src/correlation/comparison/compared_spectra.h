@@ -18,8 +18,8 @@ struct LineNoise {
   double density = 0.0;
   double segments = 1.0;
 
-  /// Returns the logarithm of the measured value of a line of density S, over S + density, at z
-  /// standard deviations of a normal number.
+  /// Returns ln(value / (S + density)) for the measured value of a line with density S at z
+  /// standard deviations of the equivalent normal variable.
   double log_quantile(double S, double z) const;
 };
 
@@ -41,8 +41,8 @@ std::vector<numerics::Density> densities_of(const ModelComparisonFile& file,
                                             const Channels& channels,
                                             const std::string& whose);
 
-/// Throws InputError if a channel of the reference is still in a band, to which nothing can be
-/// compared.
+/// Throws InputError if a channel of the reference has no power in a band, because nothing can then
+/// be compared with it.
 void check_power(const ModelComparisonFile& file, const std::vector<numerics::Density>& reference);
 
 /// Returns the white noise that the file states, by compared channel.

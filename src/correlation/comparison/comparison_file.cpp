@@ -30,7 +30,7 @@ ComparedTire read_tire(const Node& table,
   const auto* kind =
       &experiment::kind_for_file(table.choice("kind", language.kind_names()), file, language.kinds);
   ComparedTire tire{table.name(), {}, kind, file, kind->read(file), {}, {}};
-  kind->check(tire.numbers);  // reports numbers that make no tire before the first test
+  kind->check(tire.numbers);  // throws for numbers that make no tire, before the first test runs
   tire.title = table.text("title", table.name());
   tire.built_from = table.text("built_from", "");
   tire.parameters = table.text("parameters", "");

@@ -49,7 +49,7 @@ UsedResiduals used_residuals(const Study& study, const Identification& identific
   return all;
 }
 
-/// Returns chi^2 of one experiment, predicted from the others.
+/// Returns chi^2 of one experiment whose residuals are predicted from the other experiments.
 ChiSquare left_out(const UsedResiduals& all, int experiment, double s) {
   std::vector<Eigen::Index> own, others;
   for (std::size_t k = 0; k < all.experiment.size(); ++k)
@@ -89,12 +89,13 @@ ChiSquare predicted(const Study& study, const Identifiability& what, const Journ
   return chi;
 }
 
-/// Signals of one experiment over time, simulated and measured.
+/// The simulated and measured signals over time of one experiment.
 struct FittedSignal {
   double rate = 0.0;  // Hz
   std::vector<double> measured, simulated;
-  std::vector<std::vector<double>> moved;  // simulated signals, one for each axis of the variables
-  double noise = 0.0;                      // mean square noise of a sample
+  // simulated signals with the variables moved along each axis of their uncertainty
+  std::vector<std::vector<double>> moved;
+  double noise = 0.0;  // mean square noise of a sample
 };
 
 bool is_over_time(const StudyExperiment& experiment) {
@@ -126,7 +127,7 @@ std::optional<FittedSignal> signal_of(const Study& study,
     if (row.experiment != experiment) continue;
     const std::size_t place = signal.measured.size();
     if (place >= measured.size()) return std::nullopt;
-    const double size = row.unit * scales[place];  // size of a residual of 1
+    const double size = row.unit * scales[place];  // size of the difference that is a residual of 1
     const auto index = static_cast<Eigen::Index>(k);
     signal.measured.push_back(measured[place]);
     signal.simulated.push_back(measured[place] - size * at.r[index]);
@@ -135,7 +136,8 @@ std::optional<FittedSignal> signal_of(const Study& study,
                                 size * moves(index, static_cast<Eigen::Index>(a)));
     signal.noise += one.objective.weight * size * size / static_cast<double>(measured.size());
   }
-  if (signal.measured.size() != measured.size()) return std::nullopt;  // some values are not known
+  // an unknown value makes the spectrum unknown
+  if (signal.measured.size() != measured.size()) return std::nullopt;
   return signal;
 }
 
@@ -149,7 +151,7 @@ int band_of(double f) { return static_cast<int>(std::lround(3.0 * std::log2(f / 
 double center_of(int band) { return 1e3 * std::exp2(band / 3.0); }
 
 void add_lines(const FittedSignal& signal, double segment, std::map<int, BandSums>& bands) {
-  constexpr double kAudible = 2.0;  // multiple of the noise density: weaker lines show only noise
+  constexpr double kAudible = 2.0;  // multiple of the noise density; a weaker line shows only noise
   const auto samples = static_cast<int>(signal.measured.size());
   const auto settings = numerics::welch_settings(
       numerics::Convention::scipy, samples, numerics::sample_count(segment, signal.rate));
@@ -223,7 +225,8 @@ SpectralDiscrepancy spectral_discrepancy(const Study& study,
 }
 
 double independent_segments(int samples, const numerics::WelchSettings& settings) {
-  constexpr double kShared = 1.0 / 36.0;  // squared correlation of Hann windows that half overlap
+  // squared correlation of the spectra of two Hann windows that overlap by half
+  constexpr double kShared = 1.0 / 36.0;
   const double count = numerics::segment_count(samples, settings);
   const bool overlaps = 2 * settings.overlap >= settings.segment;
   return overlaps ? count / (1.0 + 2.0 * kShared * (count - 1.0) / count) : count;

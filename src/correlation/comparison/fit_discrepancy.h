@@ -49,7 +49,8 @@ SpectralDiscrepancy spectral_discrepancy(const Study& study,
                                          const Eigen::MatrixXd& axes,
                                          double segment);
 
-/// Returns the number of independent spectra that an average of Welch's segments is worth.
+/// Returns the number of independent spectra whose average has the same variance as the average
+/// over Welch's segments.
 double independent_segments(int samples, const numerics::WelchSettings& settings);
 
 }  // namespace latsch::correlation

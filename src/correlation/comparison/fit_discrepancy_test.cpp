@@ -26,7 +26,7 @@ class SpringsThatMiss : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
-  /// A fit that begins, and ends, at the numbers of the model.
+  /// A fit that begins and ends at the true parameters of the model.
   struct Fit {
     Study study;
     Journal journal;
@@ -146,7 +146,7 @@ TEST_F(SpringsThatMiss, PredictEachOtherAsFarOffAsTheirStiffnessesAre) {
   EXPECT_NEAR(held_out_error(found.study, found.what, found.journal), std::sqrt(expected), 1e-4);
 }
 
-// Recordings that differ by less than their noise show no error.
+// Recordings that differ only by their noise show no model error.
 TEST_F(SpringsThatMiss, AreNotBlamedForChance) {
   const auto recording = [](double sign) {
     std::string table = "travel [m],force [N]\n";

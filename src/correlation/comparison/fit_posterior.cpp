@@ -16,9 +16,10 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kOfAUniformNumber = 12.0;  // inverse variance of a uniform number between 0 and 1
+// inverse variance of a number that is uniform between 0 and 1
+constexpr double kOfAUniformNumber = 12.0;
 
-/// Returns independent directions of P in the free variables.
+/// Returns independent axes of the covariance P in the free variables.
 Eigen::MatrixXd free_axes(const Confidence& c, double held_out) {
   const auto [values, Q] = numerics::self_adjoint_eigen(c.covariance);
   Eigen::MatrixXd axes(Q.rows(), Q.cols());
@@ -31,8 +32,8 @@ Eigen::MatrixXd free_axes(const Confidence& c, double held_out) {
   return axes.leftCols(count);
 }
 
-/// Returns the direction of a variable at its bound, with the changes of the other variables in a
-/// refit.
+/// Returns the axis of a variable at its bound: the change of that variable inward, with the
+/// changes of the other variables in a refit.
 Eigen::VectorXd held_axis(const Eigen::VectorXd& u, const Confidence& c, int variable) {
   const Interval& interval = c.intervals[static_cast<std::size_t>(variable)];
   const bool at_lower = c.held[static_cast<std::size_t>(variable)] == Bound::lower;
@@ -52,8 +53,9 @@ Eigen::MatrixXd axes_of(const Identifiability& what, double held_out) {
     axes.conservativeResize(axis.size(), axes.cols() + 1);
     axes.rightCols(1) = axis;
   };
-  constexpr double kWorthwhile = 0.1;  // share of the rise that ends an interval; a smaller
-                                       // distance is not added
+  // Share of the rise that ends an interval: the remaining distance of a search is added only if it
+  // is larger.
+  constexpr double kWorthwhile = 0.1;
   if (c.left_to_gain > kWorthwhile * c.threshold()) add(c.free.axes * c.free.left);
   for (int i = 0; i < u.size(); ++i)
     if (c.held[static_cast<std::size_t>(i)] != Bound::none) add(held_axis(u, c, i));

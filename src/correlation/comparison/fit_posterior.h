@@ -32,18 +32,19 @@ namespace latsch::correlation {
 struct FitSource {
   std::string name;
   std::shared_ptr<const Study> study;
-  std::vector<std::string> at;  // names that lead to the fit's model in the compared models; "":
-                                // the whole model
+  /// Prefixes of the paths at which the compared models contain the model of the fit; "" stands for
+  /// the whole model.
+  std::vector<std::string> at;
   Place place = {};
 };
 
 struct FitPosterior {
   std::string name;
-  DesignPoint point;      // best trial of the fit
-  Eigen::MatrixXd axes;   // n x k, columns in the unit cube
-  double excess = 1.0;    // factor of the residuals over their stated noise; contained in the axes
-  double held_out = 1.0;  // factor of held-out errors over what noise and variables explain;
-                          // contained in the axes
+  DesignPoint point;     // best trial of the fit
+  Eigen::MatrixXd axes;  // n x k, columns in the unit cube
+  double excess = 1.0;  // ratio of the residuals to their stated noise; the axes already contain it
+  /// Ratio of held-out errors to what noise and variables explain; the axes already contain it.
+  double held_out = 1.0;
   SpectralDiscrepancy discrepancy;
   std::vector<std::string> remarks;  // remarks about the fit's own intervals
 };
@@ -51,11 +52,12 @@ struct FitPosterior {
 /// Throws InputError if the journal does not contain the fit; the message names the command to run.
 FitPosterior fit_posterior(const FitSource& source, double segment);
 
-/// Returns the paths in the compared model that a variable of the fit moves.
+/// Returns the paths in the compared model that belong to a variable of the fit.
 std::vector<std::string> paths_of(const FitSource& source, const DesignVariable& variable);
-/// Throws InputError if a variable of the fit is no number of the model, or has another unit.
+/// Throws InputError if a variable of the fit is no parameter of the model or has another unit.
 void check_fit(const FitSource& source, const Document& model, const std::string& title);
-/// Sets the fit's variables in the model to a point of the unit cube; u is clamped to the cube.
+/// Sets the fit's variables in the model to the values at u in the unit cube; u is clamped to the
+/// cube.
 void move_to(const FitSource& source, const std::vector<double>& u, Document& model);
 
 }  // namespace latsch::correlation

@@ -28,8 +28,8 @@ constexpr double kNormal90 = 1.644854;
 const std::vector<double> kTravels = {0.002, 0.005, 0.009};
 constexpr double kPullSpeed = 0.4;
 
-/// A folder in memory for journals, hundreds of which need not wait for a disk. If the machine has
-/// no such folder, the journals are written beside their study.
+/// A folder in memory for journals: the test writes hundreds of them, which need not wait for a
+/// disk. If the machine has no such folder, the journals are written beside their study.
 class JournalInMemory {
  public:
   JournalInMemory() {
@@ -253,13 +253,15 @@ TEST_F(FittedSprings, HoldTheLinesOfSpringsOfTheirKindAsOftenAsTheySay) {
   EXPECT_NEAR(inside, 0.9, 0.04);
 }
 
-// A line of one segment with noise alone is distributed exponentially: its 5 % and 95 % quantiles
-// are -ln 0.95 and -ln 0.05 of the mean. The tolerance is that of kNormal90, seven digits.
+// A line of one segment that contains only noise is distributed exponentially: its 5 % and 95 %
+// quantiles are -ln 0.95 and -ln 0.05 times the mean. The tolerance is that of kNormal90, seven
+// digits.
 TEST(LineNoise, IsThatOfAPeriodogramWhereThereIsNothingElse) {
   const LineNoise noise{4.0, 1.0};
   EXPECT_NEAR(std::exp(noise.log_quantile(0.0, kNormal90)), -std::log(0.05), 1e-6);
   EXPECT_NEAR(std::exp(noise.log_quantile(0.0, -kNormal90)), -std::log(0.95), 1e-6);
-  // With little noise N beside S, ln S has the deviation sqrt(2 N / S); the next term is N / S.
+  // If the noise N is small beside S, ln S has the standard deviation sqrt(2 N / S); the next term
+  // of the series is N / S.
   EXPECT_NEAR(noise.log_quantile(4e4, 1.0), std::sqrt(2.0 * 4.0 / 4e4), 2.0 * 4.0 / 4e4);
   EXPECT_EQ((LineNoise{0.0, 1.0}.log_quantile(1.0, 2.0)), 0.0);
 }

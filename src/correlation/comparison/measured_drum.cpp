@@ -16,7 +16,7 @@ namespace {
 using formats::CsvTable;
 
 constexpr double kSameTime = 1e-9;  // s
-constexpr double kGap = 1.5;        // median steps between two samples
+constexpr double kGap = 1.5;        // median steps; a larger step between two samples is a gap
 
 /// Returns the median step of the recording, s.
 double checked_step(const CsvTable& table, const std::vector<double>& time) {

@@ -13,9 +13,9 @@ struct MeasuredDrum {
   double highest = 0.0;                     // Hz, half the rate of the recording
 };
 
-/// Reads the channels of a table at the times of a test, s. Throws InputError naming the file: if
-/// the table has no samples, does not reach over the times, or misses samples, if its time does not
-/// rise, and if a channel is constant or cannot be that of a tire.
+/// Reads the channels of a table and interpolates them at the times of a test, s. Throws InputError
+/// that names the file if the table has no samples, does not cover the times, or misses samples, if
+/// its time does not rise, and if a channel is constant or cannot be that of a tire.
 MeasuredDrum measured_drum(const std::filesystem::path& file,
                            const std::vector<std::string>& channels,
                            const std::vector<double>& times);

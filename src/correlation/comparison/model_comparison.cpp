@@ -15,9 +15,9 @@
 
 #include "base/random.h"
 #include "base/text.h"
-#include "correlation/target/limits_by_name.h"
 #include "correlation/comparison/moved_models.h"
 #include "correlation/comparison/spectral_bands.h"
+#include "correlation/target/limits_by_name.h"
 #include "experiment/language/known_limits.h"
 #include "formats/tables/csv_table.h"
 
@@ -62,7 +62,8 @@ std::unique_ptr<experiment::Test> read_case(const Document& document,
   return test;
 }
 
-/// `limits`: receives the limits of the model in the test, unless it is null.
+/// Returns the channels that a model records in a test. Sets `limits`, unless it is null, to the
+/// limits that the model met.
 Channels run_of(const ComparedModel& model,
                 const Document& numbers,
                 const experiment::Test& test,
@@ -80,7 +81,7 @@ Channels run_of(const ComparedModel& model,
   return std::move(*channels);
 }
 
-/// Throws InputError for a channel of `told` that no test of the models records.
+/// Throws InputError for a channel in the key `told` that no test of the models records.
 void check_told(const ModelComparisonFile& file,
                 const std::vector<std::unique_ptr<experiment::Test>>& tests) {
   for (const std::string& name : file.told) {

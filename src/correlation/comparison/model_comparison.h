@@ -40,12 +40,13 @@ struct ModelRun {
   std::vector<numerics::Density> densities;
   std::vector<std::vector<double>> distance, decibels;  // [band][channel]
   std::vector<std::vector<double>> lower, upper;        // [channel][line]; empty: no bands
-  std::vector<double> coverage;     // share of lines in the first band; empty: no bands
-  std::vector<double> reach;        // mean half width of the band of ln S, each channel
-  std::vector<double> told;         // means of the `told` channels; NaN: the model does not record
-                                    // that channel
-  std::vector<std::string> limits;  // sentences on what the model or the test lacks
-  double cpu = 0.0;                 // CPU time of the run itself, s
+  std::vector<double> coverage;  // share of lines in the first band; empty: no bands
+  std::vector<double> reach;     // mean half width of the band of ln S, each channel
+  /// Means of the channels in the key `told`; NaN if the model does not record the channel.
+  std::vector<double> told;
+  /// sentences about limits that the model met, or properties that it or the test lacks
+  std::vector<std::string> limits;
+  double cpu = 0.0;  // s, CPU time of the model's run alone
 
   /// Returns the mean over the channels.
   double mean_distance(std::size_t band) const;
@@ -72,7 +73,8 @@ Channels record_reference(const ModelComparisonFile& file,
                           std::size_t index,
                           const experiment::Language& language,
                           std::vector<std::string>* limits = nullptr);
-/// Returns the channels that are written and compared: time, compared and recorded ones.
+/// Returns the channels that are written and compared: time, compared channels, and those in the
+/// key `recorded`.
 Channels kept_of(const ModelComparisonFile& file, const Channels& all);
 /// Reads the reference from its file if it has one; otherwise simulates it.
 Channels reference_of(const ModelComparisonFile& file,
@@ -87,8 +89,8 @@ ModelComparison compare_models(const ModelComparisonFile& file,
                                int threads,
                                const std::function<void(long done, long all)>& tell = {});
 
-/// Returns the limits that the reference and the models have met in their tests, those moved for
-/// the bands included, each with the cases.
+/// Returns the limits that the reference and the models have met in their tests, also in runs with
+/// moved parameters for the bands, each with the cases in which it was met.
 std::vector<std::string> limits_of_models(const ModelComparisonFile& file,
                                           const ModelComparison& comparison);
 

@@ -91,7 +91,7 @@ GridTest read_grid_test(const Node& table, const fs::path& folder) {
   return test;
 }
 
-/// Adds all combinations of the varied numbers, the last number varying fastest.
+/// Adds all combinations of the varied parameters; the last parameter varies fastest.
 void add_cases(const Node& table, ModelComparisonFile& file, std::size_t index) {
   const GridTest& test = file.tests[index];
   std::size_t count = 1;
@@ -196,8 +196,8 @@ void read_fits(const Node& root,
   }
 }
 
-/// Reads the fits a model names. Each fit must move numbers of the model, and no number may move
-/// twice.
+/// Reads the fits that a model names. Each fit must set parameters of the model, and no parameter
+/// may be set twice.
 void take_fits(const Node& table, const ModelComparisonFile& file, ComparedModel& model) {
   if (!table.has("fits")) return;
   std::set<std::string> moved;

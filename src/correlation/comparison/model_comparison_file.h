@@ -133,9 +133,9 @@ struct ModelComparisonFile {
   std::vector<GridTest> tests;
   std::vector<ComparedCase> cases;
   std::vector<ComparedModel> models;
-  std::vector<std::string> factors;                              // two factors, or none
-  std::array<std::array<std::size_t, 2>, 2> factorial_models{};  // indices of models, by level of
-                                                                 // first and second factor
+  std::vector<std::string> factors;  // two factors, or none
+  /// indices of models, by level of first and second factor
+  std::array<std::array<std::size_t, 2>, 2> factorial_models{};
   std::vector<Uncertainty> uncertainties;
   std::vector<FitSource> fits;
   int samples = 0;
@@ -146,7 +146,7 @@ struct ModelComparisonFile {
   std::size_t find_case(const std::string& name) const;  // returns cases.size() if there is none
 };
 
-/// True if the file is a comparison of models: it has tables of models.
+/// True if the file is a comparison of models: it contains tables [model.NAME].
 bool compares_models(const std::filesystem::path& file);
 
 /// Throws InputError naming the place.

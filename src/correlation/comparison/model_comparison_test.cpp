@@ -19,7 +19,7 @@ numerics::Density density(const std::vector<double>& values) {
   return density;
 }
 
-// In closed form, twice the density has a distance of 1, and an equal density of 0.
+// If a density is twice the reference its distance is 1; if it is equal, 0.
 TEST(ModelComparison, DistanceIsRelativeAndOfTheBandAlone) {
   const auto S = density({9.0, 1.0, 2.0, 5.0, 9.0});
   const auto doubled = density({-9.0, 2.0, 4.0, 10.0, -9.0});
@@ -29,8 +29,9 @@ TEST(ModelComparison, DistanceIsRelativeAndOfTheBandAlone) {
   EXPECT_DOUBLE_EQ(psd_distance(doubled, S, {15.0, 25.0}), 1.0);
 }
 
-// Distances made of 5 - 3 first - 1 second + 0.5 for equal levels give these numbers back; the
-// interaction is half of what both together do beyond the sum.
+// The distances are built as 5 - 3 first - 1 second + 0.5 if both factors are changed or neither.
+// The computed effects must return these numbers; the interaction is half of the difference from
+// the sum of both effects.
 TEST(ModelComparison, EffectsOfATwoByTwoAreThoseItWasMadeOf) {
   const auto e = effects_of({{{5.0, 4.0}, {2.0, 1.5}}});
   EXPECT_DOUBLE_EQ(e.first, -2.75);

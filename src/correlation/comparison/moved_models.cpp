@@ -17,7 +17,8 @@ bool has(const Document& numbers, const std::vector<std::string>& wanted) {
   });
 }
 
-/// Multiplies a number stated by hand by exp(`spreads` times its spread), if the model has it.
+/// Multiplies a parameter, whose uncertainty the file states, by exp(`spreads` times its spread),
+/// if the model has the parameter.
 void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
   const auto paths = numbers.paths();
   for (const std::string& path : number.paths)
@@ -31,7 +32,7 @@ MovedModel moved_along(const FitSource& source,
                        Eigen::Index axis,
                        const Document& numbers) {
   const auto u = source.study->space.to_unit(fit.point);
-  const auto room = [&](double side) {  // available part of a deviation, at most 1
+  const auto room = [&](double side) {  // available part of a standard deviation, at most 1
     double least = 1.0;
     for (std::size_t i = 0; i < u.size(); ++i) {
       const double step = side * fit.axes(static_cast<Eigen::Index>(i), axis);
@@ -40,8 +41,8 @@ MovedModel moved_along(const FitSource& source,
     }
     return least;
   };
-  constexpr double kLeast = 0.01;  // share of a deviation: least step even if a variable lies on
-                                   // its bound
+  // Share of a standard deviation: least step, even if a variable lies on its bound.
+  constexpr double kLeast = 0.01;
   const double up = room(1.0), down = room(-1.0);
   const double step = up >= down ? std::max(up, kLeast) : -std::max(down, kLeast);
   auto place = u;

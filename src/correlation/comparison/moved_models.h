@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models with numbers moved within what is known of them, from which bands of a prediction follow.
+// Creates models whose parameters are changed within their uncertainty. The bands of a prediction
+// follow from their results.
 #pragma once
 
 #include <vector>
@@ -13,7 +14,7 @@ namespace latsch::correlation {
 /// A model with moved numbers.
 struct MovedModel {
   Document numbers;
-  double count = 1.0;  // factor to a full deviation: bounds may allow only a part of one
+  double count = 1.0;  // factor to a full standard deviation: bounds may allow only a part of one
 };
 
 /// Returns the moved models that are run for the bands: one for each direction, or the samples that

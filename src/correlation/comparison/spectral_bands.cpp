@@ -27,7 +27,7 @@ double quantile(std::vector<double> values, double p) {
   return values[i] + (at - static_cast<double>(i)) * (values[i + 1] - values[i]);
 }
 
-/// Half widths of a line's logarithm, downward and upward.
+/// Half widths of the band of the logarithm of a line, downward and upward.
 struct LogReach {
   double down = 0.0, up = 0.0;  // >= 0
 };
@@ -61,7 +61,8 @@ double unexplained(const ComparedModel& model, const std::vector<FitPosterior>& 
 /// True if a measured line lies in the band widened by noise.
 bool holds(
     double measured, double S, double lower, double upper, const LineNoise& noise, double z) {
-  const double M = S + noise.density, share = S / M;  // ratio of d ln M to d ln S
+  // ratio of the relative change of M to that of S
+  const double M = S + noise.density, share = S / M;
   const double off = std::log(measured / M);
   const double down = std::hypot(share * std::log(S / lower), noise.log_quantile(S, -z));
   const double up = std::hypot(share * std::log(upper / S), noise.log_quantile(S, z));

@@ -12,7 +12,7 @@ namespace latsch::correlation {
 /// Spectra of a moved model, by channel.
 struct MovedDensities {
   std::vector<numerics::Density> densities;
-  double count = 1.0;  // copied from MovedModel::count
+  double count = 1.0;  // factor to a full standard deviation, copied from MovedModel::count
 };
 
 /// Sets `lower` and `upper` of the run from the spectra of the moved models; leaves both empty if

@@ -21,7 +21,7 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr int kTimings = 2;  // number of runs, of which the least CPU time counts
+constexpr int kTimings = 2;  // number of repeated runs, of which the least CPU time counts
 
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -72,7 +72,8 @@ void find_heard(const ComparisonFile& file,
                 const std::vector<FrequencyBand>& bands,
                 double highest,
                 ComparedRecord& measured) {
-  constexpr double kMostNoise = 0.25;  // share of the power of a band
+  // A band is not compared if noise makes up more than this share of its measured power.
+  constexpr double kMostNoise = 0.25;
   double sigma = 0.0;
   if (file.specimen && file.specimen->noise.contains(channel))
     sigma = file.specimen->noise.at(channel);
@@ -194,7 +195,8 @@ std::vector<double> level_errors(const TireComparison& all, std::size_t tire, st
   return errors;
 }
 
-/// Returns the longest sequence of adjacent bands within the agreement.
+/// Returns the frequency range of the longest sequence of adjacent bands whose errors are at most
+/// `agreement`, dB.
 FrequencyBand followed(const std::vector<double>& errors,
                        const std::vector<FrequencyBand>& bands,
                        double agreement) {

@@ -28,31 +28,33 @@ struct ComparedRecord {
   std::vector<double> force;  // N or N m
   numerics::Density density;
   std::vector<double> level;  // dB, by band
-  std::vector<bool> heard;    // [band], of measured records: power exceeds noise
+  std::vector<bool> heard;    // [band], for measured records: the power exceeds the noise
 };
 
 struct TireRun {
   std::vector<ComparedRecord> channels;
   std::vector<double> time_error, psd_error;  // ratios, one for each channel
   double cpu_over_time = 0.0;                 // CPU time over simulated time
-  std::vector<std::string> limits;  // sentences on limits that the tire met: ranges of its file
-                                    // that it left, loss of the road, what its model lacks
+  /// Sentences on limits that the tire met: validity ranges of its file that it left, a lost
+  /// contact, effects that its model lacks.
+  std::vector<std::string> limits;
 };
 
 struct TestComparison {
   std::vector<double> time;  // s
-  double highest = 0.0;      // Hz: the records hold nothing above it
+  double highest = 0.0;      // Hz; the records contain nothing above it
   std::vector<ComparedRecord> measured;
   std::vector<TireRun> tires;
 };
 
 /// Errors of one tire over all tests.
 struct TireSummary {
-  std::vector<double> time_error, psd_error;     // means over the tests, one for each channel
-  std::vector<std::vector<double>> level_error;  // dB, [channel][band]; NaN: noise hides it in all
-                                                 // tests
-  std::vector<FrequencyBand> follows;            // Hz, each channel; from 0 to 0: no band
-  double cpu_over_time = 0.0;                    // mean
+  std::vector<double> time_error, psd_error;  // means over the tests, one for each channel
+  /// dB, [channel][band]; NaN if noise hides the tire in all tests.
+  std::vector<std::vector<double>> level_error;
+  /// Hz, for each channel the range that the tire reproduces; from 0 to 0: no band
+  std::vector<FrequencyBand> follows;
+  double cpu_over_time = 0.0;  // mean
 };
 
 struct TireComparison {
@@ -60,7 +62,8 @@ struct TireComparison {
   std::vector<TestComparison> tests;  // in the order of the file
   std::vector<TireSummary> tires;
   std::vector<std::string> remarks;  // parts of the band that a record does not contain
-  /// Sentences on limits that the specimen met, each with its tests; empty for recordings.
+  /// Sentences on limits that the specimen met, each with its tests; empty if the specimen was
+  /// recorded.
   std::vector<std::string> limits_of_specimen;
 };
 

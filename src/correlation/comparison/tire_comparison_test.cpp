@@ -57,8 +57,8 @@ TEST_F(ComparedTires, TheSpecimenItselfHasNoErrorAndAnotherTireHas) {
     EXPECT_EQ(found.tires[0].follows[c].lower, found.bands.front().lower);
     EXPECT_EQ(found.tires[0].follows[c].upper, found.bands.back().upper);
   }
-  // A tire twice as stiff has about twice the force over the same step: 6 dB at every frequency of
-  // Fz.
+  // A tire twice as stiff has about twice the force over the same cleat: 6 dB more at every
+  // frequency.
   EXPECT_NEAR(found.tires[1].time_error[1], 1.0, 0.1);
   EXPECT_NEAR(found.tires[1].level_error[1].front(), 6.0, 1.0);
   EXPECT_LT(found.tires[1].cpu_over_time, 1.0);

@@ -45,7 +45,7 @@ std::string dimension_of_name(const std::string& name) {
       "time", "Vx", "omega", "alpha", "gamma", "kappa", "loaded_radius", "R_e"};
   const auto found = recognized(name);
   if (!found || name.size() < 2 || found->keeps_name) return "";
-  // The word "road" is a temperature here and a height elsewhere.
+  // The word "road" means a temperature in tire tests and a height elsewhere.
   const bool is_ours = find_meaning(name) != nullptr && force_or_moment(name).empty();
   if (is_ours && std::find(kOfTires.begin(), kOfTires.end(), name) == kOfTires.end()) return "";
   return std::string(found->meaning->unit);

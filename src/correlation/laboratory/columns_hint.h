@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the table `columns` that a message proposes. A person can copy it unchanged: it contains
-// everything the study already states, its key is the channel the study uses, and its unit is the
-// one in which people write that channel.
+// Builds the table `columns` that a message proposes. A user can copy it unchanged: it contains
+// everything that the study already states, the proposed key is the channel that the study needs,
+// and the unit is the one in which people write that channel.
 #pragma once
 
 #include <map>
@@ -15,8 +15,8 @@ namespace latsch::correlation {
 /// quotes.
 std::string toml_key(const std::string& key);
 
-/// `columns = {alpha = "SA [deg]", time = "t_s [s]"}`: the stated columns with this one added, or
-/// in place of the former column of `channel`.
+/// Returns `columns = {alpha = "SA [deg]", time = "t_s [s]"}`: the stated columns, with this column
+/// added or replacing the former column of `channel`.
 std::string columns_hint(std::map<std::string, StatedColumn> stated,
                          const std::string& channel,
                          StatedColumn column);

@@ -31,7 +31,8 @@ Matrix6 matrix_of(AxisFrame from, AxisFrame to, double gamma, double R_l) {
   return T;
 }
 
-/// Returns the other channels that a component's row needs, found for an inclined wheel.
+/// Returns the other channels that are needed to convert a component between the frames, determined
+/// for an inclined wheel.
 std::vector<std::string> what_takes(int row, AxisFrame from, AxisFrame to) {
   constexpr double gamma = 0.4, R_l = 0.3;
   const Matrix6 T = matrix_of(from, to, gamma, R_l);
@@ -75,8 +76,8 @@ std::array<const Channel*, 6> forces_in(const LabRecord& record,
   return found;
 }
 
-/// Turns the forces of one frame. Adds what it has turned to `done`, and what it cannot turn to the
-/// record's left_out.
+/// Converts the forces of one frame. Adds the converted ones to `done`, and those that it cannot
+/// convert to the record's left_out.
 void turn(LabRecord& record,
           const std::string& stated,
           AxisFrame from,

@@ -40,7 +40,7 @@ void take_units_of_names(formats::LabTable& table) {
   table.channels = std::move(read);
 }
 
-/// Finds fillers and ends of ranges among the numbers as they stand in the file.
+/// Finds filler numbers and limits of sensors among the numbers as they are written in the file.
 void note_suspects(LabRecord& record) {
   for (const Channel& channel : record.channels) {
     const StatedColumn& written = record.written.at(channel.name);
@@ -63,7 +63,7 @@ void note_suspects(LabRecord& record) {
   }
 }
 
-/// Returns the record in Latsch's names. A name that two columns claim stays with the first.
+/// Returns the record with Latsch's names. If two columns claim one name, the first one keeps it.
 LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
   take_units_of_names(table);
   std::map<std::string, std::string> stated;  // the file's name -> Latsch's name
@@ -189,7 +189,7 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
     const auto ours = ours_of.find(theirs);
     return dimension_of_name(ours == ours_of.end() ? theirs : ours->second);
   };
-  // Runs in folders of their own often have the same name.
+  // Recordings in different folders often have the same file name.
   const auto name_of = [&](const std::filesystem::path& file) {
     const auto same = std::count_if(files.begin(), files.end(), [&](const auto& other) {
       return other.filename() == file.filename();
@@ -219,7 +219,7 @@ void turn_axes(LabRecord& record, AxisConvention axes) {
 }
 
 std::vector<std::string> conventions_that_fit(const LabRecord& record) {
-  constexpr double kMost = 0.9;     // share of the samples, because a wheel may hop
+  constexpr double kMost = 0.9;     // share of the samples, because a wheel may leave the road
   constexpr double kClearly = 0.5;  // correlation of side force and slip angle
   const auto fits = [&](const LabRecord& one) {
     const Channel *Fz = one.find("Fz"), *Fy = one.find("Fy"), *alpha = one.find("alpha");
@@ -229,8 +229,8 @@ std::vector<std::string> conventions_that_fit(const LabRecord& record) {
       if (static_cast<double>(pulls) > kMost * static_cast<double>(one.samples())) return false;
     }
     if (!Fy || !alpha) return true;
-    double yy = 0.0, aa = 0.0, ya = 0.0;  // about zero, not about the means: a force has the sign
-                                          // of its slip
+    // about zero, not about the means: a force has the sign of its slip
+    double yy = 0.0, aa = 0.0, ya = 0.0;
     for (std::size_t i = 0; i < one.samples(); ++i) {
       const double y = Fy->values[i], a = alpha->values[i];
       if (std::isnan(y * a)) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples of a measurement while they are read and processed, with Latsch's names, SI units, and
-// gaps as NaN. Each step changes the samples and describes in words what it did; measurement.h has
-// the order of the steps.
+// The samples of a recording while they are read and processed, with Latsch's names, in SI units,
+// and with NaN for gaps. Each processing step changes the samples and describes in words what it
+// did; measurement.h has the order of the steps.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,8 @@ struct StatedColumn {
   bool operator==(const StatedColumn&) const = default;
 };
 
-/// Numbers of a channel that are hardly measured values (measurement/meaning/filler_numbers.h).
+/// Numbers in a channel that are probably not measured values
+/// (measurement/meaning/filler_numbers.h).
 struct SuspectSamples {
   std::string channel;          // Latsch's name
   std::string number;           // with the unit in the file: "-9999 N"
@@ -40,19 +41,21 @@ struct SuspectSamples {
 
 struct LabRecord {
   std::vector<Channel> channels;
-  std::vector<Place> places;                            // one for each sample
-  std::vector<double> numbers;                          // their numbers, from 1 over all files
-  Place header;                                         // the head of the first file
-  std::map<std::string, StatedColumn> written;          // a channel as named in the file
-  std::map<std::string, StatedColumn> stated;           // the table `columns` of the study
-  std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
-  std::map<std::string, std::string> left_out;          // columns that are no channels, and why
-  std::map<std::string, AxisFrame> turned_from;  // original frame of the channels that were turned
+  std::vector<Place> places;                    // one for each sample
+  std::vector<double> numbers;                  // their numbers, from 1 over all files
+  Place header;                                 // the head of the first file
+  std::map<std::string, StatedColumn> written;  // for each channel, the column as the file names it
+  std::map<std::string, StatedColumn> stated;   // the table `columns` of the study
+  /// for each channel, the column as its file states it
+  std::map<std::string, formats::TableColumn> sources;
+  /// columns that did not become channels, with the reason
+  std::map<std::string, std::string> left_out;
+  std::map<std::string, AxisFrame> turned_from;  // for each converted channel, its original frame
   std::vector<Ledger> ledgers;                   // one for each file
-  std::map<std::string, std::vector<std::string>> ambiguous;  // further columns that claim a
-                                                              // channel
+  /// For each channel, further columns that claim the same channel.
+  std::map<std::string, std::vector<std::string>> ambiguous;
   std::vector<SuspectSamples> suspects;
-  std::vector<std::string> structs;  // of the first file, if none of them was chosen
+  std::vector<std::string> structs;  // structs of the first file, if none of them was chosen
 
   std::size_t samples() const { return places.size(); }
   std::vector<std::string> names() const;
@@ -74,8 +77,9 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
 
 /// Turns the channels into iso axes.
 void turn_axes(LabRecord& record, AxisConvention axes);
-/// Returns the conventions that fit a record in its original axes: those in which its loads point
-/// upward and its side force opposes the slip angle. Returns all conventions if it holds neither.
+/// Returns the conventions of axes that fit a record in its original axes: those in which its loads
+/// point upward and its side force opposes the slip angle. Returns all conventions if the record
+/// has neither.
 std::vector<std::string> conventions_that_fit(const LabRecord& record);
 
 /// The mean that was subtracted from a channel, in its SI unit, and the number of its samples.
@@ -94,9 +98,9 @@ std::string low_pass(LabRecord& record, double frequency, const Place& place);
 /// Keeps the samples of a mask.
 void keep(LabRecord& record, const std::vector<bool>& kept);
 
-/// Returns the unit in which people read an SI unit: "deg" for "rad".
+/// Returns the unit in which people expect a quantity with this SI unit: "deg" for "rad".
 std::string read_unit(const std::string& unit);
-/// Returns the range of a channel in the unit people read: "from 2 to 5 N".
+/// Returns the range of a channel in that unit: "from 2 to 5 N".
 std::string range_in_words(const Channel& channel);
 
 }  // namespace latsch::correlation

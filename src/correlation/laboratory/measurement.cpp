@@ -103,7 +103,7 @@ std::map<std::string, StatedColumn> read_columns(const Node& table) {
   return columns;
 }
 
-/// Returns the advice for a record of stated axes whose loads alone have the other sign.
+/// Returns advice for a record whose axes are stated but whose loads alone have the opposite sign.
 std::string loads_of_other_sign(const LabRecord& record, const std::string& axes) {
   LabRecord turned_loads = record;
   Channel* Fz = turned_loads.find("Fz");
@@ -155,7 +155,7 @@ void read_shift(const Node& table, LabRecord& record, std::vector<std::string>& 
   words.push_back("time shifted by " + format_quantity(shift, "s"));
 }
 
-/// Keeps the samples of a mask and reports their number; rejects `key` if none is left.
+/// Keeps the samples of a mask and reports their number; throws at `key` if none is left.
 void narrow(const Node& table,
             const std::string& key,
             const std::string& what,
@@ -297,7 +297,7 @@ std::string columns_in_words(const Measurement::Told& told) {
   return count > kMost ? text + fmt::format(" and {} more", count - kMost) : text;
 }
 
-/// Says what a channel of another dimension most likely is where an angle is expected.
+/// Returns what a channel of another dimension most likely is if an angle is expected.
 std::string about_angle(const std::string& channel,
                         const std::string& written,
                         const std::string& si_unit_read,
@@ -454,7 +454,7 @@ std::string Measurement::other_dimension(const std::string& found,
                 : "",
         hint);
   }
-  std::vector<std::string> others;  // a column that is known as another channel is none of them
+  std::vector<std::string> others;  // columns that are not recognized as another channel
   for (const Channel& other : told_.channels.all()) {
     const StatedColumn& theirs = told_.written.at(other.name);
     const bool is_other = recognized(theirs.column) && !same_channel(theirs.column, found);

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings of a laboratory, and the choice and processing of their samples. An experiment names a
-// recording as its measurement, a test takes its conditions from it. Nothing is done that is not
-// stated.
+// Reads recordings of a laboratory, and selects and processes their samples. An experiment names a
+// recording as its measurement; a test takes its conditions from it. Only the stated processing
+// steps are done, in the order of their keys in correlation/laboratory/measurement_keys.cpp.
 //
-// The steps are done in the order above. Channels have Latsch's names and SI units, in iso axes,
-// whatever the file calls them: the vocabulary knows SA, SLIPANGL, slip angle and others as alpha
-// (measurement/meaning/channel_words.h). Signs and ranges of the remaining samples are checked.
-// Every file has a ledger of the meaning of its columns (measurement/ledger.h).
-//
-// Forces and moments are Fx Fy Fz Mx My Mz; with TYDEX the frame is appended: FyW. Gaps matter only
-// in channels that something needs.
-//
-// The keys are in correlation/laboratory/measurement_keys.cpp.
+// Channels have Latsch's names and SI units, in iso axes, whatever the names in the file: the
+// vocabulary knows SA, SLIPANGL, slip angle and others as alpha
+// (measurement/meaning/channel_words.h). Signs and ranges of the selected samples are checked.
+// Every file has a ledger of the meaning of its columns (measurement/ledger.h). Forces and moments
+// are Fx Fy Fz Mx My Mz; with TYDEX the frame is appended: FyW. Gaps matter only in channels that a
+// test or an experiment needs.
 #pragma once
 
 #include <filesystem>
@@ -38,26 +35,29 @@ class Measurement {
     bool is_stated = true;  // true if a [measurement.NAME] states it
     std::vector<std::filesystem::path> files;
     std::string frame;
-    std::vector<std::string> words;    // samples read and result of each step, a line each
-    std::vector<std::string> one_way;  // steps that cannot be undone: "low_pass", ...
+    std::vector<std::string> words;  // samples read and result of each step, a line each
+    // steps that lose information, such as "low_pass", so that a twin cannot undo them
+    std::vector<std::string> one_way;
     std::map<std::string, MeasurementNoise> noise;
     std::map<std::string, std::string> left_out;          // columns that are no channels, and why
     std::map<std::string, StatedColumn> written;          // a channel as named in the file
     std::map<std::string, StatedColumn> stated;           // the table `columns`
     std::map<std::string, formats::TableColumn> sources;  // a channel as its file states it
-    std::map<std::string, AxisFrame> turned_from;         // the original frame of each channel that
-                                                          // in_frame has turned
+    // The original frame of each channel that in_frame has converted.
+    std::map<std::string, AxisFrame> turned_from;
     AxisConvention axes = AxisConvention::iso;
     std::shared_ptr<std::vector<Ledger>> ledgers;  // one for each file
     std::map<std::string, std::string> ambiguous;  // channels that two columns claim, in words
-    std::vector<LedgerDoubt> suspects;  // numbers that are hardly measured; an error only counts
-                                        // if something uses the channel
-    std::vector<std::string> structs;   // structs of the file, if none of them was chosen
-    Channels recorded;                  // all samples as read, in Latsch's names and
-                                        // axes
-    Channels channels;                  // processed and selected samples
-    std::vector<Place> places;          // index in the file of each selected sample
-    std::vector<double> numbers;        // number of each selected sample, from 1
+    // Doubts about numbers that are probably not measured values; such an error counts only if
+    // something uses the channel.
+    std::vector<LedgerDoubt> suspects;
+    // structs of the MAT file, if none of them was chosen
+    std::vector<std::string> structs;
+    // all samples as read, in Latsch's names and axes
+    Channels recorded;
+    Channels channels;            // processed and selected samples
+    std::vector<Place> places;    // index in the file of each selected sample
+    std::vector<double> numbers;  // number of each selected sample, from 1
   };
   explicit Measurement(Told told) : told_(std::move(told)) {}
 
@@ -75,8 +75,9 @@ class Measurement {
   std::size_t samples() const { return told_.places.size(); }
 
   bool has(const std::string& channel) const;
-  /// Returns a channel in the SI unit `unit`. Throws InputError naming the place if there is none
-  /// (with the nearest names), if it has another dimension, or if it has gaps (how many, where).
+  /// Returns a channel in the SI unit `unit`. Throws InputError if there is none (the message lists
+  /// similar names), if it has another dimension, or if it has gaps (the message says how many and
+  /// where).
   const std::vector<double>& values(const std::string& channel, const std::string& unit) const;
   /// Returns the SI unit of an existing channel.
   const std::string& unit(const std::string& channel) const;
@@ -87,7 +88,7 @@ class Measurement {
   std::string name_of(const std::string& channel) const;
   /// Returns the channel's column and unit in the file.
   const StatedColumn& written(const std::string& channel) const;
-  /// Returns the forces and moments that in_frame has turned, with their frame in the file.
+  /// Returns the forces and moments that in_frame has converted, with their frame in the file.
   const std::map<std::string, AxisFrame>& turned_from() const { return told_.turned_from; }
   bool is_turned(const std::string& channel) const;
   const MeasurementNoise* noise(const std::string& channel) const;
@@ -101,23 +102,25 @@ class Measurement {
   /// Notes, while a study is read, that a channel is used by "test steady" or "experiment
   /// side_force".
   void note_use(const std::string& channel, const std::string& by) const;
-  /// Notes that `by` reads a channel but computes without it, and why.
+  /// Notes that `by` reads a channel but does not use it in its computation, and why.
   void note_ignored(const std::string& channel,
                     const std::string& by,
                     const std::string& why) const;
-  /// Absent channel that a user could have used; `otherwise` is what it uses instead.
+  /// A channel that the recording lacks although a user could have used it; `otherwise` is what is
+  /// used instead.
   struct Absent {
     std::string channel, unit, by, otherwise;
   };
   void note_absent(const Absent& absent) const;
-  /// Returns an error for every key of `columns` that is no known channel and that nothing uses:
-  /// "alpa" for alpha. Complete after all users of the measurement were read.
+  /// Returns an error for every key of `columns` that is no known channel and that nothing uses,
+  /// for example "alpa" for alpha. It is complete only after all users of the measurement have been
+  /// read.
   std::vector<LedgerDoubt> unknown_keys() const;
   /// Returns columns that look like a channel of that unit but were not recognized: `Alhpa` for
   /// alpha.
   std::vector<std::string> columns_like(const std::string& channel, const std::string& unit) const;
-  /// `columns = {alpha = "Alhpa [deg]"}`: the whole table that makes a column a channel in the SI
-  /// unit `unit`. It contains the unit only if the file states none.
+  /// Returns the table that makes a column a channel with the SI unit `unit`: `columns = {alpha =
+  /// "Alhpa [deg]"}`. It contains the unit only if the file states none.
   std::string hint_for(const std::string& channel,
                        const std::string& column,
                        const std::string& unit) const;
@@ -143,13 +146,13 @@ class Measurement {
 /// Reads [measurement.NAME]; file names are relative to `folder`. Throws InputError naming file and
 /// line.
 Measurement read_measurement(const Node& table, const std::filesystem::path& folder);
-/// Reads a file for which only its axes may be stated.
+/// Reads a single file outside of a study; only its axes can be stated.
 Measurement read_measurement(const std::filesystem::path& file,
                              std::optional<AxisConvention> axes = std::nullopt);
 
-/// Table or recording read on its own: channels in Latsch's names, SI and iso, and the ledger with
-/// every doubt. Reading throws InputError if the file cannot be read. A doubt that is an error
-/// makes a study refuse the file.
+/// A table or recording that is read outside of a study: channels in Latsch's names, SI and iso,
+/// and the ledger with every doubt. Reading throws InputError if the file cannot be read. A doubt
+/// that is an error would make a study refuse the file.
 struct MeasuredFile {
   Channels channels;
   Ledger ledger;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Doubts about a record that would otherwise become a wrong number: keys of `columns` that are no
-// channels, a minus before a name, fillers, contradicting signs and encodings.
+// Tests doubts about a record that would otherwise give a wrong number: keys of `columns` that are
+// no channels, a minus before a name, filler numbers, contradicting signs and encodings.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST_F(MeasurementDoubts, AMinusBeforeANameIsApplied) {
     EXPECT_NE(said(turned, "begins with a minus, which is applied: alpha is minus"), "") << title;
     EXPECT_EQ(said(turned, "same sign"), "") << title;
   }
-  // Somebody who takes the minus for a dash says so.
+  // A user for whom the minus is only a dash states the column in `columns`.
   const Measurement dash =
       read(sweep("time [s],FZ [N],-SA [deg],FY [N]", 1.0), "columns = {alpha = \"-SA\"}");
   EXPECT_EQ(dash.values("alpha", "rad"), plain.values("alpha", "rad"));
@@ -92,7 +92,8 @@ TEST_F(MeasurementDoubts, AFillerIsAnErrorOnceSomethingUsesItsChannel) {
   const Measurement rest = read(sweep(kNames, 1.0, 20), "[measurement.run.select]\n" + window);
   EXPECT_EQ(rest.samples(), 57u);
   EXPECT_EQ(said(rest, "-9999"), "");
-  // A low pass spreads the filler, so that no selection removes it.
+  // A low-pass filter spreads the filler number over its neighbors, so no selection of samples
+  // removes it.
   const Measurement filtered = read(sweep(kNames, 1.0, 20), "low_pass = \"2 Hz\"");
   EXPECT_NE(said(filtered, "low_pass has spread it"), "");
 }
@@ -111,7 +112,7 @@ TEST_F(MeasurementDoubts, AFillerInAnotherUnitOrFileIsFound) {
   const std::string second = said(*both, "-9999 N");
   EXPECT_NE(second.find("second.csv:5"), second.npos) << second;
   EXPECT_NE(second.find("lines 5 to 7"), second.npos) << second;
-  EXPECT_EQ(said(*both, "goes back"), "");  // each file has a time of its own
+  EXPECT_EQ(said(*both, "goes back"), "");  // each file has its own time
 }
 
 TEST_F(MeasurementDoubts, AMissingStateNamesTheColumnsThatMayBeIt) {
@@ -157,6 +158,11 @@ TEST_F(MeasurementDoubts, AnAssumedEncodingIsARowOfTheLedger) {
   EXPECT_EQ(encoding_of(western).find("Shift-JIS"), std::string::npos);
   EXPECT_EQ(said(read(western, ""), "Shift-JIS"), "");
   const std::string japanese = sweep("time [s],FZ [N],\x89\xb7\x93x [deg],FY [N]", 1.0);
+  // Längskraft, Rückstellmoment: an umlaut and the letter behind it are no Japanese character.
+  const std::string german =
+      "L\xe4ngskraft [N],R\xfc"
+      "ckstellmoment [N m],Schr\xe4glaufwinkel [\xb0]\n1,2,3\n2,3,4\n";
+  EXPECT_EQ(said(read(german, ""), "Shift-JIS"), "");
   EXPECT_NE(said(read(japanese, ""), "they look like Shift-JIS"), "");
 }
 
@@ -164,7 +170,8 @@ TEST_F(MeasurementDoubts, StepsAreUsersOfTheChannelsThatTheyRead) {
   const auto users = [&](const std::string& names, const std::string& lines) {
     const Measurement run = read(sweep(names, 1.0), lines);
     std::string all;
-    for (const LedgerRow& row : run.ledgers().front().rows)
+    const std::vector<Ledger> ledgers = run.ledgers();
+    for (const LedgerRow& row : ledgers.front().rows)
       for (const std::string& user : row.used_by) all += row.written + " by " + user + ";";
     return all;
   };

@@ -11,7 +11,8 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kLargestShare = 1.0;  // a larger deviation than the value itself is no measurement
+// share of the value: a noise larger than the value itself is no measurement
+constexpr double kLargestShare = 1.0;
 constexpr double kHuberScale = 1.345, kCauchyScale = 2.385;
 
 std::string wanted_noise(const std::string& unit) {

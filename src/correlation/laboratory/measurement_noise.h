@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exactness of measured values, and its use in the fit.
+// The noise of measured values, and its use in the fit.
 //
-// Noise has two more effects. The fit does not start again once the target is no larger than noise
-// alone makes it, so a stated noise that is too large ends the fit early. And intervals do not have
-// to estimate the noise.
-//
-// With d the error of a value as compared (objective.h) and sigma its stated deviation in units of
-// d, a value enters the fit as d / sigma, after a robust loss if one is stated (robust_loss.h).
-// With Gaussian noise, the default scales keep 95 % of the efficiency of least squares. The
-// intervals are those of M-estimation (confidence.h).
-//
+// Noise has two more effects. A fit does not start again once the target is no larger than noise
+// alone would make it, so a stated noise that is too large ends the fit early. And intervals do not
+// have to estimate the noise. With d the difference of a value as compared (objective.h) and sigma
+// its stated standard deviation in units of d, a value enters the fit as d / sigma, after a robust
+// loss if one is stated (robust_loss.h). With Gaussian noise, the default scales of the losses keep
+// 95 % of the efficiency of least squares. The intervals are those of M-estimation (confidence.h).
 // The keys are in correlation/laboratory/noise_keys.cpp.
 #pragma once
 
@@ -24,7 +21,7 @@ namespace latsch::correlation {
 
 struct MeasurementNoise {
   double relative = 0.0;  // share of what counts as 100 %
-  double absolute = 0.0;  // in the SI unit of what is compared
+  double absolute = 0.0;  // in the SI unit of the compared quantity
 
   bool operator==(const MeasurementNoise&) const = default;
 };

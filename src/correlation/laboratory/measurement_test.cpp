@@ -17,7 +17,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 // The rig uses SAE axes at 10 Hz: loads are negative, and the side force opposes the slip angle
-// with 100 N a degree.
+// with 100 N per degree.
 constexpr const char* kRun =
     "Tire 1\tRun 4\n"
     "ET\tSA\tIA\tP\tFY\tFZ\tMZ\tTSTC\n"
@@ -62,8 +62,8 @@ class LabMeasurement : public testing::Test {
 TEST_F(LabMeasurement, HasOurNamesAxesAndUnits) {
   const Measurement run = read("axes = \"sae\"\n");
   EXPECT_EQ(run.samples(), 8u);
-  EXPECT_NEAR(run.values("alpha", "rad")[0], 2 * kDegree, 1e-15);  // SAE reverses y and with it
-                                                                   // alpha
+  // SAE reverses y and with it alpha
+  EXPECT_NEAR(run.values("alpha", "rad")[0], 2 * kDegree, 1e-15);
   EXPECT_EQ(run.values("Fy", "N")[0], -205.0);
   EXPECT_EQ(run.values("Fz", "N")[3], 1500.0);
   EXPECT_EQ(run.values("Mz", "N m")[0], 4.0);
@@ -321,7 +321,7 @@ TEST_F(LabMeasurement, TakesAUnitFromTheEndOfAName) {
   EXPECT_EQ(run.values("p", "Pa")[0], 80e3);
   EXPECT_EQ(run.values("Fz", "N")[0], 1000.0);
   EXPECT_NEAR(run.values("Vx", "m/s")[0], 10.0, 1e-14);
-  EXPECT_EQ(run.unit("who_deg"), "1");  // an unknown name: the meaning remains undetermined
+  EXPECT_EQ(run.unit("who_deg"), "1");  // the unit of an unknown name is not interpreted
 }
 
 // The function that reads one file of any kind, without a study, returns channels, ledger and

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes a measurement from a model (a twin): the file keeps its content except the columns that
-// the model computes, which are written in the file's names, units and signs.
+// Writes a measurement computed by a model (a twin): the file keeps its content except the columns
+// that the model computes, which are written with the file's names, units and signs.
 //
-// Processing of the recording has to be undone for that. Axes are undone, and frames by the gamma
-// and loaded_radius of the file. A shift leaves forces as they are. A selection, a filter or a zero
-// cannot be undone.
+// The processing of the recording has to be inverted for that. Axes are converted back, and frames
+// by the gamma and loaded_radius of the file. A shift in time leaves forces unchanged. A selection,
+// a filter or a subtracted zero cannot be inverted.
 #pragma once
 
 #include <filesystem>
@@ -17,9 +17,9 @@
 namespace latsch::correlation {
 
 /// Writes `values` of channels, in SI and iso, one for each sample; `comment` becomes the first
-/// line. All forces that in_frame has turned are written if the file has them, so `values` must
-/// hold all channels that the turn needs. Returns the file. Throws InputError if a step cannot be
-/// undone, or the measurement is no single .csv file.
+/// line. If in_frame has converted forces, all forces of the file are written, so `values` must
+/// contain all channels that the conversion needs. Returns the file. Throws InputError if a step
+/// cannot be inverted or if the measurement is not a single .csv file.
 std::filesystem::path write_twin(const Measurement& measurement,
                                  const std::map<std::string, std::vector<double>>& values,
                                  const std::string& comment);

@@ -43,7 +43,8 @@ class MeasurementUnits : public testing::Test {
   ScratchFolder folder_;
 };
 
-// Once 900 lb became 408 N, because the number was read as a mass and the label as a force.
+// Regression test: 900 lb once became 408 N, because the number was read as a mass and the unit as
+// that of a force.
 TEST_F(MeasurementUnits, NumbersAndLabelsOfACsvAgree) {
   for (const char* file :
        {"Fz [lb]\n900\n", "Fz\nlb\n900\n", "Fz (lb)\n900\n", "Fz / lbf\n900\n"}) {

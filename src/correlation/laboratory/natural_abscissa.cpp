@@ -19,17 +19,19 @@ namespace latsch::correlation {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kVaries = 0.05;        // share of the usual range: smaller variation is the rig's
-                                        // scatter
-constexpr double kApart = 0.15;         // share of a condition's range: a gap of this size
-                                        // separates two levels
-constexpr double kNear = 0.05;          // a gap of this size does, too, between distinct levels:
-constexpr double kDistinct = 3.0;       // the gaps between them are so many times those inside,
-constexpr std::size_t kFilled = 4;      // and each has so many samples on average
-constexpr std::size_t kSparse = 2;      // with fewer samples a level no values form levels: a load
-                                        // that rises with the travel of a rig is a result
-constexpr std::size_t kMostLevels = 8;  // a condition with more levels is a sweep and forms no
-                                        // groups
+// Share of the usual range: smaller variation is scatter of the rig.
+constexpr double kVaries = 0.05;
+// Share of a condition's range: a gap of this size separates two levels.
+constexpr double kApart = 0.15;
+// share of the range: a gap of this size also separates two levels if
+constexpr double kNear = 0.05;
+constexpr double kDistinct = 3.0;   // it is so many times as large as the gaps within the levels,
+constexpr std::size_t kFilled = 4;  // and if each level has so many samples on average
+// Samples per level below which values form no levels: for example a load that rises with the
+// travel of a rig is a result, not a condition.
+constexpr std::size_t kSparse = 2;
+// Largest number of levels: a condition with more is a sweep and forms no groups.
+constexpr std::size_t kMostLevels = 8;
 
 struct Usual {
   const char* name;
@@ -69,7 +71,8 @@ std::optional<std::vector<double>> values_of(const Measurement& measurement, con
 std::vector<double> level_starts(const std::vector<double>& sorted) {
   const double range = sorted.back() - sorted.front();
   std::vector<double> wide, near;
-  double inside = 0.0, between = range;  // the widest gap of a level, the narrowest between levels
+  // the widest gap within a level, the narrowest between levels
+  double inside = 0.0, between = range;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const double gap = sorted[i] - sorted[i - 1];
     if (gap > kApart * range) wide.push_back(sorted[i]);
@@ -160,8 +163,8 @@ std::vector<Condition> conditions_of(const Measurement& measurement, const std::
   return all;
 }
 
-/// Returns the mean of the samples of a level, "Fz 1050 N", with the digits in which levels differ;
-/// the rest is the rig's scatter.
+/// Returns the name of a level, such as "Fz 1050 N": the mean of its samples, rounded to the digits
+/// in which levels differ.
 std::string name_of(const Condition& one, int level) {
   const Unit unit = Unit::of(one.shown);
   double sum = 0.0, count = 0.0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Channel over which a person looks at samples that are compared one by one: a side force over the
-// slip angle, a toe angle over the travel or load of a K&C rig.
+// Chooses the abscissa over which samples are drawn that are compared one by one: a side force over
+// the slip angle, a toe angle over the travel or load of a K&C rig.
 //
-// The abscissa is the slip (alpha, kappa, gamma) that covers the most of its usual range. Without
-// slip it is the travel dz or the load, force or moment that the rig moves. Samples whose other
-// conditions differ (load, camber, pressure) belong to different groups, so that each group is a
-// curve of its own.
+// The abscissa is the slip (alpha, kappa, gamma) that covers the largest part of its usual range.
+// Without slip it is the travel dz or the load, force or moment that the rig varies. Samples with
+// different other conditions (load, camber, pressure) belong to different groups, so that each
+// group is a curve of its own.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,9 @@ struct NaturalAbscissa {
   /// Samples in drawing order: group by group, rising in each.
   std::vector<std::size_t> order;
   struct Group {
-    std::string name;       // for example "Fz 1050 N, gamma 0 deg"; empty: there is one group
-    std::string level;      // its first condition, "Fz 1050 N": groups with it share a color
+    std::string name;  // for example "Fz 1050 N, gamma 0 deg"; empty: there is one group
+    // the first condition of the group, "Fz 1050 N": groups with the same level share a color
+    std::string level;
     std::size_t from, end;  // indices into `order`
   };
   std::vector<Group> groups;

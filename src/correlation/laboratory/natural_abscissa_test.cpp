@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves over a slip angle are told apart by their loads, as a person sees them in a record.
+// Curves over a slip angle are grouped by their loads.
 #include "correlation/laboratory/natural_abscissa.h"
 
 #include <fmt/format.h>

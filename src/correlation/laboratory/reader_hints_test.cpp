@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages about measured files propose what to write. Each test here writes exactly that, and the
-// file is then read as it was meant.
+// Messages about measured files propose what to write. Each test writes exactly the proposal, and
+// the file must then be read correctly.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ constexpr std::array kUnitless = {
 
 class ReaderHints : public testing::Test {
  protected:
-  /// With [measurement.run] of a file and these lines.
+  /// Reads a [measurement.run] of a file with these additional lines.
   Measurement read(const std::string& file, const std::string& lines) {
     const Document document = Document::parse(
         "[measurement.run]\nfile = \"" + file + "\"\n" + lines + "\n", "study.toml");
@@ -104,7 +104,8 @@ TEST_F(ReaderHints, AColumnWithoutUnitIsMendedInItsFile) {
   struct Kind {
     const char *file, *head, *sample;
   };
-  // One line of names; names and a line of units; the same of a test consortium, with tabs, blanks.
+  // Kinds of files: one line of names; names and a line of units; and files of a test consortium
+  // with tabs and with blanks.
   for (const Kind& kind : {Kind{"run.csv", "{},other [N]\n", "2,1\n"},
                            Kind{"units.csv", "{},other\n,N\n", "2,1\n"},
                            Kind{"run.dat", "Run 1\n{}\tother\n\tN\n", "2\t1\n"},

@@ -51,7 +51,8 @@ void name_meaning(LedgerRow& row) {
   if (known) row.meaning = known->meaning->words;
 }
 
-/// Marks a known name whose values have no unit or one of another dimension.
+/// Marks the row of a known name as doubtful if its values have no unit or one of another
+/// dimension.
 void note_dimension(LedgerRow& row) {
   constexpr std::array<std::string_view, 4> kLetters = {"P", "p", "V", "v"};
   std::string expected = dimension_of_name(row.written);
@@ -70,7 +71,7 @@ void note_dimension(LedgerRow& row) {
                                  words_for(Unit::of(expected)).noun);
 }
 
-/// Says that the minus before a name was applied, and how to undo it.
+/// Adds a doubt that the minus before a name was applied, and how to undo it.
 void note_minus(const formats::TableColumn& column,
                 const LabRecord& record,
                 LedgerRow& row,
@@ -222,7 +223,8 @@ void note_use(LabRecord& record, const std::string& channel, const std::string& 
 
 namespace {
 
-/// Angles of a suspension whose signs no axes define, and the positive direction assumed here.
+/// Angles of a suspension whose signs no convention of axes defines, and the positive direction
+/// that is assumed.
 struct SuspensionSign {
   const char *channel, *positive;
 };
@@ -248,7 +250,7 @@ bool is_of_suspension(const Ledger& ledger) {
   });
 }
 
-/// Says which signs are assumed for the angles of a suspension, because no file states them.
+/// Adds the signs that are assumed for the angles of a suspension, because no file states them.
 void note_suspension_signs(Ledger& ledger) {
   if (!is_of_suspension(ledger)) return;
   std::vector<std::string> assumed;
@@ -310,7 +312,7 @@ std::string ambiguity(const LabRecord& record, const std::string& channel) {
 
 namespace {
 
-/// Returns the samples that are left of a suspect number.
+/// Returns those samples of a suspect number that are still selected.
 std::vector<std::size_t> samples_left(const LabRecord& record, const SuspectSamples& suspect) {
   std::vector<std::size_t> left;
   for (const double number : suspect.samples) {
@@ -329,7 +331,7 @@ std::vector<std::size_t> first_samples(const LabRecord& record) {
   return first;
 }
 
-/// Returns the channels with gaps in place of suspect numbers.
+/// Returns the record with gaps instead of suspect numbers.
 LabRecord without_suspects(const LabRecord& record) {
   LabRecord plain;
   plain.channels = record.channels;
@@ -341,7 +343,8 @@ LabRecord without_suspects(const LabRecord& record) {
   return plain;
 }
 
-/// Returns `lines 12, 40 to 49`, or the numbers of the samples if the file has no lines.
+/// Returns in words the places of samples: `lines 12, 40 to 49`, or the sample numbers if the file
+/// has no lines.
 std::string rows_in_words(const LabRecord& record, const std::vector<std::size_t>& samples) {
   std::vector<long> lines, numbers;
   for (const std::size_t i : samples) {
@@ -353,9 +356,10 @@ std::string rows_in_words(const LabRecord& record, const std::vector<std::size_t
          runs_in_words(have_lines ? lines : numbers);
 }
 
-/// Returns a window for `select` around the other values of a channel: `Fy = "-10 N .. 10 N"`.
+/// Returns a range for `select` that contains all other values of a channel: `Fy = "-10 N .. 10
+/// N"`.
 std::string window_around(const Channel& channel) {
-  constexpr double kMargin = 0.01;  // share of the span, so that no value is at the edge
+  constexpr double kMargin = 0.01;  // share of the span, so that no value lies exactly at an end
   constexpr int kDigits = 6;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double value : channel.values)
@@ -426,7 +430,7 @@ std::vector<LedgerDoubt> suspect_numbers(const LabRecord& record,
 
 namespace {
 
-/// Returns the way out of contradicting signs, to follow their sentence.
+/// Returns advice on how to remove a contradiction of signs, to follow the sentence about it.
 std::string advice_in_words(const std::vector<std::string>& advice,
                             bool axes_are_stated,
                             const std::string& where) {
@@ -438,7 +442,7 @@ std::string advice_in_words(const std::vector<std::string>& advice,
                      where);
 }
 
-/// Returns the channels `plain` with the names and statements of the record that they are of.
+/// Returns the channels `plain` with the names and statements of the record from which they come.
 LabRecord with_names_of(const LabRecord& record, LabRecord plain) {
   plain.written = record.written;
   plain.stated = record.stated;

@@ -26,11 +26,11 @@ void note_axes(LabRecord& record, AxisConvention axes, bool are_stated);
 /// the advice then refers.
 void check_channels(LabRecord& record, bool axes_are_stated, bool is_stated);
 
-/// Returns a doubt for every suspect number of the samples that are left: its column, its rows and
-/// how to leave it out. A number that is certainly no measured value makes an error of it, which
-/// counts if something uses the channel. `table` is the name of the [measurement.NAME], or empty;
-/// `selected` has the channels by which samples were selected: a person has looked at them.
-/// `was_filtered` is true if a low pass has spread the number over its neighbors.
+/// Returns a doubt for every suspect number among the selected samples: its column, its rows and
+/// how to leave it out. If the number is certainly no measured value, the doubt is an error, which
+/// counts if something uses the channel. `table` is the name of the [measurement.NAME], or empty.
+/// `selected` lists the channels by which the user selected samples; the user has probably looked
+/// at these. `was_filtered` is true if a low-pass filter has spread the number over its neighbors.
 std::vector<LedgerDoubt> suspect_numbers(const LabRecord& record,
                                          const std::string& table,
                                          const std::vector<std::string>& selected,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selects samples of a recording by windows of values and by the direction of a sweep.
+// Selects samples of a recording by ranges of values and by the direction of a sweep.
 //
 //   "900 N .. 1200 N"      from, to; either may be missing: "30 s .."
 //   "0 deg +- 0.3 deg"     about a value; "0 +- 0.3 deg": one unit for both
-//   "rising", "falling"    between the turning points of a channel, where it goes back by
-//                          more than 5 % of its range, so neither noise nor sampling rate matters
+//   "rising", "falling"    between the turning points of a channel; a turning point is where it
+//                          goes back by more than 5 % of its range, so neither noise nor the
+//                          sampling rate matters
 #pragma once
 
 #include <optional>
@@ -18,7 +19,7 @@ struct Window {
   double from, to;  // SI
 };
 
-/// Parses a window in the SI unit `unit`. If the text is no window, the first is empty and the
+/// Parses a range in the SI unit `unit`. If the text is no range, the first member is empty and the
 /// second says why.
 std::pair<std::optional<Window>, std::string> parse_window(const std::string& text,
                                                            const std::string& unit);

@@ -9,7 +9,8 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr std::size_t kMostTried = 20'000;  // samples; every further statement costs a pass
+// samples; limits the time of a trial, because every trial statement is a pass over the samples
+constexpr std::size_t kMostTried = 20'000;
 
 /// Returns every n-th sample, so that at most kMostTried are left.
 Channels thinned(const LabRecord& record) {
@@ -50,8 +51,8 @@ bool signs_agree(const Channels& channels) {
       doubts.begin(), doubts.end(), [](const ChannelDoubt& doubt) { return doubt.is_of_sign; });
 }
 
-/// Returns why a column has the other sign than the rest of a record in sae axes; empty for a
-/// column of which that is unusual.
+/// Returns the reason why a single column may have the opposite sign although the record is in sae
+/// axes; empty for a column for which that is unusual.
 std::string words_beside_sae(const std::string& channel) {
   if (channel.starts_with("Fz")) return "its loads are written as positive";
   return channel == "gamma" ? "its inclination has the other sign" : "";

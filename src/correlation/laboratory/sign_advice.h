@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds what to state about a record whose signs contradict each other: other axes, or one column
-// with the other sign. Every statement is tried on the record, and only those are advised that
-// leave no contradiction. Several may: a record in sae axes whose loads are written as positive is
-// the mirror image of one in iso axes whose inclination has the other sign. Beside one lateral
-// column that is turned, its mirror image is named: all the others turned.
+// Finds statements that remove a contradiction between the signs of a record: other axes, or one
+// column with the opposite sign. Every statement is tried on the record, and only those that leave
+// no contradiction are advised. There may be several: a record in sae axes whose loads are written
+// as positive is the mirror image of one in iso axes whose inclination has the opposite sign. If
+// the sign of one lateral column is changed, the mirror image is named as well: the signs of all
+// other lateral columns are changed instead.
 #pragma once
 
 #include <string>
@@ -14,9 +15,9 @@
 namespace latsch::correlation {
 
 /// Returns statements of a [measurement.NAME] with which the signs agree, the shortest ones first:
-/// `axes = "sae"`, `columns = {gamma = "-IA"}`, `axes = "sae"` with `columns = {Fz = "-FZ"}`. Two
-/// columns are turned only if no other statement helps. Axes are tried only if none are stated.
-/// Empty if the signs agree as they are or no statement helps.
+/// `axes = "sae"`, `columns = {gamma = "-IA"}`, `axes = "sae"` with `columns = {Fz = "-FZ"}`. The
+/// signs of two columns are changed only if no other statement helps. Other axes are tried only if
+/// none are stated. The list is empty if the signs already agree or if no statement helps.
 std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are_stated);
 
 /// Returns the table `columns` with which a channel has the other sign.

@@ -38,7 +38,7 @@ void expect_stated_share(const Node& table,
   std::string expected = "\"" + number + " %\"";
   if (unit != "1") expected += " or \"" + number + " " + unit + "\"";
   const std::string percent = format_number(100.0 * share) + " %";
-  // A noise, which also has a unit, is never larger than the value itself.
+  // A noise, which may also have a unit, is never larger than the value itself.
   if (unit == "1") expected += ", or \"" + percent + "\" if that is meant";
   table.reject(key,
                "is " + number + " without a unit, which is " + percent + "; expected " + expected);
@@ -46,7 +46,8 @@ void expect_stated_share(const Node& table,
 
 double read_share(const Node& table, const std::string& key, Range range, const std::string& unit) {
   DocumentRecord::expects(table, key, R"(a share such as "3 %"; without a unit at most 1)");
-  const auto text = text_at(table, key);  // first: the last type is recorded
+  // read first, because the last type that is read is recorded for the key
+  const auto text = text_at(table, key);
   const double share = table.quantity(key, "1", range);
   expect_stated_share(table, key, text.value_or(""), share, unit);
   return share;

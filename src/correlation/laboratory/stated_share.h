@@ -8,9 +8,9 @@
 
 namespace latsch::correlation {
 
-/// Returns the share that `key` states. Throws InputError if a number without a unit is above 1:
-/// `largest_error = 3` usually means 3 %, `noise = 20` usually means 20 N. `unit` is the SI unit of
-/// what the share is of if the key also accepts an absolute value, else "1".
+/// Returns the share that `key` states. `unit` is "1", or the SI unit of the value if the key also
+/// accepts an absolute value. Throws InputError for a number without a unit above 1: `largest_error
+/// = 3` usually means 3 %, and `noise = 20` usually means 20 N.
 double read_share(const Node& table,
                   const std::string& key,
                   Range range,

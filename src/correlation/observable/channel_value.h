@@ -14,8 +14,8 @@ const std::vector<std::string>& names_of_values();
 
 /// Returns the value with one of the given names. The channel must have values.
 double value_of(const std::string& of, const std::vector<double>& values);
-/// Returns the slopes of the result of value_of(), one for each variable, of a channel with known
-/// slopes. The sample with the largest or smallest value is held fixed.
+/// Returns the derivatives of value_of() by each variable, for a channel with known derivatives.
+/// The sample with the largest or smallest value is assumed to stay the same.
 std::vector<double> slopes_of(const std::string& of, const Channel& channel);
 
 }  // namespace latsch::correlation

@@ -11,10 +11,11 @@ namespace {
 
 using experiment::ModeRecord;
 
-constexpr double kMixing = 0.05;  // relative distance over which shapes may mix
+// relative distance of frequencies within which the shapes of two modes may mix
+constexpr double kMixing = 0.05;
 constexpr double kDouble = 1e-5;  // modes nearer than this may be one double mode
-constexpr double kAsGood = 0.01;  // largest distance from the measured frequency for a member of a
-                                  // double mode
+// largest distance from the measured frequency for a member of a double mode
+constexpr double kAsGood = 0.01;
 
 struct Share {
   double value, slope;  // s, ds/dg
@@ -28,8 +29,9 @@ Share share_of(double g, const CloseModes& close) {
   return {t * t * (3.0 - 2.0 * t), -6.0 * t * (1.0 - t) / width};
 }
 
-/// Exchanges the order of a and b, where a belongs to the lower measured mode. Does nothing if the
-/// order agrees or the names hold.
+/// Puts a and b in order if their frequencies are close, where a is compared with the lower
+/// measured mode. Does nothing if the order already agrees or if the modes are far enough apart
+/// that their names are reliable.
 void exchange(ComparedFrequency& a, ComparedFrequency& b, const CloseModes& close) {
   const double d = a.frequency - b.frequency, sum = a.frequency + b.frequency;
   if (!(d > 0.0)) return;
@@ -114,7 +116,7 @@ std::vector<std::string> remarks_on_close(const std::vector<ModeRecord>& measure
                                           const std::vector<ComparedFrequency>& compared) {
   std::vector<std::string> all;
   for (const ComparedFrequency& one : compared) {
-    if (one.beside < one.measured) continue;  // no exchange, or reported with the other mode
+    if (one.beside < one.measured) continue;  // no exchange, or it is reported with the other mode
     all.push_back(fmt::format(
         "{} and {} are simulated within {:g} % of one another, in the other order than measured: "
         "that is too close to tell them apart, so their frequencies are compared in their order.",

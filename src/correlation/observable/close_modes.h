@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ordering of modes of one circumferential number that are too close to be distinguished.
+// Orders modes of one circumferential number n whose frequencies are too close to distinguish the
+// modes.
 //
 // Near a crossing of a lateral and a radial mode of one n, their shapes mix. A mode is named by the
 // larger part of its energy, so names change with a parameter: they are exchanged, or both modes
 // are called radial. A frequency compared by name would jump, or have no partner; frequencies in
-// their order do not jump. Take two measured modes, a below b, whose simulated frequencies f_a >
-// f_b are in the other order at the relative distance g = 2 (f_a - f_b) / (f_a + f_b). They become
+// ascending order do not jump. Take two measured modes, a below b, whose simulated frequencies f_a
+// > f_b are in the opposite order, at the relative distance g = 2 (f_a - f_b) / (f_a + f_b). They
+// become
 //
 //   f_a -> f_a - s(g) (f_a - f_b)      f_b -> f_b + s(g) (f_a - f_b)
 //
 // with s = 1 up to a distance `alike`, below which names mean nothing, 0 from `apart` on, above
-// which names hold, and 3 t^2 - 2 t^3 between. Several modes are taken in pairs in turn, which
-// sorts those that are alike. The result is continuous in the frequencies and independent of names
-// among close modes.
+// which names are reliable, and 3 t^2 - 2 t^3 between. Several modes are treated in pairs in turn,
+// which sorts those that are close. The result is continuous in the frequencies and independent of
+// the names of close modes.
 #pragma once
 
 #include <string>
@@ -33,17 +35,18 @@ struct ComparedFrequency {
   int measured = 0;            // index of the measured mode
   double frequency = 0.0;      // Hz
   std::vector<double> slopes;  // derivatives by each variable; empty: not known
-  int beside = -1;             // index of the measured mode whose frequency contributes to this
-                               // one; -1: none
+  /// index of the measured mode whose frequency contributes to this one; -1: none
+  int beside = -1;
 };
 
-/// True if n and phase of two modes agree as far as the phases are known; n has to be known.
+/// True if n and phase of two modes agree. An unknown phase agrees with any; n must be known.
 bool same_waves(const experiment::ModeRecord& a, const experiment::ModeRecord& b);
 
-/// Finds partners for measured modes without a partner by name (-1 in `partner`). A partner is a
-/// free simulated mode of equal n and phase, within 5 % of the measured one and within 5 % of
-/// another simulated mode, with which it may have mixed and so lost its name. The members of a
-/// double mode do not mix, so for two modes at one frequency a free one is taken only within 1 %.
+/// Finds partners for measured modes that have none of their name (-1 in `partner`). A partner is
+/// an unpaired simulated mode of equal n and phase, within 5 % of the measured frequency and within
+/// 5 % of another simulated mode, with which it may have mixed and so lost its name. The members of
+/// a double mode do not mix, so of two modes with one frequency an unpaired one is taken only if it
+/// lies within 1 %.
 void take_mixed(const std::vector<experiment::ModeRecord>& measured,
                 const std::vector<experiment::ModeRecord>& simulated,
                 std::vector<int>& partner);
@@ -55,7 +58,7 @@ void order_close(const std::vector<experiment::ModeRecord>& measured,
                  bool needs_waves,
                  std::vector<ComparedFrequency>& compared);
 
-/// Returns a sentence for every two modes that order_close() has ordered.
+/// Returns a sentence for each pair of modes whose order order_close() has changed.
 std::vector<std::string> remarks_on_close(const std::vector<experiment::ModeRecord>& measured,
                                           const CloseModes& close,
                                           const std::vector<ComparedFrequency>& compared);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses the channel of a test with which a measured force or moment is compared: the one in the
 // frame that the measurement states (measurement/axes.h). A test that records several frames has
-// "sweep/FyC" and "sweep/FyW" for "sweep/Fy". Nothing is turned here; in_frame of a
+// "sweep/FyC" and "sweep/FyW" for "sweep/Fy". This file converts no values; in_frame of a
 // [measurement.NAME] does that.
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace latsch::correlation {
 
-/// Returns the one of the `channels` that the experiment `table` calls `named` under `key`.
-/// `stated` is the experiment's key `frame`, for a measurement that does not state its axes; "":
-/// not given. Throws InputError if there is no such channel, or only in other axes.
+/// Returns the channel that the experiment `table` calls `named` under `key`. `stated` is the
+/// experiment's key `frame`, for a measurement that does not state its frame; "": not given. Throws
+/// InputError if there is no such channel, or only one in another frame.
 const KnownChannel& channel_in_measured_frame(const Node& table,
                                               const char* key,
                                               const std::string& named,
@@ -28,7 +28,8 @@ const KnownChannel& channel_in_measured_frame(const Node& table,
 /// "sweep/MzC" for "sweep/FyC".
 std::vector<std::string> forces_beside(const std::string& channel);
 
-/// True if a force or moment is equal in both frames, as a force in W and H is.
+/// True if a force or moment has the same value in both frames, as a force in the frames W and H
+/// has.
 bool is_same_in(const std::string& channel, const std::string& frame, const std::string& other);
 
 }  // namespace latsch::correlation

@@ -169,8 +169,8 @@ std::shared_ptr<const Curve> read_curve(const Node& table,
 
 namespace {
 
-/// Returns a measured abscissa, moved to the end of the simulated ones if it lies beyond by
-/// rounding only: a sum of time steps is not the decimal number of a file.
+/// Returns a measured abscissa. If it lies beyond the end of the simulated ones by rounding only,
+/// returns that end: a sum of time steps differs from the decimal number in a file.
 double reached(double at, const std::vector<double>& x) {
   constexpr double kRounding = 1e-9;  // share of the interval from end to end
   const double end = std::clamp(at, x.front(), x.back());
@@ -217,8 +217,8 @@ std::vector<double> steepness_at_measured(const CurveMeasurement& curve,
   return steepness;
 }
 
-/// Returns the slopes of the curve at the measured abscissas minus a delay: dy - y' dx, because
-/// both move. Empty if one of them is not known.
+/// Returns the derivatives of the curve at the measured abscissas minus a delay: dy - y' dx,
+/// because both x and y depend on the variables. Empty if the derivatives of x or y are not known.
 std::vector<double> slopes_at_measured(const CurveMeasurement& curve,
                                        const Channel& x,
                                        const Channel& y,
@@ -395,14 +395,14 @@ std::vector<std::filesystem::path> Curve::write(const Channels& trial,
 
 namespace {
 
-/// Draws the band of the measured abscissas, x rising, around all samples of the curve between
-/// them.
+/// Draws the band, which is known at the measured abscissas (ascending), around all samples of the
+/// curve between them.
 void draw_around_samples(const report::Band& band,
                          const std::vector<double>& x,
                          const std::vector<double>& computed,
                          report::MeasuredCurve& picture) {
   std::map<double, std::pair<double, double>>
-      beside;  // band ends minus the curve; the wider band if x repeats
+      beside;  // distance of the band's ends from the curve; the larger one if an x repeats
   for (std::size_t k = 0; k < x.size(); ++k) {
     const double lower = band.lower[k] - computed[k], upper = band.upper[k] - computed[k];
     if (!std::isfinite(lower) || !std::isfinite(upper)) continue;
@@ -472,7 +472,7 @@ void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const 
   picture.errors = shown.comparison.errors;
   const bool is_spectrum = c_.comparison.of_spectrum();
   if (is_spectrum || c_.comparison.what == ComparedCurve::about_mean) {
-    // The picture shows the compared values in place of the time series.
+    // The picture shows the compared values, such as a spectrum, instead of the time series.
     picture.x_name = is_spectrum ? "frequency" : c_.x;
     picture.y_name = c_.compared_name;
     picture.x_unit = is_spectrum ? c_.x_compared_unit : c_.x_shown;

@@ -50,9 +50,9 @@ class Curve : public Observable {
   explicit Curve(CurveMeasurement measured);
 
   const CurveMeasurement& measured() const { return c_; }
-  /// Returns the simulated values as compared, one for each of y_compared; for a path, the measured
-  /// value minus its distance. Fails if there are too few values, x does not rise (except for a
-  /// path), or the measurement extends beyond the simulation.
+  /// Returns the simulated values as compared, one for each of y_compared; for `path`, the measured
+  /// value minus the point's distance from the path. Fails if there are too few values, if x does
+  /// not rise (except for `path`), or if the measurement extends beyond the simulation.
   Result<SimulatedValues> simulated(const Channels& trial) const;
 
   Result<Comparison> compare(const Channels& trial,
@@ -75,7 +75,7 @@ class Curve : public Observable {
 
   /// Draws, without x, over the natural abscissa, group by group.
   void draw_over_natural(const ShownExperiment& shown, report::MeasuredCurve& picture) const;
-  /// Returns the abscissas of a trial as a page draws them, shifted by its fitted delay.
+  /// Returns the abscissas of a trial for drawing, shifted by its fitted delay.
   std::vector<double> shown_abscissas(const Channels& trial) const;
 
   CurveMeasurement c_;

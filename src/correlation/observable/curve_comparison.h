@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Properties of two curves y(x) that are compared. Each value is a residual of its own:
+// Quantities by which two curves y(x) can be compared. Each value is a separate residual:
 //
 //   values       y at every measured x: the time series, or force over slip
-//   about_mean   y minus its mean: a constant offset does not count
-//   psd          power spectral density of y over time: neither an offset nor a phase counts
+//   about_mean   y minus its mean: a constant offset does not matter
+//   psd          power spectral density of y over time: neither an offset nor a phase matters
 //                [thesis K, 3.3: the cost is the RMS between the densities, exponent = 2]
-//   band_levels  level of y in third-octave bands in dB: weak bands count like strong ones
+//   band_levels  level of y in third-octave bands in dB: weak bands count as much as strong ones
 //   path         distance of every measured point (x, y) from the simulated line in the plane of
 //                x / x_scale and y / scale: on a steep curve a small shift of x is a small error,
 //                and the curve may turn back (up and down a slip sweep)

@@ -97,8 +97,8 @@ TEST_F(ComparedCurves, AConstantOffsetDoesNotCountAboutTheMean) {
   EXPECT_LT(score(s, simulated([](double t) { return sine(t) + 50.0; })).value, 1e-24);
 }
 
-// In the cost of the thesis neither offset nor phase counts. Twice the amplitude is four times the
-// density: at the highest line d = -3 in units of the measured peak.
+// In the objective of the thesis neither offset nor phase matters. Twice the amplitude is four
+// times the density: at the highest line d = -3 in units of the measured peak.
 TEST_F(ComparedCurves, DensitiesCountNeitherOffsetNorPhase) {
   measure(sine);
   const auto s = study("compare = \"psd\"\nsegment = \"1 s\"\nband = [\"5 Hz\", \"20 Hz\"]\n");

@@ -8,12 +8,14 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kWidest = 0.1;  // share of the record, before and behind
+constexpr double kWidest = 0.1;  // share of the record, in either direction
 constexpr int kCoarsest = 20;    // steps of the grid at least
-constexpr int kFinest = 2000;    // greatest number; a finer grid costs time without finding more
+// largest number of grid steps; a finer grid takes longer and finds no better delay
+constexpr int kFinest = 2000;
 constexpr int kMostDelaySteps = 30;  // Gauss-Newton steps; two or three are usual
-constexpr double kRoom = 1e-3;       // share of a simulated step; less is rounding of time
-constexpr double kSettled = 1e-12;   // share of the range; a smaller step ends the search
+// share of a simulated step; a smaller range is only rounding of the times
+constexpr double kRoom = 1e-3;
+constexpr double kSettled = 1e-12;  // share of the range; a smaller step ends the search
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -65,7 +67,7 @@ FittedDelay fit_delay(const DelayRange& range,
     delay.stiffness = dot(at.by_delay, at.by_delay);
     if (!(delay.stiffness > 0.0)) break;
     double step = -dot(at.by_delay, at.d) / delay.stiffness;
-    // A kink between two samples may make a whole step too long, so steps are halved.
+    // If there is a kink between two samples, a whole step may be too long, so steps are halved.
     bool is_better = false;
     for (int halving = 0; halving < 8 && !is_better; ++halving, step *= 0.5) {
       const double next = std::clamp(delay.value + step, lower, upper);

@@ -28,11 +28,11 @@ namespace latsch::correlation {
 
 /// Delay of one trial.
 struct FittedDelay {
-  double value = 0.0;      // s; positive: recorded later than simulated
-  double stiffness = 0.0;  // a'a, 1/s^2, of differences in units of their scale. The deviation of
-                           // the delay at given variables is the deviation of a difference over the
-                           // root of this number.
-  bool at_end = false;     // true if the least sum of squares lies at an end of the range
+  double value = 0.0;  // s; positive: recorded later than simulated
+  /// The sum a'a, 1/s^2, for differences in units of their scale. The standard deviation of the
+  /// delay at given variables is that of a difference divided by the square root of this number.
+  double stiffness = 0.0;
+  bool at_end = false;              // true if the least sum of squares lies at an end of the range
   std::vector<double> slopes = {};  // d delay / d variable, s; empty: not known
 };
 
@@ -51,14 +51,15 @@ struct DelayRange {
 FittedDelay fit_delay(const DelayRange& range,
                       const std::function<DelayedDifferences(double)>& differences);
 
-/// Removes the part along by_delay from `slopes`, a matrix with by_delay.size() rows and one column
-/// for each variable, and sets the slopes of the delay.
+/// Removes from `slopes` the part along by_delay and sets the derivatives of the delay. `slopes` is
+/// a matrix with by_delay.size() rows and one column for each variable.
 void project_out(const std::vector<double>& by_delay,
                  std::vector<double>& slopes,
                  FittedDelay& delay);
 
-/// Returns a tenth of the record to both sides, as far as the simulated times cover the measured
-/// ones; nullopt if that leaves no room for a delay. Times must rise, s.
+/// Returns the range of delays, s: a tenth of the record in either direction, as far as the
+/// simulated times cover the measured ones. Returns nullopt if no range is left. Times must rise,
+/// s.
 std::optional<DelayRange> delay_range(const std::vector<double>& measured,
                                       const std::vector<double>& simulated);
 

@@ -123,8 +123,8 @@ TEST_F(Delays, NoneIsFittedUnlessAskedFor) {
 }
 
 TEST_F(Delays, TheEndOfTheRangeIsTold) {
-  measure([](double t) { return hit(t - 0.25); });  // a quarter of the record: beyond the limit of
-                                                    // a tenth
+  // a quarter of the record: beyond the limit of a tenth
+  measure([](double t) { return hit(t - 0.25); });
   const Comparison found = compared(study(kFree), simulated(hit));
   EXPECT_TRUE(found.delay->at_end);
 }
@@ -155,13 +155,14 @@ TEST_F(Delays, ItsScatterIsWhatItsStiffnessSays) {
     sum += std::pow(found.delay->value - kTrue, 2.0);
     promised += std::pow(kNoise / 2.0, 2.0) / found.delay->stiffness;  // the scale is 2 N
   }
-  EXPECT_NEAR(sum / promised, 1.0, 0.25);  // three deviations of a variance of 300 draws
+  // three standard deviations of a variance estimated from 300 draws
+  EXPECT_NEAR(sum / promised, 1.0, 0.25);
 }
 
-// The slopes of projected differences are compared with central differences at an exact fit, where
-// Kaufman's slopes are the complete ones. A curve that is straight between samples 0.1 ms apart has
-// a steepness that is off by up to y'' h / 2 = 450 N/s^2 0.1 ms / 2 = 0.023 N/s, which the delay's
-// slope of 0.23 s turns into 2.6e-3 of the scale of 2 N.
+// The derivatives of differences at the fitted delay are compared with central differences at an
+// exact fit, where Kaufman's formula is complete. Between samples 0.1 ms apart the curve is
+// straight, so its steepness is wrong by up to y'' h / 2 = 450 N/s^2 0.1 ms / 2 = 0.023 N/s, which
+// the derivative of the delay, 0.23 s, turns into 2.6e-3 of the scale of 2 N.
 TEST_F(Delays, SlopesHaveNoPartAlongTheDelay) {
   const auto wave = [](double t, double k) { return k * std::sin(30.0 * t / k); };
   measure([&](double t) { return wave(t - 0.01, 2.0); });

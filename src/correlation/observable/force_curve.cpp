@@ -108,7 +108,8 @@ std::string ForceCurve::table(const Channels& trial, const Comparison& compariso
                                  "length mm",
                                  "width mm",
                                  "area cm^2");
-  // Not every model computes its contact patch, and not every test its radius.
+  // Not every model computes its contact patch, and not every test its loaded radius; a missing
+  // value becomes a dash.
   const auto cell = [&](const char* name, std::size_t j, double factor, int digits) {
     const Channel* found = trial.find(test_ + "/" + name);
     if (!found || j >= found->values.size()) return std::string("-");
@@ -153,7 +154,8 @@ LoadDeflectionCurve force_curve_of(const Measurement& measurement) {
   if (!fault) return curve;
   throw InputError(
       fault->point < 0 ? measurement.place() : measurement.place(static_cast<size_t>(fault->point)),
-      (measurement.is_stated() ? "measurement." + measurement.name() + ": " : "") + fault->message);
+      (measurement.is_stated() ? "measurement." + measurement.name() + ": " : "") + fault->message +
+          way_out_of(curve, *fault));
 }
 
 }  // namespace latsch::correlation

@@ -10,8 +10,8 @@ namespace latsch::correlation {
 
 class ForceCurve : public Observable {
  public:
-  /// `test` records "deflection", "loaded_radius", "force" and the contact patch at the measured
-  /// positions. The measured curve may still lack forces.
+  /// The test `test` must record "deflection", "loaded_radius", "force" and the contact patch at
+  /// the measured positions. The measured curve may still lack its forces, to be written by a twin.
   ForceCurve(std::string test, LoadDeflectionCurve measured);
 
   /// Returns positions in m, forces in N.

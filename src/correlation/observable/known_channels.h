@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Channels of a trial, known before it runs. An experiment or a constraint may name them.
+// The channels of a trial, which are known before it runs. Experiments and constraints name them.
 #pragma once
 
 #include <optional>

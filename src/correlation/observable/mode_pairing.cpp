@@ -10,15 +10,15 @@
 namespace latsch::correlation {
 namespace {
 
-// Weight of the relative frequency difference beside the likeness. It is small, so it decides only
-// between equal likenesses.
+// Weight of the relative frequency difference in addition to the likeness. It is so small that it
+// decides only between equal likenesses.
 constexpr double kTieBreak = 0.01;
 
 struct Group {
   int first = 0, count = 0;  // consecutive modes in ascending frequency
 };
 
-/// Returns for every mode the group of equal frequency it belongs to.
+/// Returns for every mode the group of modes with equal frequency to which it belongs.
 std::vector<Group> groups_of(const std::vector<ModeRecord>& modes, double same_frequency) {
   std::vector<Group> group(modes.size());
   for (size_t first = 0, next = 0; first < modes.size(); first = next) {

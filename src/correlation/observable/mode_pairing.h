@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs simulated modes with measured modes.
 //
-// A changed stiffness swaps the order of neighboring modes, so frequencies are compared only after
-// the simulated modes have been reordered to the measured ones. If the laboratory measured shapes,
-// likeness is the subspace MAC (mac.h) of the groups of equal frequency that the two modes belong
-// to. If it reported labels only, likeness means equal (n, type, phase), and an unknown entry
-// agrees with everything. Modes with neither are paired by their frequencies alone.
+// A changed stiffness can exchange the order of neighboring modes, so frequencies are compared only
+// after the simulated modes have been brought into the order of the measured ones. If the
+// laboratory measured shapes, the likeness of two modes is the subspace MAC (mac.h) of the groups
+// of equal frequency to which they belong. If it reported labels only, the likeness is 1 for equal
+// (n, type, phase), where an unknown entry agrees with any, and 0 otherwise. Modes with neither
+// shape nor label are paired by their frequencies alone.
 //
-// The pairing is one to one. Of all pairings it takes the one of the greatest summed likeness;
-// among equals (two modes of one label, the two members of a pair) the one of the least frequency
-// difference. Pairs less alike than `min_likeness` are not made; both modes are then unmatched and
-// reported. A measured mode without a mode of its name takes one of its n whose name may have been
-// lost by mixing. Frequencies of pairs too close to be distinguished are compared in their order
-// (close_modes.h).
+// The pairing is one to one. Among all pairings the one with the largest summed likeness is chosen;
+// of equal ones (two modes of one label, the two members of a pair) the one with the least
+// frequency difference. Pairs with a likeness below `min_likeness` are not made; both modes are
+// then unmatched and reported. A measured mode without a simulated mode of its name may be paired
+// with one of its n whose name may have been lost by mixing. Frequencies of pairs too close to be
+// distinguished are compared in ascending order (close_modes.h).
 #pragma once
 
 #include <vector>
@@ -30,9 +31,10 @@ struct PairingSettings {
 };
 
 struct ModePair {
-  int measured = 0;       // index into the measured modes
-  int simulated = 0;      // index into the simulated modes
-  double likeness = 0.0;  // subspace MAC; 1 for an equal label, 0 for a name lost by mixing
+  int measured = 0;   // index into the measured modes
+  int simulated = 0;  // index into the simulated modes
+  /// subspace MAC; 1 for an equal label, 0 for a mode that may have lost its name by mixing
+  double likeness = 0.0;
 };
 
 struct ModePairing {

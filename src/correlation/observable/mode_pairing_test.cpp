@@ -71,8 +71,8 @@ TEST(PairModes, FollowsShapesThroughASwap) {
 }
 
 TEST(PairModes, ComparesADegeneratePairAsAPlane) {
-  // The simulated pair is turned by 45 degrees of phase, so vector by vector every MAC is 1/2 and
-  // does not decide.
+  // The simulated pair is rotated by a phase of 45 degrees, so vector by vector every MAC is 1/2
+  // and would not distinguish the modes.
   const double quarter = M_PI / 4.0;
   const auto pairing = pair_modes(
       {ring_mode(80, 2, 0.0), ring_mode(80, 2, M_PI / 2)},
@@ -103,9 +103,9 @@ TEST(PairModes, DoesNotDependOnTheOrderTheModesAreGivenIn) {
   EXPECT_EQ(partners(pairing), (std::vector<int>{0, 1}));
 }
 
-// A lateral mode crosses a radial mode: 80 Hz + 4 p against 81.5 Hz - p, coupled by k, which keeps
-// their frequencies 2 k apart. The name of each follows the larger part of its energy, of which a
-// share of `other` belongs to neither, so near the crossing both are called radial.
+// Returns a lateral and a radial mode that cross: 80 Hz + 4 p and 81.5 Hz - p, coupled by k, which
+// keeps their frequencies 2 k apart. Each is named by the larger part of its energy. A share
+// `other` of the energy is neither lateral nor radial, so near the crossing both are called radial.
 std::vector<ModeRecord> crossing(double p, double k, double other) {
   const double a = 80.0 + 4.0 * p, b = 81.5 - p, half = 0.5 * (a - b);
   const double root = std::hypot(half, k), lateral = root > 0.0 ? 0.5 * (1.0 + half / root) : 0.5;
@@ -119,9 +119,10 @@ std::vector<ModeRecord> crossing(double p, double k, double other) {
 TEST(CompareModes, FrequenciesAreContinuousThroughACrossingOfOneN) {
   const std::vector<ModeRecord> measured{labeled(81.4, 2, ModeType::lateral),
                                          labeled(81.7, 2, ModeType::radial)};
-  constexpr double kStep = 1e-4;  // step of p, which moves a frequency by at most 4 kStep
+  constexpr double kStep = 1e-4;  // step of p; it changes a frequency by at most 4 kStep
   constexpr double kMost =
-      15.0 * kStep / 81.0;  // includes three more such steps while names begin to hold, over 1 %
+      // includes three further such steps while names become reliable, over 1 %
+      15.0 * kStep / 81.0;
   for (const double k : {0.0, 1e-6, 0.05, 0.15, 0.35}) {
     for (const double other : {0.0, 0.1}) {
       std::vector<double> last;
@@ -156,7 +157,8 @@ TEST(CompareModes, OfDifferentNOrPhaseNoOrderIsTaken) {
   }
 }
 
-// Slopes are checked by central differences where names hold in part.
+// The derivatives are compared with central differences in the range in which names are partly
+// reliable.
 TEST(CompareModes, SlopesOfCloseModesAreThoseOfWhatIsCompared) {
   const std::vector<ModeRecord> measured{labeled(81.4, 2, ModeType::lateral),
                                          labeled(81.7, 2, ModeType::radial)};
@@ -175,7 +177,8 @@ TEST(CompareModes, SlopesOfCloseModesAreThoseOfWhatIsCompared) {
   }
 }
 
-// The lateral mode is not among the simulated ones, and the double radial mode is no mixture of it.
+// The measured lateral mode is not among the simulated ones, and the double radial mode is not a
+// mixture with it.
 TEST(PairModes, ADoubleModeIsNoPartnerForAnotherType) {
   const auto pairing =
       pair_modes({labeled(82, 2, ModeType::radial), labeled(84, 2, ModeType::lateral)},

@@ -10,8 +10,9 @@ namespace latsch::correlation {
 
 class ModeSet : public Observable {
  public:
-  /// `test` records modes as experiment/rigs/mode_record.h says. For a twin, `count` is the number
-  /// of modes that the laboratory would measure, `points` the sensors (m, wheel frame).
+  /// The test `test` records modes as described in experiment/rigs/mode_record.h. For a twin,
+  /// `count` is the number of modes that the laboratory would measure, and `points` are its sensors
+  /// (m, wheel frame).
   ModeSet(std::string test,
           std::vector<ModeRecord> measured,
           std::size_t count = 0,

@@ -68,8 +68,7 @@ Comparison compare_forces(const std::vector<double>& measured,
     const double root = std::sqrt(std::max(0.0, forces[j]));
     comparison.differences.push_back(of_root ? relative(std::sqrt(measured[j]), root)
                                              : comparison.errors.back());
-    // At zero force the root has no slope. The slope is set to 0, as for a tire that has lifted
-    // off.
+    // At zero force the root has no derivative. It is set to 0, as for a tire that has lifted off.
     const double by_force = !of_root     ? -1.0 / measured[j]
                             : root > 0.0 ? -0.5 / (std::sqrt(measured[j]) * root)
                                          : 0.0;

@@ -39,9 +39,9 @@ struct ObjectiveSettings {
   double weight = 1.0;                  // >= 0
   double exponent = 1.0;                // k > 0
   Compared compared = Compared::force;  // used by load-deflection experiments
-  double missing_mode = 1.0;            // |df| of a mode without a partner; used by modal
-                                        // experiments
-  PairingSettings pairing;              // used by modal experiments
+  /// df| of a mode without a partner; used by modal experiments.
+  double missing_mode = 1.0;
+  PairingSettings pairing;  // used by modal experiments
 };
 
 /// The part of one experiment in the target.
@@ -50,12 +50,14 @@ struct Comparison {
   double mean_error = 0.0;     // mean |dF| or mean |df|, independent of `compared` and exponent
   double largest_error = 0.0;  // the largest |dF| or |df|
   std::vector<double> differences;  // d, signed, as compared
-  std::vector<double> errors;       // signed dF_j or df_i as in (1), (2), one for each measured
-                                    // value; missing_mode if a mode is missing
-  ModePairing pairing;              // for modal experiments
-  std::vector<ComparedFrequency> compared = {};  // for modes: one for each pair, in the order of
-                                                 // `pairing`
-  /// d difference / d variable, one row for each difference; empty: not known.
+  /// Signed dF_j or df_i as in (1), (2), one for each measured value; missing_mode for a missing
+  /// mode.
+  std::vector<double> errors;
+  ModePairing pairing;  // for modal experiments
+  /// for modes: one for each pair, in the order of `pairing`
+  std::vector<ComparedFrequency> compared = {};
+  /// Derivatives of the differences by the variables, one row for each difference; empty: not
+  /// known.
   std::vector<double> slopes = {};
   std::optional<FittedDelay> delay = {};  // for a curve whose delay is fitted
 };
@@ -63,9 +65,9 @@ struct Comparison {
 /// Simulated counterparts of the measured values, with their slopes as in Channel::slopes.
 struct SimulatedValues {
   std::vector<double> values, slopes = {};
-  std::vector<int> missing = {};                 // modes that were not simulated; their value is 0
+  std::vector<int> missing = {};  // indices of modes that were not simulated; their value is 0
   std::vector<ComparedFrequency> compared = {};  // for modes, as in a Comparison
-  std::vector<int> mixed = {};            // modes whose partner has another name: take_mixed()
+  std::vector<int> mixed = {};  // indices of modes whose partner has another name, see take_mixed()
   std::optional<FittedDelay> delay = {};  // for a curve whose delay is fitted
 };
 
@@ -80,15 +82,16 @@ Comparison compare_forces(const std::vector<double>& measured,
                           const SimulatedValues& simulated,
                           const ObjectiveSettings& settings = {});
 
-/// Compares frequencies; measured ones are positive, Hz. `slopes` of the simulated ones are as in
-/// Channel::slopes, if known. The pairing is held fixed while differentiating, and a mode without a
-/// partner does not change.
+/// Compares frequencies; measured ones are positive, Hz. `slopes` are the derivatives of the
+/// simulated ones, as in Channel::slopes, if known. For the derivatives the pairing is assumed to
+/// stay the same, and a mode without a partner does not change.
 Comparison compare_modes(const std::vector<ModeRecord>& measured,
                          const std::vector<ModeRecord>& simulated,
                          const ObjectiveSettings& settings = {},
                          const std::vector<double>& slopes = {});
 
-/// Replaces d by size loss(d / sigma), with its slopes. An empty sigma means 1 for all.
+/// Replaces each difference d by the size of loss(d / sigma), and its derivatives accordingly. An
+/// empty `sigma` means 1 for all.
 void scale_by_noise(Comparison& comparison,
                     const std::vector<double>& sigma,
                     const RobustLoss& loss,
@@ -97,14 +100,14 @@ void scale_by_noise(Comparison& comparison,
 /// Returns sum w_e T_e / sum w_e. The sum of the weights must be positive.
 double target(const std::vector<Comparison>& comparisons, const std::vector<double>& weights);
 
-/// Returns the kind of mean that a target with these exponents is and, if the exponents are equal,
-/// the corresponding error: "mean of the errors", "mean square of the errors, its root 2.45 %". A
-/// mean of squares of 0.06 % belongs to errors of some 2.5 %.
+/// Returns in words which kind of mean a target with these exponents is and, if all exponents are
+/// equal, the corresponding error: "mean of the errors", "mean square of the errors, its root 2.45
+/// %". A mean square of 0.06 % corresponds to errors of about 2.5 %.
 std::string target_in_words(const std::vector<double>& exponents, double target);
 
-/// Returns sqrt(w_e / (N_e sum w)) d for every measured value. Their sum of squares is the target
-/// for exponents of 2. A least-squares method minimizes it in place of targets with other
-/// exponents.
+/// Returns sqrt(w_e / (N_e sum w)) d for every measured value. If all exponents are 2, the sum of
+/// squares of these residuals is the target. For other exponents a least-squares method minimizes
+/// this sum instead of the target.
 std::vector<double> weighted_residuals(const std::vector<Comparison>& comparisons,
                                        const std::vector<double>& weights);
 /// Returns the slopes of the weighted residuals, one row for each; empty if those of one comparison

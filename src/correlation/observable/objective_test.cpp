@@ -78,15 +78,17 @@ TEST(CompareModes, CountsAMissingModeAsSet) {
   EXPECT_EQ(c.pairing.extra, std::vector<int>{1});
 }
 
-// The published results are: frequencies 13 % and forces 2 % make 7.4 %; 2 % and 2 % make 2 %.
-// Errors are printed in whole percent, so a mean of two is known to half a percent.
+// The published results are: errors of 13 % in frequency and 2 % in force give a target of 7.4 %; 2
+// % and 2 % give 2 %. Errors are printed in whole percent, so the mean of two is known to half a
+// percent.
 TEST(Target, OfThePublishedErrorsIsThePublishedTarget) {
   EXPECT_NEAR(target_of_errors(0.13, 0.02), 0.074, 0.005);
   EXPECT_NEAR(target_of_errors(0.02, 0.02), 0.02, 0.005);
 }
 
-// A third row, 25 % and 2 % make 15 %, follows neither from this formula, which gives 13.5 %, nor
-// from a root of the force error, which gives 19.6 %. It is farther off than its digits allow.
+// A third published row, 25 % and 2 % giving 15 %, agrees neither with this formula, which gives
+// 13.5 %, nor with the root of the force error, which gives 19.6 %. The difference is larger than
+// its digits allow.
 TEST(Target, DoesNotExplainThePublishedRowOfTwentyFivePercent) {
   EXPECT_NEAR(target_of_errors(0.25, 0.02), 0.135, kRound);
   EXPECT_GT(0.15 - target_of_errors(0.25, 0.02), 0.005 + 0.005);

@@ -29,15 +29,15 @@ struct StudyReport;
 
 namespace latsch::correlation {
 
-/// One experiment at the best point, beside the initial point, for a page.
+/// One experiment at the best point and at the initial point, to be drawn on a page.
 struct ShownExperiment {
   std::string name, conditions;
   bool fitted = true;
   bool of_design = false;  // true for the best trial of a design: nothing was fitted
   const Channels& found;
   const Comparison& comparison;
-  const Channels* initial = nullptr;  // recording of the initial point; nullptr with its comparison
-                                      // if that point failed
+  /// Recording at the initial point; nullptr if the trial there failed.
+  const Channels* initial = nullptr;
   const Comparison* initial_comparison = nullptr;
   const report::Band* band = nullptr;  // one value for each row; nullptr: not known
   double weight = 1.0;
@@ -47,29 +47,30 @@ struct ShownExperiment {
 struct MeasurementFiles {
   std::filesystem::path values, shapes;  // shapes: empty if none are measured
   std::string comment;                   // first line of the files
-  bool is_shared = false;  // true if another experiment has just written `values`: columns are
-                           // added
+  /// True if another experiment has just written the file `values`: columns are then added to it.
+  bool is_shared = false;
   const Measurement* measurement = nullptr;  // the [measurement.NAME] whose columns are replaced
 };
 
 /// Properties of the compared values that are known before the first trial.
 struct ComparedValues {
-  std::string kind;        // "load_deflection", "modes", "curve", "values": the name in a study
-  std::string compared;    // "force", "PSD of response/z"
-  std::string over = "";   // for example "over response/time"; empty: the conditions of the test
-                           // suffice
-  std::string whole = "";  // an error of 100 % if it is equal for all values: "10 mm"; otherwise
-                           // empty
+  std::string kind;      // "load_deflection", "modes", "curve", "values": the name in a study
+  std::string compared;  // "force", "PSD of response/z"
+  /// For example "over response/time"; empty if the conditions of the test describe the abscissa.
+  std::string over = "";
+  /// Value that counts as an error of 100 %, if it is the same for all values: "10 mm"; otherwise
+  /// empty.
+  std::string whole = "";
   std::string error_name = "d";        // symbol of one error: "dF", "df"
   std::vector<std::string> asks = {};  // needed channels of a trial, "TEST/CHANNEL"
   std::vector<std::string> rows = {};  // name of each value: "10 mm", "radial n=2"
-  bool is_sweep = true;                // true if neighboring values can share noise
-  bool passes_slopes = false;          // true if slopes of the channels become slopes of its
-                                       // differences
-  std::string unit = "1";              // SI unit of the values and of a noise stated as a quantity
-  std::string shown = "";              // unit a person reads; empty: `unit`
-  /// Measured values in `unit`, and the size of an error of 100 % for each. The simulated value is
-  /// measured - error scale (Comparison::errors).
+  bool is_sweep = true;                // true if neighboring values may share noise, as in a sweep
+  /// True if derivatives of the channels become derivatives of the differences.
+  bool passes_slopes = false;
+  std::string unit = "1";  // SI unit of the values and of a noise stated as a quantity
+  std::string shown = "";  // unit in which values are shown; empty: `unit`
+  /// Measured values in `unit`, and for each the size that counts as an error of 100 %. The
+  /// simulated value is measured - error scale (Comparison::errors).
   std::vector<double> measured = {}, scales = {};
 };
 
@@ -95,7 +96,7 @@ class Observable {
   const std::vector<double>& scales() const { return values_.scales; }
 
   virtual std::string compared(const ObjectiveSettings&) const { return values_.compared; }
-  /// Returns the deviation of every value in units of its difference d as compared.
+  /// Returns the standard deviation of every value in units of its difference d as compared.
   virtual std::vector<double> deviations(const MeasurementNoise& noise,
                                          const ObjectiveSettings& settings) const;
 

@@ -210,8 +210,8 @@ std::vector<std::string> read_mode_names(const Node& table,
   return modes;
 }
 
-/// Returns the values of the channel's column. A slope that was not recorded as such is computed by
-/// the same regression from its recorded channels.
+/// Returns the measured values of the channel's column. If the channel is a slope that was not
+/// recorded as a column, it is computed from the recorded channels by the regression of the test.
 std::vector<double> measured_values(const Node& table,
                                     const KnownChannel& known,
                                     const Values::Measurement& m,

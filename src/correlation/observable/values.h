@@ -2,12 +2,11 @@
 // Compares single values of a channel with measured ones that are stated in the study itself: a
 // stiffness, the length of a footprint, a characteristic number of a suspension.
 //
-// The error is  d_i = (y_i^mea - y_i^sim) / scale_i,  with the measured value's size as scale
-// unless given. Of several modes of one name the lowest is meant; a missing mode counts as 0, an
-// error of 100 %. Frequencies of modes of one n that are too close to be distinguished by their
-// names are compared in their order (close_modes.h).
-//
-// The keys are in correlation/observable/keys/values_keys.cpp.
+// The error is d_i = (y_i^mea - y_i^sim) / scale_i, where scale_i is the size of the measured value
+// unless stated. If several modes have the stated name, the lowest one is compared; a missing mode
+// counts as 0, an error of 100 %. Frequencies of modes of one n that are too close to be
+// distinguished by their names are compared in ascending order (close_modes.h). The keys are in
+// correlation/observable/keys/values_keys.cpp.
 #pragma once
 
 #include <memory>
@@ -23,8 +22,8 @@ namespace latsch::correlation {
 class Values : public Observable {
  public:
   struct Measurement {
-    std::string channel, unit, shown;    // unit: SI; shown: the unit people read
-    std::string of;                      // choice of one value; empty: every value of the channel
+    std::string channel, unit, shown;  // unit: SI; shown: the unit people read
+    std::string of;  // selects one value of the channel, such as "largest"; empty: every value
     std::vector<std::string> modes;      // labels of modes whose values are compared; empty: none
     std::vector<double> values, scales;  // SI
   };

@@ -71,8 +71,8 @@ Channels vibrations() {
   return channels;
 }
 
-// Modes are found by name in any order; of several the lowest counts, unless the phase is named as
-// well.
+// Modes are found by name in any order. Of several with the same name the lowest is used, unless
+// the phase is stated too.
 TEST(Values, OfModesAreTakenByTheirNames) {
   const auto named = values_of(
       "channel = \"air/frequency\"\nmodes = [\"lateral n=1\", \"lateral n=1 s\", "
@@ -88,7 +88,7 @@ TEST(Values, OfModesAreTakenByTheirNames) {
   EXPECT_NEAR(damping->compare(vibrations(), {})->errors[0], -0.2, 1e-12);
 }
 
-// A missing mode counts as in mode_set.h: an error of 100 %, of which nothing else is known.
+// A missing mode counts as in mode_set.h: as an error of 100 % without derivatives.
 TEST(Values, OfAModeThatIsNotThereAreMissing) {
   const auto named = values_of(
       "channel = \"air/frequency\"\nmodes = [\"radial n=3\", \"radial n=2\"]\n"

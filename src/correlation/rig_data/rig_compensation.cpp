@@ -91,8 +91,7 @@ std::vector<RimPair> averages(const std::vector<FitPassages>& cases,
 }
 
 RigResponse start_of(const RigFile& rig, const std::optional<HammerResult>& hammer) {
-  // A response stated by hand is used as the rig's response, with or without a hammer test to
-  // refine it.
+  // A response stated by hand is the rig's response, with or without a hammer test that refines it.
   const RigResponse of_rig = hammer ? hammer->fit.response : *rig.compensation->start;
   const auto back = inverse(of_rig);
   if (!back) {
@@ -133,9 +132,9 @@ numerics::RationalFilter checked(const RigFile& rig, Result<numerics::RationalFi
   throw InputError({rig.file.string(), 0}, "compensation: " + filter.failure().reason);
 }
 
-/// Returns the difference of two averages without means. `other` is first moved onto `real`: a few
-/// segments of a passage see a hit through the slope of their windows, so a delay changes the
-/// density.
+/// Returns the difference of two averages without their means. `other` is first shifted onto
+/// `real`: a few segments of a passage see a hit through the slope of their windows, so a delay
+/// changes the density.
 RimDifference difference(const RigFile& rig,
                          double rate,
                          const std::vector<double>& real,

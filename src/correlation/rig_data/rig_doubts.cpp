@@ -13,11 +13,13 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kSameTurn = 0.02;      // relative difference of stated and found circumference
-constexpr double kSameHit = 0.8;        // strength of a shorter period over that of the found one
-constexpr double kShortestHit = 0.05;   // s between two hits
-constexpr double kLongestSample = 0.1;  // m of road: a hit lasts as long as the footprint
-constexpr double kMostLeftOut = 0.5;    // share of the passages
+constexpr double kSameTurn = 0.02;     // relative difference of stated and found circumference
+constexpr double kSameHit = 0.8;       // strength of a shorter period over that of the found one
+constexpr double kShortestHit = 0.05;  // s, least time between two hits
+// m of road between two samples; a hit lasts as long as the footprint, so a larger distance misses
+// it
+constexpr double kLongestSample = 0.1;
+constexpr double kMostLeftOut = 0.5;  // share of the passages
 
 std::string name_of(const ProcessedRun& run, const ProcessedPlateau& p) {
   return "run " + run.name + " at " + format_quantity(p.plateau.target, "km/h", 4);
@@ -37,13 +39,13 @@ void judge_circumference(const RigFile& rig,
       *rig.circumference));
 }
 
-/// Looks for hits within the period. A search from a stated circumference finds twice the true
-/// period, too, if the circumference is twice the true one.
+/// Checks whether the found period contains several hits. If the stated circumference is twice the
+/// true one, the search around it also finds twice the true period.
 void judge_hits(const RigFile& rig,
                 const ProcessedRun& run,
                 const ProcessedPlateau& p,
                 std::vector<std::string>& doubts) {
-  if (!rig.circumference) return;  // the shortest period was found
+  if (!rig.circumference) return;  // without a stated circumference the shortest period was found
   const auto force = run.record.channel(rig.force).subspan(p.plateau.first, p.plateau.samples());
   const auto shorter = find_period(force, kShortestHit * run.record.rate, 0.6 * p.period.samples);
   if (!shorter || shorter->strength < kSameHit * p.period.strength) return;

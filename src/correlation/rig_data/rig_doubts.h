@@ -9,9 +9,9 @@
 
 namespace latsch::correlation {
 
-/// Returns one sentence for each doubt: the period does not fit to the circumference, a passage has
-/// several hits, most passages were left out, samples are too far apart for a cleat, the spectrum
-/// is requested where nothing was recorded, and the force is negative.
+/// Returns one sentence for each doubt: the period does not fit the circumference, a passage
+/// contains several hits, most passages were left out, samples are too far apart for a cleat, the
+/// spectrum is requested at frequencies that were not recorded, and the force is negative.
 std::vector<std::string> doubts_of(const RigFile& rig, const RigResults& results);
 
 }  // namespace latsch::correlation

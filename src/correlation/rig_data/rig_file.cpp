@@ -20,8 +20,8 @@ void read_channels(const Node& table, RigFile& rig) {
   if (!rig.pulses.empty() && table.has("speed"))
     table.reject("pulses", "is given beside speed, expected one of them");
   if (!rig.pulses.empty())
-    rig.speed = "speed of " + rig.pulses;  // a name that differs from the
-                                           // file's own speed
+    // a name that differs from the file's own channel of speed
+    rig.speed = "speed of " + rig.pulses;
   rig.force = table.text("force");
   if (table.has("also")) rig.also = table.texts("also");
   for (std::size_t i = 0; i < rig.also.size(); ++i) {
@@ -53,7 +53,7 @@ void read_drum(const Node& table, RigFile& rig) {
     table.reject("teeth", "has no pulses to count, expected channels.pulses beside it");
 }
 
-/// Rejects speeds whose plateaus would contain the same samples.
+/// Throws if two speeds are so close that their plateaus would contain the same samples.
 void expect_apart(const Node& table, std::vector<double> speeds, double margin) {
   std::sort(speeds.begin(), speeds.end());
   if (margin > 0.5 * speeds.front())

@@ -167,7 +167,7 @@ void add_speed(const RigFile& rig, DrumRecord& record) {
                                        record.source)});
 }
 
-/// Rejects a segment and a band for which the recording has no samples.
+/// Throws if the recording is too short for the segment or too slow for the band.
 void expect_spectrum(const RigFile& rig, const DrumRecord& record) {
   constexpr double kFewestSamples = 16.0;
   const Place place{rig.file.string(), 0};

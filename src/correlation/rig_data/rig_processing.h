@@ -31,7 +31,7 @@ struct ProcessedPlateau {
   Passages passages;                     // starts are counted from plateau.first
   std::vector<ChannelAverage> channels;  // the force comes first
   Coherence coherence;                   // coherence of the force over the passages
-  numerics::Density density;             // density of the force's average
+  numerics::Density density;             // spectral density of the force's average
 
   const std::vector<double>& force() const { return channels.front().average.mean; }
 };
@@ -42,15 +42,15 @@ struct ProcessedRun {
   std::vector<ProcessedPlateau> plateaus;  // one for each speed
 };
 
-/// Differences between the real rim and another signal, about their means, after the delay that
-/// minimizes them.
+/// Differences between the signals of the real rim and another one, without their means, after the
+/// delay that minimizes them.
 struct RimDifference {
   double time = 0.0;   // RMS of the difference, N
   double psd = 0.0;    // RMS over the band's lines of the difference of the densities, N^2/Hz
   double level = 0.0;  // log-spectral distance over the band, dB
 };
 
-/// Row of the validation table [thesis K, Table 3-1].
+/// A row of the validation table [thesis K, Table 3-1].
 struct CaseRow {
   std::string name;
   bool fitted = false;
@@ -60,7 +60,7 @@ struct CaseRow {
   numerics::Density real_density, before_density, after_density;
 };
 
-/// Deviations over resampled hits; 0 if none were drawn.
+/// Standard deviations over resampled hits; 0 if there was no resampling.
 struct ResponseDeviation {
   double gain = 0.0, f = 0.0, zeta = 0.0, c = 0.0;
 };

@@ -75,7 +75,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
-/// A folder of its own with the recordings in it.
+/// Writes the synthetic recordings into a temporary folder.
 class RigData : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -112,8 +112,8 @@ TEST_F(RigData, FindsTheRigAndItsInverseAgain) {
   EXPECT_NEAR(by_hammer.zeta, truth.zeta, 2e-3);
   EXPECT_NEAR(by_hammer.gain(), truth.gain(), 0.01);
   EXPECT_NEAR(by_hammer.c, truth.c, 0.01);
-  // Averages of a dozen passages with little noise (noise of the dummy dilutes c) are accurate to a
-  // percent.
+  // Averages of a dozen passages with little noise are accurate to a percent (noise of the
+  // dummy-rim force would reduce c).
   const RigResponse filter = found.compensation->filter_response, back = *inverse(truth);
   EXPECT_NEAR(filter.f, back.f, 0.01 * back.f);
   EXPECT_NEAR(filter.zeta, back.zeta, 0.01);
@@ -165,7 +165,8 @@ TEST_F(RigData, PulsesNeedTheWheelTheyAreOf) {
   refused(replaced(pulses, "[drum]", "[drum]\nteeth = 60"), "channel \"tooth\" is missing");
 }
 
-// Digits after the second digit of a deviation are chance and differ on other processors.
+// Digits beyond the second digit of a standard deviation are due to chance and differ on other
+// processors.
 TEST_F(RigData, ThePageShowsNoDigitsThatTheHitsDoNotTell) {
   const std::string page = rig_page(rig(), results());
   const std::regex known("<td[^>]*>(?:−)?([0-9.]+) ± ([0-9.]+)</td>");
@@ -239,8 +240,9 @@ TEST_F(RigData, WhatCannotBeProcessedIsRefusedInWords) {
           "expected longer pauses");
 }
 
-// Each time is more samples than a 32-bit integer holds: of trim = "3221225 s" a negative number
-// was left, and the program read in front of the record; of the hammer's window a second was left.
+// Each of these times has more samples than a 32-bit integer holds. Regression test: with trim =
+// "3221225 s" the number overflowed to a negative one and the program read before the beginning of
+// the record; the hammer's window became one second.
 TEST_F(RigData, ATimeLongerThanAnyRecordIsRefusedInWords) {
   for (const char* time : {"2147483 s", "3221225 s", "4294968 s", "1e17 s"}) {
     const std::string longer = in_quotes(time) + "\n";

@@ -19,8 +19,8 @@ std::vector<SyntheticMode> read_modes(const Node& table) {
   return modes;
 }
 
-/// Writes a recorder's usual number of digits: the file is a third as long and loses nothing above
-/// its noise.
+/// Writes numbers with as many digits as a recorder usually has: the file is a third as long and
+/// loses nothing above its noise.
 std::string recording_text(const Channels& channels, const std::vector<int>& decimals) {
   std::string text;
   for (const Channel& channel : channels.all()) {

@@ -43,7 +43,7 @@ SyntheticTruth read_truth(const Node& table,
                           const std::vector<std::string>& runs,
                           const std::vector<double>& speeds);
 
-/// Writes every recording the file names. Returns the names of the files.
+/// Writes every recording that the file names. Returns the names of the files.
 std::vector<std::string> write_synthetic_files(const RigFile& rig);
 
 }  // namespace latsch::correlation

@@ -10,7 +10,8 @@ namespace {
 
 constexpr const char* kFinished = "finished";
 
-/// Returns the part of the study, beyond the identity of its journal, on which the result depends.
+/// Returns a text of everything, beyond the identity of the journal, on which the result of the
+/// study depends.
 std::string key_of(const Study& study) {
   return fmt::format("{}/{}/{} ",
                      study.search_key,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks in the journal that a run of a study has finished, with its intervals and its report. The
-// same command then repeats that result. Without this mark a second run would begin its intervals
-// at the best trial that the first one found meanwhile, run further trials around it, and end at
+// Marks in the journal that a run of a study has finished, with its intervals and its report, so
+// that the same command repeats that result. Without this mark a second run would begin its
+// intervals at the best trial that the first one found, run further trials around it, and end at
 // another best trial.
 #pragma once
 

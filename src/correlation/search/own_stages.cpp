@@ -13,11 +13,13 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kWorse = 1.05;       // multiple of the error at the end of the own stage
-constexpr double kNegligible = 1e-6;  // share of 100 %; smaller differences are rounding of a
-                                      // finished search
+// multiple of the error at the end of the own stage, above which an error counts as worse
+constexpr double kWorse = 1.05;
+// share of 100 %; smaller differences are rounding of a finished search
+constexpr double kNegligible = 1e-6;
 
-/// Returns the noise that the study states, not that of the fit, in the experiment's own measure.
+/// Returns the noise that the study states, in the experiment's own measure; 0 if it states none or
+/// if the fit estimates it.
 double stated_noise(const StudyExperiment& experiment) {
   if (experiment.estimates_noise || !experiment.noise) return 0.0;
   double squares = 0.0, count = 0.0;

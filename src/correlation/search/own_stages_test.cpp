@@ -17,8 +17,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// The side force has a ripple of half a percent, and the aligning moment belongs to another side
-// force, so the model cannot reproduce both.
+// The model cannot reproduce both measurements: the side force has a ripple of half a percent, and
+// the aligning moment belongs to another side force.
 class OwnStages : public FittedStudy {
  protected:
   OwnStages() {
@@ -91,8 +91,8 @@ TEST_F(OwnStages, NoiseOfTheOwnStageKeepsWhatItHad) {
   EXPECT_NEAR(told.as_last.experiments[0].noise->relative, told.own[0].rms, 1e-12);
 }
 
-// The target is the mean of the errors instead of their squares. The result fits the experiment of
-// the larger weight alone.
+// Here the target is the mean of the errors, not of their squares, so the result fits only the
+// experiment with the larger weight.
 TEST_F(OwnStages, AMeasureOfAnotherExponentIsToldAsWell) {
   std::string text = "exponent = 1\n" + more("", 1) + kStages + "[stage.all]\n";
   const std::string arm = "[experiment.arm]\n";
@@ -112,13 +112,15 @@ TEST_F(OwnStages, StatedNoiseThatIsNotExceededIsNoFault) {
 TEST_F(OwnStages, ALastStageMayNameItsExperimentsAndVariables) {
   const Told told =
       told_by(study_of("", "[stage.last]\nfree = [\"trail\"]\nexperiments = [\"arm\"]\n"));
-  EXPECT_NEAR(told.force, told.own[0].error, 1e-12);  // no variable of the side force moves
+  // no variable that changes the side force is free
+  EXPECT_NEAR(told.force, told.own[0].error, 1e-12);
   EXPECT_TRUE(told.words.empty());
   EXPECT_EQ(told.as_last.experiments[0].objective.weight, 0.0);
   EXPECT_EQ(told.as_last.free, std::vector<int>{2});
 }
 
-// An experiment that does not count in the last stage is spoiled by variables that are free in it.
+// An experiment that is not fitted in the last stage gets worse through the variables that are free
+// there.
 TEST_F(OwnStages, WhatDoesNotCountInTheLastStageIsToldToo) {
   const Told told = told_by(study_of("", "[stage.last]\nexperiments = [\"arm\"]\n"));
   EXPECT_GT(told.force, 1.5 * told.own[0].error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Says whether the journal of a study holds a best point of the study as it stands, in words and
-// counts, for everything that speaks of a best point.
+// States, in words and counts, whether the journal holds a best point of the present study.
+// Everything that displays a best point uses it.
 #pragma once
 
 #include <string>
@@ -14,14 +14,15 @@ namespace latsch::correlation {
 /// Counts every row of a journal that belongs to the study. Computes all targets.
 TrialCounts count_trials(const Study& study, const Journal& journal);
 
-/// Returns why the least target in the journal is no best point of the study as it stands, with the
-/// counts and the next step; empty if it is one, or if no trial has a target. The journal belongs
-/// to the study (Journal::read). The search of a journal without marks of ownership is replayed,
-/// which can take seconds.
+/// Returns the reason why the trial with the least target is not the best point of the present
+/// study, with the counts and the next step; empty if it is, or if no trial has a target. The
+/// journal must belong to the study (Journal::read). For a journal without marks of ownership the
+/// search is replayed, which can take seconds.
 std::string why_no_best(const Study& study, const Journal& journal);
 
-/// The words for a journal whose trials are counted. `may_have_ended` is false if its search was
-/// replayed and has not ended, which matters only if the ownership of its trials is not known.
+/// Returns the same reason for a journal whose trials have been counted. `may_have_ended` is false
+/// if the search was replayed and had not ended; it matters only if the ownership of the trials is
+/// not known.
 std::string why_no_best(const Study& study,
                         const TrialCounts& counts,
                         const TrialOwnership& ownership,

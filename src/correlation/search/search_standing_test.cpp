@@ -18,15 +18,15 @@ class SearchStanding : public FittedStudy {
   std::optional<RatedTrial> best(const Study& study) {
     return best_trial(study, Journal::read(study.run.journal, identity(study)));
   }
-  /// Writes forces of another tire into the measurement. The tests stay the same, so the journal
-  /// still belongs to the study.
+  /// Replaces the forces in the measurement by those of another tire. The tests stay the same, so
+  /// the journal still belongs to the study.
   void edit_measurement() {
     const Study study = read("");
     Channels measured;
     measured.add({"Fy", "N", (*evaluator(study)({{0.9, -35.0}}))["steady/Fy"]});
     write("measured.csv", formats::csv_text(measured));
   }
-  /// Leaves the trials of a journal without its marks, as an older program wrote them.
+  /// Removes the marks from a journal, so that it is as an older version of the program wrote it.
   void make_old(const Study& study) {
     const auto trials = Journal::read(study.run.journal).trials();
     std::filesystem::remove(study.run.journal);

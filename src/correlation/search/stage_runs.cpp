@@ -13,7 +13,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// End of a stage, from which the next one starts.
+/// The end of a stage, from which the next stage starts.
 struct StageEnd {
   DesignPoint point;          // best point
   Channels recording;         // at that point
@@ -37,8 +37,8 @@ std::vector<double> rms_of(const std::vector<OwnStage>& own) {
   return all;
 }
 
-/// Returns stage k of a study with the noise that the end of the stage before determines. The first
-/// stage has no stage before, so its noise is not known.
+/// Returns stage k of a study with the noise that follows from the end of the stage before. The
+/// first stage has none before it, so its noise is not known.
 Study weighted_stage(const Study& study, int k, const std::optional<StageEnd>& before) {
   Study part = stage(study, k, before ? std::optional(before->point) : std::nullopt);
   if (!estimates_noise(study)) return part;

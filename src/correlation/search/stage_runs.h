@@ -20,8 +20,9 @@ struct StageRun {
   int number = 0;                    // counted from 0
   bool is_last = true;               // false: another stage follows
   bool next_shares_journal = false;  // true if the next stage adds its trials to the same journal
-  Study study;  // the study with the model, start, variables, experiments, noise, optimizer, and
-                // journal of the stage
+  /// the study with the model, start, variables, experiments, noise, optimizer, and journal of the
+  /// stage
+  Study study;
 };
 
 /// Result of a stage, with the journal that holds its trials. The journal must exist until
@@ -34,13 +35,15 @@ struct StageResult {
 /// Runs one stage; nullopt if that is not possible yet.
 using RunStage = std::function<std::optional<StageResult>(const StageRun&)>;
 
-/// The stages of a study as far as they were run.
+/// The stages of a study that have been run.
 struct StagesRun {
-  Study study;                   // in the state of the last stage: its noise, the experiments that
-                                 // count, the variables that move; as far as that is known
+  /// The study in the state of its last stage, as far as that is known: the noise, the fitted
+  /// experiments and the free variables.
+  Study study;
   std::vector<Fit> fits = {};    // one for each stage that made a step
   RunEnd end = RunEnd::stopped;  // end of the stage that was run last
-  bool has_ended = false;        // true if that is the last stage, and it was not stopped
+  /// true if the stage that was run last is the last of the study and was not stopped
+  bool has_ended = false;
 };
 
 /// Runs the stages in turn. Ends with the first stage that is not possible, is stopped or aborted,
@@ -51,17 +54,17 @@ StagesRun run_stages(const Study& study, const RunStage& run_stage);
 /// of the study; a stage with another model has a journal of its own, which is read.
 StagesRun recorded_stages(const Study& study, const Journal& journal);
 
-/// Returns a study in the state of its last stage, as far as the journals know it; see StagesRun.
-/// The study is unchanged if the last stage changes nothing. Everything that displays trials uses
-/// this study.
+/// Returns the study in the state of its last stage, as far as the journals contain it; see
+/// StagesRun. The study is unchanged if the last stage changes nothing. Everything that displays
+/// trials uses this study.
 Study with_estimated_noise(const Study& study, const Journal& journal);
 
 /// Returns the last stage that has begun a journal of its own, or else the first stage.
 Study begun_stage(const Study& study);
 
-/// Returns the first point that the search of a study will evaluate; nullopt if that depends on a
-/// journal. A journal without that trial contains no step of the search, which this shows without
-/// reading its channels.
+/// Returns the first point that the search of a study evaluates; nullopt if it depends on a
+/// journal. If a journal lacks a trial there, it contains no step of the search; this check needs
+/// no channels.
 std::optional<DesignPoint> first_point(const Study& study);
 
 /// For stages that have ended, returns in words the experiments whose error at the study's best

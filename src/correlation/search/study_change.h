@@ -12,8 +12,8 @@
 
 namespace latsch::correlation {
 
-/// Returns in words how the study's files differ from the study as it was read, in anything that
-/// its trials, its search or its result depend on; nullopt if they do not.
+/// Returns in words how the study's files now differ from the study as it was read, in anything on
+/// which its trials, its search or its result depend; nullopt if they do not differ.
 std::optional<std::string> change_since_read(const Study& study,
                                              const experiment::Language& language);
 

@@ -20,8 +20,8 @@ namespace latsch::correlation {
 struct Fit {
   Run run;  // every step with its score, the best one, and the reason of the end
   std::optional<std::string> hopeless;  // reason why no point can succeed
-  std::vector<OwnStage> own = {};       // one for each experiment, from the earlier stages; set by
-                                        // run_stages()
+  /// one for each experiment, from the earlier stages; set by run_stages()
+  std::vector<OwnStage> own = {};
 };
 
 /// Fits one stage from its start to its end.

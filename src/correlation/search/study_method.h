@@ -10,7 +10,8 @@
 
 namespace latsch::correlation {
 
-/// The choice does not depend on the content of the journal, so a resumed run uses the same method.
+/// Returns the method. It does not depend on the content of the journal, so a resumed run uses the
+/// same one.
 MethodChoice method_of(const Study& study);
 
 std::unique_ptr<Optimizer> make_optimizer(const Study& study);

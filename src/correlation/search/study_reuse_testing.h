@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: a study of a Magic Formula in this process, whose measurement comes from the model
-// itself, run and resumed in a folder of its own.
+// Test support: a study of a Magic Formula, whose measurement is computed by the model itself, run
+// and resumed in this process and in a temporary folder.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -21,11 +21,11 @@ namespace latsch::correlation {
 namespace {
 
 constexpr const char* kMark = "start";
-constexpr int kModels = 2;            // quadratic models whose points a run receives
-constexpr int kMostScattered = 5000;  // limit on points: the search for neighbors costs the square
-                                      // of their number
+constexpr int kModels = 2;  // number of quadratic models that the points passed to a run determine
+// limit on points: the search for neighbors costs the square of their number
+constexpr int kMostScattered = 5000;
 
-/// Extent of a journal when a search began.
+/// Numbers of trials and marks in a journal when a search began.
 struct KnownAtStart {
   long trials = 0;
   std::size_t marks = 0;
@@ -36,10 +36,10 @@ struct Known {
   Result<Score> outcome;
 };
 
-/// Returns the last outcome of every point inside the bounds, in an order independent of the
-/// journal's. Only trials before `at_start` count, and only if the marks before it show that they
-/// were requested, because a continued search requests further points that were not known at its
-/// start.
+/// Returns the last outcome of every point inside the bounds, in an order that does not depend on
+/// that in the journal. Only trials before `at_start` count, and only if the marks before it show
+/// that a search or a design requested them: a resumed search has requested further points that
+/// were not known at its start.
 std::vector<Known> known_points(const Study& study,
                                 const Journal& journal,
                                 const KnownAtStart& at_start) {
@@ -63,8 +63,8 @@ Eigen::VectorXd unit(const DesignSpace& space, const DesignPoint& point) {
   return to_vector(space.to_unit(point));
 }
 
-/// Returns the indices of the best point and, for more than one start, of the minima among
-/// scattered points.
+/// Returns the indices of the best point and, if there are several starts, of the other minima
+/// among scattered points.
 std::vector<std::size_t> minima(const DesignSpace& space,
                                 const std::vector<Known>& known,
                                 int count) {
@@ -124,10 +124,10 @@ std::vector<DesignPoint> starts_in_design(const Study& study, const std::vector<
     }
     return starts;
   }
-  return starts_in_journal(study, known);  // too much of the design failed
+  return starts_in_journal(study, known);  // too many points of the design have failed
 }
 
-/// Reports to the optimizer the points near the start and the start itself, and omits the others.
+/// Passes the points near the start and the start itself to the optimizer, and no others.
 void tell(Optimizer& optimizer,
           const DesignSpace& space,
           const std::vector<Known>& known,
@@ -146,7 +146,7 @@ void tell(Optimizer& optimizer,
   std::sort(order.begin(), order.end());
   const std::size_t n = static_cast<std::size_t>(space.size());
   order.resize(std::min(order.size(), kModels * ((n + 1) * (n + 2) / 2 + n)));
-  std::reverse(order.begin(), order.end());  // the nearest comes last
+  std::reverse(order.begin(), order.end());  // the point nearest to the start comes last
   for (const auto& [distance, i] : order) optimizer.observe(known[i].point, known[i].outcome);
 }
 

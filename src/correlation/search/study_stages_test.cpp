@@ -85,8 +85,8 @@ TEST_F(StudyStages, WorkersChangeNoBit) {
   expect_same(fit_all(study, 4), one);
 }
 
-// The side force alone determines grip and stiffness; then comes the trail, on which the side force
-// does not depend.
+// The side force alone determines grip and stiffness. The next stage determines the trail, on which
+// the side force does not depend.
 TEST_F(StudyStages, MoveTheirVariablesToTheirExperimentsAlone) {
   const std::string more =
       "[experiment.arm]\nkind = \"curve\"\ny = \"steady/Mz\"\nmeasurement = \"arm.csv\"\n"
@@ -180,12 +180,12 @@ measurement = "low.csv"
     EXPECT_GT(equal.front[i].a, equal.front[i - 1].a);
     EXPECT_LT(equal.front[i].b, equal.front[i - 1].b);
   }
-  for (const auto& trial : equal.others) {  // checks the definition, trial by trial
+  for (const auto& trial : equal.others) {  // compares with the definition, trial by trial
     EXPECT_TRUE(std::any_of(equal.front.begin(), equal.front.end(), [&](const auto& f) {
       return f.a <= trial.a && f.b <= trial.b;
     }));
   }
-  // Weights choose points along an unchanged front.
+  // Weights select a point on the front but do not change the front.
   const Study light = read("weight = 50\n" + other + "[doe]\nlevels = 7\n");
   const ParetoFront tilted = pareto_front(light, journal, "light", "heavy");
   EXPECT_EQ(tilted.front.size(), equal.front.size());

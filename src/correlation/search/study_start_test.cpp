@@ -17,8 +17,8 @@ class StudyStart : public FittedStudy {
 design = "latin_hypercube"
 points = 30
 )";
-  /// A method without slopes needs enough trials that the run can be killed and that trials run
-  /// ahead of the search.
+  /// A method without derivatives needs so many trials that the run can be killed and that trials
+  /// run ahead of the search.
   static inline const std::string kSearch = "[optimizer]\nmethod = \"residual_trust_region\"\n";
 
   void evaluate_design(const Study& study, int workers = 1) {
@@ -64,7 +64,8 @@ TEST_F(StudyStart, TheFirstPointIsThatOfTheFirstStepUnlessAJournalDecides) {
   EXPECT_EQ(first_point(read(kSearch + "start = \"journal\"\n" + kDesign)), std::nullopt);
 }
 
-// Bounds may be narrowed after a run. A trial of the journal that is outside of them is no result.
+// Bounds may be narrowed after a run. A trial of the journal outside of the new bounds is then no
+// result.
 TEST_F(StudyStart, TheBestTrialLiesInTheBoundsAsTheyAreWritten) {
   Study study = read(kDesign);
   fit_all(study);
@@ -100,7 +101,7 @@ TEST_F(StudyStart, WhatWasKnownAtTheStartIsKnownAfterAKillToo) {
   evaluated_ = 0;
   expect_same(fit_all(study), whole);
   evaluated_ = 0;
-  expect_same(fit_all(study), whole);  // run on a finished journal
+  expect_same(fit_all(study), whole);  // a second run on the finished journal
   EXPECT_EQ(evaluated_, 0);
   const auto drawn = recorded_stages(study, Journal::read(study.run.journal)).fits;
   expect_same(drawn, whole);
@@ -123,8 +124,8 @@ TEST_F(StudyStart, NeitherTheWorkersOfTheDesignNorThoseOfTheSearchChangeABit) {
   }
 }
 
-// A trial that ran ahead of a search may be better than every requested one, but is no result,
-// because the number of such trials depends on the workers.
+// A trial that ran ahead of a search may be better than all requested ones, but it is no result,
+// because the number of such trials depends on the number of workers.
 TEST_F(StudyStart, NeitherResultsNorTheNextSearchSeeWhatNobodyAskedFor) {
   const std::string few = kSearch + "max_steps = 6\n";
   const std::string next = kSearch + "start = \"journal\"\nmax_steps = 20\n";

@@ -31,7 +31,7 @@ std::string constrained_unit(const Node& table,
                            list_of(names)));
 }
 
-/// Returns the unit a person wrote a bound in.
+/// Returns the unit in which the user wrote a bound.
 std::string written_unit(const Node& table, const char* key, const std::string& unit) {
   if (unit == "1") return unit;
   const auto quantity = parse_quantity(table.text(key), Unit::of(unit));

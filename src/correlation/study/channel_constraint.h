@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constraint on a value that a trial records. It is nonlinear in the variables.
+// A constraint on a value that a trial records; it is nonlinear in the variables.
 //
-// With y that value:  c = (lower - y) / scale,  (y - upper) / scale,  h = (y - equal) / scale. The
-// constraint counts as fulfilled up to 0.0001 of the scale (optimization/problem/score.h). The
-// methods gss_nlc and sqp support such constraints. If the channel is not recorded, the error
-// message lists the recorded ones.
-//
-// The keys are in correlation/study/keys/constraint_keys.cpp.
+// For the value y it is c = (lower - y) / scale, c = (y - upper) / scale, or h = (y - equal) /
+// scale. The constraint counts as fulfilled up to 0.0001 of the scale
+// (optimization/problem/score.h). The methods gss_nlc and sqp support such constraints. If the
+// channel is not recorded, the error message lists the recorded ones. The keys are in
+// correlation/study/keys/constraint_keys.cpp.
 #pragma once
 
 #include <optional>
@@ -37,7 +36,7 @@ struct ChannelConstraint {
 ChannelConstraint read_channel_constraint(const Node& table,
                                           const std::vector<KnownChannel>& known);
 
-/// Reads a number of a channel between bounds, without a scale.
+/// Reads bounds on one value of a channel, without a scale.
 ChannelConstraint read_channel_range(const Node& table, const std::vector<KnownChannel>& known);
 
 /// Returns the constrained number. Fails if the trial left no such channel or an empty one.

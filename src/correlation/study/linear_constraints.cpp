@@ -55,7 +55,7 @@ void read_bounds(const Node& table, LinearConstraint& constraint) {
 
 LinearConstraint read_linear_constraint(const Node& table,
                                         const std::vector<DesignVariable>& variables) {
-  if (parse_number(table.name())) {  // the name is a position in a list
+  if (parse_number(table.name())) {  // the name is a position in a list of constraints
     throw InputError(table.place(),
                      "linear_constraint is a list of tables without names, [[linear_constraint]]; "
                      "expected a table with a name each, such as [linear_constraint.belt_sum]");

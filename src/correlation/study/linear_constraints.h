@@ -14,12 +14,12 @@
 
 namespace latsch::correlation {
 
-/// Reads one [linear_constraint.NAME]. DesignSpace refuses constraints that are senseless, alone or
-/// with others.
+/// Reads one [linear_constraint.NAME]. DesignSpace later refuses constraints that contradict each
+/// other or the bounds.
 LinearConstraint read_linear_constraint(const Node& table,
                                         const std::vector<DesignVariable>& variables);
 
-/// Returns "belt - 2 carcass <= 0 GPa".
+/// Returns the constraint as text, such as "belt - 2 carcass <= 0 GPa".
 std::string in_words(const LinearConstraint& constraint, const DesignSpace& space);
 
 }  // namespace latsch::correlation

@@ -83,7 +83,8 @@ class MeasuredStudy : public testing::Test {
   ScratchFolder folder_;
 };
 
-// States and forces are converted by hand into Latsch's axes and stored in files of their own.
+// These states and forces are the measured ones, converted by hand into Latsch's axes and stored in
+// separate files. Both studies must give equal results.
 TEST_F(MeasuredStudy, IsTheStudyOfTheSameNumbersInFiles) {
   const Study measured = read();
   write_text_file(folder_ / "states.csv", "Fz [N],alpha [deg]\n4000,4\n4000,-4\n2000,2\n");
@@ -141,8 +142,8 @@ TEST_F(MeasuredStudy, ATestInAFileOfItsOwnTakesItsStatesToo) {
   EXPECT_TRUE(difference(before, identity(read(test, "file = \"steady.toml\"\n"))));
 }
 
-// Corrected forces leave every trial valid, corrected deflections do not, whether the test is
-// stated in the study or in a file.
+// A journal depends on measured deflections, not on measured forces: corrected forces leave every
+// trial valid, corrected deflections do not, whether the test is stated in the study or in a file.
 TEST_F(MeasuredStudy, AJournalDependsOnMeasuredDeflectionsNotOnTheForcesBesideThem) {
   const std::string test =
       "kind = \"load_deflection\"\ndeflections = {from = \"measurement.press\"}\n";
@@ -263,7 +264,7 @@ measurement = "pulled.csv"
             (std::vector<std::string>{"0.04", "0.1"}));
 }
 
-// Two tests write one column of a file, so only one of the columns could be found again.
+// If two tests write the same column of a file, one of the two could not be found again by a fit.
 TEST_F(MeasuredStudy, ATwinRefusesAColumnThatTwoTestsFill) {
   write_text_file(folder_ / "spring.toml",
                   "kind = \"spring\"\nstiffness = \"20 N/mm\"\ndamping = \"5 N s/m\"\n");
@@ -290,11 +291,11 @@ TEST_F(MeasuredStudy, ATwinRefusesAColumnThatTwoTestsFill) {
       << found;
   EXPECT_NE(found.find("slow/force and fast/force differ"), std::string::npos) << found;
   EXPECT_EQ(read_text_file(folder_ / "pulled.csv"), pulled);
-  EXPECT_TRUE(write_twin(with("0 m/s")));  // equal values given twice lose nothing
+  EXPECT_TRUE(write_twin(with("0 m/s")));  // equal values written twice lose nothing
 }
 
-// A rig's table for a force curve has other column names, and several pressures of which one is
-// selected.
+// The rig's table has other column names, and several pressures of which one is selected for the
+// force curve.
 TEST_F(MeasuredStudy, AForceCurveIsSelectedFromATableOfMany) {
   write_text_file(folder_ / "tire.toml", "");
   write_text_file(folder_ / "radii.csv",
@@ -368,7 +369,8 @@ TEST_F(MeasuredStudy, NeverLeavesOutASlipAngleSilently) {
       "nothing");
   found = complaint([&] { read(from, "{from = \"measurement.cornering\", without = [\"Fz\"]}"); });
   EXPECT_NE(found.find("without"), std::string::npos) << found;
-  edit_record("SA [deg]", "channel 7 [deg]");  // does not look like any channel: a warning
+  // this name resembles no channel, so it is only a warning
+  edit_record("SA [deg]", "channel 7 [deg]");
   const Study study = read();
   const auto doubts = ledgers_of(study).front().doubts;
   EXPECT_TRUE(std::any_of(doubts.begin(), doubts.end(), [](const LedgerDoubt& doubt) {

@@ -32,7 +32,7 @@ class ProgramTest : public experiment::Test {
   explicit ProgramTest(std::vector<OutputReader> outputs) : outputs_(std::move(outputs)) {}
 
   std::string in_words() const override { return "a run of the program"; }
-  // The identity of the program is in Specimens::identity.
+  // Specimens::identity contains the identity of the program, so the test adds nothing to it.
   std::vector<std::string> needs() const override { return {RunsAsProgram::kName}; }
   std::vector<experiment::ChannelInfo> channels() const override {
     std::vector<experiment::ChannelInfo> channels;
@@ -79,6 +79,13 @@ class ProgramSpecimens : public Specimens {
         "Simulator: {}{}",
         fmt::join(simulator_.arguments, " "),
         simulator_.timeout > 0.0 ? fmt::format(", {:g} s at most", simulator_.timeout) : "");
+    std::vector<std::string> watched;
+    for (const auto& file : watched_files(simulator_)) watched.push_back(file.filename().string());
+    text += fmt::format(
+        "\n  trials depend on the files of the command, inputs, files{}{}; state others that the "
+        "program reads in files",
+        watched.empty() ? "" : ", and, because a script names them, ",
+        fmt::join(watched, ", "));
     for (const OutputReader& output : simulator_.outputs) {
       text += fmt::format("\n  {:<16} from {}:", output.name, output.file.string());
       for (const auto& quantity : output.quantities)

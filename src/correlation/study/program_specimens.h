@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// An outside program as the model (simulator_settings.h): a specimen whose numbers fill the holes
-// of its input files. It has one test, which runs the program and records its output files.
+// An outside program as the model of a study (simulator_settings.h): a specimen whose numbers fill
+// the placeholders of its input files. It has one test, which runs the program and records its
+// output files.
 #pragma once
 
 #include <memory>

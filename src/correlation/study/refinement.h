@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model of a study on a finer mesh or with smaller steps. A fit absorbs the discretization
-// error into its values; the refined model shows by how much.
+// The model of a study on a finer mesh or with smaller steps. A fit shifts its values so that they
+// compensate for the discretization error; the refined model shows by how much.
 //
-// Intervals then extend to the values that the refined model would need for the same fit
-// (analysis/refined_shift.h). Refine so far that a still finer model changes little in comparison,
-// because errors beyond the refined model are not counted. Its trial has no time limit.
-//
-// The keys are in correlation/study/keys/refined_keys.cpp.
+// Intervals are then widened to contain the values that the refined model would need for the same
+// fit (analysis/refined_shift.h). The refinement should be so fine that a still finer model changes
+// little in comparison, because errors of the refined model itself are not counted. Its trial has
+// no time limit. The keys are in correlation/study/keys/refined_keys.cpp.
 #pragma once
 
 #include <optional>
@@ -28,7 +27,7 @@ std::optional<Refinement> read_refinement(const Node& root,
 /// have a refinement.
 Study refined(const Study& study);
 
-/// Returns "belt.nodes = 200, tread.blocks = 20; tests slow, fast".
+/// Returns the refinement as text, such as "belt.nodes = 200, tread.blocks = 20; tests slow, fast".
 std::string in_words(const Refinement& refinement);
 
 }  // namespace latsch::correlation

@@ -98,7 +98,7 @@ TEST_F(RefinedStudy, HasOtherNumbersAndTestsBesideTheVariables) {
   EXPECT_NE(identity(finer), identity(study));
 }
 
-// No step of a search depends on the refinement, so the journal stays that of its study.
+// No step of a search depends on the refinement, so the study keeps its journal.
 TEST_F(RefinedStudy, IsNoPartOfTheSearch) {
   const Study plain = read(kPulledStudy);
   const Study study = read(kPulledStudy + "[refined.test.fast]\nfile = \"fine.toml\"\n");

@@ -123,7 +123,7 @@ TEST_F(RollingStudy, NumbersWithUsualBoundsNeedNoMoreThanTheirNames) {
   refused("vary = [\"PCY1\", \"PCY1\"]\n", "twice");
 }
 
-// The measurement was made with grip 1.2, so the point of that value has no residual at all.
+// The measurement was computed with a grip of 1.2, so at this value all residuals vanish.
 TEST_F(RollingStudy, TheTargetVanishesAtTheValuesTheMeasurementCameFrom) {
   Study study = read();
   DesignPoint truth = study.space.initial();
@@ -144,12 +144,12 @@ TEST_F(RollingStudy, TheTargetVanishesAtTheValuesTheMeasurementCameFrom) {
 TEST_F(RollingStudy, TheJournalKnowsModelTestsAndStates) {
   const StudyIdentity before = identity(read());
   write("measured.csv", "Fy [N]\n-3100\n3100\n-1100\n");
-  EXPECT_EQ(identity(read()), before);  // another measurement needs no new trial
+  EXPECT_EQ(identity(read()), before);  // a changed measurement needs no new trial
   write("states.csv", "Fz [N],alpha [deg]\n4000,5\n4000,-4\n2000,2\n");
   EXPECT_NE(identity(read()), before);
 }
 
-// Otherwise every trial of a run would fail.
+// Such a measurement is refused at once, because otherwise every trial of a run would fail.
 TEST_F(RollingStudy, AMeasurementThatReachesBeyondItsTestIsRefusedBeforeTheFirstTrial) {
   const auto says = [&](const std::string& part) {
     try {
@@ -183,7 +183,8 @@ TEST_F(RollingStudy, PredictionsAreTrialsOfTheirOwn) {
   EXPECT_NE(identity(with_predictions(study)), identity(study));
 }
 
-// A force is compared in the frame of its measurement; another frame is no small error.
+// A force is compared in the frame of its measurement, because the difference between two frames is
+// not small.
 TEST_F(RollingStudy, AMeasurementInOtherAxesThanTheTestIsRefused) {
   write("sweep.toml",
         "kind = \"slip_sweep\"\nspeed = \"40 km/h\"\nload = \"4 kN\"\n"
@@ -268,7 +269,8 @@ TEST_F(RollingStudy, ComplaintsSayWhereAndWhatIsExpected) {
   const auto from = text.find("[test.steady]"), to = text.find("[variable.grip]");
   const std::string missing = complaint(text.substr(from, to - from), "");
   EXPECT_NE(missing.find("[test] is missing"), std::string::npos) << missing;
-  EXPECT_EQ(complaint(text.substr(0, from), "\nmodel = \"tire.tir\"\n"), "");  // stated by its file
+  // the model's file states the value
+  EXPECT_EQ(complaint(text.substr(0, from), "\nmodel = \"tire.tir\"\n"), "");
   EXPECT_NE(missing.find("[test.cleat]\n    file = \"cleat.toml\""), std::string::npos) << missing;
   EXPECT_NE(complaint("\"PDY1\"", "\"PDY11\"").find("PDY1"), std::string::npos);
   EXPECT_NE(complaint("\"100 N/mm\"", "\"-100 N/mm\"").find("does not accept"), std::string::npos);

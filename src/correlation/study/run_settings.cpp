@@ -14,11 +14,12 @@ namespace {
 
 constexpr long kMostWorkers = 1024;
 constexpr long kMostRetries = 100;
-constexpr long kMostHalvings = 52;      // after this many halvings two numbers are adjacent in
-                                        // double precision
+// after this many halvings two numbers are adjacent in double precision
+constexpr long kMostHalvings = 52;
 constexpr double kMostStraggler = 1e6;  // multiple of the median
-constexpr long kMostLookAhead = 1000;   // points for each worker; all are computed at every step
-constexpr double kLeastMemory = 16e6;   // bytes; with less a worker does not start
+// points for each worker; all of them are computed at every step
+constexpr long kMostLookAhead = 1000;
+constexpr double kLeastMemory = 16e6;  // bytes; with less a worker does not start
 
 double read_memory(const Node& table) {
   DocumentRecord::expects(table, "memory", R"(an amount of at least 16 MB such as "4 GB")");
@@ -33,7 +34,7 @@ double read_memory(const Node& table) {
   return *bytes;
 }
 
-/// Rejects a setting that only another policy has.
+/// Throws for a setting that belongs to another policy.
 void expect_policy(const Node& table,
                    const char* key,
                    const char* policy,

@@ -26,20 +26,20 @@ struct RunSettings {
   FailurePolicy on_failure;
   bool intervals = true;  // computed after a fit
   std::filesystem::path journal;
-  double straggler_factor = RunOptions{}.straggler_factor;  // multiple of the median time; 0: no
-                                                            // trial counts as a straggler
+  /// Multiple of the median time above which a trial is a straggler; 0: no trial is.
+  double straggler_factor = RunOptions{}.straggler_factor;
   int look_ahead = RunOptions{}.look_ahead;
 };
 
 /// Reads [run]. `table` is nullptr if the study has none; `study` is its file.
 RunSettings read_run_settings(const Node* table, const std::filesystem::path& study);
 
-/// Returns the consequence of a failed trial, as the end of a sentence that begins with the
-/// failure.
+/// Returns the consequence of a failed trial in words, as the end of a sentence that begins with
+/// the failure.
 std::string in_words(const FailurePolicy& policy);
 
-/// Returns the bytes of "4 GB", "500 MB", "64 kB" in powers of 1000; nullopt if the text is no such
-/// amount.
+/// Returns the number of bytes for "4 GB", "500 MB", "64 kB" in powers of 1000; nullopt if the text
+/// is no such amount.
 std::optional<double> parse_memory(std::string_view text);
 
 }  // namespace latsch::correlation

@@ -119,7 +119,7 @@ void expect_holes(const Node& table, const Simulator& simulator, const DesignSpa
   }
 }
 
-/// Returns the unit of the initial value; a plain number has none.
+/// Returns the unit in which the initial value is written; a plain number has none.
 std::string written_unit(const Node& table) {
   try {
     const auto written = parse_quantity(table.text("initial"));

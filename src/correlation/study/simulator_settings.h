@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// [simulator] in a study, in place of `model`: an outside program evaluates the points.
-//
-// The keys are in correlation/study/keys/simulator_keys.cpp.
+// [simulator] in a study, instead of `model`: an outside program evaluates the points. The keys are
+// in correlation/study/keys/simulator_keys.cpp.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +10,10 @@
 
 namespace latsch::correlation {
 
-/// Reads a variable that stands for holes in input files.
+/// Reads a variable that fills placeholders in input files.
 DesignVariable read_free_variable(const Node& table);
 
-/// Reads [simulator]. Also throws InputError for a variable without a hole.
+/// Reads [simulator]. Throws InputError, also for a variable that fills no placeholder.
 Simulator read_simulator(const Node& table,
                          const std::filesystem::path& study,
                          const DesignSpace& space);

@@ -59,8 +59,8 @@ class SimulatorStudy : public testing::Test {
   ScratchFolder folder_;
 };
 
-// Between (0, 0) and (1, k), z(0.5) = k / 2: the measured 1.5 mm needs k = 3, and the scale is 4
-// mm. With one experiment of two values, each residual is its share sqrt(1/2) of the difference.
+// On the line from (0, 0) to (1, k), z(0.5) = k / 2: the measured 1.5 mm needs k = 3, and the scale
+// is 4 mm. With one experiment of two values, each residual is sqrt(1/2) times the difference.
 TEST_F(SimulatorStudy, ResidualsAreThoseOfTheInterpolatedCurve) {
   const Study study = read();
   const auto channels = evaluator(study)({{2000.0}});
@@ -90,7 +90,8 @@ TEST_F(SimulatorStudy, ARecordThatEndsTooEarlyHasNoTarget) {
   EXPECT_TRUE(objective(read())(*channels).ok());
 }
 
-// The measurement ends at a time that the program's own sum of steps misses by rounding.
+// The program sums its time steps, so its last time differs by rounding from the end of the
+// measurement.
 TEST_F(SimulatorStudy, AnEndIsReachedWithinRounding) {
   const auto score_at = [&](const char* last) {
     write("measured.csv", std::string("t [s],z [mm]\n0.5,1.5\n") + last + ",4\n");
@@ -122,7 +123,7 @@ TEST_F(SimulatorStudy, TheJournalOfAnotherProgramIsNotReused) {
   EXPECT_FALSE(difference(before, identity(read())));
 }
 
-// A script may lie beside the study or anywhere; only its content matters.
+// A script may be anywhere; only its content matters.
 TEST_F(SimulatorStudy, AProgramThatChangedMakesAnotherIdentityAndSaysWhichFileItIs) {
   const StudyIdentity before = identity(read());
   write("program.sh", "read k < in.txt; printf 't [s],z [mm]\\n0,0\\n2,%s\\n' $k > out.csv");

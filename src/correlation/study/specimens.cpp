@@ -53,7 +53,7 @@ class ModelSpecimens : public Specimens {
       for (const Follower& follower : variable.followers)
         varied += fmt::format("  {} times: {}\n", follower.factor, fmt::join(follower.paths, ", "));
     }
-    if (is_stated_) varied += "kind: " + kind_.name() + "\n";  // the version contains the kind, too
+    if (is_stated_) varied += "kind: " + kind_.name() + "\n";  // the version also contains the kind
     return {{kModelPart, canonical_text(study.model)},
             {"variables", varied},
             {kTestsPart, identity_of_tests(study.tests, tests_asked_for(study))},
@@ -120,7 +120,7 @@ std::optional<std::string> reason_against(const SpecimenKind& kind,
 
 namespace {
 
-/// Returns the conditions that a table excludes by without = ["kappa"].
+/// Returns the conditions that the user excludes from a test by without = ["kappa"].
 std::vector<std::string> left_out_of(const Node& table,
                                      const std::vector<experiment::MeasuredCondition>& conditions) {
   if (!table.has("without")) return {};
@@ -137,7 +137,8 @@ std::vector<std::string> left_out_of(const Node& table,
   return without;
 }
 
-/// Notes a condition that the measurement lacks. Rejects the table if a column looks like it.
+/// Records that the measurement lacks a condition of the test. Throws if a column looks as if it
+/// could be the condition.
 void take_absent(const Node& table,
                  const experiment::MeasuredCondition& condition,
                  const Measurement& measurement,

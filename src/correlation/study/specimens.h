@@ -24,17 +24,18 @@ namespace latsch::correlation {
 
 struct Study;
 
-/// Test of a study. Its channels are called "NAME/CHANNEL"; a test without a name uses the
+/// A test of a study. Its channels are called "NAME/CHANNEL"; a test without a name uses the
 /// channels' own names.
 struct StudyTest {
   std::string name;
   std::shared_ptr<const experiment::Test> test;
   std::string identity;                           // copied from experiment::ReadTest
   std::vector<std::filesystem::path> files = {};  // files the test was read from
-  bool is_own = false;                            // true if the test is stated in the experiment of
-                                                  // the same name
+  /// True if the experiment of the same name states the test.
+  bool is_own = false;
 
-  /// Returns the name a person finds in the study: "test slow", "experiment stiffness".
+  /// Returns the words by which a user finds the test in the study: "test slow", "experiment
+  /// stiffness".
   std::string in_words() const { return (is_own ? "experiment " : "test ") + name; }
 };
 
@@ -42,8 +43,8 @@ class Specimens {
  public:
   virtual ~Specimens() = default;
 
-  /// Returns the specimen at a point. `reuse`, a specimen of another point, may pass on its work
-  /// (SpecimenKind::build). Throws InputError if the model does not accept the point.
+  /// Returns the specimen at a point. `reuse` is a specimen of another point whose work may be
+  /// reused (SpecimenKind::build). Throws InputError if the model does not accept the point.
   virtual std::unique_ptr<experiment::Specimen> at(
       const Study& study,
       const DesignPoint& point,
@@ -52,18 +53,18 @@ class Specimens {
   virtual void check(const Study& study) const = 0;
   /// Returns the kind of the model; nullptr for an outside program.
   virtual const experiment::SpecimenKind* kind() const { return nullptr; }
-  /// Returns what the channels of a trial depend on.
+  /// Returns the identity of everything on which the channels of a trial depend.
   virtual StudyIdentity identity(const Study& study) const = 0;
 
   /// Returns the lines that precede the tests and experiments in a printed study.
   virtual std::string describe(const Study& study) const = 0;
   /// True if a report may evaluate points once more.
   virtual bool may_repeat() const { return true; }
-  /// Returns the least of the time limits that a trial has by itself, s; 0: none.
+  /// Returns the least time limit that the model itself sets for a trial, s; 0: none.
   virtual double own_timeout() const { return 0.0; }
-  /// Returns the folder in which failed trials leave files that belong to the run; empty: none.
+  /// Returns the folder in which failed trials leave files; empty: none.
   virtual std::filesystem::path leftovers() const { return {}; }
-  /// Returns advice on how to see more of a failed trial; empty: none.
+  /// Returns advice on how to find out more about a failed trial; empty: none.
   virtual std::string how_to_see_more() const { return ""; }
 };
 
@@ -100,7 +101,7 @@ std::optional<std::string> reason_against(const experiment::SpecimenKind& kind,
 /// Returns the channels of tests under the names that experiments and constraints use.
 std::vector<KnownChannel> known_channels(const std::vector<StudyTest>& tests);
 
-/// Returns "slow" for "slow/Fz".
+/// Returns the name of the test of a channel: "slow" for "slow/Fz".
 std::string test_of(const std::string& channel);
 
 /// Returns the identities of the tests in `asked`, sorted by name, so that their order in the study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: a model that somebody adds, a spring with a damper and its one test. A language of
-// its own needs nothing more, and it supports everything a study can do.
+// Test support: a model as a user might add it, a spring with a damper, and its one test. A
+// language of models and tests needs nothing more, and such a study supports everything that others
+// do.
 #pragma once
 
 #include <fmt/format.h>
@@ -40,8 +41,8 @@ class SpringKind : public SpecimenKind {
   }
 };
 
-/// Test kind = "pull": travels = ["1 mm", ...] at one speed. Each travel is held long enough for a
-/// run to be killed meanwhile.
+/// A test kind = "pull": travels = ["1 mm", ...] at one speed. It can hold each travel long enough
+/// that a run can be killed meanwhile.
 class PullTest : public Test {
  public:
   PullTest(std::vector<double> travels, double speed, double hold)

@@ -32,7 +32,7 @@ const experiment::KeySection& study_keys();
 
 namespace {
 
-/// Reads the variables. Without a model they stand for holes in the input files of a simulator.
+/// Reads the variables. Without a model they fill placeholders in the input files of a simulator.
 DesignSpace read_variables(const Node& root,
                            const Document* model,
                            const experiment::SpecimenKind* kind) {
@@ -57,13 +57,14 @@ DesignSpace read_variables(const Node& root,
   return DesignSpace(std::move(variables), std::move(constraints));
 }
 
-/// Rejects a variable whose number is a whole one by its meaning, such as a mode or a count of
-/// elements: the bounds may be whole, but the values between them are not.
+/// Throws for a variable whose parameter must be a whole number, such as a mode or a number of
+/// elements: the values between whole bounds are not whole.
 void expect_continuous(const Node& root,
                        const experiment::SpecimenKind& kind,
                        const DesignVariable& variable,
                        const std::function<Document(double)>& model_with) {
-  constexpr double kBetween = 0.41421356;  // no whole number for any usual bounds
+  // share of the range at which no usual bounds give a whole number
+  constexpr double kBetween = 0.41421356;
   if (variable.unit != "1") return;
   try {
     kind.check(model_with(variable.lower + kBetween * (variable.upper - variable.lower)));
@@ -79,7 +80,7 @@ void expect_continuous(const Node& root,
 }
 
 /// Checks that the model accepts every bound of every variable, so that an error appears before the
-/// first trial and not after a night.
+/// first trial and not after hours.
 void check_bounds(const Node& root,
                   const Document& model,
                   const experiment::SpecimenKind& kind,
@@ -107,8 +108,8 @@ void check_bounds(const Node& root,
   }
 }
 
-/// If one experiment states no noise, the spread of all has to be estimated, and the stated noise
-/// of the others cannot be used as an absolute value.
+/// Throws if some experiments state their noise and others do not: the spread of all would have to
+/// be estimated, and the stated noise could not be used as an absolute value.
 void check_noise(const Node& root, const std::vector<StudyExperiment>& experiments) {
   const auto tables = root.named_tables("experiment");
   const bool estimated = std::any_of(
@@ -132,7 +133,7 @@ void check_noise(const Node& root, const std::vector<StudyExperiment>& experimen
   }
 }
 
-/// Checks that noise is stated, against which priors are weighted.
+/// Throws if there are priors but no stated noise, because priors are weighted relative to it.
 void check_priors(const Node& root,
                   const DesignSpace& space,
                   const std::vector<StudyExperiment>& experiments) {
@@ -167,8 +168,8 @@ std::vector<StudyExperiment> read_experiments(const Node& root,
 
 constexpr std::size_t kLargestMeasurement = std::size_t{2} << 30;
 
-/// If a table's name is misspelled, another table seems to be missing. Reports the first unknown
-/// table that resembles a known one.
+/// Throws for the first unknown table whose name resembles a known one: otherwise the message would
+/// only say that the known table is missing.
 void reject_unknown_table(const std::filesystem::path& file) {
   std::vector<std::string> known;
   for (const auto& key : study_keys().sentences) known.push_back(key.path);
@@ -207,8 +208,8 @@ std::string key_without(const std::set<std::string>& tables, const Study& study)
   return fmt::format("{:016x}", state);
 }
 
-/// Rejects everything that would make every trial fail. `of` says whose test it is if it is not
-/// that of the study: "[refined.test.pressed]".
+/// Throws for everything that would make every trial fail. `of` names the owner of a test that is
+/// not the study's own: "[refined.test.pressed]".
 void check_reach(const Node& root,
                  const std::vector<StudyTest>& tests,
                  const StudyExperiment& experiment,
@@ -235,7 +236,8 @@ void check_reach(const Node& root,
   const auto [least, most] = std::minmax_element(curve.x_measured.begin(), curve.x_measured.end());
   const bool is_within = reach->from <= *least && *most <= reach->to;
   const double room = (*least - reach->from) + (reach->to - *most);
-  constexpr double kNoRoom = 1e-9;  // share of the record; less is rounding of time
+  // share of the record; a smaller range is only rounding of the times
+  constexpr double kNoRoom = 1e-9;
   if (is_within && curve.fits_delay && room <= kNoRoom * (*most - *least))
     table.reject(
         "nuisance",
@@ -287,7 +289,7 @@ void check_count(const Node& root,
                   measured.values.size() == 1 ? "; of = \"largest\" takes one of several" : ""));
 }
 
-/// The model with its tests, or [simulator], and the variables.
+/// The model with its tests, or [simulator]; and the variables.
 struct WhatVaries {
   StudyModel model;
   DesignSpace space;
@@ -313,7 +315,7 @@ WhatVaries read_what_varies(const Node& root,
   return {std::move(model), std::move(space), std::move(tests)};
 }
 
-/// Rejects a test that the model cannot undergo with its numbers as they are in its file.
+/// Throws for a test that the model cannot undergo with the numbers in its file.
 void check_tests(const Node& root, const Study& study) {
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (!kind) return;
@@ -326,7 +328,7 @@ void check_tests(const Node& root, const Study& study) {
   }
 }
 
-/// `root`: the document's root, by which its keys are read.
+/// Reads a study. `root` is the document's root, through which all keys are read.
 Study read(const Document& document,
            const Node& root,
            const std::filesystem::path& file,

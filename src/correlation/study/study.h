@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A study contains everything that reproduces a correlation: a model, its variables, the
-// experiments with their measurements, and the optimizer.
-//
-// The keys are in correlation/study/keys/study_keys.cpp.
+// A study contains everything that is needed to repeat a correlation: a model, its variables, the
+// experiments with their measurements, and the optimizer. The keys are in
+// correlation/study/keys/study_keys.cpp.
 #pragma once
 
 #include <filesystem>
@@ -24,34 +23,38 @@
 
 namespace latsch::correlation {
 
-/// Start of a search: study_start.h.
+/// Start of a search; see study_start.h.
 struct StartSettings {
-  /// The values of the study, the best trial of a journal, or the minima of the study's design.
+  /// Start points: the initial values of the study, the best trial of a journal, or the minima of
+  /// the study's design of experiments.
   enum class From { values, journal, basins };
   From from = From::values;  // start of the search
-  int starts = 1;            // number of minima of the design to begin at, from the lowest
+  /// number of minima of the design from which searches start, beginning with the lowest
+  int starts = 1;
   std::filesystem::path journal = {};  // another journal to start from; empty: the study's own
 };
 
-/// One [stage.NAME]: study_stages.h.
+/// A table [stage.NAME]; see study_stages.h.
 struct StageSettings {
   std::string name;             // NAME of the table
   OptimizerSettings optimizer;  // method and its options in this stage
   long max_steps = 1000;        // number of steps after which the stage ends
   StartSettings start = {};     // start of the stage's search
-  double bounds = 1.0;          // width of the bounds over that of the
-                                // study's
-  std::vector<std::pair<std::string, double>> numbers = {};  // numbers of the model by path, SI
-  std::vector<int> free = {};                                // indices of the variables that move;
-                                                             // empty: all
-  std::vector<std::string> experiments = {};                 // experiments that count; empty: all
+  /// Ratio of the width of the bounds to that of the study.
+  double bounds = 1.0;
+  /// changed parameters of the model: path and value, SI
+  std::vector<std::pair<std::string, double>> numbers = {};
+  /// Indices of the variables that are free; empty: all.
+  std::vector<int> free = {};
+  std::vector<std::string> experiments = {};  // names of the fitted experiments; empty: all
 };
 
 /// Table [refined]: refinement.h.
 struct Refinement {
-  std::vector<std::pair<std::string, double>> numbers;  // numbers of the model by path, SI
-  std::vector<StudyTest> tests = {};                    // replace the tests with the same names
-  std::shared_ptr<const Specimens> specimens = {};      // set for an outside program
+  /// changed parameters of the model: path and value, SI
+  std::vector<std::pair<std::string, double>> numbers;
+  std::vector<StudyTest> tests = {};                // tests that replace those with the same names
+  std::shared_ptr<const Specimens> specimens = {};  // set for an outside program
 };
 
 /// Largest max_steps that a study may state.
@@ -62,34 +65,37 @@ struct Study {
   std::filesystem::path file;        // the study file
   std::string title;                 // for people
   std::filesystem::path model_file;  // empty: the study has an outside program in place of a model
-  Document model;     // file's content; at(model, space, point) inserts the variables
-  DesignSpace space;  // the variables with their bounds and initial values
+  /// content of the model's file; at(model, space, point) inserts the values of the variables
+  Document model;
+  DesignSpace space;                         // the variables with their bounds and initial values
   std::vector<StudyExperiment> experiments;  // in the order of the file
   OptimizerSettings optimizer;               // method and its options
   long max_steps = 1000;                     // number of steps after which the search ends
   std::optional<StudyDesign> doe;            // design of experiments; none without [doe]
   RunSettings run;  // workers, time limits and journal; they do not change results
-  std::shared_ptr<const Specimens> specimens = {};  // made from `model` or an outside program
-  std::vector<StudyTest> tests = {};                // tests of the study and the experiments' own
-  std::vector<ChannelConstraint> constraints = {};  // on channels; linear constraints belong to the
-                                                    // space
+  /// create specimens from `model` or an outside program
+  std::shared_ptr<const Specimens> specimens = {};
+  std::vector<StudyTest> tests = {};  // the study's own tests and those stated in experiments
+  /// Constraints on channels; linear constraints belong to `space`.
+  std::vector<ChannelConstraint> constraints = {};
 
   Laboratory laboratory = {};                 // every [measurement.NAME], for their ledgers
   StartSettings start = {};                   // start of the search
   std::vector<StageSettings> stages = {};     // empty: one run, as [optimizer] says
   std::optional<Refinement> refinement = {};  // none without [refined]
   std::string stage = {};                     // name of the stage that this study is; empty: none
-  std::vector<int> free = {};                 // indices of the variables that this stage moves;
-                                              // empty: all
-  std::optional<DesignPoint> held_at = {};  // values of the held variables in this stage, if known
-  bool asks_slopes = false;                 // true if trials must record slopes: study_slopes.h
-  std::string search_key = {};              // everything a search depends on, for the journal's
-                                            // marks
-  std::string target_key = {};              // the part of it on which the targets of trials and
-                                            // the choice of the best one depend
+  /// Indices of the variables that are free in this stage; empty: all.
+  std::vector<int> free = {};
+  /// values of the variables that this stage holds constant, if known
+  std::optional<DesignPoint> held_at = {};
+  bool asks_slopes = false;  // true if trials must record slopes: study_slopes.h
+  /// Text of everything on which a search depends, for the marks in the journal.
+  std::string search_key = {};
+  /// The part of that text on which the targets of trials and the choice of the best one depend.
+  std::string target_key = {};
 };
 
-/// Returns the tests that fitted experiments and constraints name.
+/// Returns the tests that fitted experiments and constraints need.
 std::vector<std::string> tests_asked_for(const Study& study);
 
 /// Reads a study, its model and its measurements. Throws InputError naming file, line, found and
@@ -99,9 +105,9 @@ Study read_study(const std::filesystem::path& file,
                  const experiment::Language& language,
                  Measurements measurements = Measurements::required);
 
-/// Returns what the channels of a trial depend on, for the journal: model, varied paths, load
-/// cases. Objectives are not part of the identity, because they can be changed and recomputed from
-/// stored channels.
+/// Returns the identity of everything on which the channels of a trial depend, for the journal:
+/// model, varied paths, load cases. Objectives are not part of it, because they can be changed and
+/// recomputed from the stored channels.
 StudyIdentity identity(const Study& study);
 
 }  // namespace latsch::correlation

@@ -15,7 +15,7 @@ namespace {
 
 constexpr long kMostFactorialLevels = 1000;
 constexpr long kMostDesignPoints = 100'000;
-constexpr int kFewestTrajectories = 2;  // sigma needs two trajectories
+constexpr int kFewestTrajectories = 2;  // sigma needs at least two trajectories
 
 struct NamedDesign {
   DesignKind kind;

@@ -19,9 +19,9 @@ enum class DesignKind { full_factorial, latin_hypercube, sobol, morris };
 
 struct StudyDesign {
   DesignKind kind = DesignKind::full_factorial;
-  std::vector<int> levels = {};  // used by full factorial: one number for each variable; 1: not
-                                 // varied
-  int points = 0;                // used by the other designs
+  /// For a full factorial design: number of levels for each variable; 1: not varied.
+  std::vector<int> levels = {};
+  int points = 0;  // used by the other designs
   std::uint64_t seed = 0;
 
   /// Returns for example "maximin Latin hypercube".
@@ -33,7 +33,7 @@ StudyDesign read_design(const Node& doe, const DesignSpace& space);
 
 SamplingPlan plan(const StudyDesign& design, const DesignSpace& space);
 
-/// Returns the trajectories behind the plan of a design of kind morris.
+/// Returns the trajectories of a Morris design, from which its points are made.
 MorrisDesign morris_design(const StudyDesign& design, const DesignSpace& space);
 
 }  // namespace latsch::correlation

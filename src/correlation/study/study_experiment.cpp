@@ -23,7 +23,8 @@ std::string last_part(const std::string& channel) {
 }
 
 constexpr long kMostModes = 200;
-/// With a larger exponent, errors of some percent give a target that is zero in the printed digits.
+/// Largest exponent of the errors: with a larger one, errors of some percent give a target that is
+/// zero in the printed digits.
 constexpr double kLargestExponent = 10.0;
 
 ObjectiveSettings read_objective(const Node& table) {
@@ -34,7 +35,8 @@ ObjectiveSettings read_objective(const Node& table) {
   return settings;
 }
 
-/// Returns the measurement file named by `key`; empty if it does not exist and need not exist.
+/// Returns the measurement file that `key` names; empty if it does not exist but is allowed to be
+/// missing.
 std::filesystem::path find_file(const Node& table,
                                 const std::string& key,
                                 const std::filesystem::path& folder,
@@ -83,8 +85,8 @@ const StudyTest& named_test(const Node& table,
                    "), which does not record " + in_quotes(channel));
 }
 
-/// Adds the test of an experiment that states one of its own, of a kind with the experiment's name.
-/// The identity of the test is made of the keys read for it, and equals that of the same keys in a
+/// Adds the test that an experiment states itself, of a kind with the experiment's name. The
+/// identity of the test is made of the keys read for it, and equals that of the same keys in a
 /// [test.NAME].
 void add_own_test(const Node& table,
                   const ExperimentContext& context,
@@ -269,7 +271,8 @@ StudyExperiment read_experiment(const Node& table,
   const std::string kind = table.choice("kind", kinds);
   const ComparedKind* compared = find_compared_kind(kind);
   if (compared && tests.empty()) reject_channel_of_no_test(table, kind, context);
-  std::shared_ptr<const Measurement> measured;  // set if channels are compared with one
+  // set if the compared channels come from a measurement
+  std::shared_ptr<const Measurement> measured;
   if (compared && (compared->needs_measurement || table.has("measurement")))
     measured = read_named_measurement(table, context);
   if (kind == "load_deflection") measured = measured_curve(table, context);

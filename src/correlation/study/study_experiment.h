@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// One experiment of a study: a test, the measurement, and the method of their
-// comparison.
-//
-// A test is stated in its experiment, or by itself as [test.NAME] (specimens.h) for several
-// experiments; then test = "NAME" replaces the keys of the test.
-//
-// Other kinds: "curve" (observable/curve.h), "values" (observable/values.h).
-//
-// To write measurements from the model itself (a twin), also state what the laboratory would
-// measure: deflections = ["5 mm", "10 mm"], or measured_modes = 12.
-//
-// The keys are in correlation/study/keys/experiment_keys.cpp.
+// One experiment of a study: a test, the measurement, and the method of their comparison. A test is
+// stated in its experiment, or separately as [test.NAME] (specimens.h) for several experiments;
+// then test = "NAME" replaces the keys of the test. Other kinds of experiments are "curve"
+// (observable/curve.h) and "values" (observable/values.h). For writing measurements computed by the
+// model itself (a twin), the experiment also states what the laboratory would measure: deflections
+// = ["5 mm", "10 mm"], or measured_modes = 12. The keys are in
+// correlation/study/keys/experiment_keys.cpp.
 #pragma once
 
 #include <filesystem>
@@ -35,16 +30,18 @@ struct StudyExperiment {
   ObjectiveSettings objective;
   bool fitted = true;                     // false: predicted only
   std::optional<MeasurementNoise> noise;  // standard deviation of a measured value
-  bool estimates_noise = false;           // noise from the fit: target/estimated_noise.h
-  bool noise_of_own_stage = false;        // true if the noise is the least error that an earlier
-                                          // stage left
+  /// true: the noise is estimated by the fit (target/estimated_noise.h)
+  bool estimates_noise = false;
+  /// true if the noise is the least error that an earlier stage left
+  bool noise_of_own_stage = false;
   RobustLoss loss = {};
   std::filesystem::path measurement_file;  // first file of a [measurement.NAME]; empty: none
-  std::shared_ptr<const Measurement> measurement = {};  // nullptr: the observable read the file
-  std::shared_ptr<const Measurement> read_from = {};    // the measurement, stated or not; its
-                                                        // ledger is used
-  std::filesystem::path shapes_file;                    // empty: no shapes
-  int measured_modes = 0;                               // number measured, or planned in a twin
+  /// nullptr if the observable itself has read the file
+  std::shared_ptr<const Measurement> measurement = {};
+  /// The measurement that was read, stated in the study or not; its ledger is used.
+  std::shared_ptr<const Measurement> read_from = {};
+  std::filesystem::path shapes_file;  // empty: no shapes
+  int measured_modes = 0;  // number of modes that are measured, or that a twin will write
   std::shared_ptr<const Observable> observable = {};
 
   /// Returns the number of measured values compared.
@@ -54,7 +51,7 @@ struct StudyExperiment {
   std::string measured_in() const;
 };
 
-/// Context in which an experiment is read.
+/// Data that reading an experiment needs.
 struct ExperimentContext {
   std::filesystem::path folder;  // folder of measurement files
   Measurements measurements = Measurements::required;
@@ -69,14 +66,15 @@ StudyExperiment read_experiment(const Node& table,
                                 const ExperimentContext& context,
                                 std::vector<StudyTest>& tests);
 
-/// Returns the stated deviation of every value in units of its difference d as compared; empty if
-/// no noise is stated.
+/// Returns the stated standard deviation of every value in units of its difference d as compared;
+/// empty if no noise is stated.
 std::vector<double> stated_deviations(const StudyExperiment& experiment);
 
 /// Returns the exponents of a study's fitted experiments, for target_in_words().
 std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experiments);
 
-/// Returns the abscissa of the comparison in words or, if there is none, the test.
+/// Returns in words the abscissa of the comparison or, if there is none, the conditions of the
+/// test.
 std::string conditions_of(const StudyExperiment& experiment, const std::vector<StudyTest>& tests);
 
 /// Compares the channels of a trial with the measurement. Throws InputError if they leave nothing

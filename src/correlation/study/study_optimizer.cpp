@@ -49,7 +49,7 @@ void read_ensemble(const Node& table,
   settings.ensemble_end = ends == "all" ? Ensemble::End::all : Ensemble::End::first;
 }
 
-/// Rejects a key of another method with a message that names that method.
+/// Throws for a key that belongs to another method, with a message that names that method.
 void reject_keys_of_others(const Node& table, Method method) {
   std::map<std::string, std::vector<std::string>> owners;
   for (const MethodKind& owner : method_kinds())
@@ -80,7 +80,7 @@ OptimizerSettings read_settings(const Node& table,
   } else {
     kind_of(method).read(table, settings);
   }
-  try {  // lets the method report errors now, not before the first trial
+  try {  // the method reports its errors now, not before the first trial
     latsch::make_optimizer(method, space, settings, traits);
   } catch (const InputError& error) {
     if (!error.place().file.empty()) throw;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes of a study's residuals: trials record them if the model knows them exactly, for every
-// fitted experiment in every variable. They are complete or absent, because a search cannot use a
-// Jacobian with gaps.
+// Decides whether the trials of a study record derivatives: they do if the model computes them
+// exactly for every fitted experiment and every variable. A search cannot use a Jacobian with gaps,
+// so derivatives are complete or absent.
 #pragma once
 
 #include <optional>
@@ -15,20 +15,20 @@ namespace latsch::correlation {
 /// Returns the reason, for a person, why trials record no slopes; nullopt if they do.
 std::optional<std::string> reason_without_slopes(const Study& study);
 
-/// True if the search uses slopes; otherwise they would only fill the journal.
+/// True if the search uses derivatives; otherwise they would only enlarge the journal.
 bool asks_slopes(const Study& study);
 
-/// The numbers of the model that its variables move.
+/// The parameters of the model that the variables of a study change.
 class MovedNumbers {
  public:
   explicit MovedNumbers(const DesignSpace& space);
 
   const std::vector<std::string>& paths() const { return paths_; }
-  /// Returns what a test has to compute: slopes of all channels that fitted experiments compare, in
-  /// all of these numbers.
+  /// Returns what a test has to compute: the derivatives of all channels that fitted experiments
+  /// compare, by all of these parameters.
   experiment::Asked asked_of(const Study& study, const StudyTest& test) const;
-  /// Converts slopes in the numbers into slopes in the variables: dy/dv = sum factor dy/dnumber,
-  /// over all numbers that follow a variable.
+  /// Converts derivatives by parameters to derivatives by variables: dy/dv = sum factor
+  /// dy/dparameter, over all parameters that follow the variable v.
   std::vector<double> in_variables(const std::vector<double>& slopes) const;
 
  private:

@@ -17,8 +17,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Returns the number of a stage's table below `model`, at "mesh.sectors", in the unit of the
-/// model's number.
+/// Returns the value at a path such as "mesh.sectors" in a stage's table `model`, in the unit of
+/// the model's parameter.
 double read_number(const Node& stage, const std::string& path, const std::string& unit) {
   Node table = stage.table("model");
   std::size_t from = 0;
@@ -81,7 +81,7 @@ std::vector<std::pair<std::string, double>> read_changed_numbers(const Node& tab
 
 namespace {
 
-/// Reads a list of names, each of which has to be a known one; empty if the key is absent.
+/// Reads a list of names, each of which must be known; empty if the key is absent.
 std::vector<std::string> read_names(const Node& table,
                                     const char* key,
                                     const std::vector<std::string>& known) {
@@ -132,7 +132,7 @@ StageSettings read_stage(const Node& table, const Document& text, const Study& s
   return stage;
 }
 
-/// Checks noise = "own_stage": it needs an earlier stage with the study's own model.
+/// Checks that noise = "own_stage" has an earlier stage with the study's own model.
 void check_own_stages(const Node& root,
                       const Study& study,
                       const std::vector<StageSettings>& stages) {
@@ -153,7 +153,8 @@ void check_own_stages(const Node& root,
                     wanting->name + "\"] before it, or noise = \"estimated\"");
 }
 
-/// Adds the stages that estimated noise needs: one before, and a last one that uses its own noise.
+/// Adds the stages that estimated noise needs: one before the others, and a repetition of the last
+/// one.
 void add_rounds_of_noise(const Study& study, std::vector<StageSettings>& stages) {
   if (std::none_of(study.experiments.begin(), study.experiments.end(), [](const auto& one) {
         return one.estimates_noise && !one.noise_of_own_stage;

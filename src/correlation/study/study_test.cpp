@@ -53,7 +53,7 @@ levels_of = {angle = 5}
 constexpr const char* kStiffness = "deflection [mm], force [N]\n18.2, 3015.5\n32.4, 6031.1\n";
 constexpr const char* kModes = "frequency [Hz], n, type\n50.3, 1, lateral\n54.1, 0, torsional\n";
 
-/// A study in a folder of its own, with one text replaced.
+/// Returns the measured forces of the study's first experiment.
 std::vector<double> forces_of(const Study& study) {
   return dynamic_cast<const ForceCurve&>(*study.experiments[0].observable).measured().force;
 }
@@ -224,7 +224,8 @@ TEST_F(StudyFile, ReadsTheNoiseOfAnExperiment) {
   replace("study.toml",
           "measurement = \"stiffness.csv\"",
           "measurement = \"stiffness.csv\"\nnoise = \"2 %\"");
-  EXPECT_DOUBLE_EQ(read().experiments[0].noise->relative, 0.02);  // the other one is only predicted
+  // the other experiment is only predicted
+  EXPECT_DOUBLE_EQ(read().experiments[0].noise->relative, 0.02);
 }
 
 TEST_F(StudyFile, ReadsAbsoluteNoiseAndBoth) {
@@ -237,8 +238,8 @@ TEST_F(StudyFile, ReadsAbsoluteNoiseAndBoth) {
   EXPECT_DOUBLE_EQ(stated_deviations(read().experiments[0])[0], std::hypot(0.02, 20.0 / forces[0]));
 }
 
-// The target of N values of 2 %, weighted equally, is (2 %)^2 chi^2_N / N, of mean 1 and variance 2
-// / N.
+// With N values of 2 % noise and equal weights, the target is (2 %)^2 chi^2_N / N, with mean factor
+// 1 and variance 2 / N.
 TEST_F(StudyFile, KnowsWhatStatedNoiseMakesOfItsTarget) {
   EXPECT_EQ(noise_alone(read()), 0.0);
   replace("study.toml",

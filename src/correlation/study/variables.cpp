@@ -23,7 +23,7 @@ std::string unit_of(const Node& table,
   }
 }
 
-/// Returns "N/mm^2" for "22.3 N/mm^2".
+/// Returns the unit in a text: "N/mm^2" for "22.3 N/mm^2".
 std::string written_unit(const std::string& text, const std::string& si) {
   const auto quantity = parse_quantity(text, Unit::of(si));
   return quantity ? quantity->unit.text() : "1";
@@ -145,7 +145,8 @@ DesignVariable* find_variable(std::vector<DesignVariable>& variables, const std:
   return nullptr;
 }
 
-/// Returns the variable at the end of the chain, and the product of the factors along the chain.
+/// Returns the variable at the end of a chain of ties, and the product of the factors along the
+/// chain.
 std::pair<DesignVariable*, double> leader(const Tie& tie,
                                           const std::vector<Tie>& ties,
                                           std::vector<DesignVariable>& variables) {

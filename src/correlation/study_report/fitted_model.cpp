@@ -45,7 +45,7 @@ double value_in_si(const DesignSpace& space, int variable, double u) {
 /// Returns " N/mm"; "" for numbers without a unit.
 std::string behind_number(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
-/// Returns "; at its bound 0.5", or "".
+/// Returns "; at its bound 0.5" if the variable is at a bound, else "".
 std::string at_bound_in_words(const DesignSpace& space, const DesignPoint& point, int variable) {
   const auto i = static_cast<std::size_t>(variable);
   const double u = space.to_unit(point)[i];
@@ -54,7 +54,8 @@ std::string at_bound_in_words(const DesignSpace& space, const DesignPoint& point
   return "; at its bound " + format_quantity(u < 0.5 ? v.lower : v.upper, v.unit, 5);
 }
 
-/// Returns "-32.1 +- 0.4 (95 %)", "-32.1 +0.5 -0.3 (95 %)" if both ends lie inside the bounds.
+/// Returns the value with its interval: "-32.1 +- 0.4 (95 %)" or "-32.1 +0.5 -0.3 (95 %)" if both
+/// ends lie within the bounds.
 std::string with_interval(const Study& study,
                           const DesignPoint& point,
                           int variable,
@@ -65,7 +66,8 @@ std::string with_interval(const Study& study,
   const double below = value - unit.from_si(value_in_si(study.space, variable, interval.lower)),
                above = unit.from_si(value_in_si(study.space, variable, interval.upper)) - value;
   const double half = 0.5 * (below + above);
-  constexpr double kSkew = 0.05;  // share of the half width; a smaller asymmetry is written as +-
+  // share of the half width; an interval that is less asymmetric is written with +-
+  constexpr double kSkew = 0.05;
   const std::string number = format_known(value, half);
   if (std::abs(above - below) <= kSkew * half)
     return fmt::format("{} +- {}{} (95 %)", number, format_number(half, 2), behind_number(v.unit));
@@ -76,7 +78,7 @@ std::string with_interval(const Study& study,
                      behind_number(v.unit));
 }
 
-/// Returns the stages that move a variable, as indices into study.stages.
+/// Returns the stages in which a variable is free, as indices into study.stages.
 std::vector<std::size_t> stages_that_move(const Study& study, int variable) {
   std::vector<std::size_t> all;
   for (std::size_t k = 0; k < study.stages.size(); ++k) {
@@ -146,7 +148,7 @@ std::string origin_of_variable(const Study& weighted,
       bound);
 }
 
-/// "cornering.dat, drive.dat"
+/// Returns the names of the data files: "cornering.dat, drive.dat".
 std::string data_files_in_words(const Study& study, const StudyExperiment& experiment) {
   std::vector<std::string> names;
   const auto& read = experiment.measurement ? experiment.measurement : experiment.read_from;
@@ -157,7 +159,8 @@ std::string data_files_in_words(const Study& study, const StudyExperiment& exper
   return names.empty() ? "the study itself" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// "Fy: RMS error 2.1 % of 2053 N; cornering/Fy from a.dat, 1800 values"
+/// Returns a line about the error of an experiment: "Fy: RMS error 2.1 % of 2053 N; cornering/Fy
+/// from a.dat, 1800 values".
 std::string error_line(const Study& study,
                        const StudyExperiment& experiment,
                        const Result<Channels>& recording) {
@@ -217,7 +220,7 @@ std::vector<std::string> fit_header(const Study& weighted,
   return lines;
 }
 
-/// Returns the origins of the numbers that variables and ties move, by path.
+/// Returns the origins of the parameters that variables and ties change, by path.
 std::map<std::string, std::string> origins_of_variables(const Study& weighted,
                                                         const DesignPoint& point,
                                                         const Journal& journal) {
@@ -235,8 +238,8 @@ std::map<std::string, std::string> origins_of_variables(const Study& weighted,
   return origins;
 }
 
-/// Says that the numbers are those of the best trial so far, of a design or of a search that has
-/// not ended.
+/// Adds that the numbers are those of the best trial so far, of a design of experiments or of a
+/// search that has not ended.
 void tell_no_end(const Study& study, experiment::Provenance& provenance) {
   provenance.header.insert(provenance.header.begin() + 1,
                            "No search of this study has ended: its best trial so far need not be "
@@ -283,7 +286,7 @@ FittedModel fitted_model(const Study& study,
     return model;
   }
   model.is_fitted = true;
-  model.search_has_ended = recorded_stages(weighted, *journal).has_ended;
+  model.search_has_ended = recorded_stages(study, *journal).has_ended;
   model.numbers = at(study.model, study.space, best->point);
   provenance.header =
       fit_header(weighted, best->point, recording_at(best->point, *journal), best->target, by);

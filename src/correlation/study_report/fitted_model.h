@@ -16,7 +16,7 @@
 
 namespace latsch::correlation {
 
-/// Time and version of the program, which a study does not know.
+/// Date and version of the program that a file states; the study does not know them.
 struct ExportedBy {
   std::string version;  // "0.1.0"
   std::string date;     // "2026-03-01"
@@ -25,15 +25,15 @@ struct ExportedBy {
 struct FittedModel {
   Document numbers;
   experiment::Provenance provenance;
-  bool is_fitted = false;  // false: no trial has succeeded yet, so the numbers are the initial
-                           // values
+  /// False: no trial has succeeded yet, so the numbers are the initial values.
+  bool is_fitted = false;
   bool search_has_ended = true;  // false: the numbers are those of the best trial so far
 };
 
 /// Returns the model of the best trial in the journal of the study, or of the initial values if
-/// there is no journal. `at`: another point of the study, of which the journal need not know
-/// anything. InputError if the journal belongs to another study, or to this one before it was
-/// edited, also if only a measurement, a weight or a bound was (search/search_standing.h).
+/// there is no journal. `at` is another point of the study, which need not be in the journal.
+/// Throws InputError if the journal belongs to another study or to an earlier version of this one,
+/// even if only a measurement, a weight or a bound has changed (search/search_standing.h).
 FittedModel fitted_model(const Study& study,
                          const ExportedBy& by,
                          const std::optional<DesignPoint>& at = std::nullopt);

@@ -55,8 +55,8 @@ std::vector<report::LeftOutExperiment> left_out(const Study& study,
   return rows;
 }
 
-/// Returns the gains of repeated measurements and, if they were simulated, of those only predicted
-/// so far.
+/// Returns the gains of repeated measurements and, if the predicted experiments were simulated, of
+/// measuring these.
 std::vector<report::Gain> gains(const Study& study, const Identifiability& what) {
   auto all = repetition_gains(study, what);
   if (has_predictions(study)) {

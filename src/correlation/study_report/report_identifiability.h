@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fills the report's chapters on what the data determine and on the results of a design of
-// experiments.
+// Fills the report's chapters on identifiability and on the results of a design of experiments.
 #pragma once
 
 #include <optional>
@@ -13,8 +12,7 @@
 
 namespace latsch::correlation {
 
-/// Returns the chapter on what the data determine. `bands` has one entry for every experiment, or
-/// none.
+/// Returns the chapter on identifiability. `bands` has one entry for every experiment, or none.
 report::IdentifiabilityPage identifiability_page(const Study& study,
                                                  const Identifiability& what,
                                                  const std::vector<ExperimentBand>& bands);

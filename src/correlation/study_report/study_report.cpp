@@ -33,7 +33,7 @@ struct Simulated {
   Result<Channels> channels;
 };
 
-/// Returns the recording in the journal: an outside program is not run again for a report.
+/// Returns the recording in the journal, because an outside program is not run again for a report.
 Simulated recorded(const Journal& journal, const DesignPoint& point) {
   Simulated simulated{point, Failure{"it is not in the journal"}};
   journal.for_each([&](const Trial& trial) {
@@ -77,7 +77,7 @@ report::ExperimentRow experiment_row(const StudyExperiment& experiment,
   return row;
 }
 
-/// Returns the tests of the experiments, fitted ones first.
+/// Returns the tests of the experiments; those of fitted experiments come first.
 std::vector<const experiment::Test*> tests_shown(const Study& study) {
   const auto asked = tests_asked_for(study);
   const auto is_asked = [&](const StudyTest& test) {
@@ -214,7 +214,8 @@ report::RunFacts run_facts(const Study& study, const Journal& journal) {
 
 Result<StudyReport> study_report(const Study& study,
                                  const Journal& journal,
-                                 experiment::Thoroughness thoroughness) {
+                                 experiment::Thoroughness thoroughness,
+                                 const Study* as_read) {
   const auto best = best_trial(study, journal);
   if (!best) return Failure{"no trial in " + study.run.journal.string() + " succeeded"};
 
@@ -222,7 +223,8 @@ Result<StudyReport> study_report(const Study& study,
     return study.specimens->may_repeat() ? Simulated{point, simulate_all(study, point)}
                                          : recorded(journal, point);
   };
-  // A trial does not depend on others, so the initial and the best point run at the same time.
+  // Trials do not depend on each other, so the initial and the best point are simulated at the same
+  // time.
   const bool beside = study.specimens->may_repeat() && study.run.workers > 1;
   auto start = std::async(beside ? std::launch::async : std::launch::deferred,
                           [&] { return simulated(study.space.initial()); });
@@ -256,7 +258,7 @@ Result<StudyReport> study_report(const Study& study,
       initial.channels = score.failure();
   }
   page.run = run_facts(study, journal);
-  const std::vector<Fit> fits = recorded_stages(study, journal).fits;
+  const std::vector<Fit> fits = recorded_stages(as_read ? *as_read : study, journal).fits;
   add_convergence(study, fits, page);
   page.is_of_design = !page.convergence;
   std::vector<ExperimentBand> bands;

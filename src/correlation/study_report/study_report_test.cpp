@@ -15,8 +15,8 @@ namespace {
 
 class StudyReportOfAFit : public FittedStudy {};
 
-// Forces 500 N off are equal about their means. If they were drawn unchanged, they would seem far
-// apart over errors of nothing.
+// Forces that are wrong by 500 N are equal about their means. If they were drawn as they are, they
+// would seem far apart although their errors are zero.
 TEST_F(StudyReportOfAFit, CurvesAreDrawnAsTheyAreCompared) {
   const Study study = read("compare = \"about_mean\"\n");
   Channels shifted = *evaluator(study)({{1.3, -22.0}});
@@ -52,8 +52,8 @@ std::vector<std::string> row_of(const std::string& html, const std::string& name
   return cells;
 }
 
-// The last digits of a value differ on another processor, so only digits that the data support are
-// shown, everywhere. Noise of 15 % leaves three digits; the page once had four in one table and
+// Only digits that the data support are shown, because further ones differ on another processor.
+// Noise of 15 % leaves three digits. Regression test: the page had four digits in one table and
 // three in another.
 TEST_F(StudyReportOfAFit, AValueHasTheSameDigitsWhereverItStands) {
   Channels measured;

@@ -37,8 +37,8 @@ std::vector<RatedTrial> rated_candidates(const Study& study, const Journal& jour
   auto rated = rated_trials(study, journal);
   const TrialOwnership ownership(study, journal.marks());
   std::erase_if(rated, [&](const auto& trial) {
-    // Earlier bounds may have been wider, and a design of experiments may contain points that
-    // violate linear constraints.
+    // The point may violate the present bounds or linear constraints, because earlier bounds were
+    // wider or because a design of experiments ignores linear constraints.
     return !study.space.contains(trial.point) || !keeps_held(study, trial.point) ||
            !ownership.can_be_best(trial.row, trial.point);
   });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the best trial in a journal, requested by the optimizer or by a design of experiments: the
-// least target among the trials that fulfill all constraints, or else the least violation. A trial
-// that was only started ahead of a search does not count (asked_trials.h), because it depends on
-// the number of workers.
+// Finds the best trial in a journal: the least target among the trials that fulfill all
+// constraints, or else the least violation. Only trials that the optimizer or a design of
+// experiments requested count. A trial that was only started ahead of a search (asked_trials.h)
+// does not, because it depends on the number of workers.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct RatedTrial {
   DesignPoint point;
   double target = 0.0;
   double violation = 0.0;  // violation of the constraints on channels
-  long row = -1;           // in the journal, the first being 0; -1: not of a journal
+  long row = -1;           // row in the journal, the first being 0; -1: not from a journal
 };
 
 /// True if a has less violation than b beyond what counts as fulfilled, or else a smaller target.
@@ -30,9 +30,9 @@ std::vector<RatedTrial> rated_trials(const Study& study, const Journal& journal)
 /// Always true for a study without that information.
 bool keeps_held(const Study& study, const DesignPoint& point);
 
-/// The rated trials inside the bounds and linear constraints that can be the best of the study as
-/// it stands (trial_ownership.h). If it is in the state of its last stage, it knows which variables
-/// that stage holds, and trials with other values of these are ignored.
+/// Returns the rated trials within bounds and linear constraints that can be the best of the
+/// present study (trial_ownership.h). If the study is in the state of its last stage, trials with
+/// other values of the variables that this stage holds constant are left out.
 std::vector<RatedTrial> rated_candidates(const Study& study, const Journal& journal);
 
 /// Returns the best of rated_candidates(); of equal ones, the first.

@@ -12,11 +12,11 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kLength = 1e-3;  // share of the range
-constexpr double kOff = 1e-5;     // share of the largest slope of a variable
-constexpr double kUnsure = 10.0;  // multiple of the difference between two lengths, or of a kink
+constexpr double kLength = 1e-3;  // step of the differences as a share of the range
+constexpr double kOff = 1e-5;  // allowed error as a share of the largest derivative by the variable
+constexpr double kUnsure = 10.0;  // multiple of the difference between two steps, or of a kink
 
-/// Differences of residuals in one variable.
+/// Differences of the residuals in one variable.
 struct Differences {
   Eigen::VectorXd central;
   Eigen::VectorXd jump;  // forward minus backward

@@ -24,7 +24,8 @@
 
 namespace latsch::correlation {
 
-/// For one variable, the residual whose slope disagrees most or has the largest error.
+/// The result for one variable: the residual whose derivative disagrees, or the one with the
+/// largest error.
 struct CheckedSlope {
   std::string variable, row;             // "PKY1"; "side_force: steady/Fy, sample 3"
   double slope = 0.0, difference = 0.0;  // slopes of that residual over the variable's range

@@ -22,7 +22,8 @@ class SlopingSpring : public SpringKind {
   }
 };
 
-/// `kink` is the change of the slope in the damping where the damping is `at`.
+/// Errors of the derivatives of a pull test. `kink` is the change of the derivative by the damping
+/// at the damping `at`.
 struct Pull {
   double wrong = 1.0, kink = 0.0, at = 0.0;
 };
@@ -107,12 +108,14 @@ TEST_F(DerivativeCheck, RightSlopesAgreeAlsoBesideABound) {
     EXPECT_TRUE(one.agrees) << one.variable << " " << one.off;
     EXPECT_LT(one.off, 1e-8);
   }
-  EXPECT_TRUE(check_slopes(read({}, ""), study.space.initial()));  // compared sample by sample
+  // a curve that is compared sample by sample
+  EXPECT_TRUE(check_slopes(read({}, ""), study.space.initial()));
 }
 
-// With a kink a thousandth of a step beside the point, either length sees half of it.
+// If a kink lies a thousandth of a step beside the point, differences over either step contain half
+// of it.
 TEST_F(DerivativeCheck, AKinkBesideThePointIsNoWrongSlope) {
-  constexpr double kPoint = 0.05;  // bound moved inward by a thousandth of the range
+  constexpr double kPoint = 0.05;  // bound, which is moved inward by a thousandth of the range
   for (const double at : {kPoint - 5e-5, kPoint + 5e-5}) {
     const Study study = read({.kink = 3e-4, .at = at});
     const auto slopes = check_slopes(study, study.space.initial());

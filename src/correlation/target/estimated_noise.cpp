@@ -9,8 +9,8 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr double kLeast = 1e-9;  // share of 100 %: avoids zero noise if the model equals the
-                                 // measurement
+// Share of 100 %; least noise, for a model that equals the measurement.
+constexpr double kLeast = 1e-9;
 
 }  // namespace
 

@@ -28,10 +28,10 @@
 
 namespace latsch::correlation {
 
-/// True if a fitted experiment's noise is to be estimated; then that of all is.
+/// True if the noise of any fitted experiment is to be estimated; then that of all experiments is.
 bool estimates_noise(const Study& study);
 
-/// True if that noise is the error that an earlier stage left in each experiment.
+/// True if the noise is the error that an earlier stage left in each experiment.
 bool has_noise_of_own_stages(const Study& study);
 
 /// Returns the root mean square of the differences of an experiment, 1 for an error of 100 %.
@@ -46,8 +46,8 @@ void estimate_noise(Study& study, const Channels* at, const std::vector<double>&
 /// Copies the noise from a stage to the study.
 void take_noise(const Study& stage, Study& study);
 
-/// Copies the noise, the experiments that count, and the variables that move from a stage to the
-/// study, because the result of a study is that of its last stage.
+/// Copies the noise, the fitted experiments and the free variables from a stage to the study,
+/// because the result of a study is that of its last stage.
 void take_stage(const Study& stage, Study& study);
 
 /// Returns for example "Fy 3.1 %, Mz 12 %"; empty if the noise is not known.

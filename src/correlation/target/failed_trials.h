@@ -16,10 +16,11 @@
 namespace latsch::correlation {
 
 struct FailedTrials {
-  long trials = 0;     // that count
-  long failed = 0;     // without a target
-  long timed_out = 0;  // of the failed: took more than the time allowed
-  std::vector<std::pair<std::string, long>> reasons;  // the most frequent first
+  long trials = 0;     // number of trials that are counted
+  long failed = 0;     // number of trials without a value of the target
+  long timed_out = 0;  // number of failed trials that took longer than allowed
+  /// reasons of the failures, each with its number of trials; the most frequent first
+  std::vector<std::pair<std::string, long>> reasons;
 
   /// True if failures decide the result: at least half of the trials failed, or some at a limit
   /// of time.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sentences on limits of a model, each with the names of the tests or cases in which it counts.
+// Sentences about limits of a model, each with the names of the tests or cases in which the limit
+// was met.
 #pragma once
 
 #include <fmt/format.h>

@@ -35,8 +35,8 @@ std::optional<std::vector<Channels>> recorded_channels(const Study& study,
   if (!std::filesystem::exists(study.run.journal)) return std::nullopt;
   const Journal journal = Journal::read(study.run.journal);
   if (journal.identity() != identity(study))
-    return std::nullopt;  // the journal belongs to an earlier version of the
-                          // model
+    // the journal belongs to an earlier version of the model
+    return std::nullopt;
   std::map<std::string, Channels> known;
   journal.for_each([&](const Trial& trial) {
     if (trial.outcome.result) known.emplace(trial.point.bits(), *trial.outcome.result);

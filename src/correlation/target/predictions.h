@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trials of all experiments of a study, including the predicted ones. They are kept in a separate
-// journal beside the study's, because the study's trials hold only the fitted experiments.
+// Trials of all experiments of a study, including the predicted ones. They are stored in a separate
+// journal, because the trials in the study's journal contain only the fitted experiments.
 #pragma once
 
 #include <optional>

@@ -30,13 +30,13 @@ double mean_count(const std::vector<StudyExperiment>& experiments) {
   return sum / static_cast<double>(experiments.size());
 }
 
-/// Returns the spread of a residual in units of the common spread.
+/// Returns the standard deviation of a residual in units of the common spread.
 double spread_of(const StudyExperiment& experiment, double mean) {
   return experiment.noise ? std::sqrt(experiment.objective.weight)
                           : std::sqrt(mean / static_cast<double>(experiment.values()));
 }
 
-/// Returns the residual over d / sigma, or over d if no noise is stated.
+/// Returns the factor between a residual and d / sigma, or d if no noise is stated.
 double factor_of(const StudyExperiment& experiment, double mean) {
   const double weight = std::sqrt(experiment.objective.weight);
   return experiment.noise ? weight : weight * spread_of(experiment, mean);

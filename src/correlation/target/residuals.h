@@ -36,11 +36,11 @@ ResidualTraits residual_traits(const Study& study);
 /// Returns an objective with these residuals and their sum of squares as its value.
 Objective residual_objective(const Study& study);
 
-/// Returns the difference d, without a robust loss, that makes such a residual of an experiment.
-/// With stated noise the mean over its values is used.
+/// Returns the difference d, before a robust loss, that corresponds to this residual of an
+/// experiment. With stated noise the mean over the experiment's values is used.
 double difference_of(const Study& study, int experiment, double residual);
 
-/// One measured value, or a prior.
+/// Describes one residual: a measured value, or a prior.
 struct ResidualRow {
   int experiment = 0;  // index in the study; -1: a prior
   std::string name;    // "10 mm", "radial n=2"

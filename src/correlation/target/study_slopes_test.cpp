@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slopes from a model to the Jacobian of a score, against central differences of the residuals
-// themselves, and a fit that uses them.
+// Compares derivatives, from the model to the Jacobian of a score, with central differences of the
+// residuals; and a fit that uses them.
 #include "correlation/study/study_slopes.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,8 @@ std::vector<double> residuals_at(const Study& study, const DesignPoint& point) {
   return objective(study)(point, *evaluator(study)(point))->residuals;
 }
 
-/// Column i is (r(x + h e_i) - r(x - h e_i)) / 2h, with errors h^2 r''' / 6 and eps r / h.
+/// Returns the matrix whose column i is (r(x + h e_i) - r(x - h e_i)) / 2h; its errors are h^2 r'''
+/// / 6 and eps r / h.
 RowMajor central_differences(const Study& study, const DesignPoint& point) {
   const auto r = residuals_at(study, point);
   RowMajor J(std::ssize(r), study.space.size());
@@ -57,7 +58,8 @@ void expect_exact(const Study& study) {
 
 TEST_F(StudySlopes, AreThoseOfTheResiduals) { expect_exact(read_squares("")); }
 
-// A search with slopes minimizes squares, whatever the exponent of the target it reports.
+// A search with derivatives minimizes the sum of squares, whatever the exponent of the target that
+// it reports.
 TEST_F(StudySlopes, AreOfResidualsOfAnyExponent) {
   for (const char* exponent : {"1", "1.5", "4"}) {
     const Study study = read(std::string("exponent = ") + exponent + "\n");
@@ -90,7 +92,8 @@ TEST_F(StudySlopes, CountNoiseRobustLossAndPriors) {
   expect_exact(read_study(folder_ / "study.toml", experiment::language()));
 }
 
-// The truth is 1.3 and -22. Residuals vanish there, so Gauss-Newton steps converge quadratically.
+// The true values are 1.3 and -22. Residuals vanish there, so Gauss-Newton steps converge
+// quadratically.
 TEST_F(StudySlopes, LetAFitEndInAFewTrials) {
   const Study study = read_squares("");
   EXPECT_EQ(method_of(study).method, Method::levenberg_marquardt);
@@ -101,7 +104,8 @@ TEST_F(StudySlopes, LetAFitEndInAFewTrials) {
   EXPECT_NEAR(run.best()->point.values[0], 1.3, 1e-6);
   EXPECT_NEAR(run.best()->point.values[1], -22.0, 1e-4);
   evaluated_ = 0;
-  expect_same(fits, fit_all(study));  // read from the journal, slopes too
+  // this fit reads all trials from the journal, with their derivatives
+  expect_same(fits, fit_all(study));
   EXPECT_EQ(evaluated_, 0);
 }
 

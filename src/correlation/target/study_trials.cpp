@@ -15,7 +15,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// Stores specimens of earlier points for the construction of the next ones.
+/// Keeps specimens of earlier points, whose work the next specimens can reuse.
 class Reuse {
  public:
   std::unique_ptr<experiment::Specimen> take() {
@@ -47,7 +47,7 @@ class StudyTrials {
 
   Result<Channels> run(const DesignPoint& point) {
     std::unique_ptr<experiment::Specimen> specimen;
-    try {  // the study's reader checked each bound alone, not every combination
+    try {  // the study's reader has checked each bound alone, not every combination of values
       specimen = study_.specimens->at(study_, point, reuse_.take());
     } catch (const InputError& error) {
       return Failure{std::string("the model does not accept this point: ") + error.what()};
@@ -66,7 +66,8 @@ class StudyTrials {
       }
     }
     reuse_.give_back(std::move(specimen));
-    // The objective decides whether the trial can be compared: a study may be corrected later.
+    // The objective decides later whether the trial can be compared, because a study may be
+    // corrected after the trial.
     return trial;
   }
 
@@ -141,8 +142,9 @@ double noise_alone(const Study& study) {
     const double w = experiment.objective.weight, N = static_cast<double>(experiment.values());
     if (w > 0.0 && experiment.loss.loss != Loss::squares) return 0.0;
     if (experiment.estimates_noise)
-      return 0.0;  // the target of an estimated noise has no floor:
-                   // all remaining error is noise
+      // With estimated noise there is no lower limit of the target: all remaining error counts as
+      // noise.
+      return 0.0;
     mean += w * N;
     variance += 2.0 * w * w * N;
   }
@@ -152,7 +154,7 @@ double noise_alone(const Study& study) {
 Objective objective(const Study& study) {
   const std::vector<StudyExperiment> fitted = fitted_experiments(study);
   const auto common = common_deviation(fitted);
-  std::vector<double> weights;  // with stated noise the number of values counts, too
+  std::vector<double> weights;  // with stated noise the number of values also matters
   for (const StudyExperiment& experiment : fitted) {
     const double values = common ? static_cast<double>(experiment.values()) : 1.0;
     weights.push_back(experiment.objective.weight * values);

@@ -58,10 +58,12 @@ PartedTarget::Weighting PartedTarget::weighting(const std::vector<double>& weigh
     largest = std::max(largest, weights[e]);
   }
   if (!(largest > 0.0)) throw InputError("all weights are 0: at least one experiment has to count");
-  for (std::size_t e = 0; e < weighted.size(); ++e)  // scaled so that no sum of weights overflows
+  // scaled so that the sum of the weights cannot overflow
+  for (std::size_t e = 0; e < weighted.size(); ++e)
     weighted[e].objective.weight = weights[e] / largest;
   const auto common = common_deviation(weighted);
-  assert(common.has_value() == common_.has_value());  // all experiments state noise, or none does
+  // either all experiments state their noise, or none does
+  assert(common.has_value() == common_.has_value());
   const double f = common ? *common / *common_ : 1.0;
   Weighting result;
   double total = 0.0;

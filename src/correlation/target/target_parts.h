@@ -17,7 +17,7 @@
 
 namespace latsch::correlation {
 
-/// parts of the trial, one for each fitted experiment in the order of the study
+/// The parts of the target of one trial, one for each fitted experiment in the order of the study.
 struct TargetParts {
   std::vector<double> values;  // T_e
   std::vector<double> errors;  // own_measure() of each experiment
@@ -35,7 +35,7 @@ class PartedTarget {
   /// Returns the weights of the study.
   const std::vector<double>& weights() const { return weights_; }
 
-  /// Fails if the channels leave nothing to compare.
+  /// Computes the parts of a trial. Fails if its channels leave nothing to compare.
   Result<TargetParts> parts(const DesignPoint& point, const Channels& channels) const;
 
   /// A set of weights, one for each experiment, that turns parts into a target.

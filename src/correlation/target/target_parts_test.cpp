@@ -15,7 +15,8 @@ namespace {
 
 class PartsOfTarget : public FittedStudy {
  protected:
-  /// Adds a second experiment of the same test with other settings, and the noise of both.
+  /// Returns a second experiment of the same test with other settings, and the noise of both
+  /// experiments.
   static std::string more(const std::string& noise, const std::string& other_noise) {
     return noise + R"(
 [experiment.aligning]
@@ -61,8 +62,8 @@ TEST_F(PartsOfTarget, WithNoiseAndARobustLoss) {
       two_experiments("noise = \"3 %\"\nloss = \"huber\"\n", "noise = \"2 N*m\"\n"));
 }
 
-/// The three computations of one target agree: value, weighted residuals, and the residuals of the
-/// intervals, which are in units of the noise and not divided by the sum of weights.
+/// The value of the target, the weighted residuals, and the residuals of the intervals must agree.
+/// The latter are in units of the noise and not divided by the sum of weights.
 TEST_F(PartsOfTarget, ValueResidualsAndIntervalsAgreeToRounding) {
   for (const bool has_noise : {false, true}) {
     const Study study =

@@ -16,15 +16,15 @@ constexpr const char* kEnded = "ended";
 constexpr const char* kDesign = "design";
 constexpr const char* kTakenOver = "taken over";
 
-/// Text of the mark that a search leaves at its end. The result of a study is that of its last
-/// stage.
+/// Returns the text of the mark that a search leaves at its end. It names the last stage, whose
+/// result is that of the study.
 std::string ending_of(const Study& study) {
   const std::string& stage =
       study.stage.empty() && !study.stages.empty() ? study.stages.back().name : study.stage;
   return stage.empty() ? study.target_key : study.target_key + "/" + stage;
 }
 
-/// Writes a mark unless the last one of its kind says the same.
+/// Writes a mark unless the last mark of its kind has the same text.
 void mark_once(Journal& journal, const char* kind, const std::string& text) {
   const auto& marks = journal.marks();
   const auto last = std::find_if(
@@ -84,12 +84,33 @@ void mark_design(const Study& study, const std::vector<DesignPoint>& points, Jou
   journal.mark(kDesign, text);
 }
 
+namespace {
+
+std::string succeeded_in_words(const TrialCounts& counts) {
+  return fmt::format("{} trial{}, {} succeeded and {} failed",
+                     counts.trials,
+                     counts.trials == 1 ? "" : "s",
+                     counts.succeeded(),
+                     counts.failed);
+}
+
+}  // namespace
+
+std::string in_words_below_result(const TrialCounts& counts) {
+  std::string text = succeeded_in_words(counts);
+  if (counts.foreign > 0)
+    text += fmt::format(
+        "; {} of them {} simulated earlier, for other measurements, weights or bounds, on which no "
+        "simulation depends: the search took {} in place of new ones",
+        counts.foreign == counts.trials && counts.trials > 1 ? "all"
+                                                             : std::to_string(counts.foreign),
+        counts.foreign == 1 ? "was" : "were",
+        counts.foreign == 1 ? "it" : "them");
+  return text;
+}
+
 std::string in_words(const TrialCounts& counts) {
-  const auto trials = [](long count) {
-    return fmt::format("{} trial{}", count, count == 1 ? "" : "s");
-  };
-  std::string text = fmt::format(
-      "{}, {} succeeded and {} failed", trials(counts.trials), counts.succeeded(), counts.failed);
+  std::string text = succeeded_in_words(counts);
   if (counts.foreign > 0)
     text += fmt::format(
         "; {} of them {} run for the study as it stands, {} for other measurements, weights or "

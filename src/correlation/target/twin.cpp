@@ -62,8 +62,8 @@ void refuse_to_overwrite_inputs(const Study& study) {
   }
 }
 
-/// Returns the channels an experiment's measurement will hold. If in_frame has turned one force of
-/// a file, they include all forces of the file.
+/// Returns the channels that the measurement of an experiment will contain. If in_frame has
+/// converted a force of a file, they include all forces of the file.
 std::vector<std::string> answers(const StudyExperiment& experiment) {
   std::vector<std::string> all = experiment.observable->asks();
   if (!experiment.measurement || all.empty()) return all;
@@ -75,7 +75,7 @@ std::vector<std::string> answers(const StudyExperiment& experiment) {
   return all;
 }
 
-/// Refuses two tests that fill a column of a file differently, because one would be lost.
+/// Throws if two tests would write different values into the same column of a file.
 void refuse_two_answers(const Study& study, const Channels& trial) {
   struct Answer {
     const StudyExperiment* experiment;
@@ -105,7 +105,8 @@ void refuse_two_answers(const Study& study, const Channels& trial) {
   }
 }
 
-/// Copies a file that no twin has written to a free name beside it, "curve.measured.csv".
+/// If no twin has written the file before, it may be measured: copies it to a free name beside it,
+/// "curve.measured.csv".
 void keep_measured(const std::filesystem::path& file, std::vector<TwinFiles::Kept>& kept) {
   if (file.empty() || !std::filesystem::is_regular_file(file)) return;
   if (read_text_file(file).starts_with(std::string("# ") + kComment)) return;

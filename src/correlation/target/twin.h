@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes measurements from the model itself, so that the values a fit has to find are known: those
-// of the model file.
+// Writes measurements computed by the model itself (a twin), so that a fit has known true values:
+// those in the model's file.
 #pragma once
 
 #include <filesystem>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Acceptance of a model: a suite of checks, each with a comparison, its limit, and the source of
-// the limit. `latsch validate MODEL SUITE.toml` runs the checks.
+// Acceptance tests of a model: a suite of checks, each with a comparison, its limit, and the source
+// of the limit. `latsch validate MODEL SUITE.toml` runs the checks.
 //
-// Limits are inclusive. A measured mode without a partner has the error missing_mode. Keys that
-// weight a fit (weight, use, exponent, noise, loss) are not allowed here, because nothing is
-// fitted.
-//
-// The keys are in correlation/validation/suite_keys.cpp.
+// A value equal to a limit fulfills it. A measured mode without a partner has the error
+// missing_mode. Keys that weight a fit (weight, use, exponent, noise, loss) are not allowed,
+// because nothing is fitted. The keys are in correlation/validation/suite_keys.cpp.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +22,8 @@ namespace latsch::correlation {
 
 struct Check {
   std::string name, source;
-  std::optional<StudyExperiment> experiment;        // experiment with limits of its errors;
-                                                    // nullopt: a number is checked
+  /// The experiment whose errors have limits; nullopt: the check has limits for a number.
+  std::optional<StudyExperiment> experiment;
   std::optional<double> mean_error, largest_error;  // shares of 1
   ChannelConstraint number = {};
 };

@@ -13,11 +13,11 @@ namespace latsch::correlation {
 namespace {
 
 constexpr int kDigits = 4;
-// Relative tolerance of limits: a limit read in percent and an error from a division differ by
-// their last bits.
+// Relative tolerance of limits: a limit stated in percent and an error from a division may differ
+// in their last bits.
 constexpr double kRounding = 1e-12;
 
-/// False for a value that is not a number.
+/// Returns false for NaN.
 bool is_within(double value,
                const std::optional<double>& lower,
                const std::optional<double>& upper) {

@@ -12,12 +12,12 @@
 
 namespace latsch::correlation {
 
-/// Result of one limit of a check.
+/// Result of the comparison of one value with its limit.
 struct CheckResult {
   std::string check, what;             // for example "stiffness", "largest error of force"
   std::optional<double> value;         // SI; nullopt: `reason` says why
   std::optional<double> lower, upper;  // SI, inclusive
-  std::string unit;                    // unit in which people read the value
+  std::string unit;                    // unit in which the value is shown
   std::string source, reason;
   bool accepted = false;
 };
@@ -38,9 +38,9 @@ Validation validate(const Suite& suite,
                     const Document& numbers,
                     const std::function<void(const std::string& test)>& tell);
 
-/// Returns for example "3.99 %"; "–" if there is no value.
+/// Returns the value as text, such as "3.99 %"; "–" if there is no value.
 std::string value_text(const CheckResult& result);
-/// Returns for example "at most 5 %", "200 N/mm .. 240 N/mm".
+/// Returns the limit as text, such as "at most 5 %" or "200 N/mm .. 240 N/mm".
 std::string limit_text(const CheckResult& result);
 
 }  // namespace latsch::correlation

@@ -18,7 +18,7 @@ using experiment::TestKind;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A test whose model has no value at the second sample.
+/// A test that records NaN as its second sample.
 class GapTest : public experiment::Test {
  public:
   std::string in_words() const override { return "a test with a gap"; }

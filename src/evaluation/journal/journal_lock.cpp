@@ -162,7 +162,14 @@ JournalLock::JournalLock(const std::filesystem::path& journal)
   const Patience patience;
   while (true) {
     fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (fd_ < 0) refuse(journal, fmt::format("cannot write beside it: {}", std::strerror(errno)));
+    if (fd_ < 0)
+      refuse(journal,
+             fmt::format("cannot write beside it: {}{}",
+                         std::strerror(errno),
+                         errno == EACCES || errno == EROFS
+                             ? "; in a copy of the study, [run] journal = \"FILE\" can name a "
+                               "journal in a folder that can be written"
+                             : ""));
     if (const int error = lock(fd_)) {
       const std::string holder = read_all(fd_);
       ::close(fd_);

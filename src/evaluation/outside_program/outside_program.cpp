@@ -105,7 +105,8 @@ bool can_be_found(const std::string& program) {
 
 std::optional<std::filesystem::path> file_of_program(const std::string& program) {
   const auto runs = [](const std::filesystem::path& file) {
-    return !std::filesystem::is_directory(file) && ::access(file.c_str(), X_OK) == 0;
+    std::error_code unknown;  // a folder of PATH that may not be entered, which a shell skips too
+    return ::access(file.c_str(), X_OK) == 0 && !std::filesystem::is_directory(file, unknown);
   };
   if (program.find('/') != std::string::npos) {
     return program.starts_with('/') && runs(program) ? std::optional(std::filesystem::path(program))

@@ -6,15 +6,18 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstring>
 #include <iterator>
+#include <set>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "evaluation/outside_program/named_files.h"
 #include "evaluation/outside_program/outside_program.h"
 #include "evaluation/trial/encoding.h"
 
@@ -54,8 +57,14 @@ class TrialFolder {
  public:
   TrialFolder(const fs::path& scratch, const DesignPoint& point)
       : path_(scratch / fmt::format("{:016x}-{}-{}", hash(point.bits()), host_name(), ::getpid())) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
+    std::error_code error;
+    fs::remove_all(path_, error);
+    fs::create_directories(path_, error);
+    if (error)
+      throw InputError(
+          {path_.string(), 0},
+          "the folder in which the outside program runs cannot be created: " + error.message() +
+              "; copy the study's folder to a place that can be written");
   }
   ~TrialFolder() {
     std::error_code ignored;
@@ -189,8 +198,35 @@ std::string told(const std::string& argument, const fs::path& file) {
       "{}: {} bytes, {:016x}\n", argument, size, hash(read_text_file(file, kLargestRead)));
 }
 
-/// Returns a text that identifies the program and the files among its arguments. If the program is
-/// Latsch itself, its versions identify it.
+bool is_in_study(const Simulator& simulator, const fs::path& file) {
+  const fs::path folder = fs::weakly_canonical(simulator.study_folder);
+  const fs::path relative = fs::weakly_canonical(file).lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace
+
+std::vector<fs::path> watched_files(const Simulator& simulator) {
+  std::set<std::string> of_the_trial;  // files of the trial's own folder
+  for (const Simulator::Input& input : simulator.inputs) of_the_trial.insert(input.file);
+  for (const OutputReader& output : simulator.outputs)
+    of_the_trial.insert(output.file.filename().string());
+  std::vector<fs::path> files;
+  for (const std::string& argument : command(simulator)) {
+    std::error_code ignored;
+    if (!argument.starts_with('/') || !fs::is_regular_file(argument, ignored) ||
+        !is_in_study(simulator, argument))
+      continue;
+    for (const fs::path& file : files_named_beside(argument, of_the_trial))
+      if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  }
+  return files;
+}
+
+namespace {
+
+/// Returns a text that identifies the program, the files among its arguments, and the files that
+/// these name beside them. If the program is Latsch itself, its versions identify it.
 std::string program_files(const Simulator& simulator) {
   const std::vector<std::string> arguments = command(simulator);
   std::string text;
@@ -203,6 +239,8 @@ std::string program_files(const Simulator& simulator) {
     std::error_code ignored;
     if (file && fs::is_regular_file(*file, ignored)) text += told(written, *file);
   }
+  for (const fs::path& file : watched_files(simulator))
+    text += told(file.filename().string(), file);
   return text;
 }
 

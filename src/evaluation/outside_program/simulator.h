@@ -46,8 +46,13 @@ std::vector<std::string> command(const Simulator& simulator);
 /// copied.
 Evaluator evaluator(const Simulator& simulator, const DesignSpace& space);
 
-/// Returns what the channels depend on: arguments, the content of the program and of every file
-/// named by an argument, inputs, copied files, readers, units.
+/// Returns the files in the study's folder that are named in the text of a script among the
+/// arguments (named_files.h). The channels depend on them, too. The arguments themselves are not
+/// included.
+std::vector<std::filesystem::path> watched_files(const Simulator& simulator);
+
+/// Returns what the channels depend on: arguments, the content of the program, of every file named
+/// by an argument and of watched_files(), inputs, copied files, readers, units.
 StudyIdentity identity(const Simulator& simulator, const DesignSpace& space);
 
 }  // namespace latsch

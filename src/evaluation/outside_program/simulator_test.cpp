@@ -12,6 +12,7 @@
 #include <fstream>
 #include <thread>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "evaluation/trial/encoding.h"
@@ -150,6 +151,19 @@ TEST_F(SimulatorTest, TheFolderOfAFailedTrialIsKeptWhereThatIsAskedFor) {
   EXPECT_EQ(read_text_file(kept / "in.txt"), "k = 42\n");
 }
 
+// A file of the folder's name stands for a folder that may not be written.
+TEST_F(SimulatorTest, AFolderThatCannotBeCreatedIsToldWithAWayOut) {
+  std::ofstream(folder_ / "scratch") << "no folder";
+  std::string said;
+  try {
+    said = reason("exit 0");
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  expect_contains(said, "the folder in which the outside program runs cannot be created");
+  expect_contains(said, "copy the study's folder");
+}
+
 TEST_F(SimulatorTest, TheNextTrialRemovesTheFolderOfOneThatWasKilled) {
   const pid_t killed = ::fork();
   if (killed == 0) ::_exit(0);
@@ -168,6 +182,27 @@ TEST_F(SimulatorTest, TheNextTrialRemovesTheFolderOfOneThatWasKilled) {
   EXPECT_FALSE(fs::exists(abandoned));
   EXPECT_TRUE(fs::exists(running));
   EXPECT_TRUE(fs::exists(elsewhere));
+}
+
+TEST_F(SimulatorTest, FilesThatAScriptNamesBesideItCountAsItsOwn) {
+  const auto write = [&](const char* name, const char* text) {
+    std::ofstream(folder_ / name) << text;
+  };
+  write("main.py", "import helper  # and open(\"table.csv\")\nout.txt, in.txt\n");
+  write("helper.py", "from deep import f\n");
+  write("deep.py", "f = 1\n");
+  for (const char* other : {"table.csv", "other.py", "helper.csv", "out.txt", "in.txt", "a.latsch"})
+    write(other, "1\n");
+  Simulator python = simulator("true");
+  python.arguments = {"/bin/sh", (folder_ / "main.py").string(), "in.txt"};
+  std::vector<std::string> names;
+  for (const fs::path& file : watched_files(python)) names.push_back(file.filename().string());
+  EXPECT_EQ(names, (std::vector<std::string>{"deep.py", "helper.py", "table.csv"}));
+  const StudyIdentity before = identity(python, simulator_space());
+  write("other.py", "2\n");
+  EXPECT_FALSE(difference(before, identity(python, simulator_space())));
+  write("deep.py", "f = 2\n");
+  expect_contains(*difference(before, identity(python, simulator_space())), "deep.py");
 }
 
 TEST_F(SimulatorTest, ItsIdentityIsProgramInputsReadersAndUnits) {

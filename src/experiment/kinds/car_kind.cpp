@@ -30,15 +30,15 @@ namespace {
 
 constexpr std::array<const char*, 2> kAxles = {"front", "rear"};
 
-/// The keys of a car's tires; those of the right side are needed only if the right tire is not the
-/// mirror image of the left.
+/// Endings of the keys for a car's tires. Those of the right side are needed only if the right tire
+/// is not the mirror image of the left.
 constexpr std::array<const char*, 2> kOfSides = {"_tire", "_tire_right"};
 
 std::string tire_key(std::size_t axle, std::size_t side) {
   return std::string(kAxles[axle]) + kOfSides[side];
 }
 
-/// Returns the kind of a rolling tire as its numbers state it; a .tir states none, so that the
+/// Returns the kind of rolling tire that its numbers state; for a .tir, which states none, the
 /// car's file decides.
 const SpecimenKind& tire_kind(const Node& car, const Document& tire, const std::string& part) {
   const std::vector<const SpecimenKind*> kinds = {
@@ -81,8 +81,8 @@ TireSide side_of(const Document& tire) {
   return root.has("side") && root.text("side") == "right" ? TireSide::right : TireSide::left;
 }
 
-/// A key that no reader reads is probably mistyped and would be ignored, such as a misspelled
-/// [aero].
+/// Throws for a table that no reader reads: it is probably misspelled, such as [aero], and would be
+/// ignored.
 void refuse_unknown(const Node& car) {
   std::set<std::string> known = {"kind", "title", "gravity", "chassis", "aero", "driver"};
   for (const char* axle : kAxles)
@@ -171,16 +171,17 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
     return car;
   }
 
-  /// No car rolls over a single cleat.
+  /// Returns no limits, because no car rolls over a single cleat.
   std::vector<std::string> limits_on(const Cleat&) const override { return {}; }
   std::vector<std::string> limits_across() const override { return limits_across_; }
-  /// The lowest section of its tires.
+  /// Returns the least section height of the tires, m.
   std::optional<double> section_height() const override { return section_; }
-  /// The narrowest of its tires; 0 for a spring, which feels one line.
+  /// Returns the smallest value of the tires; 0 if any tire is a spring, which touches the road
+  /// along one line.
   double felt_half_width() const override {
     return built_from_.size() < tires_.size() ? 0.0 : felt_.value_or(0.0);
   }
-  /// The widest of its tires.
+  /// Returns the largest value of the tires.
   std::optional<double> tread_half_width() const override { return tread_; }
 
   Result<Channels> load(const AxleKcTest& test, const Asked& asked) const override {
@@ -200,15 +201,15 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   }
 
  private:
-  /// Returns the car for the rig. Its springs have the preloads that carry its weight if pads stand
-  /// below the wheels; without pads the rig needs no preloads.
+  /// Returns the mechanism of the car on the rig. Its springs have the preloads that carry the
+  /// weight if pads are below the wheels; without pads the rig needs no preloads.
   Result<car::CarMechanism> on_rig(const AxleKcTest& test) const {
     if (!test.travel) return car::build(file_.parameters);
     const auto stands = car({});
     if (!stands) return stands.failure();
     return car::CarMechanism{(*stands)->mechanism(), (*stands)->parts()};
   }
-  /// Returns the stiffnesses that a number changes in the axle on the rig: joints of both sides,
+  /// Returns the stiffnesses in the axle on the rig that a parameter changes: joints of both sides,
   /// none of the other axle.
   Stiffnesses of_axle(const car::CarMechanism& car,
                       const AxleKcTest& test,
@@ -229,9 +230,10 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   Document numbers_;
   car::CarFile file_;
   car::Tires tires_;
-  std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;  // tires by key, side
+  // tires by their key and side
+  std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;
   std::vector<std::string> limits_across_;
-  std::optional<double> section_, felt_, tread_;  // m; the latter are half widths
+  std::optional<double> section_, felt_, tread_;  // m; felt_ and tread_ are half widths
 };
 
 class CarKind : public SpecimenKind {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car's tires are those of its file: each side has a tire of its own or the mirror image of the
-// other side's, of any kind.
+// Tests the tires of a car: each side has the tire that the file states for it, or the mirror image
+// of the other side's tire, of any kind.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -77,10 +77,10 @@ class CarFile : public testing::Test {
   }
 
   struct Straight {
-    double side = 0.0, mean = 0.0, drift = 0.0;  // N, side force at the start, sum and mean of
-                                                 // |Fy|; m
+    // Side force at the start, sum and mean of |Fy|, N; and lateral drift, m.
+    double side = 0.0, mean = 0.0, drift = 0.0;
   };
-  /// Drives straight on for half a second.
+  /// Drives the car straight ahead for `lasts` seconds.
   static Straight run(car::Car& car, double speed, double lasts = 0.5) {
     const road::PlaneRoad flat;
     auto state = car.settle(flat, speed, {});
@@ -111,8 +111,8 @@ TEST_F(CarFile, OneTireOnBothSidesIsItsMirrorImageOnTheOther) {
     const auto car = car_of("front_tire = \"tire.tir\"\nrear_tire = \"tire.tir\"\n");
     const Straight found = run(*car, 30.0);
     EXPECT_GT(found.mean, 1.0) << side;
-    // The error of the equilibrium is the rounding in rigid joints, 1e-5 N, which is 1e-9 of the
-    // tires' forces.
+    // The error of the equilibrium is rounding in rigid joints, 1e-5 N, which is 1e-9 of the tires'
+    // forces.
     EXPECT_NEAR(found.side, 0.0, 1e-9 * found.mean) << side;
     EXPECT_LT(found.drift, 1e-9) << side;
   }
@@ -128,10 +128,10 @@ TEST_F(CarFile, ALeftTireOnTheRightPullsAsItsRightTwinDoesTheOtherWay) {
           fmt::format("{0}_tire = \"{1}.tir\"\n{0}_tire_right = \"{2}.tir\"\n", axle, left, right);
     return run(*car_of(tires), 30.0, 0.05);
   };
-  // Both tires are on their own side: equal numbers pull in equal directions.
+  // Each tire is mounted on the side that its file states: equal tires pull in equal directions.
   const Straight alike = pull("left", "right");
   EXPECT_GT(std::abs(alike.side), 3.9 * alike.mean);
-  // Both tires are on the other side: each is a mirror image.
+  // Each tire is mounted on the opposite side, so it is the mirror image of itself.
   const Straight swapped = pull("right", "left");
   EXPECT_NEAR(swapped.side, -alike.side, 1e-6 * std::abs(alike.side));
   EXPECT_NEAR(pull("left", "left").side, 0.0, 1e-9 * alike.mean);
@@ -154,7 +154,7 @@ TEST_F(CarFile, ARigidRingRollsOnACarWhereTheCarSaysSo) {
   const Straight found = run(*car, 20.0, 0.1);
   EXPECT_NEAR(found.side, 0.0, 1e-6);
   EXPECT_LT(found.drift, 1e-6);
-  // The tire is a rigid ring, whose belt vibrates, not a Magic Formula with the same numbers.
+  // The tires are rigid rings, whose belts vibrate, not Magic Formulas with the same coefficients.
   const auto formula = car_of("front_tire = \"tire.tir\"\nrear_tire = \"tire.tir\"\n");
   const auto a = car->settle(road::PlaneRoad{}, 20.0, {}),
              b = formula->settle(road::PlaneRoad{}, 20.0, {});
@@ -216,7 +216,7 @@ TEST_F(CarFile, HardpointsOfNoSuspensionAreDoubtedInACarAsInTheirOwnFile) {
   const auto notes = kind.notes(folder_ / "baseline.toml");
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_NE(notes[0].find("hardpoint.contact is 1000 mm beside"), std::string::npos) << notes[0];
-  // The same car as one file with its parts as tables.
+  // Check the same car again, as one file in which the parts are tables.
   const Document whole = kind.read(folder_ / "baseline.toml");
   write_text_file(folder_ / "whole.toml", kind.text(whole));
   const auto of_tables = kind.notes(folder_ / "whole.toml");

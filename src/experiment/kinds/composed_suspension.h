@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A suspension's file with the contents of the files it names inserted: a table of hardpoints
-// (hardpoints = "hardpoints.csv"), bushings ([bushing.ubj] file = "rubber.bus"). Their numbers
-// become numbers of the suspension: hardpoint.ubj.2, bushing.ubj.x, bushing.ubj.curve.x.
+// Reads a suspension's file and inserts the contents of the files that it names: a table of
+// hardpoints (hardpoints = "hardpoints.csv"), bushings ([bushing.ubj] file = "rubber.bus"). Their
+// numbers become numbers of the suspension: hardpoint.ubj.2, bushing.ubj.x, bushing.ubj.curve.x.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,11 @@ namespace latsch::experiment {
 
 struct ComposedSuspension {
   Document document;
-  /// Lines that replace one line of the file.
+  /// Lines of another file that replace one line of the file.
   struct Added {
-    int line, count;                    // `count` lines behind line `line` of the file
+    int line, count;                    // `count` lines inserted after line `line` of the file
     std::filesystem::path file = {};    // file that the lines come from, if any
-    std::vector<int> lines_there = {};  // line number of each in the file, from `line` on
+    std::vector<int> lines_there = {};  // number of each line in that file
   };
   std::vector<Added> added;  // in the order of insertion
 

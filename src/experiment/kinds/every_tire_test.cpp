@@ -46,8 +46,8 @@ class EveryTire : public testing::TestWithParam<std::string> {
   Document numbers_;
 };
 
-// A wheel that rolls over a fixed cleat, and a belt that carries the cleat under a stationary
-// wheel, are the same to the tire.
+// For a tire it makes no difference whether its wheel rolls over a fixed cleat or a belt carries
+// the cleat below a stationary wheel.
 TEST_P(EveryTire, DoesNotKnowWhetherItOrTheRoadMoves) {
   constexpr double kSpeed = 40.0, kStep = 5e-4, kFrom = -0.6;
   constexpr int kSteps = 60;
@@ -91,11 +91,12 @@ double geometric_mean(const std::vector<double>& values) {
   return std::exp(sum / static_cast<double>(values.size()));
 }
 
-// A free wheel rolls over a cleat; a tire with point contact rolls on the bare drum, starting at a
-// speed that it then changes. Halving the step twice reduces the change sixteen times at order 2
-// and four times at order 1. Corners of the cleat, and blocks that gain or lose contact within a
-// step, scatter the ratio from one halving and one channel to the next, so the mean is tested. A
-// block of the ring comes down within 0.3 ms: longer steps do not resolve it.
+// The free wheel of a tire with a belt rolls over a cleat. A tire with point contact rolls on the
+// bare drum, from a speed that then changes. Halving the time step twice reduces the change sixteen
+// times at order 2 and four times at order 1. Corners of the cleat, and blocks that gain or lose
+// contact within a step, scatter the ratio from one halving and one channel to the next, so the
+// mean is tested. A block of the ring makes contact within 0.3 ms; longer steps do not resolve
+// this.
 TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
   DrumTest test{.speed = 30.0 / 3.6,
                 .load = 3500.0,
@@ -127,8 +128,8 @@ TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
   EXPECT_GT(geometric_mean(ratios), 7.0);
 }
 
-// If the axle controls the load, the road carries that load at any speed, camber and slip; at a
-// fixed height the load depends on them.
+// If the axle follows the load, the road carries that load at any speed, camber and slip; at a
+// fixed height the load would depend on them.
 TEST_P(EveryTire, OnTheFlatTrackCarriesTheLoadOfTheTest) {
   SlipSweep sweep{.speed = 25.0, .load = 3500.0, .camber = 0.05, .alpha_to = 0.12, .duration = 0.5};
   double most[2] = {};
@@ -146,8 +147,9 @@ TEST_P(EveryTire, OnTheFlatTrackCarriesTheLoadOfTheTest) {
   }
 }
 
-// One test in three frames: C has the axes of the hub; H is C rotated back by the camber; W has H's
-// forces, and moments about the contact point, a loaded radius down the wheel plane.
+// The forces of one test in three frames: C has the axes of the hub; H is C rotated back by the
+// camber; W has the forces of H, and moments about the contact point, which is a loaded radius down
+// the wheel plane.
 TEST_P(EveryTire, ForcesAreThoseOfTheFrameThatIsAskedFor) {
   constexpr double camber = 0.06;
   SlipSweep sweep{.load = 3500.0, .camber = camber, .alpha_to = 0.05, .duration = 0.1};
@@ -168,8 +170,7 @@ TEST_P(EveryTire, ForcesAreThoseOfTheFrameThatIsAskedFor) {
     EXPECT_NEAR(W["My"][i], H["My"][i] + R * c * H["Fx"][i], 1e-9);
     EXPECT_NEAR(W["Mz"][i], H["Mz"][i] + R * s * H["Fx"][i], 1e-9);
   }
-  // The tire's own moments at the contact point: a Magic Formula without an overturning coefficient
-  // has no Mx in W at any camber.
+  // A Magic Formula without an overturning coefficient has no Mx in frame W at any camber.
   if (has_point_contact()) {
     EXPECT_NEAR(W["Mx"][199], 0.0, 1e-6 * 3500.0);
   }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tire that is stable stays so on finer meshes: inflated, every circumferential number is stable
-// up to a wave of one element, and so is the path onto the ground. Only columns are refined, which
-// leaves elements up to ten times longer around the circumference than along the wall; below belts
-// that narrow as they grow the carcass is in compression (hex8_rebar.cpp, (3)).
+// A tire that is stable on its mesh stays stable on finer meshes: inflated, every circumferential
+// number is stable up to waves of one element, and so is the path onto the ground. Only columns are
+// refined, which leaves elements up to ten times longer around the circumference than along the
+// wall. Below belts that become narrower as they grow, the carcass is in compression
+// (hex8_rebar.cpp, (3)).
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -24,8 +25,9 @@ TireDescription shipped(const char* name) {
 class RefinedTires : public testing::TestWithParam<const char*> {};
 
 TEST_P(RefinedTires, AnInflatedTireHoldsInEveryCircumferentialNumber) {
-  constexpr int kOfEach = 3;  // modes of each number in the first search; all but two of them are
-                              // pairs
+  // Number of modes of each circumferential number in the first search; all but two of them are
+  // pairs.
+  constexpr int kOfEach = 3;
   const TireDescription description = shipped(GetParam());
   for (const int along : {2, 4}) {
     const MeshRefinement refinement(1, along, 1);

@@ -28,8 +28,8 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
     set_rim(description.rim);
   }
 
-  /// Changes the materials and keeps the symbolic work on the mesh. Returns false if the mesh
-  /// differs.
+  /// Changes the materials and keeps the symbolic factorization for the mesh. Returns false if the
+  /// mesh differs.
   bool becomes(const TireDescription& description, const Document& numbers) {
     if (!fe_tire::same_mesh(description_, description)) return false;
     set(fe_tire::build_materials(description), description.pressure, numbers);
@@ -42,7 +42,7 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
   }
 
  protected:
-  /// Comparison elements keep the mesh of other tests.
+  /// Returns the tire on the mesh of the other tests if it has comparison elements.
   SlopedTire& for_footprint(const FootprintTest& test) override {
     if (description_.element != fe_tire::ElementKind::solid_shell)
       return FeTireSpecimen::for_footprint(test);
@@ -83,7 +83,8 @@ class FeTireKind : public SpecimenKind {
   }
   Document read(const std::filesystem::path& file) const override {
     Document document = Document::read(file);
-    fe_tire::read_tire(document.root());  // errors are reported for the file as written
+    // throws for a wrong file; messages then refer to the file as written
+    fe_tire::read_tire(document.root());
     return document;
   }
   std::unique_ptr<Specimen> build(const Document& numbers,

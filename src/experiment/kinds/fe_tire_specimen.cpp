@@ -10,8 +10,8 @@
 namespace latsch::experiment {
 namespace {
 
-/// Returns the channels with zero slopes in the tire's own pressure, which has no effect on a test
-/// that states a pressure. Columns follow the order of the paths.
+/// Returns the channels with zero derivatives by the tire's own pressure, which has no effect on a
+/// test that states a pressure. Columns follow the order of the paths.
 Channels held_at_pressure(const Channels& channels, const std::vector<std::string>& paths) {
   Channels held;
   for (Channel channel : channels.all()) {

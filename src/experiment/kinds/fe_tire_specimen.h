@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The finite-element tire as a specimen, for meshes of any origin.
+// The finite-element tire as a specimen, on any mesh.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace latsch::experiment {
 
-/// A tire with its slopes, which are computed once for all tests of a trial.
+/// A tire with its derivatives, which are computed once for all tests of a trial.
 class SlopedTire {
  public:
   /// Returns the tire described by a file with these numbers, on this mesh.

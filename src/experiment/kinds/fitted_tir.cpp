@@ -20,12 +20,13 @@ namespace {
 using formats::TirRemarks;
 using magic_formula::Parameters;
 
-/// An input of the tire with its limits in the file.
+/// An input of the tire, with the keys of its validity limits in the file.
 struct LimitedInput {
   const char *condition, *words, *section, *lower, *upper;
   const char* unit;
-  double size;          // SI, of one unit
-  double least_spread;  // SI; a smaller spread is scatter about one value. 0: levels are counted
+  double size;  // SI value of one unit
+  // SI; a smaller spread is scatter about one value. 0: the number of levels decides
+  double least_spread;
 };
 
 constexpr double kRadPerDegree = std::numbers::pi / 180.0;
@@ -61,7 +62,8 @@ std::size_t level_count_of(const std::string& condition, const std::vector<doubl
   return 0;
 }
 
-/// nullopt if no test of a fitted experiment states the condition.
+/// Returns the range of the input in the fitted tests; nullopt if no such test states the
+/// condition.
 std::optional<MeasuredExtent> measured_extent_of(const LimitedInput& input,
                                                  const MeasuredAt& measured_at) {
   std::vector<double> values = measured_at(input.condition);
@@ -93,7 +95,8 @@ void limit_input(const LimitedInput& input,
   }
   if (!extent->varies) {
     remarks.of_sections[input.section] = fmt::format(
-        "no range from the data: they have one {}, {}; they do not determine what depends on it",
+        "no range from the data: they have only one {}, {}, and do not determine what depends on "
+        "it",
         input.words,
         span_in_words(input, *extent));
     return;
@@ -102,7 +105,7 @@ void limit_input(const LimitedInput& input,
       "{} of the data: {}, without a margin", input.words, span_in_words(input, *extent));
   double& lower = p.*magic_formula::find_parameter(input.lower)->member;
   double& upper = p.*magic_formula::find_parameter(input.upper)->member;
-  // A load at or below zero is no load; a lower limit of 0 means none.
+  // Loads at or below zero are not counted; a lower limit of 0 means none.
   const double least =
       input.condition == std::string("Fz") ? std::max(0.0, extent->least) : extent->least;
   const auto take = [&](double& limit, double data, bool is_inside, const char* key) {
@@ -116,7 +119,7 @@ void limit_input(const LimitedInput& input,
   take(upper, extent->greatest, upper < extent->greatest, input.upper);
 }
 
-/// A .tir has no range of speed, so a remark states the measured speeds.
+/// Adds a remark with the measured speeds, because a .tir has no range of speed.
 void remark_speed(const MeasuredAt& measured_at, TirRemarks& remarks) {
   std::vector<double> values = measured_at("Vx");
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
@@ -126,8 +129,8 @@ void remark_speed(const MeasuredAt& measured_at, TirRemarks& remarks) {
       "speeds of the data: {:.4g} to {:.4g} m/s; a .tir has no range of speed", *least, *greatest);
 }
 
-/// Returns the origin of a value that the study has not fitted. `stated`: the remarks of the model
-/// file.
+/// Returns the origin of a value that the study has not fitted; `stated` contains the remarks of
+/// the model's file.
 std::string origin_of(const std::string& key,
                       const std::map<std::string, std::string, std::less<>>& stated,
                       const std::string& file) {

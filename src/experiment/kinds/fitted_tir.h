@@ -2,14 +2,14 @@
 // Writes a .tir that states the origin of every value and limits its inputs to the data.
 //
 // Every value is followed by one of
-//   fitted -32.1 +- 0.4 (95 %)     by the study, as Provenance::origins has it
-//   kept from tire.tir             the study's model file states it; with the comment of that file
-//   assumed, ...                   the model file does not state it, or says itself that it assumes
-// The RANGE sections of slips, camber, load and pressure go from the least to the greatest value in
-// the tests of the fitted experiments, without a margin. A condition that the data do not vary gets
-// no range: a tire measured at one camber would otherwise be clamped to it. The limits of the model
-// file also hold in the fit, so the ranges never go beyond them. A .tir has no range of speed; the
-// speeds are in a comment at LONGVL.
+//   fitted -32.1 +- 0.4 (95 %)     fitted by the study, as stated in Provenance::origins
+//   kept from tire.tir             stated in the study's model file; with the comment of that file
+//   assumed, ...                   not stated in the model file, or stated there as assumed
+// The RANGE sections of slips, camber, load and pressure extend from the least to the greatest
+// value in the tests of the fitted experiments, without a margin. A condition that the data do not
+// vary gets no range: a tire measured at one camber would otherwise be clamped to it. The limits of
+// the model file also hold in the fit, so the ranges never go beyond them. A .tir has no range of
+// speed; the speeds are in a comment at LONGVL.
 #pragma once
 
 #include <filesystem>
@@ -26,9 +26,8 @@ namespace latsch::experiment {
 /// last bit, except for the ranges.
 std::string fitted_tir_text(const Document& numbers, const Provenance& provenance);
 
-/// Returns the known coefficients: those among `fitted`, and those that the model file states
-/// without the remark "assumed". All others are assumed. A file that cannot be read any more states
-/// none.
+/// Returns the coefficients with a known value: those in `fitted`, and those that the model file
+/// states without the remark "assumed". A file that can no longer be read states none.
 std::set<std::string> known_coefficients(const std::filesystem::path& model_file,
                                          const std::vector<std::string>& fitted);
 

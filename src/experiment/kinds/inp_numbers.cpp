@@ -16,11 +16,11 @@ using formats::InpDeck;
 using formats::InpNumber;
 
 constexpr std::size_t kLargestDeck = 256u << 20;
-constexpr double kLightest = 300.0, kHeaviest = 2.0e4;  // kg/m^3, range of densities of tire
-                                                        // materials
+// Range of densities of tire materials, kg/m^3.
+constexpr double kLightest = 300.0, kHeaviest = 2.0e4;
 
-/// FNV-1a, 64 bits: distinguishes texts but protects against no intent. [Fowler, Noll, Vo,
-/// draft-eastlake-fnv]
+/// Returns the 64-bit FNV-1a hash of a text. It distinguishes texts but does not protect against
+/// forgery. [Fowler, Noll, Vo, draft-eastlake-fnv]
 std::string fingerprint(std::string_view text) {
   std::uint64_t state = 0xcbf29ce484222325u;
   for (const char byte : text) state = (state ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
@@ -46,7 +46,8 @@ std::string quantity_text(const InpNumber& number, const formats::InpUnits& unit
   return fmt::format("\"{} {}\"", value, unit_of(number.quantity));
 }
 
-/// A tire in wrong units is much too heavy or too light.
+/// Throws if a density shows that the units are wrong: the tire would be much too heavy or too
+/// light.
 void check_densities(const InpDeck& deck, const InpModel& model) {
   for (const formats::InpSolid& solid : model.tire.solids) {
     const formats::InpMaterial& material = deck.materials.at(solid.material);

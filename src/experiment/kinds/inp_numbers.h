@@ -16,23 +16,24 @@
 namespace latsch::experiment {
 
 struct InpModel {
-  formats::InpDeck deck;  // true if the document has these numbers
+  formats::InpDeck deck;  // the deck with the numbers of the document
   formats::InpTire tire;
   std::string text;  // text of the file
 };
 
-/// Decides by the extension of the name.
+/// True if the extension of the name is .inp.
 bool is_inp(const std::filesystem::path& file);
 
 /// Throws InputError if the file is no tire, or if its densities show that its units are wrong.
 Document read_inp_numbers(const std::filesystem::path& file);
-/// Returns the assumptions made for the file, one sentence each.
+/// Returns the assumptions that reading the file has made, one sentence each.
 std::vector<std::string> inp_notes(const std::filesystem::path& file);
 
 /// Returns the tire with these numbers. Throws InputError if the file is not the one that the
 /// numbers were read from, or if the numbers make no tire.
 InpModel inp_model(const Document& numbers);
-/// Sets the model's numbers and returns true if they are numbers of the same file.
+/// Sets the model's numbers. Returns false, and changes nothing, if the numbers belong to another
+/// file.
 bool take_numbers(InpModel& model, const Document& numbers);
 
 /// Returns the file's text with these numbers.

@@ -22,7 +22,7 @@ class InpTireSpecimen : public FeTireSpecimen {
       : FeTireSpecimen(tire_of(model.tire), model.tire.pressure, numbers, varied),
         model_(std::move(model)) {}
 
-  /// Sets other numbers of the same file; returns false if the file is another one.
+  /// Sets the numbers; returns false if they belong to another file.
   bool becomes(const Document& numbers) {
     if (!take_numbers(model_, numbers)) return false;
     set(model_.tire.materials, model_.tire.pressure, numbers);
@@ -41,7 +41,7 @@ class InpTireSpecimen : public FeTireSpecimen {
 std::vector<report::Layer> layers_of(const InpModel& model) {
   std::vector<report::Layer> layers;
   for (std::size_t i = 0; i < model.tire.layers.size(); ++i) {
-    const int rebars = model.tire.layers[i].rebars;  // -1: the deck has the cords as springs
+    const int rebars = model.tire.layers[i].rebars;  // -1: the deck models the cords as springs
     layers.push_back({rebars < 0 ? fmt::format("cords {}", i + 1)
                                  : model.deck.rebars[static_cast<std::size_t>(rebars)].name,
                       model.tire.materials.layers[i].angle});

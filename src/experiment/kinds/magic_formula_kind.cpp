@@ -26,7 +26,7 @@ using magic_formula::MagicFormula;
 
 constexpr int kBlock = 8192;  // states
 
-/// Says that a tire has no turn slip though a test asks for it; empty if it has.
+/// Returns a sentence if a test requests turn slip but the tire has none; else an empty text.
 std::string no_turn_slip_in(const MagicFormula& tire, const Conventions& asked) {
   if (!asked.turn_slip || tire.conventions().turn_slip) return "";
   const std::string_view missing = tire.parameters().missing_of_turn_slip();
@@ -159,7 +159,7 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
   magic_formula::Parameters parameters_;
   std::string file_;
   std::shared_ptr<magic_formula::RangeLog> log_ = std::make_shared<magic_formula::RangeLog>();
-  mutable Inflation asked_pressure_;  // the last one that a test stated
+  mutable Inflation asked_pressure_;  // the pressure that a test stated last
 };
 
 class MagicFormulaKind : public SpecimenKind {

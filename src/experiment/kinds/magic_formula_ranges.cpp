@@ -70,7 +70,8 @@ constexpr NamedRange kRanges[] = {
     {"PPY5", -8, 8},
     // Coefficients of Fy in combined slip.
     {"RBY1", 2, 40},
-    {"RBY2", 0, 40},  // its sign hardly matters, and a range of both signs has a second minimum
+    // its sign hardly matters, and with both signs there would be a second minimum
+    {"RBY2", 0, 40},
     {"RBY3", -0.5, 0.5},
     {"RBY4", -4000, 4000},
     {"RCY1", 0.5, 2},

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Default search ranges of the coefficients of the Magic Formula, used if a study states no bounds:
-// they contain the values of car and race tires with a margin. Those of side force and aligning
-// moment contained fits of measured race tires; those of the longitudinal force and of combined
-// slip are wider than the published sets they were chosen from (parameter files of formula 5.2, 6.1
-// and 6.2 that come with multibody programs).
+// Default bounds of the coefficients of the Magic Formula, used if a study states none. They
+// contain the values of car and race tires with a margin. The ranges for side force and aligning
+// moment contained all fits of measured race tires. Those for the longitudinal force and for
+// combined slip are wider than the published sets from which they were chosen (parameter files of
+// formula 5.2, 6.1 and 6.2 that come with multibody programs).
 #pragma once
 
 #include <optional>

@@ -45,7 +45,8 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   std::optional<double> tread_half_width() const override {
     return tread_half_width_of(parameters_);
   }
-  /// The outermost cams stand at the edges of the patch, here of the patch at FNOMIN.
+  /// Returns the distance of the outermost cams from the middle: they are at the edges of the
+  /// contact patch, here of the patch at FNOMIN.
   double felt_half_width() const override {
     if (parameters_.ELLIPS_NWIDTH < 2.0) return 0.0;
     const magic_formula::MagicFormula formula(parameters_);
@@ -60,7 +61,7 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }
-  /// One pair of cams scans a single line of the road.
+  /// Returns the limit that a single pair of cams follows only one line of the road.
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     if (std::abs(cleat.angle) < kStraightCleat || parameters_.ELLIPS_NWIDTH >= 2.0) return {};
     return {

@@ -31,8 +31,9 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
     ring_tire::RingTire tire(parameters_at(test.pressure));
     return experiment::run(tire, test);
   }
-  /// A straight section stands on the highest point of what is below it, and a cell of the tread
-  /// across an edge is on one plane (docs/ring_tire.md).
+  /// Returns the limits of this tire model on a cleat: a rigid cross section rests on the highest
+  /// point below it, and a cell of the tread that lies across an edge touches only one plane
+  /// (docs/ring_tire.md).
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     std::vector<std::string> all;
     if (std::abs(cleat.angle) >= kStraightCleat && parameters_.belt.bending_across == 0.0)
@@ -45,7 +46,8 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
       all.push_back(std::move(unresolved));
     return all;
   }
-  /// A flat tread leans on the edge that camber presses; a real one leans on its crown.
+  /// Returns the limit of a flat tread: if the wheel is cambered, the load acts at the edge of the
+  /// tread, whereas on a real tire it acts on the curved crown of the tread.
   std::vector<std::string> limits_at_camber(bool rolls) const override {
     if (!rolls || parameters_.tread.crown_radius > 0.0) return {};
     return {
@@ -118,7 +120,8 @@ class RingTireKind : public SpecimenKind {
   std::string describe(const Document& numbers) const override {
     return SpecimenKind::describe(numbers) + ", " + side_in_words(numbers);
   }
-  /// A ring without ply steer and conicity is its own mirror image.
+  /// Adds a note on the side of the tire, except for a ring without ply steer and conicity, which
+  /// equals its mirror image.
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
     const Document numbers = Document::read(file);
     const auto belt = ring_tire::read_ring_tire(numbers.root()).belt;
@@ -130,7 +133,7 @@ class RingTireKind : public SpecimenKind {
   }
   Document read(const std::filesystem::path& file) const override {
     Document document = Document::read(file);
-    RingSpecimen{document};  // errors are reported for the file as written
+    RingSpecimen{document};  // throws for a wrong file; messages then refer to the file as written
     return document;
   }
   std::unique_ptr<Specimen> build(const Document& numbers,

@@ -75,7 +75,7 @@ class SuspensionKind : public SpecimenKind {
     const ComposedSuspension composed = composed_suspension(written, file.parent_path());
     try {
       SuspensionSpecimen{composed.document};
-    } catch (const InputError& error) {  // errors are reported for the file as written
+    } catch (const InputError& error) {  // messages refer to the file as written
       const Place there = error.place();
       if (there.file != written.file() || composed.added.empty()) throw;
       const std::string words = error.what();

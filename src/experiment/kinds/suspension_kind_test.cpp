@@ -14,7 +14,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// The front suspension of a study with these keys at its upper ball joint.
+/// Test of a study's front suspension with these keys at its upper ball joint.
 class BushingsOfFiles : public testing::Test {
  protected:
   BushingsOfFiles() {
@@ -105,7 +105,7 @@ TEST_F(BushingsOfFiles, WhatIsWrongInThemIsSaidOfThem) {
   EXPECT_NE(said.find("bad.bus:2: "), std::string::npos) << said;
 }
 
-/// Returns what the kind notes of the front suspension of a study after this change of its text.
+/// Returns the notes about the front suspension of a study after a change of its text.
 std::string notes_with(const std::string& old_text, const std::string& new_text) {
   std::string text = read_text_file(
       std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/kerb/front.toml", 1u << 20);

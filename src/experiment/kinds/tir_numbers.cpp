@@ -10,7 +10,7 @@
 #include "formats/tire/kept_parts.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/standstill.h"
-#include "models/magic_formula/symmetry.h"
+#include "models/magic_formula/limits/symmetry.h"
 
 namespace latsch::experiment {
 namespace {
@@ -112,7 +112,7 @@ Document read_tir_numbers(const std::filesystem::path& file) {
   }
   for (const auto& field : magic_formula::parameter_fields()) {
     const double value = p.*field.member;
-    if (!std::isfinite(value)) continue;  // a range without an end is left out
+    if (!std::isfinite(value)) continue;  // a range without an end is not stored
     const bool plain = field.unit == ParameterUnit::one;
     text += plain ? fmt::format("{} = {}\n", field.name, value)
                   : fmt::format("{} = \"{} {}\"\n", field.name, value, si_unit_of(field.unit));
@@ -169,7 +169,7 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
                                        const magic_formula::RangeLog& log,
                                        const Inflation& asked_pressure) {
   auto sentences = magic_formula::ranges_left(log.inputs(), parameters);
-  // At rest and below VXLOW the tire is also what the file does not say.
+  // At rest and below VXLOW the tire also depends on values that the file does not state.
   const auto speed = log.inputs().speed;
   if (speed.to > 0.0 && speed.from < magic_formula::low_speed(parameters))
     for (const std::string& assumed : magic_formula::assumed_at_standstill(parameters))
@@ -243,7 +243,8 @@ std::string with_parts_of(const std::filesystem::path& file, const std::string& 
   try {
     return formats::with_kept_parts(text, formats::read_tir(file));
   } catch (const InputError&) {
-    return text;  // the file has changed since its numbers were read
+    // the file has changed since its numbers were read, so its other parts cannot be kept
+    return text;
   }
 }
 

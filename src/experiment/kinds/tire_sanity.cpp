@@ -11,7 +11,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Returns the range of the values without the outermost half of a percent on either side.
+/// Returns the range of the values without the lowest and the highest half percent.
 std::pair<double, double> reach_of(std::vector<double> values, double otherwise) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.empty()) return {otherwise, otherwise};
@@ -20,7 +20,7 @@ std::pair<double, double> reach_of(std::vector<double> values, double otherwise)
   return {values[tail], values[values.size() - 1 - tail]};
 }
 
-/// Returns the range for which the check, which widens a range 1.5 times, covers the given one.
+/// Returns a narrower range: the check widens a range 1.5 times, so it then covers the given one.
 magic_formula::DataRange narrower(magic_formula::DataRange range) {
   constexpr double kWider = 1.5;  // the factor of models/magic_formula/sanity.h
   const auto narrow = [](double& from, double& to) {

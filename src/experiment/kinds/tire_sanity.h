@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the sanity of a Magic Formula tire beyond its data (models/magic_formula/sanity.h), for
-// numbers from a .tir or a study.
+// Checks whether a Magic Formula tire behaves plausibly beyond its data
+// (models/magic_formula/sanity.h), for numbers from a .tir or a study.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,9 @@
 
 namespace latsch::experiment {
 
-/// Checks over the values of Fz, kappa, alpha, gamma and p; if the function is null, over the
-/// ranges of the file or usual ones. Returns nothing if no load was measured.
+/// Checks the tire over the ranges of Fz, kappa, alpha, gamma and p in these values; if the
+/// function is null, over the ranges of the file or usual ones. Returns nothing if no load was
+/// measured.
 std::vector<FaultBeyondData> tire_faults(const Document& numbers, const MeasuredAt& values_of);
 
 }  // namespace latsch::experiment

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Capabilities are what can be done with a specimen: interfaces of physics that know no test. One
-// class of tests can drive every specimen with the capabilities that it needs.
+// Capabilities are interfaces of physics that a specimen may implement; they know no test. A class
+// of tests can drive every specimen with the capabilities that it needs.
 //
-// Conditions that a test leaves open (pressure, friction) are the specimen's own. Every specimen
-// applies a pressure that the test states; the other conditions apply to specimens that accept
-// them.
+// If a test does not state a condition (pressure, friction), the specimen's own value applies.
+// Every specimen applies a pressure that the test states; other conditions can be stated only for
+// specimens that accept them.
 #pragma once
 
 #include <functional>
@@ -30,30 +30,31 @@
 
 namespace latsch::experiment {
 
-/// The specimen can be pressed on flat ground, standing still.
+/// The specimen can be pressed on flat ground without rolling.
 struct IsPressed {
   static constexpr const char* kName = "is pressed on the ground";  // in messages
   virtual ~IsPressed() = default;
-  /// Returns the channels with the requested slopes as far as they are known.
+  /// Returns the channels, with the requested derivatives as far as they are known.
   virtual Result<Channels> press(const LoadDeflection& test, const Asked& asked) = 0;
 };
 
-/// The specimen vibrates with its rim fixed, off the ground or standing on it.
+/// The specimen has vibration modes with its rim fixed, off the ground or on it.
 struct Vibrates {
   static constexpr const char* kName = "vibrates";  // in messages
   virtual ~Vibrates() = default;
-  /// Returns the channels with the requested slopes as far as they are known.
+  /// Returns the channels, with the requested derivatives as far as they are known.
   virtual Result<Channels> vibrate(const ModalTest& test, const Asked& asked) = 0;
-  /// Default points at which shapes are recorded, m, wheel frame; none if there are no defaults.
+  /// Returns the default points at which mode shapes are recorded, m, wheel frame; none if there
+  /// are no defaults.
   virtual Eigen::Matrix3Xd sensor_points() const { return {}; }
 };
 
-/// Drives a finite-element tire through a test and returns its channels. `slopes` is nullptr if no
-/// slopes are requested; otherwise the channels have those that are known.
+/// A function that runs a test on a finite-element tire and returns the channels. `slopes` is
+/// nullptr if no derivatives are requested; otherwise the channels have those that are known.
 using FeTireDrive = std::function<Result<Channels>(TireRig& rig, fe_tire::TireSlopes* slopes)>;
 
-/// The specimen is a finite-element tire. A test that only such a tire can undergo drives the tire
-/// itself, in its own file, so that a new test needs no new capability.
+/// The specimen is a finite-element tire. A test that only such a tire can undergo runs the tire by
+/// a function in the test's own file, so a new test needs no new capability.
 struct IsFeTire {
   static constexpr const char* kName = "is a finite-element tire";  // in messages
   virtual ~IsFeTire() = default;
@@ -69,7 +70,7 @@ struct HasFootprint {
   virtual ~HasFootprint() = default;
   /// Returns one footprint for each state of the test.
   virtual Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) = 0;
-  /// Returns the channels of the test with the requested slopes as far as they are known.
+  /// Returns the channels of the test, with the requested derivatives as far as they are known.
   virtual Result<Channels> print(const FootprintTest& test, const Asked&) {
     const auto states = footprints(test);
     if (!states) return states.failure();
@@ -77,13 +78,14 @@ struct HasFootprint {
   }
 };
 
-/// The specimen has a footprint of elements whose size the test states.
+/// The specimen is a tire whose footprint can be divided into elements of a size that the test
+/// states.
 struct HasTreadElements {
   static constexpr const char* kName = "has a section to divide into elements";  // in messages
   virtual ~HasTreadElements() = default;
 };
 
-/// The specimen rolls on a road in steps of time.
+/// The specimen rolls on a road in time steps.
 struct Rolls {
   static constexpr const char* kName = "rolls";  // in messages
   virtual ~Rolls() = default;
@@ -104,32 +106,32 @@ struct HasSteadyStates {
       const formats::CsvTable& states,
       const magic_formula::Conventions&,
       const std::function<void(const Channels&)>& tell) const = 0;
-  /// Computes the states with the requested slopes as far as they are known.
+  /// Computes the states, with the requested derivatives as far as they are known.
   virtual Channels steady_with_slopes(const formats::CsvTable& states,
                                       const magic_formula::Conventions& conventions,
                                       const Asked&) const {
     return steady(states, conventions);
   }
-  /// Says in which states the model leaves its limits, and which condition of the test has no
-  /// effect on it, one sentence each, without computing the states.
+  /// Returns a sentence for each limit of the model that states exceed and for each condition of
+  /// the test that has no effect on the model, without computing the states.
   virtual std::vector<std::string> limits_in(const formats::CsvTable& /*states*/,
                                              const magic_formula::Conventions&) const {
     return {};
   }
-  /// Says the same of a table with times that slip_history() follows.
+  /// Returns the same sentences for a table with times, for slip_history().
   virtual std::vector<std::string> limits_in_history(const formats::CsvTable& /*states*/) const {
     return {};
   }
-  /// Follows a table of states with their times, with lagging slips (rigs/slip/slip_lag.h) and the
-  /// requested slopes.
+  /// Computes a table of states with times, with lagging slips (rigs/slip/slip_lag.h) and the
+  /// requested derivatives.
   virtual Channels slip_history(const formats::CsvTable& states, const Asked&) const = 0;
 };
 
-/// A corner of a suspension that can be loaded on a rig which holds the chassis.
+/// A corner of a suspension on a rig that holds the chassis fixed and applies loads to the wheel.
 struct IsLoaded {
   static constexpr const char* kName = "is loaded on a K&C rig";  // in messages
   virtual ~IsLoaded() = default;
-  /// Returns the channels with the requested slopes as far as they are known.
+  /// Returns the channels, with the requested derivatives as far as they are known.
   virtual Result<Channels> load(const KcTest& test, const Asked& asked) = 0;
   /// Runs the test; `watcher` is called for every state.
   virtual Result<Channels> watch(const KcTest& test, const RigWatcher& watcher) = 0;
@@ -145,11 +147,11 @@ struct Drives {
   virtual Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const = 0;
 };
 
-/// The specimen has axles that a K&C rig loads while it holds the chassis.
+/// The specimen has axles to which a K&C rig can apply loads while it holds the chassis fixed.
 struct HasAxles {
   static constexpr const char* kName = "is loaded on a K&C rig by its axles";  // in messages
   virtual ~HasAxles() = default;
-  /// Returns the channels with the requested slopes as far as they are known.
+  /// Returns the channels, with the requested derivatives as far as they are known.
   virtual Result<Channels> load(const AxleKcTest& test, const Asked& asked) const = 0;
   /// Runs the test; `watcher` is called for every state.
   virtual Result<Channels> watch(const AxleKcTest& test, const RigWatcher& watcher) const = 0;
@@ -157,7 +159,7 @@ struct HasAxles {
   virtual Result<Channels> compliance(const AxleKcTest& test) const = 0;
 };
 
-/// A corner of a suspension as rigid links, and the axle of the corner and its mirror image.
+/// A corner of a suspension with rigid links, which with its mirror image forms an axle.
 struct MovesAsLinkage {
   static constexpr const char* kName = "moves as a linkage";  // in messages
   virtual ~MovesAsLinkage() = default;
@@ -165,9 +167,9 @@ struct MovesAsLinkage {
   virtual Result<Channels> move(const KinematicsTest& test) = 0;
 };
 
-/// The specimen accepts conditions from a test that other specimens state in their own files.
+/// The specimen accepts from a test conditions that other specimens state in their own files.
 struct TakesConditions {
-  /// Name in messages.
+  /// Name of the capability in messages.
   static constexpr const char* kName = "takes friction and sensor points from a test";
   virtual ~TakesConditions() = default;
 };

@@ -16,7 +16,7 @@ std::pair<std::string, std::string> split_path(const std::string& path) {
   return {path.substr(0, dot), path.substr(dot + 1)};
 }
 
-/// Returns the rest of a path below a table; nothing if the path leads elsewhere.
+/// Returns the part of a path below a table; nothing if the path does not lead into the table.
 std::optional<std::string> below(std::string path, std::string table) {
   while (!table.empty()) {
     if (path.empty()) return std::nullopt;
@@ -45,7 +45,8 @@ struct PlaceOfKey {
   std::string path;  // below the section's table
 };
 
-/// Returns the places where a key may be described: in its section, then in those that share it.
+/// Returns the places in which a key may be described: its own section, then the sections that
+/// share their keys with it.
 std::vector<PlaceOfKey> places_of(const KeySection& section, const std::string& path) {
   std::vector<PlaceOfKey> places = {{&section, path}};
   for (std::size_t i = 0; i < places.size(); ++i)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of a table in plain sentences, and samples that state them: a section of the reference.
+// Describes the keys of a table in sentences, with samples that state them: a section of the
+// reference.
 //
 // A reader declares the keys of its table by reading them (base/document_record.h): kind, unit,
-// range, choices, default. A KeySection adds a sentence for each key and samples that together
-// state every key. KeyTable joins both: it reads nothing itself, and finds keys without a sentence,
-// sentences without a key, and keys that no sample states.
+// range, choices, default. A KeySection adds a sentence for each key, and samples that together
+// state every key. KeyTable joins both. It finds keys without a sentence, sentences without a key,
+// and keys that no sample states.
 #pragma once
 
 #include <map>
@@ -15,10 +16,11 @@
 
 namespace latsch::experiment {
 
-/// Meaning of a key. Several keys with one meaning are separated by ", ": "Fx, Fy, Fz".
+/// The meaning of a key. Several keys with one meaning are separated by ", ": "Fx, Fy, Fz".
 struct KeySentence {
-  std::string path;            // below the section's table; "*" stands for a name that is free, and
-                               // at the end for any path: "columns.*"
+  /// Path below the section's table; "*" stands for a name that the user chooses and, at the end,
+  /// for any path: "columns.*".
+  std::string path;
   std::string sentence;        // Markdown
   std::string otherwise = "";  // default in words, if the recorded one depends on the sample
   std::string range = "";      // range in words, if the recorded one depends on the sample
@@ -26,7 +28,7 @@ struct KeySentence {
 
 struct KeySection;
 
-/// Keys that are described by another section: all at `below`, "" for the same table.
+/// Keys that another section describes: all those at `below`; "" means the same table.
 struct SharedKeys {
   std::string below;
   const KeySection& (*section)();
@@ -41,11 +43,12 @@ struct KeySection {
   std::vector<std::string> samples = {};    // TOML; the first is the example of the page
   std::vector<SharedKeys> shared = {};
   std::vector<std::string> refused =
-      {};  // keys that the reader tests for only to refuse them: they
-           // belong elsewhere, or to an older form
+      // Keys that the reader only looks for in order to refuse them: they belong elsewhere, or to
+      // an older form.
+      {};
 };
 
-/// One way in which a reader takes a key: all that DeclaredKey says except value and default.
+/// One form in which a reader accepts a key: the data of DeclaredKey except value and default.
 struct KeyForm {
   DeclaredKey::Kind kind = DeclaredKey::Kind::presence;
   std::vector<std::string> units = {};
@@ -53,15 +56,16 @@ struct KeyForm {
   std::vector<std::string> choices = {}, expected = {};
 };
 
-/// A key as all samples together declare it.
+/// A key as declared by all samples together.
 struct TabledKey {
-  KeySentence words;           // its path is that of a single key
-  std::vector<KeyForm> forms;  // in the order in which samples have them; none: never requested
+  KeySentence words;           // the description, with the path of this single key
+  std::vector<KeyForm> forms;  // in the order of the samples; empty: no reader requested the key
   std::vector<std::string> defaults;  // TOML
-  bool is_required = true;            // neither a default nor a test for presence in any sample
-  bool is_measurable = false;         // {from = "measurement.NAME"} is allowed
-  bool is_requested = false;          // a reader reads the key or tests whether it is present
-  bool is_stated = false;             // a sample states the key
+  /// true if in no sample the key has a default or is only tested for presence
+  bool is_required = true;
+  bool is_measurable = false;  // {from = "measurement.NAME"} is allowed
+  bool is_requested = false;   // a reader reads the key or tests whether it is present
+  bool is_stated = false;      // a sample states the key
 };
 
 struct TabledSection {

@@ -10,7 +10,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Returns the ending that the kind's files have, by their description.
+/// Returns the extension of the kind's files, taken from its description.
 std::string ending_of(const SpecimenKind& kind) {
   for (const char* ending : {".tir", ".inp"})
     if (kind.file().find(ending) != std::string::npos) return ending;

@@ -11,9 +11,9 @@
 
 namespace latsch::experiment {
 
-/// Returns the reason why a file with this ending is no model of the kind, to follow the file's
-/// name: "is a .tir file, which is no flexible ring; expected kind = magic_formula or rigid_ring".
-/// Returns nothing if the ending fits or says nothing about the contents.
+/// Returns the reason why a file with this extension is no model of the kind, in words that follow
+/// the file's name: "is a .tir file, which is no flexible ring; expected kind = magic_formula or
+/// rigid_ring". Returns nothing if the extension fits the kind or says nothing about the contents.
 std::optional<std::string> reason_against_ending(const SpecimenKind& kind,
                                                  const std::filesystem::path& file,
                                                  const std::vector<const SpecimenKind*>& kinds);

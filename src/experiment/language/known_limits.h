@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits of a tire model in a test, told beside the result of the test and before a study runs it.
+// Limits of a tire model in a test, which are reported with the test's result and before a study
+// runs it.
 #pragma once
 
 #include <optional>
@@ -19,30 +20,31 @@ struct KnowsLimits {
   /// Returns a sentence for every limit that matters on a road whose height differs across the
   /// width of the tire; empty if none does.
   virtual std::vector<std::string> limits_across() const { return {}; }
-  /// Returns a sentence for every limit that matters if the tire rolls forward and backward; empty
-  /// if none does.
+  /// Returns a sentence for every limit that matters if the tire rolls both forward and backward;
+  /// empty if none does.
   virtual std::vector<std::string> limits_backward() const { return {}; }
   /// Returns a sentence for every limit that matters if the wheel is cambered, while it rolls or
   /// while it stands; empty if none does.
   virtual std::vector<std::string> limits_at_camber(bool /*rolls*/) const { return {}; }
-  /// Returns a sentence for every limit that the specimen has met since it was built: ranges of its
-  /// file that it left, conditions that have no effect on it.
+  /// Returns a sentence for every limit that the specimen has met since it was built: validity
+  /// ranges of its file that it left, conditions that have no effect on it.
   virtual std::vector<std::string> limits_met() const { return {}; }
-  /// Returns half of the width, m, over which the tire feels the road; 0: it feels one line.
+  /// Returns half of the width, m, over which the tire model follows the road; 0: it follows a
+  /// single line.
   virtual double felt_half_width() const { return 0.0; }
   /// Returns half of the width, m, of a real tread of this size; nullopt if the specimen's file
   /// does not say.
   virtual std::optional<double> tread_half_width() const { return std::nullopt; }
-  /// Records a sentence of a test about its run; an empty or a known one is left out.
+  /// Stores a sentence of a test about its run, unless it is empty or already stored.
   void record(const std::string& sentence);
   /// The recorded sentences.
   const std::vector<std::string>& recorded() const { return recorded_; }
   /// Records a load, N, under which the specimen stood in a test.
   virtual void stood_under(double /*load*/) {}
-  /// Says why the specimen has no stiffness in a direction of the test static_stiffness
-  /// ("vertical", "longitudinal", "lateral", "torsional"); empty if it has.
+  /// Returns a sentence on why the specimen has no stiffness in a direction of the test
+  /// static_stiffness ("vertical", "longitudinal", "lateral", "torsional"); empty if it has one.
   virtual std::string no_stiffness(const std::string& /*direction*/) const { return ""; }
-  /// Says what is assumed for such a stiffness; empty if nothing is.
+  /// Returns a sentence on the value assumed for such a stiffness; empty if none is assumed.
   virtual std::string assumed_stiffness(const std::string& /*direction*/) const { return ""; }
   /// Returns the height of the section, m; nullopt if the specimen's file does not say.
   virtual std::optional<double> section_height() const { return std::nullopt; }
@@ -51,10 +53,10 @@ struct KnowsLimits {
   std::vector<std::string> recorded_;
 };
 
-/// A test that knows when such a limit counts in it.
+/// A test that knows which limits of a specimen matter in it.
 struct TellsLimits {
   virtual ~TellsLimits() = default;
-  /// Returns a sentence for every limit of the specimen that counts in this test, without running
+  /// Returns a sentence for every limit of the specimen that matters in this test, without running
   /// it.
   virtual std::vector<std::string> limits(Specimen& specimen) const = 0;
 };
@@ -80,10 +82,10 @@ inline std::vector<std::string> limits_of_camber(Specimen& specimen, double camb
 /// if it knows none.
 std::vector<std::string> limits_met(Specimen& specimen);
 
-/// Records a sentence of a test about its run; a specimen that knows no limits ignores it.
+/// Stores a sentence of a test about its run in the specimen, if the specimen knows limits.
 void record_limit(Specimen& specimen, const std::string& sentence);
 
-/// Tells a specimen that knows limits under which loads, N, it stood.
+/// Passes the loads, N, under which a specimen stood to the specimen, if it knows limits.
 void stood_under(Specimen& specimen, const std::vector<double>& loads);
 
 /// Throws InputError if a cleat is at least as high as the section of the specimen, so that the rim

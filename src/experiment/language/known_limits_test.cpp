@@ -13,8 +13,8 @@
 namespace latsch::experiment {
 namespace {
 
-/// A tire of a study with other numbers: lines "KEY = value" replace those of its file or are added
-/// to [MODEL].
+/// Returns a tire of a study with changed numbers: lines "KEY = value" replace those of its file or
+/// are added to [MODEL].
 Document tir_with(const SpecimenKind& kind, const std::vector<std::string>& lines) {
   std::string text =
       read_text_file(LATSCH_SOURCE_DIR "/studies/tire_model_comparison/rigid_ring.tir");
@@ -89,7 +89,7 @@ TEST(KnownLimits, EveryRollingTestTellsTheRangesThatTheTireLeaves) {
       told_by("magic_formula", kSweep + ", camber = \"5 deg\"", {"CAMMAX = 0.05"}).says("CAMMAX"));
 }
 
-/// The belt of a light tire jumps from a high bar.
+/// On this high bar the belt of a light tire loses contact.
 TEST(KnownLimits, ATireThatLeavesTheRoadSaysFromWhenToWhen) {
   const std::string jump =
       "kind = \"drum_cleat\", speed = \"100 km/h\", load = \"150 N\", drum_diameter = \"2.5 m\", "
@@ -187,7 +187,8 @@ TEST(KnownLimits, AStiffnessThatTheFileDoesNotDetermineIsRefused) {
                   .says("assumed, because there is no YAW_STIFFNESS"));
 }
 
-/// Steady states or a history of slips from a file with these rows.
+/// Runs steady states or a history of slips from a file with these rows; returns the reported
+/// limits.
 Told told_of_states(const std::string& test,
                     const std::string& header,
                     const std::string& rows,
@@ -240,7 +241,8 @@ TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {
     for (const char* kind : {"magic_formula", "rigid_ring"})
       for (const std::string& note : told_by(kind, keys, {"FZMIN = 100", "FZMAX = 12000"}).notes)
         expect_part(note,
-                    "a Magic Formula touches the road at one point");  // the word about the cleat
+                    // the sentence about the cleat
+                    "a Magic Formula touches the road at one point");
 }
 
 /// Notes of a test on a shipped flexible ring.

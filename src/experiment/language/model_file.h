@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distinguishes files of models and studies in tables and keys (TOML) from those of other programs.
+// Distinguishes files of models and studies in TOML from files of other programs.
 #pragma once
 
 #include <filesystem>

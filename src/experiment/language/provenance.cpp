@@ -6,8 +6,9 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr std::size_t kWidth = 96;      // characters of a line, mark included
-constexpr const char* kFurther = "  ";  // before the second and further lines of one sentence
+constexpr std::size_t kWidth = 96;  // characters of a line, mark included
+// blanks at the beginning of the second and further lines of a sentence
+constexpr const char* kFurther = "  ";
 
 }  // namespace
 

@@ -2,8 +2,8 @@
 // The origin of the numbers of a fitted model, for the comments of its file.
 //
 // Code that fits a model fills in a Provenance; SpecimenKind::annotated_text() writes it to the
-// file. The date is an argument: the clock is read where the user types the command, so that the
-// text of a file depends on nothing but its arguments.
+// file. The date is an argument, so that the text of a file depends only on its arguments: only the
+// command that the user starts reads the clock.
 #pragma once
 
 #include <filesystem>
@@ -29,8 +29,8 @@ struct Provenance {
   MeasuredAt measured_at;
 };
 
-/// Returns each line behind `mark`, in lines of at most 96 characters. Control characters become
-/// blanks, so that no text of a user can end a comment.
+/// Returns the lines, each after the comment mark, wrapped to at most 96 characters. Control
+/// characters become blanks, so that no text of a user can end a comment.
 std::string comment_lines(const std::vector<std::string>& lines, const std::string& mark);
 
 /// Returns a text without control characters, which fits into one line of a comment.

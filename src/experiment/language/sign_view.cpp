@@ -7,7 +7,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// The result has no negative zeros.
+/// Reverses the signs without creating negative zeros.
 void reverse(std::vector<double>& values) {
   for (double& value : values) value = 0.0 - value;
 }

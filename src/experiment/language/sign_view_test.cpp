@@ -36,7 +36,7 @@ TEST(SignView, OutAndInAreInverse) {
       turned += out[channel.name] != channel.values;
     }
   }
-  EXPECT_GT(turned, 20u);  // so the test covers the channels with a changed sign
+  EXPECT_GT(turned, 20u);  // at least that many channels change their sign
 }
 
 }  // namespace

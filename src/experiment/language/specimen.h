@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A specimen is a model with its numbers, or an outside program in the model's place, as a test
-// drives it.
+// A specimen is a model with its numbers, or an outside program that replaces a model, as a test
+// uses it.
 //
-// A specimen knows no tests, files and measurements. It offers capabilities (capabilities.h),
-// interfaces of physics that its class implements or not; a test requests the one it drives. The
+// A specimen knows no tests, files or measurements. It offers capabilities (capabilities.h),
+// interfaces of physics that its class may implement; a test requests the one that it needs. The
 // results of a specimen depend on its numbers and the test alone, not on earlier tests.
 #pragma once
 
@@ -37,15 +37,15 @@ class Specimen {
   }
 };
 
-/// Computing time that a page may spend beside the fit.
+/// Computing time that a page may spend in addition to the fit.
 enum class Thoroughness { seconds, minutes };
 
-/// Search range of a number for studies that state no bounds, SI.
+/// Default bounds of a parameter, SI, for studies that state none.
 struct UsualRange {
   double lower, upper;  // SI
 };
 
-/// Describes a fault of a specimen beyond the data it was fitted to, and the numbers that cause it
+/// A fault of a specimen beyond the data to which it was fitted, and the parameters that cause it,
 /// by their paths, SI.
 struct FaultBeyondData {
   std::string words;                                         // one sentence
@@ -55,21 +55,20 @@ struct FaultBeyondData {
 /// Returns the values (SI) of a condition, "Fz" or "alpha", at which a specimen was measured.
 using MeasuredAt = std::function<std::vector<double>(const std::string&)>;
 
-/// Turns a file into numbers that can vary, and numbers into a specimen. A new kind is one file
-/// x_kind.cpp and its line in language.cpp.
+/// Converts a file to parameters that can vary, and parameters to a specimen. A new kind is one
+/// file x_kind.cpp and its line in language.cpp.
 class SpecimenKind {
  public:
   virtual ~SpecimenKind() = default;
 
-  /// Example: "ring_tire"; in words "flexible ring"; its file "a TOML file with kind =
-  /// \"ring_tire\"".
+  /// Returns the name, such as "ring_tire".
   virtual std::string name() const = 0;
-  /// The name for people.
+  /// Returns the name for users, such as "flexible ring".
   virtual std::string in_words() const = 0;
-  /// The files of this kind, in words.
+  /// Returns a description of its files, such as "a TOML file with kind = \"ring_tire\"".
   virtual std::string file() const = 0;
-  /// Raised whenever a specimen with equal numbers gives other results than before: trials of
-  /// another version are not reused.
+  /// Version number, which is increased whenever a specimen with equal parameters gives other
+  /// results than before: trials of another version are not reused.
   virtual int version() const = 0;
   /// Returns the names of the capabilities of its specimens.
   virtual std::vector<std::string> abilities() const = 0;
@@ -92,17 +91,17 @@ class SpecimenKind {
   };
   /// Returns the files of models that a model's file names; none for a model of a single file.
   virtual std::vector<Part> parts(const std::filesystem::path&) const { return {}; }
-  /// Returns the place in the file as written for a place in the numbers that read() returned,
-  /// which may hold lines of other files.
+  /// Returns the place in the file as written, given the place in the numbers that read() returned,
+  /// which may contain lines of other files.
   virtual Place written_place(const std::filesystem::path&, const Place& place) const {
     return place;
   }
-  /// Throws InputError if the numbers make no specimen. `reuse`, a specimen of earlier numbers, may
-  /// contribute its work that is still valid: the result equals that of a fresh specimen to the
-  /// last bit.
+  /// Returns the specimen. Throws InputError if the parameters make none. `reuse` is a specimen of
+  /// earlier parameters whose work may be reused if it is still valid: the result equals that of a
+  /// fresh specimen to the last bit.
   virtual std::unique_ptr<Specimen> build(const Document& numbers,
                                           std::unique_ptr<Specimen> reuse = nullptr) const = 0;
-  /// Throws InputError if the numbers make no specimen, at the least possible cost.
+  /// Throws InputError if the parameters make no specimen; computes as little as possible.
   virtual void check(const Document& numbers) const { build(numbers); }
   /// Returns the text of a file with these numbers.
   virtual std::string text(const Document& numbers) const;
@@ -112,7 +111,7 @@ class SpecimenKind {
   /// The characters that begin a comment line in its files.
   virtual std::string comment_mark() const { return "#"; }
 
-  /// True if its specimens know the slopes of their results in the number at this path.
+  /// True if its specimens can compute derivatives of their results by the parameter at this path.
   virtual bool knows_slopes_in(const std::string& /*path*/) const { return false; }
 
   /// Returns the range of the number at this path; nullopt if it has none.
@@ -120,18 +119,18 @@ class SpecimenKind {
     return std::nullopt;
   }
 
-  /// Returns the faults in ranges 1.5 times as wide as the measured ones; if the function is null,
-  /// as the ranges of the file, or usual ones.
+  /// Returns the faults of a specimen in ranges 1.5 times as wide as the measured ones; if the
+  /// function is null, in ranges as wide as those of the file or usual ones.
   virtual std::vector<FaultBeyondData> faults_beyond_data(const Document&,
                                                           const MeasuredAt& = nullptr) const {
     return {};
   }
 
-  /// Returns a line for people: "Tire B, 225/50R16, 2400 HEX8, 40 sectors".
+  /// Returns a description in one line: "Tire B, 225/50R16, 2400 HEX8, 40 sectors".
   virtual std::string describe(const Document& numbers) const;
-  /// Returns a warning about running this test with these numbers; empty: none.
+  /// Returns a warning about running this test with these parameters; empty: none.
   virtual std::string remark(const Document&, const Test&) const { return ""; }
-  /// Dimensions that limit a measurement, m; nullopt if the numbers do not say.
+  /// Dimensions, m, that limit a measurement; nullopt if the parameters do not determine them.
   struct Size {
     double outer_radius = 0.0, section_height = 0.0;  // m
   };

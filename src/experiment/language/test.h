@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test is what a laboratory does with a specimen, and which channels it records.
-//
-// A recording is a pure function of the specimen's numbers and the test: the same bits alone,
-// beside other tests, in any order. A test states its whole load path. A new kind is one file in
-// tests/ and its line in language.cpp.
+// A test is what a laboratory does with a specimen, and the channels that it records. A recording
+// is a pure function of the specimen's parameters and the test: it has the same bits whether the
+// test is run alone, with other tests, or in any order. A test states its whole load path. A new
+// kind is one file in tests/ and its line in language.cpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -39,40 +38,42 @@ struct KeySection;
 struct LoadDeflection;
 struct ModalTest;
 
-/// The numbers of a test as its rig takes them, for callers that need more of a test than its
-/// channels: pages that draw the loaded tire, checks, comparisons; monostate: the test has none.
+/// The settings of a test for its rig, for code that needs more of a test than its channels: pages
+/// that draw the loaded tire, checks, comparisons. monostate: the test has none.
 using RigSettings =
     std::variant<std::monostate, const DrumTest*, const LoadDeflection*, const ModalTest*>;
 
 /// Effect of the discretization on a channel: root mean square differences over the record, in the
 /// channel's unit.
 struct ChannelConvergence {
-  std::string name, unit;    // the channel and its SI unit
-  double about_mean = 0.0;   // the channel itself about its mean
-  double by_step = 0.0;      // to a run with half the step
-  double by_segments = 0.0;  // to a run with 3/2 of the segments; 0: a model without segments
+  std::string name, unit;   // name and SI unit of the channel
+  double about_mean = 0.0;  // root mean square of the channel about its mean
+  double by_step = 0.0;     // difference from a run with half the time step
+  /// difference from a run with 3/2 of the segments; 0: a model without segments
+  double by_segments = 0.0;
 };
 
 /// Description of a channel before the test runs.
 struct ChannelInfo {
-  std::string name, unit;   // SI
-  std::string frame = "";   // "W", "H" or "C" for a force or moment
-  bool is_compared = true;  // false: belongs to another quantity, such as the shape of a mode
-  std::optional<Regression> regression = {};  // numbers by which the channel is differentiated,
-                                              // also in a recording
+  std::string name, unit;  // SI
+  std::string frame = "";  // "W", "H" or "C" for a force or moment
+  /// false: it describes another channel, as the shape of a mode describes its frequency
+  bool is_compared = true;
+  /// The slope that this channel is, to be computed from other channels, also those of a recording.
+  std::optional<Regression> regression = {};
 };
-/// Returns the channel of a slope: "dz_by_Fz" for "dz".
+/// Returns the description of the channel of a slope, such as "dz_by_Fz" for "dz".
 ChannelInfo slope_of(const std::string& moved, const std::string& unit, const SlopesBy& slopes);
 
-/// A range of values.
+/// A range of values, SI.
 struct Reach {
   double from, to;  // SI
 };
 
-/// Requested slopes of a recording: of these channels in these numbers of the specimen, given by
-/// their paths. Columns of Channel::slopes follow the order of the paths, in SI.
+/// Requested derivatives: of these channels by these parameters of the specimen, given by their
+/// paths. Columns of Channel::slopes follow the order of the paths, in SI.
 struct Asked {
-  std::vector<std::string> channels, paths;  // names of channels, and paths of numbers
+  std::vector<std::string> channels, paths;  // names of channels, and paths of parameters
 };
 
 class Test {
@@ -90,22 +91,23 @@ class Test {
   /// kind.
   virtual std::vector<std::string> needs() const = 0;
   /// Returns how the test interpreted each column of its tables, one ledger for each file or set of
-  /// measured numbers; empty if it reads none. `by`: "test steady".
+  /// measured numbers; empty if it reads none. `by` is the user named in the ledgers: "test
+  /// steady".
   virtual std::vector<Ledger> ledgers(const std::string& /*by*/) const { return {}; }
-  /// Range of a channel over which others are plotted (time, deflection), as far as the test alone
-  /// determines it; nullopt if only a run does.
+  /// Returns the range of a channel that serves as abscissa (time, deflection), as far as the test
+  /// alone determines it; nullopt if it is known only after a run.
   virtual std::optional<Reach> reach(const std::string&) const { return std::nullopt; }
-  /// Number of values of its channels; nullopt if only a run determines it.
+  /// Returns the number of values of its channels; nullopt if it is known only after a run.
   virtual std::optional<long> samples() const { return std::nullopt; }
-  /// Number of values of one of its channels: samples(), for a slope one, unless the test says
-  /// otherwise.
+  /// Returns the number of values of one channel: samples(), or one for a slope, unless the kind of
+  /// test defines it otherwise.
   virtual std::optional<long> samples_of(const std::string& channel) const;
 
-  /// Returns the values (SI) of Fz, kappa, alpha, gamma, Vx or p at which a table of states drives
-  /// a rolling tire. Empty: the test states none.
+  /// Returns the values (SI) of the condition Fz, kappa, alpha, gamma, Vx or p in the table of
+  /// states of this test; empty if the test has none.
   virtual std::vector<double> driven_at(const std::string& /*condition*/) const { return {}; }
 
-  /// Returns nullptr, or the settings of that type.
+  /// Returns the rig settings if they have that type, else nullptr.
   template <class Settings>
   const Settings* settings_as() const {
     const auto settings = rig_settings();
@@ -122,16 +124,17 @@ class Test {
   /// Returns warnings about it, one sentence each.
   virtual Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const;
-  /// A picture of a run beside its channels, with numbers that are too many for a trial.
+  /// A picture of a run, for which a recording would need too many numbers.
   struct Picture {
     std::string title, svg, caption;  // heading, the picture as SVG text, a sentence below it
   };
-  /// Results beside the channels that are recomputed for a page or a table and never stored.
+  /// Results in addition to the channels. They are computed again for a page or a table and never
+  /// stored.
   struct Details {
     std::vector<Picture> pictures;  // in the order of the page
     Channels numbers;               // SI
   };
-  /// Runs the test for its details; without pictures and numbers if the test has none.
+  /// Runs the test for its details; they are empty if the test has none.
   virtual Result<Details> details(Specimen&) const { return Details{}; }
   /// Repeats the test with finer steps in time and space; nullopt if the test has no such steps.
   virtual std::optional<Result<std::vector<ChannelConvergence>>> convergence(
@@ -155,38 +158,39 @@ class Test {
   virtual bool tells_slopes(const SpecimenKind& /*kind*/, const std::string& /*channel*/) const {
     return false;
   }
-  /// Returns the same values as run() to the last bit, and the requested slopes as far as they are
-  /// known.
+  /// Returns the same values as run() to the last bit, and the requested derivatives as far as they
+  /// are known.
   virtual Result<Channels> run_with_slopes(Specimen& specimen, const Asked&) const {
     return run(specimen);
   }
 
  protected:
-  /// The numbers of the test as its rig takes them.
+  /// Returns the settings of the test for its rig.
   virtual RigSettings rig_settings() const { return {}; }
 };
 
 /// Origin of the keys of a test.
 struct TestSource {
   std::filesystem::path folder;      // folder of the files it names
-  MeasuredConditions measured = {};  // empty: outside of a study
+  MeasuredConditions measured = {};  // reads conditions from measurements; empty outside of a study
 
   /// Returns the path of the file that a key of the test names. Every file that a test reads is
   /// found by this function, which makes its content a part of the test's identity.
   std::filesystem::path file(const Node& table, std::string_view key) const;
 };
 
-/// A test with its identity: everything that its recording depends on except the specimen, as text.
-/// The text is made from the keys that the reader has read and from the content of the files they
-/// name (base/document_record.h), so no kind of test writes it, and it is the same for keys in a
-/// study, in a file, as numbers or from a measurement.
+/// A test with its identity: a text of everything on which its recording depends, except the
+/// specimen. The text is made from the keys that the reader has read and from the content of the
+/// files that they name (base/document_record.h). So no kind of test writes it, and it is the same
+/// for keys in a study, in a file, as numbers or from a measurement.
 struct ReadTest {
   std::unique_ptr<Test> test;                // ready to run
   std::string identity;                      // canonical text
-  std::vector<std::filesystem::path> files;  // files that it reads beside its own
+  std::vector<std::filesystem::path> files;  // files that it reads in addition to its own
 };
 
-/// Measured numbers at which the test of an experiment runs that states no [test.NAME].
+/// Measured values for the test of an experiment that states no [test.NAME]: the test runs at
+/// these.
 struct MeasuredAbscissa {
   std::vector<double> deflections = {}, loaded_radii = {};  // m; at most one of the two
   long modes = 0;                                           // number of measured modes
@@ -195,17 +199,17 @@ struct MeasuredAbscissa {
 
 /// A kind of test: its name, and how it is read from a file.
 struct TestKind {
-  std::string name;                // "drum_cleat"
-  std::string in_words;            // "rolls over a cleat on the drum"
-  std::vector<std::string> needs;  // names of capabilities, of which a specimen must have at least
-                                   // one
+  std::string name;      // "drum_cleat"
+  std::string in_words;  // "rolls over a cleat on the drum"
+  /// Names of capabilities; a specimen must have at least one of them.
+  std::vector<std::string> needs;
   /// Reads its keys except `kind`. Throws InputError naming the place.
   std::unique_ptr<Test> (*read)(const Node& root, const TestSource& source);
-  /// Returns the sentences and samples of its keys; nullptr: the reference has no section of it.
+  /// Returns the descriptions and samples of its keys; nullptr: the reference has no section for
+  /// it.
   const KeySection& (*keys)() = nullptr;
-  /// Version of the rig's computation, if other versions give other recordings for equal keys. It
-  /// is part of the identity of its tests, so that a journal never mixes recordings of two
-  /// versions.
+  /// Version of the rig's computation, if versions give different recordings for equal keys. It is
+  /// part of the identity of its tests, so that a journal never mixes recordings of two versions.
   std::string scheme = "";
   /// Reads the test from the table of an experiment that has no [test.NAME], and records the keys
   /// that make the test's identity; nullptr: experiments state no such test.

@@ -16,12 +16,13 @@ const CarUnits kDampers{"N s/m", "N s/mm", "kN s/m"};
 const CarUnits kInertias{"kg m^2", "kg mm^2", "kg cm^2", "t m^2"};
 const CarUnits kTorsions{"N m/rad", "N m/deg", "kN m/deg"};
 
-/// Names of an axle's tables. They are literals, because the table of magnitudes keeps pointers.
+/// Names of an axle's tables. They are string literals, because the table of magnitudes stores
+/// pointers.
 struct AxleTables {
   const char *mass, *inertia, *spring, *third, *bar, *tire;
 };
 
-/// Adds the numbers of a spring with its damper.
+/// Adds the numbers of a spring unit with its damper.
 void add_unit(const char* below, std::vector<UsualMagnitude>& all) {
   all.insert(
       all.end(),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The usual magnitudes of a car, of its suspensions and of the rigs on which they are tested: the
-// part of the table of usual_numbers.h that is no tire's. The ranges cover vehicles from a kart to
-// a heavy truck.
+// The usual magnitudes of the numbers of cars, suspensions and the rigs on which they are tested.
+// They belong to the table of usual_numbers.h, whose other numbers are those of tires. The ranges
+// cover vehicles from a kart to a heavy truck.
 #pragma once
 
 #include <vector>

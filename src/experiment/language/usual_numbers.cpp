@@ -93,7 +93,7 @@ const std::vector<UsualMagnitude>& of_rings() {
 double in_unit(const UsualMagnitude& usual, double si) { return Unit::of(usual.unit).from_si(si); }
 
 /// Returns "; 240 kPa would be usual": the number as written, with the unit that is often confused
-/// with its own.
+/// with the written one.
 std::string may_be_meant(const UsualMagnitude& usual, const std::string& written) {
   const auto quantity = parse_quantity(written);
   if (!quantity) return "";
@@ -108,13 +108,12 @@ std::string may_be_meant(const UsualMagnitude& usual, const std::string& written
   return "";
 }
 
-/// False for the first column of a profile, which is no thickness.
+/// False for the first column of a profile, which is a position and no thickness.
 bool is_meant(const UsualMagnitude& usual, const std::string& path) {
   return !std::string_view(usual.key).starts_with("thickness") || path.ends_with(".1");
 }
 
-/// Returns the path within the part of a car that it belongs to: "bushing.all.x" for
-/// "front_suspension.bushing.all.x".
+/// Returns the path within the part of a car: "bushing.all.x" for "front_suspension.bushing.all.x".
 std::string_view within_part(std::string_view path) {
   const auto dot = path.find('.');
   if (dot == path.npos) return path;
@@ -153,8 +152,9 @@ double thickest_wall(const Document& document) {
   return inside + outside;
 }
 
-/// Finds plies whose cords overlap, or whose cords are thicker than the wall that contains them. A
-/// cord is at least as wide as the root of its area, also in a file that spreads the area evenly.
+/// Finds plies whose cords would overlap, or whose cords are thicker than the wall that contains
+/// them. A cord is at least as wide as the square root of its area, also in a file that states the
+/// area per width.
 void examine_cords(const Document& document, std::vector<Finding>& found) {
   const double wall = thickest_wall(document);
   for (const Node& layer : document.root().named_tables("layer")) {
@@ -182,8 +182,8 @@ void examine_cords(const Document& document, std::vector<Finding>& found) {
   }
 }
 
-/// Finds cords that are stiffer in compression than in tension: a modulus with one zero too many. A
-/// cord buckles, so its modulus in compression is at most that in tension.
+/// Finds cords that are stiffer in compression than in tension, usually because a modulus has one
+/// zero too many. A cord buckles, so its modulus in compression is at most that in tension.
 void examine_compression(const Document& document, std::vector<Finding>& found) {
   for (const Node& layer : document.root().named_tables("layer")) {
     const std::string at = "layer." + layer.name() + ".";
@@ -224,7 +224,7 @@ void examine_belt(const Document& document, std::vector<Finding>& found) {
 Seen judged(const UsualMagnitude& usual, double si) {
   const double value = usual.is_signed ? std::abs(in_unit(usual, si)) : in_unit(usual, si);
   if (value == 0.0 && usual.zero_allowed) return Seen::usual;
-  // A flat tire may be intended.
+  // A pressure of 0 is unusual but possible: a flat tire may be intended.
   if (value == 0.0 && std::string_view(usual.key) == "pressure") return Seen::unusual;
   if (!(value >= usual.least && value <= usual.most)) return Seen::impossible;
   return value < usual.from || value > usual.to ? Seen::unusual : Seen::usual;
@@ -279,7 +279,7 @@ std::string key_of(std::string path) {
 }
 
 const UsualMagnitude* usual_magnitude(std::string_view path, std::string_view unit) {
-  // The pressures of a friction law are those of the contact.
+  // The pressures of a friction law are contact pressures, not inflation pressures.
   if (path.find("friction.pressure") != path.npos) return nullptr;
   path = within_part(path);
   const std::string key = key_of(std::string(path));
@@ -353,7 +353,7 @@ std::vector<Finding> findings_of_model(const SpecimenKind& kind,
   for (const SpecimenKind::Part& part : parts)
     if (part.kind->has_usual_numbers() && examined.insert(part.file).second)
       add(*part.kind, part.file, unusual_numbers(part.kind->read(part.file)));
-  // The lines of a part's numbers are those of its own file, so they are not judged again.
+  // Numbers of a part belong to the part's own file and are examined there.
   const auto is_of_part = [&](const std::string& path) {
     return std::any_of(parts.begin(), parts.end(), [&](const SpecimenKind::Part& part) {
       return path.starts_with(part.key + ".");

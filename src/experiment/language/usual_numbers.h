@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The usual magnitudes of numbers in files of tires, cars, tests and studies, the only table of
-// them.
+// The usual magnitudes of the numbers in files of tires, cars, tests and studies; this is the only
+// table of them.
 //
-// Units have been checked before (a pressure is a pressure), but magnitudes have not: 240 bar for
-// 240 kPa, grams for kilograms, the density of air. An unusual number may be meant and is a
-// warning; a number that no tire has is impossible. The ranges cover tires from a bicycle's to an
+// Readers have checked units (a pressure is a pressure), but not magnitudes: 240 bar for 240 kPa,
+// grams for kilograms, the density of air. An unusual number may be intended and is a warning; a
+// number that no tire has is impossible. The ranges cover tires from a bicycle's to an
 // earthmover's; they are orders of magnitude, not tolerances. A wrong number of a plausible size is
 // not detected.
 #pragma once
@@ -21,7 +21,7 @@
 
 namespace latsch::experiment {
 
-/// A number of a file that is not usual, or a note on the file.
+/// A number that is not usual, or a note on how a file was read.
 struct Finding {
   Place place;
   std::string sentence;     // the finding, the usual range, and advice
@@ -29,8 +29,8 @@ struct Finding {
   bool is_note = false;     // true if it says how a file was read, not that a number is unusual
 };
 
-/// Usual range of a quantity in `unit`. A value below `least` or above `most` is impossible,
-/// outside of `from` to `to` unusual.
+/// Usual range of a quantity, in `unit`. A value outside of `from` to `to` is unusual, one below
+/// `least` or above `most` impossible.
 struct UsualMagnitude {
   const char* below;  // table that contains the key, the first parts of its path; empty: any
   const char* key;
@@ -48,9 +48,9 @@ enum class Seen { usual, unusual, impossible };
 Seen judged(const UsualMagnitude& usual, double si);
 /// Returns for example "a wheel load is usually 100 to 60000 N".
 std::string usual_in_words(const UsualMagnitude& usual);
-/// Returns the usual magnitude of the number at a path, if `unit` is given that of a number with
-/// this dimension; nullptr if the table has none. Parts of a car count by their own paths:
-/// "front_suspension.bushing.all.x" as "bushing.all.x".
+/// Returns the usual magnitude of the number at a path and, if `unit` is given, of this dimension;
+/// nullptr if the table has none. Numbers in parts of a car are found by their path within the
+/// part: "front_suspension.bushing.all.x" as "bushing.all.x".
 const UsualMagnitude* usual_magnitude(std::string_view path, std::string_view unit = "");
 
 /// A number of a document as it is written.
@@ -68,10 +68,10 @@ std::optional<Finding> unusual(const UsualMagnitude& usual,
                                const std::string& name,
                                double si);
 
-/// Examines all numbers of a document, those of a model also by each other: cords that overlap, a
-/// belt too light for its size. `below` is the table as which the whole document counts, "test" for
-/// the file of a test; empty if it counts as written. Paths for which `passed_over` is true are not
-/// examined.
+/// Examines all numbers of a document; those of a model also in relation to each other: cords that
+/// overlap, a belt too light for its size. `below` is the table to which the whole document
+/// corresponds, "test" for the file of a test; empty: the paths are used as written. Paths for
+/// which `passed_over` is true are not examined.
 std::vector<Finding> unusual_numbers(
     const Document& document,
     const std::string& below = "",
@@ -79,8 +79,9 @@ std::vector<Finding> unusual_numbers(
 
 class SpecimenKind;
 
-/// Returns what the user has to know of a model before using it: what reading left out of its file
-/// or assumed for it, and its unusual numbers. `file` is the file that `numbers` were read from.
+/// Returns what the user should know about a model before using it: what reading left out of its
+/// file or assumed for it, and its unusual numbers. `file` is the file from which `numbers` were
+/// read.
 std::vector<Finding> findings_of_model(const SpecimenKind& kind,
                                        const Document& numbers,
                                        const std::filesystem::path& file);

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bar that a tire rolls over or stands on.
-//
-// The keys are in experiment/tests/keys/cleat_keys.cpp.
+// A bar that a tire rolls over or stands on. The keys are in experiment/tests/keys/cleat_keys.cpp.
 #pragma once
 
 #include <optional>

@@ -15,10 +15,10 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
-constexpr double kFirstShare = 0.25;       // share of the radius; greatest first guess of the
-                                           // deflection
-constexpr double kWidestTire = 0.8;        // half width of any tire over its radius
-constexpr double kFastest = 200.0;         // m/s; a greater value means another unit in the file
+// Share of the radius; largest first guess of the deflection.
+constexpr double kFirstShare = 0.25;
+constexpr double kWidestTire = 0.8;  // half width of the widest tire over its radius
+constexpr double kFastest = 200.0;   // m/s; a larger value means that the file uses another unit
 
 road::DrumRoad::Settings drum_of(const DrumTest& test) {
   road::DrumRoad::Settings settings;
@@ -27,7 +27,7 @@ road::DrumRoad::Settings drum_of(const DrumTest& test) {
   if (test.cleat) {
     const Cleat& cleat = *test.cleat;
     // The cleat is below the axle at time 0; before, its distance is the remaining travel of the
-    // surface.
+    // drum's surface.
     settings.cleats = {{.profile = road::cleat_profile(cleat.height, cleat.length, cleat.bevel),
                         .starting_angle = 0.0,
                         .angle = cleat.angle}};
@@ -42,12 +42,12 @@ WheelMotion standing(double height, const Eigen::Matrix3d& carrier) {
   return motion;
 }
 
-/// Returns the rate, 1/s, at which the wheel's speed is held at its initial value, `time` before
+/// Returns the rate, 1/s, with which the wheel's speed is kept at its initial value, `time` before
 /// the cleat is below the axle. The first guess of the speed has an error of a percent; a wheel
-/// released at once would oscillate with its tread for half a second. If it is held and slowly
-/// released, it settles at its own speed without oscillation.
+/// that is released at once would oscillate on its tread for half a second. If it is released
+/// slowly, it reaches its own speed without oscillation.
 double run_in_hold(const DrumTest& test, double time) {
-  constexpr double kFirst = 100.0;  // 1/s; about critical for 10 to 40 Hz
+  constexpr double kFirst = 100.0;  // 1/s; about critical damping for 10 to 40 Hz
   const double left = (-time - test.lead) / test.run_in;
   return left > 0.0 && left <= 1.0 ? kFirst * left * left : 0.0;
 }
@@ -78,7 +78,8 @@ class Passage {
  public:
   Passage(Tire& tire, const DrumTest& test, const Surfaces& surfaces, const WheelMotion& start)
       : tire_(tire), test_(test), surfaces_(surfaces), motion_(start) {
-    // A belt of fixed length rolls with nearly its free radius; the wheel settles the rest itself.
+    // A belt of fixed length rolls with nearly its free radius; the wheel finds the exact speed
+    // itself.
     const double deflection = tire.free_radius() - start.center.z();
     motion_.spin_rate = test.speed / (tire.free_radius() - 0.35 * deflection);
   }
@@ -121,7 +122,8 @@ class Passage {
 
  private:
   Result<HubForces> advance(FreeWheel& wheel, double time) {
-    // Far from the axle the cleat cannot touch the tire; the smooth drum is computed faster.
+    // If the cleat is far from the axle it cannot touch the tire, and the smooth drum is faster to
+    // compute.
     const double radius = tire_.free_radius();
     const double reach =
         std::max(0.5 * radius + 0.5, reach_of_cleat(test_, radius, kWidestTire * radius));
@@ -170,7 +172,8 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured) {
   const double ratio = test.sample_step / test.step;
   if (std::abs(ratio - std::round(ratio)) > 1e-6 || ratio < 0.5)
     root.reject("sample_step", "is no multiple of step");
-  constexpr double kWidest = 1.4;  // rad: at larger angles the bar lies along the drum
+  // rad; at larger angles the bar lies along the circumference of the drum
+  constexpr double kWidest = 1.4;
   test.cleat = read_cleat(root, kWidest);
   if (test.cleat && test.speed * test.step > test.cleat->length * (1.0 + 1e-9))
     root.reject("step",
@@ -244,7 +247,7 @@ Result<double> height_under_load(Tire& tire,
   double z0 = free, F0 = 0.0, z = z0 - std::min(load / kFirstStiffness, kFirstShare * free);
   for (int i = 0; i < kMost; ++i) {
     const auto hub = tire.settle(standing(z, carrier), road, 0.0);
-    if (!hub && z != z0 && i + 1 < kMost) {  // too deep a guess
+    if (!hub && z != z0 && i + 1 < kMost) {  // the guess was too deep
       z = 0.5 * (z + z0);
       continue;
     }

@@ -45,17 +45,18 @@ DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured = {
 /// Runs any tire; the tire keeps its final state.
 Result<Channels> run(Tire& tire, const DrumTest& test);
 
-/// Returns the greatest distance, m, between the axle and the middle of an oblique cleat at which a
-/// tire may touch the cleat, from half the width over which it feels the road and from the chord of
-/// a wheel that is pressed as deep as its load lets expect. It is an upper estimate.
+/// Returns the greatest distance, m, between the axle and the middle of an oblique cleat at which
+/// the tire may touch the cleat. It is an upper estimate, computed from half the width, m, over
+/// which the tire touches the road and from the chord of a wheel that is pressed into the road as
+/// deeply as its load may require.
 double reach_of_cleat(const DrumTest& test, double free_radius, double half_width);
 
-/// Returns a Failure if a deflection, m, is deeper than the section of any tire of this radius. A
-/// tire whose file states its rim refuses less.
+/// Returns a Failure if a deflection, m, exceeds the section height of any tire of this radius. If
+/// the tire's file states its rim radius, the limit is lower.
 Status check_depth(const Tire& tire, double deflection);
 
-/// Longest distance, m, that a tire may move in one step: a block of its tread gains and loses
-/// contact within some steps.
+/// Largest distance, m, that a tire may move in one time step: a block of its tread makes and loses
+/// contact within a few steps.
 constexpr double kFarthestStep = 0.02;
 /// Throws InputError if a step moves the tire farther at this speed.
 void check_step(const Node& test, double speed, double step);

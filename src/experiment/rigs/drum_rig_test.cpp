@@ -52,8 +52,8 @@ TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
   EXPECT_NEAR(time[static_cast<std::size_t>(most - Fz.begin())], 0.0, 0.04);
 }
 
-// The tire's geometry repeats itself from each of its 80 segments to the next, and so do its
-// passages over the cleat.
+// The geometry of the tire repeats itself after each of its 80 segments, so the passages over the
+// cleat do, too.
 TEST(DrumTest, ATurnByASegmentChangesNothing) {
   constexpr double kSegment = 2.0 * M_PI / 80.0;
   DrumTest test = quick_test();
@@ -72,11 +72,12 @@ TEST(DrumTest, ATurnByASegmentChangesNothing) {
     return most;
   };
   EXPECT_LT(distance(*same), 0.1);
-  EXPECT_GT(distance(*other), 1.0);  // this dependence on the wheel's angle is what averaging
-                                     // removes
+  // Averaging over passages removes this dependence on the wheel's angle.
+  EXPECT_GT(distance(*other), 1.0);
 }
 
-// Passages may therefore be simulated in parallel.
+// A passage of a wheel that starts at another angle equals the one that the test simulates, so
+// passages may be simulated in parallel.
 TEST(DrumTest, PassagesAreThoseOfWheelsThatStartTurnedOn) {
   DrumTest test = quick_test();
   test.passages = 2;
@@ -95,9 +96,9 @@ TEST(DrumTest, PassagesAreThoseOfWheelsThatStartTurnedOn) {
   }
 }
 
-// A light wheel oscillates at some 400 Hz against so stiff a belt. If the wheel moved first, by the
-// force of the previous step, and the tire responded afterwards, the ring would diverge within 12
-// ms.
+// A light wheel oscillates at about 400 Hz against so stiff a belt. If the wheel moved first, by
+// the force of the previous step, and the tire responded afterwards, the oscillation would grow
+// without limit within 12 ms.
 TEST(DrumTest, ASidewallTwentyTimesAsStiffRolls) {
   ring_tire::RingParameters stiff = passenger_tire();
   for (ring_tire::SidewallElement* of :

@@ -2,12 +2,11 @@
 // The footprint of a tire that stands on flat ground.
 //
 // Channels, one value for each state in their order: "load" (N), "deflection", "length", "width"
-// (m, the greatest ones), "area" (m^2, including grooves), "mean_pressure" (Pa, load over area),
+// (m, the largest ones), "area" (m^2, including grooves), "mean_pressure" (Pa, load over area),
 // "peak_pressure" (Pa, the highest reading of a sensor at any position) and "grip_level" (1, the
 // used share of the friction: the shear forces over the largest possible ones). For `sensors`, all
-// of one state and then those of the next: "pressure" (Pa), "sensor_x", "sensor_y" (m).
-//
-// The keys are in experiment/tests/keys/footprint_keys.cpp.
+// of one state and then those of the next: "pressure" (Pa), "sensor_x", "sensor_y" (m). The keys
+// are in experiment/tests/keys/footprint_keys.cpp.
 #pragma once
 
 #include <Eigen/Core>

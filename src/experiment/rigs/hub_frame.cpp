@@ -62,8 +62,8 @@ std::vector<std::string> force_names(const std::vector<AxisFrame>& frames) {
 }
 
 Wrench in_frame(const HubForces& hub, const WheelMotion& motion, AxisFrame to) {
-  const double sine = std::clamp(motion.carrier(2, 1), -1.0, 1.0);  // sine of the angle of the spin
-                                                                    // axis above the horizontal
+  // Sine of the angle of the spin axis above the horizontal.
+  const double sine = std::clamp(motion.carrier(2, 1), -1.0, 1.0);
   const double gamma = std::asin(sine), loaded_radius = motion.center.z() / std::cos(gamma);
   return latsch::in_frame({hub.force, hub.moment}, AxisFrame::C, to, gamma, loaded_radius);
 }

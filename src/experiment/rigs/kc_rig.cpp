@@ -20,7 +20,7 @@ Vector6d as_vector(const suspension::WheelPosition& at) {
 const char* unit_of_moved(int i) { return i < 3 ? "m" : "rad"; }
 const char* unit_of_load(int i) { return i < 3 ? "N" : "N m"; }
 
-/// Returns a Failure that names a bushing whose stretch is impossible: stiffnesses are then in
+/// Returns a Failure that names a bushing with an impossible deformation: stiffnesses are then in
 /// another unit, or the loads are too large for any corner.
 Status check_bushings(const multibody::Mechanism& mechanism, const multibody::Poses& poses) {
   constexpr double kMostStretch = 0.03;  // m

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rig for kinematics and compliance of a corner: the chassis and the inboard end of the
-// push-rod are held, and loads of fixed direction act at the contact patch or at the wheel's
-// center. Axes of the ground, ISO 8855: x forward, y left, z up. Travel and angles are relative to
-// the unloaded corner; signs as in models/suspension/wheel_position.h.
+// The rig for kinematics and compliance (K&C) of a suspension corner. The chassis and the inboard
+// end of the push-rod are held fixed, and loads of fixed direction act at the contact patch or at
+// the wheel's center. Axes of the ground, ISO 8855: x forward, y left, z up. Travel and angles are
+// relative to the unloaded corner; signs as in models/suspension/wheel_position.h.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,11 +30,11 @@ struct KcTest {
   bool at_wheel_center = false;
   Eigen::Matrix<double, 6, Eigen::Dynamic> loads;  // N, N m; one column for each state
   std::array<bool, 6> stated = {};                 // loads that are recorded
-  std::optional<SlopesBy> slopes = {};             // slopes of the motion by one of the stated
-                                                   // loads
+  /// slopes of the motion by one of the stated loads
+  std::optional<SlopesBy> slopes = {};
 };
 
-/// Stiffnesses, by joint and axis, that depend on a varied number.
+/// Stiffnesses that depend on a varied parameter, by joint and axis.
 using Stiffnesses = std::vector<std::pair<int, int>>;
 
 /// Requested slopes of these channels in varied numbers.

@@ -28,13 +28,14 @@ struct LoadDeflection {
 struct ModalTest {
   Inflation pressure = {};
   fe_tire::Ground ground = {};
-  std::optional<double> deflection = {};  // m from first touch; neither deflection nor load: off
-                                          // the ground
-  std::optional<double> load = {};        // N; the rig finds the deflection
-  double camber = 0.0;                    // rad, about x, top to the right
-  int count = 10;                         // number of lowest modes
-  Eigen::Matrix3Xd points = {};  // m, wheel frame, undeformed tire: points at which shapes are
-                                 // recorded; none: no shapes
+  /// Deflection from first contact, m; if neither deflection nor load is given: off the ground.
+  std::optional<double> deflection = {};
+  std::optional<double> load = {};  // N; the rig finds the deflection
+  double camber = 0.0;              // rad, about x, top to the right
+  int count = 10;                   // number of lowest modes
+  /// Points in the wheel frame on the undeformed tire, m, at which shapes are recorded; none: no
+  /// shapes.
+  Eigen::Matrix3Xd points = {};
 
   std::optional<SpinSpeed> speed = {};  // none: at rest
   fe_tire::RimMotion rim = fe_tire::RimMotion::held;

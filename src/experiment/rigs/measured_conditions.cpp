@@ -79,8 +79,8 @@ std::vector<double> measured_values(const Node& table,
 double measured_mean(const Node& table,
                      const MeasuredCondition& condition,
                      const MeasuredConditions& measured) {
-  constexpr double kHeld = 0.05;  // greatest standard deviation over mean; rigs hold speed and load
-                                  // closer
+  // Largest ratio of standard deviation to mean; rigs hold speed and load closer.
+  constexpr double kHeld = 0.05;
   const auto values = samples_of(table, condition, measured);
   const auto count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;

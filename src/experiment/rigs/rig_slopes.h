@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Characteristic numbers of a K&C rig: the slope of the motion by a prescribed quantity, that is,
-// of a line through the states in which that quantity is in a window, by least squares with an
-// intercept:
+// Characteristic numbers of a K&C rig: the slope of the motion over a prescribed quantity x, which
+// is that of a least-squares line with an intercept through the states in which x is in a window:
 //   slope = Σ w_i y_i,    w_i = (x_i - x̄) / Σ (x_j - x̄)²                  i, j in the window
-// The slope is linear in y, so its own derivatives by a specimen's numbers are as exact as those of
-// y. For a loop with equal states going up and down it is the slope of the middle line; for half a
-// loop, the width of the friction loop contributes.
+// The slope is linear in the motion y, so its own derivatives by a specimen's parameters are as
+// exact as those of y. For a loop with equal states going up and down it is the slope of the middle
+// line; for half a loop, the width of the friction loop contributes.
 #pragma once
 
 #include <Eigen/Core>

@@ -21,8 +21,8 @@ WheelMotion standing(double height, double camber = 0.0) {
   return motion;
 }
 
-/// A smooth motion from 0 to 1 without a jump of acceleration, and its rate over the share of the
-/// ramp.
+/// A smooth motion from 0 to 1 without a jump of the acceleration: its position and its rate, as
+/// functions of the share of the ramp.
 struct Way {
   double place, rate;
 };

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standing tire: force over deflection, on flat ground or on a cleat below its middle; stiffness
-// along, across and about the vertical under a load on flat ground. For any tire.
+// A tire that does not roll: force over deflection, on flat ground or on a cleat below its middle,
+// and stiffness in the longitudinal, lateral, vertical and torsional directions under a load on
+// flat ground. For any tire.
 //
-// The axle is moved slowly from its standing position and held; the stiffness is the change of the
-// hub's force over the displacement, including the friction in the patch.
-//
-// The keys are in experiment/tests/keys/static_stiffness_keys.cpp.
+// The axle is moved slowly from its position and held; the stiffness is the change of the hub's
+// force over the displacement, including the effect of friction in the contact patch. The keys are
+// in experiment/tests/keys/static_stiffness_keys.cpp.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells when a rolling tire has become steady. A tire whose slips follow the wheel over a length σ
-// needs several σ of way, and a free wheel on such a tire swings and comes to rest over 2 σ.
+// Determines when a rolling tire has become steady. A tire whose slips follow the wheel over a
+// length σ needs a distance of several σ, and a free wheel on such a tire oscillates and comes to
+// rest over 2 σ.
 #pragma once
 
 #include <span>
@@ -8,13 +9,13 @@
 
 namespace latsch::experiment {
 
-/// Way, m, over which a tire that is not yet steady is rolled on before the test fails.
+/// Distance, m, over which a tire that is not yet steady is rolled before the test fails.
 constexpr double kFarthestToSteady = 400.0;
 
-/// Range (greatest less least) of a force over stretches of way, one after the other. A transient
-/// lets it fall; it stays where the tire itself makes the force vary at every turn. The larger
-/// ranges of two pairs of stretches are compared, since a slow swing may be at its turning point
-/// during one stretch.
+/// Range (greatest minus least value) of a force over successive stretches of road. It falls during
+/// a transient and then stays constant if the tire itself makes the force vary at every turn. The
+/// larger ranges of two pairs of stretches are compared, because a slow oscillation may be at its
+/// turning point during one stretch.
 class FallingRange {
  public:
   void add(double force);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every channel for which a test claims slopes has them, for every kind of model with slopes: the
-// choice of a search relies on the claim alone.
+// Tests that every channel for which a test claims derivatives has them, for every kind of model
+// with derivatives: the choice of a search method relies on this claim.
 #include <gtest/gtest.h>
 
 #include <string>

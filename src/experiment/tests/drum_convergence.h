@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects of step and mesh on a run on the drum: the same test with half the step, and with 3/2 of
-// the segments. Fitted numbers absorb these errors unless the noise hides them, and then are wrong
-// in the next test.
+// Effects of time step and mesh on a run on the drum: the same test with half the step, and with
+// 3/2 of the segments. A fit compensates these errors by wrong parameters unless they are smaller
+// than the noise, and its predictions of other tests are then wrong.
 #pragma once
 
 #include <string>

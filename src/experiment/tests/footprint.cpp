@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "footprint": the patch of a tire that stands (rigs/footprint_rig.h has the keys).
+// kind = "footprint": the contact patch of a tire that stands on the ground (rigs/footprint_rig.h
+// has the channels).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -46,8 +47,8 @@ class StandingFootprintTest : public Test, public TellsLimits {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// Only a pressed tire has slopes, a rolling tire has none. The reading of a sensor jumps with
-  /// its neighbors.
+  /// Only a finite-element tire has derivatives, a rolling tire has none. The reading of a sensor
+  /// jumps as its position changes.
   bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override {
     return test_.friction.value_or(0.0) == 0.0 && test_.camber == 0.0 &&
            kind.has(IsPressed::kName) && channel != "peak_pressure" && channel != "pressure" &&

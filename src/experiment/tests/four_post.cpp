@@ -30,18 +30,19 @@
 namespace latsch::experiment {
 namespace {
 
-/// The mode to whose signal responses refer, and the settings of the spectra, which are set even if
-/// only a page needs them.
+/// The mode to whose signal transfer functions refer, and the settings of the spectra, which are
+/// set even if only a page needs them.
 struct Frequencies {
   PostMode mode = PostMode::heave;
   PostSpectra settings;
   bool are_recorded = false;
-  std::string note = {};  // reason why the posts' record narrowed the band; else empty
+  // reason why the recorded motion of the posts narrowed the band; else empty
+  std::string note = {};
 };
 
 class FourPost : public Test {
  public:
-  /// `sweep`: the sweep that the heights follow; none: the heights were recorded.
+  /// `sweep` is the sweep that the heights follow; none: the heights were recorded.
   FourPost(FourPostTest test,
            Frequencies frequencies,
            std::string words,
@@ -127,7 +128,8 @@ class FourPost : public Test {
     for (const Channel& channel : more.all()) all.add(channel);
     return all;
   }
-  /// Says which tires left their posts, and where the spectra are not reliable.
+  /// Returns sentences on the tires that left their posts, and on frequencies at which the spectra
+  /// are not reliable.
   std::vector<std::string> notes_of(const Channels& record) const {
     std::vector<std::string> notes = notes_of_lift(record, [&](double time) {
       return sweep_ ? fmt::format("{:.3g} s ({:.3g} Hz)", time, frequency_at(*sweep_, time))
@@ -157,7 +159,7 @@ class FourPost : public Test {
   std::string words_;
   std::optional<PostSweep> sweep_;
   double begin_ = 0.0;           // s, in the record of the posts
-  std::vector<Ledger> ledgers_;  // the ledger of a table of heights; no users are noted yet
+  std::vector<Ledger> ledgers_;  // ledger of a table of heights, in which no users are noted yet
 };
 
 void read_steps(const Node& root, FourPostTest& test) {
@@ -208,9 +210,10 @@ Channels heights_of(const Node& root, const TestSource& source, std::vector<Ledg
   return channels;
 }
 
-/// Refuses uneven times and names the distance that differs most from the usual one.
+/// Throws if the times are not equidistant, naming the interval that differs most from the usual
+/// one.
 void refuse_uneven(const Node& root, const std::vector<double>& times) {
-  constexpr double kEven = 0.01;  // share of a step by which a time may be off
+  constexpr double kEven = 0.01;  // share of a step by which a time may deviate
   const double mean = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   bool is_even = mean > 0.0;
   std::vector<double> steps;
@@ -237,7 +240,7 @@ void refuse_uneven(const Node& root, const std::vector<double>& times) {
                           usual));
 }
 
-/// `begin` becomes the first time of the record, s; the times of the test are counted from it.
+/// Sets `begin` to the first time of the record, s; the times of the test are counted from it.
 FourPostTest recorded_posts(const Node& root,
                             const TestSource& source,
                             std::vector<Ledger>& ledgers,
@@ -255,11 +258,12 @@ FourPostTest recorded_posts(const Node& root,
 
 constexpr std::array<const char*, 4> kPostModes = {"heave", "pitch", "roll", "warp"};
 
-constexpr double kFewestPeriods = 2.0;  // periods of the lowest frequency in a record; fewer make
-                                        // the response unreliable
+// Least number of periods of the lowest frequency in a record; with fewer the transfer function is
+// unreliable.
+constexpr double kFewestPeriods = 2.0;
 
-/// Refuses frequencies that the posts' record does not contain: a response there would consist of
-/// rounding errors.
+/// Throws for frequencies that the recorded motion of the posts does not contain: a transfer
+/// function there would consist of rounding errors.
 void refuse_beyond(const Node& root,
                    const FourPostTest& test,
                    const PostSweep* sweep,
@@ -285,7 +289,8 @@ void refuse_beyond(const Node& root,
         sweep->to));
 }
 
-/// Recorded posts have to hold the band that is stated; a band that is not stated becomes theirs.
+/// Recorded posts must contain the band that the user states; if none is stated, their band is
+/// used.
 void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& read) {
   PostSpectra& band = read.settings;
   const double line = 1.0 / band.segment;
@@ -309,8 +314,8 @@ void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& 
       "{}: the channels over frequency go from {:.3g} to {:.3g} Hz", words, band.from, band.to);
 }
 
-/// The record has to hold the band that is stated; a band that is not stated becomes that of the
-/// record. Recorded posts must not move faster than the samples show, because spectra would show
+/// The record must contain the band that the user states; if none is stated, the band of the record
+/// is used. Recorded posts must not move faster than the samples show, because spectra would show
 /// that motion at other frequencies.
 void take_what_is_sampled(const Node& root,
                           const FourPostTest& test,
@@ -350,8 +355,8 @@ void take_what_is_sampled(const Node& root,
   }
 }
 
-/// `from` and `to`: default ends of the band, Hz. `sweep`: the sweep that the posts follow;
-/// nullptr: none.
+/// Reads the settings. `from` and `to` are the default ends of the band, Hz. `sweep` is the sweep
+/// that the posts follow; nullptr: none.
 Frequencies read_frequencies(const Node& root,
                              PostMode mode,
                              const FourPostTest& test,
@@ -389,7 +394,7 @@ Frequencies read_frequencies(const Node& root,
   return read;
 }
 
-/// Refuses a sweep that ends before its lowest frequency has moved the posts.
+/// Throws for a sweep that ends before its lowest frequency has moved the posts.
 void refuse_short(const Node& root, const PostSweep& sweep) {
   constexpr double kNear = 1e-9;
   const double least = 1.0 / sweep.from;

@@ -105,7 +105,7 @@ class InflationTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// A tire that spins has no slopes.
+  /// A rotating tire has no derivatives.
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return !test_.speed; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     const auto measured = specimen.find<IsFeTire>()->drive(

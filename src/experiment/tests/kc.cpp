@@ -78,7 +78,8 @@ class KcTestOfCorner : public Test {
   }
   bool has_film() const override { return true; }
   Status film(Specimen& specimen, int most_steps, report::Scene& scene) const override {
-    std::size_t along = 0;  // index of the first load that varies, or that is stated
+    // index of the load that serves as abscissa: the first that varies, or the first that is stated
+    std::size_t along = 0;
     for (std::size_t i = 6; i-- > 0;)
       if (test_.stated[i]) along = i;
     for (std::size_t i = 6; i-- > 0;)

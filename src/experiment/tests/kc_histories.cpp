@@ -52,10 +52,11 @@ Histories::Histories(const Node& root,
     }
   for (const auto& [name, values] : values_) states_ = std::max(states_, values.size());
   if (values_.empty()) {
-    // The only key that states something may be misspelled, unless there are keys that are read
-    // later.
+    // If no load is stated, the only key may be misspelled, so unknown keys are reported first,
+    // unless some keys are read later.
     if (!root.has("mode") && !root.has("slopes_by") && !root.has("window")) root.close();
-    root.one_or_more(example, loads[0].unit);  // names the key that was probably meant
+    // throws with the name of the key that was probably intended
+    root.one_or_more(example, loads[0].unit);
   }
   if (states_ == 0)
     root.reject(stated_.front().name, "is empty, expected the loads of one state at least");

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conditions of the tests of K&C rigs: histories of loads, travel and rack, one value for each
-// state, in the file or as they were recorded, and the slopes over one of them.
-//
-// The keys are in experiment/tests/keys/kc_histories_keys.cpp.
+// Conditions of the tests on K&C rigs: histories of loads, travel and rack, one value for each
+// state, either in the file or as recorded, and the regression slopes over one of them. The keys
+// are in experiment/tests/keys/kc_histories_keys.cpp.
 #pragma once
 
 #include <map>
@@ -18,16 +17,17 @@ namespace latsch::experiment {
 
 /// A quantity that a rig prescribes.
 struct Prescribed {
-  std::string name, unit;  // SI
-  std::string frame = "";  // of a load: W acts at the contact patch, H at the wheel center
+  std::string name, unit;  // SI unit
+  /// point of action of a load: W: contact patch, H: wheel center
+  std::string frame = "";
 };
 
 /// Histories by name, all of one length; only stated quantities.
 class Histories {
  public:
-  /// Reads those of `loads` (which loads = {from = ...} reads together) and of `others`. Throws
-  /// InputError if none is there; the message then names the load `example` as the probably meant
-  /// key.
+  /// Reads the quantities in `loads`, which loads = {from = ...} reads together, and in `others`.
+  /// Throws InputError if none is stated; the message then names the load `example` as the key that
+  /// was probably intended.
   Histories(const Node& root,
             const TestSource& source,
             const std::vector<Prescribed>& loads,

@@ -32,11 +32,12 @@
 namespace latsch::experiment {
 namespace {
 
-/// Returns a sentence if a wheel would have to rise within its radius by more than the section of
-/// its tire, so that its rim would hit the kerb; else an empty text. `section`: as the tires' files
-/// state, m.
+/// Returns a sentence if a wheel would have to rise, within a length of its radius, by more than
+/// the section height of its tire, so that its rim would hit the kerb; else an empty text.
+/// `section` is the height that the tires' files state, m.
 std::string too_high(const KerbWay& way, std::optional<double> section) {
-  constexpr double kDeepest = 0.6;  // share of the radius, of a tire whose file states no section
+  // share of the radius; for a tire whose file states no section height
+  constexpr double kDeepest = 0.6;
   const double most = section ? *section : kDeepest * way.radius;
   if (!(way.rise > most)) return "";
   return fmt::format(
@@ -65,8 +66,8 @@ TreadWidth width_of(Specimen& specimen) {
   return width;
 }
 
-/// Says where a real tread would stand on something that the tires' model does not feel; empty if
-/// it does nowhere.
+/// Returns a sentence on where a real tread would stand on something that the tires' model misses;
+/// empty if there is no such position.
 std::string beside_tread(const KerbWay& way, const TreadWidth& width) {
   const Unfelt& unfelt = way.unfelt;
   if (unfelt.rise == 0.0) return "";
@@ -153,7 +154,8 @@ class KerbRunTest : public Test, public TellsLimits {
       limits.push_back(std::move(note));
     return limits;
   }
-  /// Tells what the tires' model does not describe on this road, and what the test does not meet.
+  /// Returns warnings on effects of this road that the tires' model does not describe, and on parts
+  /// of the road that no wheel meets.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto notes = Test::run_in_blocks(specimen, tell);
@@ -186,7 +188,7 @@ class KerbRunTest : public Test, public TellsLimits {
   }
 
  private:
-  /// Says that no wheel meets the kerb, with the places of both.
+  /// Returns a sentence that no wheel meets the kerb, with the positions of both.
   std::string without_kerb(const KerbWay& way) const {
     const road::Kerb& kerb = *test_.kerb;
     return fmt::format(
@@ -291,17 +293,17 @@ FiledRoad read_filed_road(const Node& node, const TestSource& source) {
   return filed;
 }
 
-/// Returns the step of a test that states none: 0.2 ms, or at a high speed the share of sample_step
-/// in which a tire moves no farther than allowed.
+/// Returns the time step of a test that states none: 0.2 ms or, at a high speed, the fraction of
+/// sample_step in which a tire moves no farther than allowed.
 double usual_step(double usual, double sample_step, double fastest) {
   if (usual * fastest <= kFarthestStep || sample_step < usual) return usual;
   return sample_step / std::ceil(sample_step * fastest / kFarthestStep);
 }
 
-/// Refuses steps and samples between which a shape of the kerb passes unseen.
+/// Throws for time steps or samples that are too far apart to resolve the shape of the kerb.
 void refuse_coarse_steps(const Node& root, const KerbTest& test) {
   constexpr double kSteps = 8.0,
-                   kSamples = 4.0;  // fewest in a pitch
+                   kSamples = 4.0;  // least number of samples in a pitch
   const double fastest = fastest_of(test);
   check_step(root, fastest, test.step);
   if (2.0 * test.sample_step > test.run_in + test.duration)

@@ -18,7 +18,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Presses a rolling tire that stands: one state after the other, each settled anew.
+/// Presses a rolling tire that does not roll in this test: every state is settled separately.
 Result<Channels> press_rolling(Tire& tire, const LoadDeflection& test) {
   if (test.ground.mu != 0.0)
     throw InputError("a tire that rolls has friction in its own file: expected a test without it");

@@ -26,7 +26,7 @@ class LoadDeflectionTest : public Test {
   std::optional<Reach> reach(const std::string& channel) const override;
   std::optional<long> samples() const override;
   Result<Channels> run(Specimen& specimen) const override;
-  /// Only a pressed tire has slopes, a rolling tire has none.
+  /// Only a finite-element tire has derivatives, a rolling tire has none.
   bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override;
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
 

@@ -27,7 +27,7 @@ constexpr double kUsualStep = 0.01;
 
 const std::vector<std::string> kMeasures = {"slip", "cornering", "camber"};
 
-// What a negative stiffness means.
+// Consequence of a negative stiffness, for each kind of stiffness.
 constexpr std::pair<const char*, const char*> kWrongSign[] = {
     {"slip_stiffness", "a driven wheel is pushed backward"},
     {"cornering_stiffness", "a steered wheel is pushed out of the turn"},

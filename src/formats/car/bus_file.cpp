@@ -22,10 +22,10 @@ using multibody::ForceCharacteristic;
 constexpr std::array<const char*, 6> kBusAxes = {"FX", "FY", "FZ", "TX", "TY", "TZ"};
 constexpr std::array<const char*, 6> kBusAxesInWords = {
     "x", "y", "z", "about x", "about y", "about z"};
-constexpr double kStraight = 1e-9;  // share of the largest force; smaller deviations from a
-                                    // straight line are ignored
+// Share of the largest force: a curve that deviates less from a straight line counts as straight.
+constexpr double kStraight = 1e-9;
 
-/// SI values of one unit of a row's two numbers.
+/// SI values of one unit of the deflection and of the force in the rows of a curve.
 struct BusScale {
   double deflection, force;
 };
@@ -35,7 +35,7 @@ BusScale bus_scale_of(std::size_t axis, const TeimOrbitUnits& units) {
   return {units.angle(), units.force() * units.length()};
 }
 
-/// Refuses heads that name a force before the deflection.
+/// Throws InputError if the column heads name a force before the deflection.
 void refuse_exchanged_columns(const TeimOrbitSection& section, const TeimOrbitTable& table) {
   if (table.heads.size() < 2) return;
   const auto is_force = [](const std::string& head) {
@@ -114,15 +114,17 @@ void set_axis(BushingParameters& bushing,
         {static_cast<int>(axis), multibody::ElasticCurve{ForceCharacteristic(points)}});
 }
 
-/// Returns the curve of an axis as points. Throws InputError if the axis has further parts.
+/// Returns the curve of an axis as points. Throws InputError if the axis has other elastic or
+/// friction parts, which a .bus file cannot express.
 std::vector<ForceCharacteristic::Point> points_of(const BushingParameters& bushing,
                                                   std::size_t axis,
                                                   const std::string& name) {
-  // These are powers of two, so that the stiffness is read back to the last bit.
+  // Ranges of the curve that is written for a stiffness. They are powers of two, so that the
+  // stiffness is read back to the last bit.
   const double reach = axis < 3 ? 1.0 / 128.0 : 1.0 / 8.0;  // m, rad
   const double k = (axis < 3 ? bushing.stiffness : bushing.rotational)[static_cast<int>(axis % 3)];
   std::vector<ForceCharacteristic::Point>
-      points;  // five on a straight line, as a spline needs several
+      points;  // five points on a straight line, because a spline needs several
   for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0})
     points.emplace_back(share * reach, k * share * reach + 0.0);  // + 0.0 turns -0 into 0
   bool is_curved = false;
@@ -142,7 +144,7 @@ std::vector<ForceCharacteristic::Point> points_of(const BushingParameters& bushi
   return points;
 }
 
-/// The unit of an axis in the words of the file: "newton*mm".
+/// Returns the unit of an axis in the file's own words, such as "newton*mm".
 std::string unit_in_words(const TeimOrbitSection& units, const char* key) {
   return units.text(key, "");
 }
@@ -156,12 +158,14 @@ LedgerRow row_of(const std::string& written, int line, const std::string& taken_
   return row;
 }
 
-/// Doubts a deflection that no bushing reaches: a unit of [UNITS] is wrong.
+/// Adds a doubt if a curve reaches a deflection that no bushing has, because a unit in [UNITS] is
+/// then wrong.
 void doubt_reach(const TeimOrbitSection& section,
                  std::size_t axis,
                  const std::vector<ForceCharacteristic::Point>& points,
                  Ledger& ledger) {
-  constexpr double kFarthest = 0.3;  // m; the widest rubber mounts move by a tenth of this
+  // m; ten times the largest deflection of the softest rubber mounts
+  constexpr double kFarthest = 0.3;
   constexpr double kMostTurn = 3.2;  // rad, 180 degrees
   const double most = std::max(std::abs(points.front().first), std::abs(points.back().first));
   if (most <= (axis < 3 ? kFarthest : kMostTurn)) return;
@@ -174,7 +178,7 @@ void doubt_reach(const TeimOrbitSection& section,
                            section.place()});
 }
 
-/// Doubts about a curve that resists on the whole.
+/// Adds doubts about a curve whose force resists as a whole but not everywhere.
 void doubt_curve(const TeimOrbitSection& section,
                  std::size_t axis,
                  const std::vector<ForceCharacteristic::Point>& points,
@@ -205,7 +209,8 @@ void doubt_curve(const TeimOrbitSection& section,
     return;
   }
   const double at_rest = ForceCharacteristic(points).at(0.0);
-  constexpr double kPreload = 1e-6;  // share of the largest force; smaller ones are rounding
+  // share of the largest force; a smaller force at rest is rounding
+  constexpr double kPreload = 1e-6;
   if (std::abs(at_rest) > kPreload * largest)
     ledger.doubts.push_back({name,
                              fmt::format("{} has {} at the deflection 0: a preload, which moves "
@@ -271,7 +276,7 @@ class BusReading {
     doubt_curve(section, axis, points, result_.ledger);
   }
 
-  /// A damping of 0 is 0 in any unit: only other ones need TIME.
+  /// A damping of 0 is 0 in any unit, so only other values need the unit TIME.
   double read_damping(std::size_t axis, const TeimOrbitSection& dampings, const std::string& key) {
     const double written = dampings.number(key);
     double damping = 0.0;
@@ -311,7 +316,8 @@ void refuse_other_type(const TeimOrbit& file) {
 
 BusFile bus_file_from(const TeimOrbit& file) {
   refuse_other_type(file);
-  if (!file.find("UNITS")) file.units().length();  // throws and says which lines to add
+  // throws, with the lines that the user has to add
+  if (!file.find("UNITS")) file.units().length();
   return BusReading(file).run();
 }
 

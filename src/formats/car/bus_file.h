@@ -28,10 +28,10 @@ namespace latsch::formats {
 
 struct BusFile {
   multibody::BushingParameters bushing;
-  std::vector<TeimOrbitPart> unused;  // parts without a meaning here
-  /// A row for each curve, damping and unit, and for each unused part. A doubt for each part that
-  /// another program may use, for a curve with a force at rest, one that falls in between and one
-  /// that reaches farther than any bushing.
+  std::vector<TeimOrbitPart> unused;  // parts of the file that have no meaning here
+  /// Rows for each curve, damping and unit, and for each unused part. Doubts for each unused part
+  /// that other programs use, and for curves that have a force at rest, fall in between, or extend
+  /// farther than the deflection of any bushing.
   Ledger ledger;
 };
 
@@ -40,9 +40,9 @@ struct BusFile {
 BusFile read_bus_file(const std::filesystem::path& file);
 BusFile bus_file_from(const TeimOrbit& file);
 
-/// Returns a file in SI that gives the same bushing to the last bit when it is read. Throws
-/// InputError, beginning with `name`, for parts that such a file cannot express because they are no
-/// curve.
+/// Returns the text of a .bus file in SI units; reading it gives the same bushing to the last bit.
+/// Throws InputError, whose message begins with `name`, if the bushing has parts that are no curves
+/// and therefore cannot be expressed.
 std::string bus_text(const multibody::BushingParameters& bushing, const std::string& name);
 
 }  // namespace latsch::formats

@@ -170,7 +170,7 @@ TEST(BusFile, SaysWhatIsWrongAndWhere) {
   }
 }
 
-/// The file without the lines that contain `part`.
+/// Returns the file without the lines that contain `part`.
 std::string without_lines(const std::string& text, const std::string& part) {
   std::string kept;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -182,7 +182,7 @@ std::string without_lines(const std::string& text, const std::string& part) {
   return kept;
 }
 
-/// The doubts of a file as lines "name: sentence".
+/// Returns the doubts of a file as lines "name: sentence".
 std::string doubts_of(const std::string& text) {
   std::string all;
   for (const LedgerDoubt& doubt : bus_of(text).ledger.doubts)
@@ -201,7 +201,7 @@ TEST(BusFile, AMissingUnitIsRefusedAndTheMessageSaysWhichLineToAdd) {
     EXPECT_NE(said.find("add the line " + line), std::string::npos) << said;
   }
   EXPECT_EQ(complaint_about(without_lines(kRubber, " MASS")), "none");
-  // A damping of 0 is 0 in any unit.
+  // A damping of 0 is 0 in any unit, so a file without TIME is accepted.
   const std::string undamped =
       changed(changed(changed(kRubber, "_DAMPING  =  3.0", "_DAMPING  =  0"), "=  1.5", "=  0"),
               "=  100.0",
@@ -282,7 +282,7 @@ TEST(BusFile, ASpoiledFileIsABushingWithoutFaultOrAnInputError) {
     } catch (const InputError&) {
     }
   }
-  EXPECT_GT(bushings, 0);       // some changes do no harm
+  EXPECT_GT(bushings, 0);       // some changes leave a valid file
   EXPECT_LT(bushings, kFiles);  // most do
 }
 

@@ -18,11 +18,13 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-/// A curve of force over a deflection or a rate, with the words for messages.
+/// Describes a curve of force over a deflection or a velocity for the check of its signs: keys,
+/// units and the words of the messages.
 struct SignedCurve {
   const char *key, *x_unit, *y_unit;
-  const char* moves;     // "the velocity"
-  const char* falls_to;  // "the damping is negative there"
+  const char* moves;  // "the velocity"
+  // predicate of the message if the curve falls: "the damping is negative there"
+  const char* falls_to;
 };
 constexpr SignedCurve kDamper{
     "damper", "m/s", "N", "the velocity", "it adds energy there, instead of damping"};
@@ -51,7 +53,7 @@ class CarFileDoubts {
     doubts_.push_back({name, name + " " + sentence, node.place(key)});
   }
 
-  /// The rows of a key in SI; none if the reader will refuse them.
+  /// Returns the rows of a key in SI; empty if the reader of the model will refuse them.
   static Rows rows_of(const Node& node, const char* key, const std::vector<std::string>& units) {
     if (!node.has(key)) return {};
     try {
@@ -72,7 +74,7 @@ class CarFileDoubts {
     }
   }
 
-  /// Returns true if the curve falls somewhere, which is then told.
+  /// Adds a doubt if the curve falls somewhere; returns true in that case.
   bool check_rise(const Node& node, const SignedCurve& curve, const Rows& rows) {
     for (std::size_t i = 1; i < rows.size(); ++i) {
       if (!(rows[i][1] < rows[i - 1][1])) continue;
@@ -123,14 +125,15 @@ class CarFileDoubts {
             "stop has negative deflections and forces");
   }
 
-  /// A caster below 0 suggests axes of Adams, whose x points rearward.
+  /// Adds a doubt about a caster below 0, which suggests the axes of Adams, whose x points
+  /// rearward.
   void check_caster(const Node& root) {
     const auto points = root.find_table("hardpoint");
     if (!points) return;
     const auto upper = place_of(*points, "ubj"), lower = place_of(*points, "lbj");
     if (upper.size() != 3 || lower.size() != 3 || !(upper[2] > lower[2])) return;
     constexpr double kDegree = std::numbers::pi / 180.0;
-    constexpr double kLeast = -1.0;  // degrees; smaller casters are meant
+    constexpr double kLeast = -1.0;  // degrees; a slightly negative caster is intended
     const double caster = std::atan2(lower[0] - upper[0], upper[2] - lower[2]) / kDegree;
     if (caster >= kLeast) return;
     doubt(*points,

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks the signs in the file of a car or a suspension (kind = "car", "suspension").
 //
-//   damper, curve of a unit, curve of a bushing   rise: they resist what moves them
+//   damper, curve of a unit, curve of a bushing   must rise: they resist the motion
 //   damper at rest                                0, unless gas presses on its rod
 //   curve of a unit                               a bump stop acts below 0: extension is positive
 //   aero.map                                      downforce is positive
 //   hardpoint.ubj, hardpoint.lbj                  the upper one is rearward: caster is positive
 //
-// Such a number may be meant, so each finding is a doubt and no error. Files of another kind have
-// no doubts here.
+// The opposite sign may be intended, so each finding is a doubt and no error. Files of other kinds
+// have no doubts here.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@
 namespace latsch::formats {
 
 /// Returns the doubts in the order of the file, each with file and line. Rows that the reader of
-/// the model will refuse are passed over.
+/// the model will refuse are skipped.
 std::vector<LedgerDoubt> doubts_of_car_file(const Node& root);
 
 }  // namespace latsch::formats

@@ -47,7 +47,7 @@ std::vector<bool> chosen_rows(const CsvTable& table, const std::optional<std::st
   return chosen;
 }
 
-/// The text is checked to be a number, but kept as written.
+/// Checks that the cell is a number but returns its text as written.
 std::string written(const CsvTable& table, const char* axis, int row) {
   std::string text = table.text(axis, row);
   std::replace(text.begin(), text.end(), ',', '.');
@@ -62,8 +62,8 @@ std::vector<Hardpoint> read_hardpoints(const std::filesystem::path& file,
   table.expect_only({"of", "name", "x", "y", "z"});
   const auto chosen = chosen_rows(table, of);
   const auto names = table.texts("name");
-  table.numbers({{"x", "m"}, {"y", "m"}, {"z", "m"}});  // also checks that all coordinates are
-                                                        // lengths
+  // Also checks that all coordinates have a unit of length.
+  table.numbers({{"x", "m"}, {"y", "m"}, {"z", "m"}});
   std::vector<Hardpoint> points;
   std::map<std::string, int> lines;
   for (int row = 0; row < table.rows(); ++row) {

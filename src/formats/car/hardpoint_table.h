@@ -26,9 +26,9 @@ struct Hardpoint {
   int line = 0;                      // line in the table
 };
 
-/// Reads the points of one corner; `of` is empty if the table has no such column. Throws InputError
-/// naming file and line: an invalid column, name or number, a unit that is no length, a point that
-/// occurs twice, a corner that does not exist or is not chosen.
+/// Reads the hardpoints of the corner `of`, which is empty if the table has no such column. Throws
+/// InputError that names file and line for an invalid column, name or number, a unit that is no
+/// length, a point that occurs twice, and a corner that does not exist or is not chosen.
 std::vector<Hardpoint> read_hardpoints(const std::filesystem::path& file,
                                        const std::optional<std::string>& of);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outer form of an .inp file (CalculiX, Abaqus): keyword lines with options, data lines of
-// fields.
+// Splits the text of an .inp file (CalculiX, Abaqus) into cards: keyword lines with options,
+// followed by data lines of fields.
 //
 //   *ELEMENT, TYPE=C3D8, ELSET=TIRE      keyword, options
 //   1, 1, 91, 94, 4, ...                 data
 //   ** a comment
 //
-// Keywords, options and set names are the same in upper and lower case and are returned in
+// Keywords, options and set names do not distinguish upper and lower case and are returned in
 // capitals.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace latsch::formats {
 
-/// The fields of one data line, without blanks at their ends.
+/// A data line: its number in the file, and its fields without blanks at their ends.
 struct InpLine {
   int number = 0;
   std::vector<std::string> fields;
@@ -33,13 +33,13 @@ struct InpCard {
   Place place;
 
   bool has(const std::string& option) const { return options.count(option) > 0; }
-  /// Throws InputError if the option is missing.
+  /// Return the text of an option. Without `fallback`, throws InputError if the option is missing.
   const std::string& option(const std::string& name) const;
   std::string option(const std::string& name, const std::string& fallback) const;
 
   Place at(const InpLine& line) const { return {place.file, line.number}; }
-  /// Returns field `index` of a line as a finite number or an integer; throws InputError naming the
-  /// line.
+  /// Return field `index` of a line as a finite number or an integer. Throw InputError that names
+  /// the line if the field is neither; a missing field has the value `fallback`, if one is given.
   double number(const InpLine& line, std::size_t index) const;
   double number(const InpLine& line, std::size_t index, double fallback) const;
   int integer(const InpLine& line, std::size_t index) const;
@@ -48,8 +48,8 @@ struct InpCard {
   std::vector<double> numbers() const;
 };
 
-/// Throws InputError for data before the first keyword, for a line longer than 4,096 characters and
-/// for bytes that are not text.
+/// Returns the cards of the text. Throws InputError for data before the first keyword, for a line
+/// longer than 4,096 characters, and for bytes that are not text.
 std::vector<InpCard> split_cards(std::string_view text, const std::string& file_name);
 
 }  // namespace latsch::formats

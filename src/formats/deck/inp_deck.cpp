@@ -73,7 +73,7 @@ class DeckReader {
         {"EMBEDDED ELEMENT", &DeckReader::embedded},
         {"END STEP", &DeckReader::end_step},
     };
-    // Output requests do not change the model.
+    // Cards that request output; they do not change the model.
     static const std::set<std::string> kOutput = {"HEADING",
                                                   "NODE PRINT",
                                                   "NODE FILE",
@@ -102,7 +102,7 @@ class DeckReader {
   void spring(const InpCard& card) { springs_.add_law(card); }
   void mass(const InpCard& card) { springs_.add_mass(card); }
 
-  // The following functions read nodes, elements and sets.
+  // Nodes, elements and sets -----------------------------------------------------------------
 
   void node(const InpCard& card) {
     std::vector<int> added;
@@ -146,8 +146,8 @@ class DeckReader {
     std::vector<int> added;
     for (std::size_t i = 0; i < card.lines.size();) {
       Kind element{0, {}, card.at(card.lines[i])};
-      std::vector<int> numbers;  // number of the element and its nodes, which may continue on
-                                 // further lines
+      // Number of the element, then its nodes; the list may continue on further lines.
+      std::vector<int> numbers;
       for (; i < card.lines.size() && numbers.size() < kNodes + 1; ++i)
         for (std::size_t k = 0; k < card.lines[i].fields.size(); ++k)
           numbers.push_back(card.integer(card.lines[i], k));
@@ -217,7 +217,7 @@ class DeckReader {
     return found->second;
   }
 
-  /// Returns a single number, or the members of a set.
+  /// Returns the numbers that a field means: a single number, or the members of a set.
   static std::vector<int> members(const InpCard& card,
                                   const InpLine& line,
                                   const std::map<std::string, std::vector<int>>& sets,
@@ -227,7 +227,7 @@ class DeckReader {
     return find(sets, field, kind, card.at(line));
   }
 
-  // The following functions read materials and sections.
+  // Materials and sections --------------------------------------------------------------------
 
   void material(const InpCard& card) {
     material_ = &deck_.materials[card.option("NAME")];
@@ -241,7 +241,7 @@ class DeckReader {
     return *material_;
   }
 
-  /// Adds a number that can vary; returns its index in the deck.
+  /// Adds a number of the deck that a study may vary; returns its index in InpDeck::numbers.
   int note(const std::string& path,
            InpQuantity quantity,
            const InpCard& card,
@@ -252,7 +252,8 @@ class DeckReader {
     return static_cast<int>(deck_.numbers.size()) - 1;
   }
 
-  /// Returns a name of the file as part of a path, without dots because they separate names.
+  /// Converts a name of the file for use in a path: dots are replaced, because they separate the
+  /// parts of a path.
   static std::string in_path(std::string name) {
     std::erase(name, '"');
     for (char& c : name)
@@ -265,7 +266,8 @@ class DeckReader {
     InpQuantity quantity;
   };
 
-  /// Reads the constants of the card, for one temperature: one further number is that temperature.
+  /// Reads the constants of a material law at one temperature. An additional number is that
+  /// temperature and is ignored.
   void law(const InpCard& card, InpMaterial::Law law, const std::vector<Constant>& constants) {
     InpMaterial& material = current_material(card);
     if (material.law != InpMaterial::Law::none)
@@ -383,7 +385,7 @@ class DeckReader {
     deck_.orientations[name] = orientation;
   }
 
-  // The following functions read layers of rebars.
+  // Layers of rebars --------------------------------------------------------------------------
 
   void surface_section(const InpCard& card) {
     if (card.has("DENSITY"))
@@ -430,7 +432,7 @@ class DeckReader {
                               card.place});
   }
 
-  // The following functions read surfaces and contact.
+  // Surfaces and contact ----------------------------------------------------------------------
 
   InpFaces faces(const InpCard& card, const InpLine& line, char letter) {
     const std::string& face = card.text(line, 1);
@@ -484,7 +486,7 @@ class DeckReader {
           {card.option("INTERACTION"), card.text(line, 0), card.text(line, 1), card.at(line)});
   }
 
-  // The following functions read supports, loads and steps.
+  // Supports, loads and steps -----------------------------------------------------------------
 
   void boundary(const InpCard& card) {
     for (const InpLine& line : card.lines) {
@@ -548,7 +550,8 @@ class DeckReader {
     }
   }
 
-  /// Makes one number of all pressures: that of the last static step; the others are proportional.
+  /// Makes the pressure of the last static step the number "pressure"; all other pressures of the
+  /// deck are proportional to it.
   void note_pressure() {
     const InpPressure* last = nullptr;
     for (const InpStep& step : deck_.steps)
@@ -556,7 +559,7 @@ class DeckReader {
         last = &step.pressures.front();
     if (!last || last->value == 0.0) return;
     InpNumber number{"pressure", InpQuantity::stress, last->value, {}};
-    std::set<int> lines;  // distinct lines, because a surface of several sets has one line
+    std::set<int> lines;  // without repetition, because a surface of several sets has one line
     for (const InpStep& step : deck_.steps)
       for (const InpPressure& pressure : step.pressures)
         if (lines.insert(pressure.where.line).second)

@@ -2,13 +2,13 @@
 // A finite-element model in the .inp language of CalculiX and Abaqus, with the numbering and units
 // of the file.
 //
-// The supported part of the language is that of tires: nodes, eight-node elements, sets,
+// The supported part of the language is what tires need: nodes, eight-node elements, sets,
 // hyperelastic and linear materials, cylindrical orientations, sections, layers of rebars in
-// embedded surface elements, equations that hold a node on the line between two others or at a mean
+// embedded surface elements, equations that tie a node to the line between two others or to a mean
 // of the corners of an element, springs and masses at such means, surfaces, one kind of contact,
-// supports, face pressures, static and frequency steps. Everything else is refused by name, because
-// a card skipped silently gives a wrong model: unknown cards, unknown options (inp_options.h),
-// values of options that mean another model.
+// supports, face pressures, static and frequency steps. Unknown cards, unknown options
+// (inp_options.h) and values of options that mean another model are refused with their names,
+// because ignoring them would give a wrong model.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@
 
 namespace latsch::formats {
 
-/// A four-node element without stiffness of its own that holds rebars.
+/// A four-node surface element without own stiffness that holds rebars.
 struct InpSurfaceElement {
   int number = 0;
   std::array<int, 4> node;  // node numbers
@@ -39,21 +39,22 @@ struct InpElement {
   Place place;
 };
 
-/// A node that equations hold on the straight line between two others at its initial position: x =
-/// (1 - at) x_lower + at x_upper, and its displacement likewise.
+/// A node that equations tie to the straight line between two others, at its initial position: x =
+/// (1 - at) x_lower + at x_upper, and likewise for its displacement.
 struct InpTie {
   int lower = 0, upper = 0;  // node numbers
-  double at = 0.0;           // 0 at the lower, 1 at the upper node
+  double at = 0.0;           // 0 at the node `lower`, 1 at the node `upper`
   Place place;
 };
 
-/// A node that equations hold at a mean of others, with weights that add up to one.
+/// A node that equations tie to a weighted mean of others; the weights add up to one.
 struct InpMean {
-  std::map<int, double> weights;  // number of a node and its weight
+  std::map<int, double> weights;  // weights by node number
   Place place;
 };
 
-/// A spring between two nodes with a force over its elongation, linear between points.
+/// A spring between two nodes. Its force depends on its elongation and is linear between given
+/// points.
 struct InpSpring {
   struct Point {
     double force = 0.0, elongation = 0.0;
@@ -64,8 +65,8 @@ struct InpSpring {
   Place place;
 };
 
-/// A number that can vary: a constant of a material or of a layer of rebars, an angle, the
-/// pressure. Objects refer to it by its index in InpDeck::numbers.
+/// A number of the deck that a study may vary: a constant of a material or of a layer of rebars, an
+/// angle, the pressure. Other structs refer to it by its index in InpDeck::numbers.
 struct InpNumber {
   std::string path;  // "material.RUBBER1.C10"
   InpQuantity quantity = InpQuantity::ratio;
@@ -73,7 +74,7 @@ struct InpNumber {
   struct Where {
     int line = 0;
     std::size_t field = 0;
-    double times = 1.0;  // factor of the value that gives the number in this field
+    double times = 1.0;  // factor by which this field holds a multiple of the value
   };
   std::vector<Where> where;
 };
@@ -90,28 +91,28 @@ struct InpMaterial {
   };
   std::string name;
   Law law = Law::none;
-  std::vector<int> constants;  // indices of numbers
-  int density = -1;            // index of a number; -1: none
+  std::vector<int> constants;  // indices in InpDeck::numbers
+  int density = -1;            // index in InpDeck::numbers; -1: none
   bool no_compression = false;
   Place place;
 };
 
 struct InpOrientation {
   bool cylindrical = false;
-  Eigen::Vector3d a, b;  // cylindrical: two points of the axis
-  int axis = 1;          // 1 to 3, about which the axes are turned
-  int angle = -1;        // index of the number of that rotation; -1: not turned
+  Eigen::Vector3d a, b;  // two points on the axis of the cylindrical system
+  int axis = 1;          // axis, 1 to 3, of the additional rotation
+  int angle = -1;        // index in InpDeck::numbers of the angle of that rotation; -1: no rotation
   Place place;
 };
 
 /// Parallel rebars in surface elements.
 struct InpRebars {
   std::string name, elset, material, orientation;
-  int area = -1, spacing = -1, angle = -1;  // indices of numbers
+  int area = -1, spacing = -1, angle = -1;  // indices in InpDeck::numbers
   Place place;
 };
 
-/// Element sets whose elements lie in those of a host set; no host: in any elements.
+/// Element sets that are embedded in the elements of a host set; without a host, in any elements.
 struct InpEmbedding {
   std::string host;
   std::vector<std::string> elsets;
@@ -123,7 +124,7 @@ struct InpSection {
   Place place;
 };
 
-/// A face, 1 to 6, of every element of a set.
+/// A face, with number 1 to 6, of every element of a set.
 struct InpFaces {
   std::vector<int> elements;
   int face = 0;
@@ -136,7 +137,7 @@ struct InpPressure {
   InpNumber::Where where = {};
 };
 
-/// Degrees of freedom first..last (1 to 3) of nodes fixed at a value.
+/// A support: the degrees of freedom first..last (1 to 3) of the nodes have a prescribed value.
 struct InpSupport {
   std::vector<int> nodes;
   int first = 1, last = 3;
@@ -145,7 +146,7 @@ struct InpSupport {
 };
 
 struct InpInteraction {
-  double stiffness = 0.0;  // pressure per overclosure
+  double stiffness = 0.0;  // contact stiffness, pressure per overclosure
   double mu = 0.0;
 };
 
@@ -168,7 +169,7 @@ struct InpDeck {
   std::map<int, Eigen::Vector3d> nodes;
   std::map<int, InpElement> elements;
   std::map<int, InpSurfaceElement> surface_elements;
-  std::string element_type;  // "C3D8", common to all elements; "" if there are none
+  std::string element_type;  // type common to all elements, such as "C3D8"; "" if there are none
   std::map<std::string, std::vector<int>> node_sets, element_sets;
   std::map<std::string, InpMaterial> materials;
   std::map<std::string, InpOrientation> orientations;
@@ -180,13 +181,14 @@ struct InpDeck {
   std::vector<InpStep> steps;
   std::vector<InpRebars> rebars;
   std::vector<InpEmbedding> embeddings;
-  std::map<int, InpTie> ties;    // keys are numbers of tied nodes
-  std::map<int, InpMean> means;  // keys are numbers of the nodes that are means
+  std::map<int, InpTie> ties;    // ties by the number of the tied node
+  std::map<int, InpMean> means;  // means by the number of the node that is tied to the mean
   std::vector<InpSpring> springs;
-  std::map<int, double> masses;  // keys are node numbers
+  std::map<int, double> masses;  // point masses by node number
   std::vector<InpNumber> numbers;
-  int pressure = -1;  // index of the number of the last static step; -1: none
-  InpUnits units;     // stated units, else those that suit the size of the mesh, else mm, N, tonne
+  int pressure = -1;  // index in InpDeck::numbers of the pressure of the last static step; -1: none
+  /// units that the file states, else those that suit the size of the mesh, else mm, N, tonne
+  InpUnits units;
   bool are_units_stated = false;
   InpRemarks remarks;
 
@@ -197,13 +199,13 @@ struct InpDeck {
 InpDeck read_inp(const std::filesystem::path& file);
 InpDeck parse_inp(std::string_view text, const std::string& file_name);
 
-/// Returns the units in which a mesh of this size is probably written: units_of_size(), or mm, N,
-/// tonne if no unit gives the size of a tire.
+/// Returns the units in which a mesh of this size is probably written: those of units_of_size(), or
+/// mm, N, tonne if that recognizes none.
 InpUnits units_by_size(const InpDeck& deck);
 
-/// Returns the text of the deck with its numbers as they are in `deck`: a number that differs from
-/// the text is written with as many digits as reading it back exactly needs; everything else stays,
-/// byte by byte. See inp_numbers.cpp.
+/// Returns the text of the deck with its numbers replaced by those of `deck`. A number that differs
+/// is written with as many digits as are needed to read it back exactly; every other byte stays.
+/// See inp_numbers.cpp.
 std::string with_numbers_of(const InpDeck& deck, std::string_view text);
 
 }  // namespace latsch::formats

@@ -9,7 +9,7 @@ namespace latsch::formats {
 namespace {
 
 void doubt_pressures(const InpDeck& deck, std::vector<LedgerDoubt>& doubts) {
-  std::set<int> told;  // a surface of several sets has one line
+  std::set<int> told;  // without repetition, because a surface of several sets has one line
   for (const InpStep& step : deck.steps)
     for (const InpPressure& pressure : step.pressures) {
       if (!(pressure.value < 0.0) || !told.insert(pressure.where.line).second) continue;
@@ -21,7 +21,7 @@ void doubt_pressures(const InpDeck& deck, std::vector<LedgerDoubt>& doubts) {
     }
 }
 
-/// An element in two sections has the material of the last one.
+/// Adds a doubt for elements that belong to two sections: only the last section would count.
 void doubt_sections(const InpDeck& deck, std::vector<LedgerDoubt>& doubts) {
   std::map<int, const InpSection*> section_of;
   for (const InpSection& section : deck.sections) {

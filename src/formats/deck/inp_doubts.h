@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Doubts about a finite-element deck that can be read: what two statements contradict, or what few
-// decks mean.
+// Doubts about a finite-element deck that can be read: statements that contradict each other or are
+// unusual.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace latsch::formats {
 
-/// Returns doubts with file and line: a negative pressure, elements in two sections of different
-/// material or orientation.
+/// Returns doubts with file and line: a negative pressure, and elements in two sections of
+/// different material or orientation.
 std::vector<LedgerDoubt> doubts_of_deck(const InpDeck& deck);
 
 }  // namespace latsch::formats

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// *EQUATION of an .inp deck: nodes that lie on the straight line between two others, or at a mean
-// of more than two.
+// *EQUATION of an .inp deck: ties of nodes to the straight line between two others, or to a mean of
+// more than two.
 //
 //   *EQUATION
 //   3                                   terms
 //   901,1,1., 17,1,-0.5, 23,1,-0.5      sum of coefficient x displacement = 0
 //
-// If many rows of elements meet few rows, a corner of the many is held on the edge of the few. The
-// ends of cords are held at a mean of the corners of their element, with four to nine terms.
-// formats/mesh/ccx_deck.h writes such equations. A node has three of them, one for each direction,
-// with the same nodes and with weights that add up to one and give the node's own position. All
-// other equations are refused.
+// Where many rows of elements adjoin few rows, a corner of the many is tied to the edge of the few.
+// The ends of cords are tied to a mean of the corners of their element, with four to nine terms.
+// formats/mesh/ccx_deck.h writes such equations. A tied node has three equations, one for each
+// direction, with the same other nodes and with weights that add up to one and give the position of
+// the tied node. All other equations are refused.
 #pragma once
 
 #include <array>
@@ -23,14 +23,16 @@ namespace latsch::formats {
 
 class InpEquations {
  public:
-  /// Reads all equations of a card; throws InputError with the line of one that does not hold a
-  /// node on a line or at a mean.
+  /// Reads all equations of a card. Throws InputError, with the line, for an equation that ties a
+  /// node neither to a line nor to a mean.
   void add(const InpCard& card);
 
-  /// Returns the ties; throws InputError for a node that is tied in some directions only, to a line
-  /// on which it does not lie, or to a node that is not defined or is tied itself.
+  /// Returns the ties to lines by the number of the tied node. Throws InputError if a node is tied
+  /// in some directions only, does not lie on its line, or is tied to a node that is not defined or
+  /// is tied itself.
   std::map<int, InpTie> ties(const std::map<int, Eigen::Vector3d>& nodes) const;
-  /// Returns the nodes at means of others; throws InputError as ties() does.
+  /// Returns the ties to means by the number of the tied node. Throws InputError for the same
+  /// reasons as ties().
   std::map<int, InpMean> means(const std::map<int, Eigen::Vector3d>& nodes) const;
 
  private:

@@ -11,9 +11,10 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLongestField = 20;  // characters of a field that CalculiX reads
+constexpr std::size_t kLongestField = 20;  // characters; CalculiX reads no longer field
 
-/// Returns as many digits as reading the number back exactly needs, if a field has the room.
+/// Returns the number with as many digits as are needed to read it back exactly, as far as the
+/// field has room.
 std::string field_text(double value) {
   std::string text = fmt::format("{}", value);
   for (int digits = 16; text.size() > kLongestField; --digits)
@@ -21,7 +22,7 @@ std::string field_text(double value) {
   return text;
 }
 
-/// Returns a data line with other numbers in these fields; blanks around them stay.
+/// Returns a data line in which the given fields have other numbers; blanks around the fields stay.
 std::string with_fields(std::string_view line, const std::map<std::size_t, double>& changes) {
   std::string result;
   std::size_t field = 0;
@@ -62,7 +63,7 @@ InpUnits units_by_size(const InpDeck& deck) {
 
 std::string with_numbers_of(const InpDeck& deck, std::string_view text) {
   const InpDeck before = parse_inp(text, deck.file);
-  std::map<int, std::map<std::size_t, double>> changes;  // keys are line and field
+  std::map<int, std::map<std::size_t, double>> changes;  // new numbers by line, then by field
   for (std::size_t i = 0; i < before.numbers.size(); ++i) {
     const double value = deck.numbers.at(i).value;
     if (value == before.numbers[i].value) continue;

@@ -12,15 +12,16 @@
 namespace latsch::formats {
 namespace {
 
-/// An option with the values that mean the supported model, and the meaning of others.
+/// An option of a card: the values with which the model is supported, and what other values mean.
 struct Limited {
   std::vector<std::string> values;
   const char* otherwise;
 };
 
 struct CardOptions {
-  std::vector<std::string> read;  // options read by the reader of the card
-  std::vector<std::string> idle;  // options of solution or naming, which do not change the model
+  std::vector<std::string> read;  // options that the reader of the card uses
+  // options of the solution method or of naming, which do not change the model
+  std::vector<std::string> idle;
   std::map<std::string, Limited> limited;
 };
 
@@ -36,7 +37,7 @@ const std::map<std::string, CardOptions>& known_options() {
       {"MATERIAL", {{"NAME"}, {"DESCRIPTION"}, {}}},
       {"HYPERELASTIC",
        {{"NEO HOOKE", "MOONEY-RIVLIN"},
-        // Other laws are refused by name when the law is read.
+        // Other material laws are refused, with their name, when the law is read.
         {"MODULI",
          "OGDEN",
          "YEOH",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Says which options of a card of an .inp deck are read, which have no effect here and which mean
-// another model.
+// Knows for every card of an .inp deck which options are read, which have no effect on the model,
+// and which would mean another model.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace latsch::formats {
 /// method, and options with their default value, are accepted.
 void check_options(const InpCard& card);
 
-/// Returns advice about an unsupported keyword of other decks; "" if there is none.
+/// Returns advice on how to replace an unsupported keyword; "" if there is none.
 std::string way_out(const std::string& keyword);
 
 }  // namespace latsch::formats

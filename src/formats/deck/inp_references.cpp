@@ -32,7 +32,8 @@ void check_rebars(const InpDeck& deck) {
   }
 }
 
-/// Names that differ only in characters that a path cannot contain would become the same number.
+/// Names that differ only in characters that a path cannot contain would have the same path, so
+/// they are refused.
 void check_paths(const InpDeck& deck) {
   std::set<std::string> paths;
   for (const InpNumber& number : deck.numbers)

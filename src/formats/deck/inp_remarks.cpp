@@ -14,7 +14,7 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::string_view kBeginning = "** latsch ";
-constexpr int kMostLayerRows = 1000;  // elements through the thickness of a layer
+constexpr int kMostLayerRows = 1000;  // most elements through the thickness of a layer
 
 std::string remark_without_blanks(std::string_view text) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comments of an .inp file that state what the tire has and the language has no card for. Other
-// programs ignore them; `latsch export --ccx` writes them, so that a deck comes back as its tire.
+// Comments of an .inp file that state properties of the tire for which the language has no card.
+// Other programs ignore them; `latsch export --ccx` writes them, so that its decks are read back as
+// the same tire.
 //
-//   ** latsch wall: SET, 8.5, 1         elements that bend as a wall of this thickness (0: as
-//                                       none), in a layer of this number of elements (0: in none)
+//   ** latsch wall: SET, 8.5, 1         these elements form a wall that bends, of this thickness
+//                                       (0: no wall), with this number of elements through the
+//                                       layer (0: no layer)
 //   ** latsch tread: SET                elements whose outer face may touch the ground
-//   ** latsch planes: 0, 2.4, 4.8, ...  angles in degrees from the bottom, one for every sector, by
-//                                       which the standing tire is divided; the next such comment
-//                                       continues the list
+//   ** latsch planes: 0, 2.4, 4.8, ...  angles in degrees from the bottom of the planes between
+//                                       the sectors of the tire on the ground; a further comment
+//                                       of this kind continues the list
 //
-// Set names are those of *ELSET. A number without sense is refused with its line.
+// Set names are those of *ELSET. An invalid number is refused with its line.
 #pragma once
 
 #include <string>
@@ -37,7 +39,8 @@ struct InpRemarks {
   Place planes_place;
 };
 
-/// Throws InputError naming the line of a remark that is malformed.
+/// Returns the statements of these comments in the text. Throws InputError, with the line, for a
+/// malformed one.
 InpRemarks stated_remarks(std::string_view text, const std::string& file_name);
 
 }  // namespace latsch::formats

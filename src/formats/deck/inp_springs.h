@@ -23,7 +23,7 @@ class InpSprings {
   static bool is_one(const std::string& element_type) {
     return element_type == "SPRINGA" || element_type == "MASS";
   }
-  /// Reads elements of such a type.
+  /// Reads a card *ELEMENT of type SPRINGA or MASS.
   void add_elements(const InpCard& card);
   void add_law(const InpCard& card);
   void add_mass(const InpCard& card);

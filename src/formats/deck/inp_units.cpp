@@ -26,7 +26,7 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-/// Reads the three units behind the colon.
+/// Reads the units of length, force and mass after the colon.
 InpUnits parse_units(std::string_view text, const Place& place) {
   constexpr const char* kSi[3] = {"m", "N", "kg"};
   InpUnits units;

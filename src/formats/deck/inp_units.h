@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The units of an .inp file. The language has none: a file is consistent in units of its own, which
-// only its author knows.
+// The units of an .inp file. The language has no units: the numbers of a file are consistent in a
+// unit system that only its author knows.
 //
-// A comment, which other programs ignore, may state them:
+// A comment, which other programs ignore, may state it:
 //   ** units: mm, N, tonne                 of length, force, mass
 // Without such a comment the size of the tire decides: a radius of 0.1 to 2 is in meters (m, N,
 // kg), one of 100 to 2000 in millimeters (mm, N, tonne).
@@ -14,7 +14,8 @@
 
 namespace latsch::formats {
 
-/// SI values of one unit of the file. Decks of tires are usually in mm, N, tonne, s.
+/// SI values of the units of the file. The defaults, mm, N, tonne and s, are usual for decks of
+/// tires.
 struct InpUnits {
   double length = 1e-3;  // m
   double force = 1.0;    // N
@@ -22,12 +23,12 @@ struct InpUnits {
   bool operator==(const InpUnits&) const = default;
 };
 
-/// Quantity of a number of a deck.
+/// Kind of quantity of a number in a deck.
 enum class InpQuantity { ratio, stress, compliance, density, length, area, angle };
 
-/// Returns one unit of the file in unit_of().
+/// Returns the value of one unit of the file, in the unit of unit_of().
 double factor_of(InpQuantity quantity, const InpUnits& units);
-/// Returns "Pa", "1/Pa", "deg", ...
+/// Returns the unit that users see for the quantity: "Pa", "1/Pa", "deg", ...
 const char* unit_of(InpQuantity quantity);
 /// Converts a number of the file to SI: an angle to rad.
 double to_si(double value, InpQuantity quantity, const InpUnits& units);
@@ -36,10 +37,10 @@ double from_si(double value, InpQuantity quantity, const InpUnits& units);
 
 /// Returns the units that a comment of the file states. Throws InputError if they are invalid.
 std::optional<InpUnits> stated_units(std::string_view text, const std::string& file_name);
-/// Returns the units of a tire whose outermost node has that distance from the axis, in units of
-/// the file.
+/// Returns the units of a tire whose outermost node has the distance `radius`, in units of the
+/// file, from the axis; nullopt if no unit gives the size of a tire.
 std::optional<InpUnits> units_of_size(double radius);
-/// Returns "mm, N, tonne".
+/// Returns the units as text, such as "mm, N, tonne".
 std::string in_words(const InpUnits& units);
 
 }  // namespace latsch::formats

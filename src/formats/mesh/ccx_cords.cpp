@@ -17,14 +17,14 @@ using Corners = Eigen::Matrix<double, 3, 8>;
 
 constexpr double kXi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, kEta[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
                  kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
-/// Gauss point of two.
+/// Coordinate of the Gauss points of the two-point rule.
 constexpr double kGauss = 0.5773502691896257;
 /// Half the length of a spring in the local coordinate along which it is longer. Any value gives
-/// the same stretch; this one places the masses at the Gauss points of two.
+/// the same stretch; with this one the masses are at the points of the two-point Gauss rule.
 constexpr double kHalfLength = kGauss;
 
-/// Strains between which the force is interpolated, mirrored to compression. Linear interpolation
-/// misses the force by less than 0.1 % of a force at these distances.
+/// Strains at which the force is tabulated, in tension and compression. Linear interpolation
+/// between them has an error below 0.1 % of the force.
 constexpr double kStrains[] = {0.0,  5e-5,  1e-4, 2e-4, 4e-4, 7e-4, 1e-3,  1.5e-3,
                                2e-3, 3e-3,  4e-3, 6e-3, 8e-3, 0.01, 0.013, 0.016,
                                0.02, 0.025, 0.03, 0.04, 0.05, 0.07, 0.1,   0.2};
@@ -80,7 +80,7 @@ CordSpring::End end_at(const Element& element, const Corners& X, const Eigen::Ve
     weight[a] = 0.125 * (1.0 + kXi[a] * at[0]) * (1.0 + kEta[a] * at[1]) * (1.0 + kZeta[a] * at[2]);
     end.x += weight[a] * X.col(a);
   }
-  if (element.tie.eta != 0)  // corners on the line between two nodes
+  if (element.tie.eta != 0)  // the corners on this side lie on the line between two nodes
     for (const auto& [lower, upper] : element.tie.pairs()) {
       const double up = weight[lower] * element.tie.lower + weight[upper] * element.tie.upper;
       weight[lower] += weight[upper] - up;

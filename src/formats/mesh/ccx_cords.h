@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cords of a tire for CalculiX, which has no rebars: a spring for every layer in an element.
+// Cords of a tire for CalculiX, which has no rebars: every layer in an element becomes one spring.
 //
-// The spring leads along the cords through the middle of the layer's surface in the element. Linear
-// equations tie its ends to the corners of the element, so it has no freedom of its own. The
+// The spring runs along the cords through the middle of the layer's surface in the element. Linear
+// equations tie its ends to the corners of the element, so it adds no degrees of freedom. The
 // surface is bilinear, x = x_0 + xi x_1 + eta x_2 + xi eta x_12, and both ends differ from the
-// middle by the same amounts, so the spring's stretch is that of a cord at the middle, whatever the
-// spring's length. Its cross section is the layer's volume over the length: the layer has one
-// integration point. Four points lock (hex8_rebar.cpp, terms 2 to 4): the inflated 205/55R16 grows
-// by 0.8 to 1.1 mm with them in place of 1.4 mm. Two points, side by side, buckle in compression.
-// One point resists no motion of neighboring sectors against each other, which only the rubber
-// does: such modes of the deck alone lie above first_loose_mode().
+// middle by the same amounts, so the stretch of the spring is that of a cord at the middle,
+// whatever the length of the spring. Its cross section is the volume of the layer over the length:
+// the layer has one integration point. Four points lock (hex8_rebar.cpp, terms 2 to 4): the
+// inflated 205/55R16 grows by 0.8 to 1.1 mm with them instead of 1.4 mm. Two points, side by side,
+// buckle in compression. One point does not resist motions of neighboring sectors against each
+// other, which only the rubber resists; such spurious modes of the deck lie above
+// first_loose_mode().
 //
 // The force is that of cord_law.h, with both moduli and the pretension. Half of the layer's mass is
 // at either end. inp_cords.h reads these cards back.
@@ -28,26 +29,26 @@ namespace latsch::formats {
 
 /// The surface of a layer in an element, x = X0 + xi X1 + eta X2 + xi eta X12, m.
 struct CordSurface {
-  /// Takes the element's corners in the order of Element::node, in a frame whose y axis is the spin
-  /// axis.
+  /// Creates the surface at the local coordinate `zeta` of an element. X has the element's corners
+  /// in the order of Element::node, in a frame whose y axis is the spin axis.
   CordSurface(const Eigen::Matrix<double, 3, 8>& X, double zeta);
 
   double area() const;
-  /// Columns: tangents along xi and eta at the middle.
+  /// Returns the tangents along xi and eta at the middle, as columns.
   Eigen::Matrix<double, 3, 2> tangents() const;
-  /// Columns: unit vectors in the surface at the middle, along the circumference toward increasing
-  /// theta, and the outward normal's product with it.
+  /// Returns two unit vectors in the surface at the middle, as columns: along the circumference
+  /// toward increasing theta, and the cross product of the outward normal with it.
   Eigen::Matrix<double, 3, 2> axes() const;
-  /// Returns the direction of a cord at the middle in xi and eta; the larger component is of size
-  /// 1.
+  /// Returns the direction of a cord at the middle in xi and eta, scaled so that the larger
+  /// component has the magnitude 1.
   Eigen::Vector2d cord(double angle) const;
 
   Eigen::Vector3d X0, X1, X2, X12;
 };
 
 struct CordSpring {
-  /// An end, as the mean of nodes with weights that add up to one. Numbers from nodes_per_sector on
-  /// belong to the next sector.
+  /// An end of a spring, as the mean of nodes with weights that add up to one. Node numbers from
+  /// nodes_per_sector on belong to the next sector.
   struct End {
     Eigen::Vector3d x;  // m, sector frame
     std::map<int, double> weights;
@@ -62,14 +63,15 @@ std::vector<CordSpring> cord_springs(const fe_tire::Mesh& mesh,
                                      const fe_tire::Materials& materials,
                                      int sector);
 
-/// Returns points of force, N, over elongation, m, between which CalculiX interpolates linearly.
+/// Returns the force law of a spring as points (elongation and force, m and N), between which
+/// CalculiX interpolates linearly.
 std::vector<std::pair<double, double>> force_law(const fe_tire::CordLayer& layer,
                                                  const CordSpring& spring);
 
-/// Returns a frequency, Hz, from which on modes may be those of neighboring sectors moving against
-/// each other, by the widest sector of the deck: the least of three measurements on the 205/55R16,
-/// 31 Hz with 16 and 74 Hz with 40 equal sectors, 43.9 Hz with 40 of at most 13.1 degrees. Other
-/// tires are not measured.
+/// Returns a frequency, Hz, above which modes of the deck may be spurious motions of neighboring
+/// sectors against each other. It depends on the widest sector and is the least of three
+/// measurements on the 205/55R16: 31 Hz with 16 and 74 Hz with 40 equal sectors, 43.9 Hz with 40
+/// sectors of at most 13.1 degrees. Other tires were not measured.
 double first_loose_mode(const fe_tire::Mesh& mesh);
 
 }  // namespace latsch::formats

@@ -73,7 +73,7 @@ class DeckWriter {
   int tied_number(int plane, int corner) const {
     return 1 + mesh_.nodes() + plane % mesh_.sectors * tied() + corner;
   }
-  /// Node number of a corner of an element of the sector.
+  /// Returns the node number of a corner of the sector's element.
   int corner_number(int sector, int corner) const {
     const int n = mesh_.nodes_per_sector(), plane = sector + corner / (n + tied());
     const int own = corner % (n + tied());
@@ -104,7 +104,8 @@ class DeckWriter {
         node(++number, {sx * x, sy * y, z});
   }
 
-  /// Axes of the deck: x forward, y up, z = -y of the wheel frame along the spin axis.
+  /// Writes a node. Axes of the deck: x forward, y up, and z = -y of the wheel frame along the spin
+  /// axis.
   void node(int number, const Eigen::Vector3d& x) {
     const Eigen::Vector3d mm = kMillimeters * x;
     print("{},{:.12g},{:.12g},{:.12g}\n", number, mm.x(), mm.z(), -mm.y());
@@ -128,8 +129,8 @@ class DeckWriter {
     return run_.element == fe_tire::ElementKind::full_integration ? "C3D8" : "C3D8I";
   }
 
-  /// Writes the cords: two nodes a spring and their ties to the element, a mass at each. Sectors of
-  /// one width have the same springs.
+  /// Writes the cords: two nodes for each spring, their ties to the element, and a mass at each
+  /// node. Sectors of equal width have equal springs.
   void cords() {
     std::vector<bool> written(mesh_.sectors, false);
     int node = tire_nodes() + kGroundNodes + 1, element = ground_element() + 1, group = 0;
@@ -183,7 +184,7 @@ class DeckWriter {
     }
   }
 
-  /// Corners between two nodes stay on the straight line between these.
+  /// Writes the equations of corners that lie on the straight line between two nodes.
   void ties() {
     for (int s = 0; s < mesh_.sectors; ++s)
       for (int i = 0; i < tied(); ++i) {
@@ -219,7 +220,8 @@ class DeckWriter {
       element_set("TREAD", [this](int s, const Element& e) { return e.tread && lower_half(s); });
   }
 
-  /// Writes what CalculiX has no card for, so that Latsch reads the deck as this tire.
+  /// Writes the comments for properties that CalculiX has no card for, so that Latsch reads the
+  /// deck as the same tire.
   void remarks() {
     const double kDegrees = 180.0 / std::numbers::pi;
     element_set("TREADS", [](int, const Element& e) { return e.tread; });
@@ -246,7 +248,8 @@ class DeckWriter {
             i % 4 == 3 || i + 1 == planes_.size() ? "\n" : "");
   }
 
-  /// True for sectors that can touch the ground; leaving out the others halves CalculiX's search.
+  /// True for sectors that can touch the ground. Without the others CalculiX needs half the time to
+  /// search for contact.
   bool lower_half(int sector) const {
     return mesh_.sectors == 1 || std::cos(mesh_.angle(sector)) > 0.0 ||
            std::cos(mesh_.angle(sector + 1)) > 0.0;
@@ -305,7 +308,8 @@ class DeckWriter {
     return false;
   }
 
-  /// Upper triangle column by column in CalculiX's order 11 22 33 12 13 23.
+  /// Writes the upper triangle of the elasticity matrix column by column in CalculiX' order 11 22
+  /// 33 12 13 23.
   bool write_law(const fe_tire::StVenantKirchhoff& law) {
     print("*ELASTIC,TYPE=ANISO\n");
     int count = 0;

@@ -23,7 +23,8 @@ std::optional<std::vector<double>> numbers(const std::string& line) {
   return values;
 }
 
-/// Returns "RIM" from " total force (fx,fy,fz) for set RIM and time  0.1E+01".
+/// Returns the set's name from a title: "RIM" from " total force (fx,fy,fz) for set RIM and time
+/// 0.1E+01".
 std::string set_name(const std::string& title) {
   const auto from = title.find("for set ") + 8, to = title.find(" and time", from);
   return title.substr(from, to - from);
@@ -60,7 +61,7 @@ CcxResults parse_ccx_results(std::string_view text, const std::string& file_name
       continue;
     }
     const auto row = numbers(line);
-    if (!row) {  // column heads may precede the first row; any other text ends the table
+    if (!row) {  // column heads may precede the first row; later any other text ends the table
       if (rows > 0 && line.find_first_not_of(" \t\r") != std::string::npos) table = Table::none;
       continue;
     }

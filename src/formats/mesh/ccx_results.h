@@ -11,11 +11,11 @@
 
 namespace latsch::formats {
 
-/// Results in the units and frame of the deck (mm, N, tonne, s). Forces and displacements are those
-/// of the first time they were printed: later ones belong to the modes.
+/// Results in the units and the frame of the deck (mm, N, tonne, s). Forces and displacements are
+/// the first ones in the file, because later ones belong to modes.
 struct CcxResults {
-  std::map<std::string, Eigen::Vector3d> total_force;  // keys are node sets
-  std::map<int, Eigen::Vector3d> displacement;         // keys are nodes
+  std::map<std::string, Eigen::Vector3d> total_force;  // keys: names of node sets
+  std::map<int, Eigen::Vector3d> displacement;         // keys: node numbers
   std::vector<double> frequencies;                     // ascending, Hz
 };
 

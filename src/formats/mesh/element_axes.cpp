@@ -42,7 +42,7 @@ class Aligner {
   std::optional<LocalDirection> zeta(int e) const { return zeta_[e]; }
   int buried() const { return buried_; }
 
-  /// Direction of an element nearest to increasing angle.
+  /// Returns the local direction of element e that is nearest to the circumferential direction.
   LocalDirection xi(int e) const {
     const Hex x = coordinates(e);
     const Eigen::Vector3d middle = x.rowwise().mean();
@@ -87,8 +87,8 @@ class Aligner {
     stacks_.push_back(e);
   }
 
-  /// Continues to the element behind the face in an outward direction, if the direction is along
-  /// zeta.
+  /// Continues to the element beyond the face in the direction `outward`, if that direction is
+  /// along zeta.
   void spread_through(int e, LocalDirection outward) {
     for (const Face& other : faces_.at(face_key(e, outward)))
       if (other.element != e)
@@ -105,7 +105,8 @@ class Aligner {
       }
   }
 
-  /// Direction of an element nearest to a vector, except the axis through the shared face.
+  /// Returns the local direction of an element that is nearest to the vector `along`, other than
+  /// the axis through the shared face.
   LocalDirection nearest(const Face& shared, const Eigen::Vector3d& along) const {
     const Hex x = coordinates(shared.element);
     LocalDirection best;

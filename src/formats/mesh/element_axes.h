@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives the elements of a foreign mesh the local axes of models/fe_tire/element/mesh.h.
-//
-// zeta starts at faces known to be inner (pressure) or outer (contact), continues through opposite
-// faces to the elements stacked there, and from stack to stack sideways. xi is the axis nearest to
-// the circumference.
+// Gives the elements of a foreign mesh the local axes of models/fe_tire/element/mesh.h. The axis
+// zeta is first determined at faces known to be inner (pressure) or outer (contact). From there it
+// continues through opposite faces to the elements stacked on them, and from stack to stack
+// sideways. xi is the axis nearest to the circumferential direction.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,20 +12,23 @@
 
 namespace latsch::formats {
 
-/// A face whose side is known.
+/// A face that is known to be an inner or an outer face of the tire.
 struct KnownFace {
   int element = 0;
   LocalDirection outward;  // outward direction of the face
   bool inner = false;      // false: outer face
 };
 
-/// Result of the alignment.
+/// Result of align_elements().
 struct Alignment {
-  std::vector<char> reached;  // elements reached from a known face; the others keep their numbering
-  int buried = -1;            // an element with a known face against another element; -1: none
+  /// true for elements connected with a known face; the others keep their numbering
+  std::vector<char> reached;
+  /// an element whose known face lies against another element, which is an error; -1: none
+  int buried = -1;
 };
 
-/// Renumbers the elements in place; X is in the tire's frame, spin axis y.
+/// Renumbers the nodes of the elements in place. X has the node positions in the tire's frame, with
+/// spin axis y.
 Alignment align_elements(const Eigen::Matrix3Xd& X,
                          std::vector<HexNodes>& elements,
                          const std::vector<KnownFace>& known);

@@ -22,20 +22,22 @@ struct LocalDirection {
   bool operator==(const LocalDirection&) const = default;
 };
 
-/// Outward direction of face 1 to 6.
+/// Returns the outward direction of the face with number 1 to 6.
 LocalDirection face_direction(int face);
 
-/// The four node positions (0 to 7) of the face in an outward direction.
+/// Returns the positions (0 to 7) in the element of the four nodes of a face, given by its outward
+/// direction.
 std::array<int, 4> face_corners(LocalDirection outward);
 
-/// Vector from the middle of the opposite face to the middle of the face.
+/// Returns the vector from the middle of the opposite face to the middle of the face.
 Eigen::Vector3d span(const Hex& X, LocalDirection direction);
 
-/// Least volume spanned by the three edges at a corner; not positive if the element is inverted.
+/// Returns the least volume spanned by the three edges at a corner; it is not positive if the
+/// element is inverted.
 double smallest_corner_volume(const Hex& X);
 
-/// Returns for each node of an element with local axes xi, eta (right-handed) and zeta its position
-/// in the present numbering. xi and zeta belong to different axes.
+/// Returns the renumbering that gives an element the local axes xi, eta (right-handed) and zeta:
+/// for each node its position in the present numbering. xi and zeta must belong to different axes.
 std::array<int, 8> renumbering(LocalDirection xi, LocalDirection zeta);
 
 }  // namespace latsch::formats

@@ -9,8 +9,8 @@
 namespace latsch::formats {
 namespace {
 
-// CalculiX CrunchiX USER'S MANUAL 2.20, eight-node brick element: face 1: 1-2-3-4, face 2: 5-8-7-6,
-// face 3: 1-5-6-2, face 4: 2-6-7-3, face 5: 3-7-8-4, face 6: 4-8-5-1.
+// Faces of the eight-node brick element in the CalculiX CrunchiX user's manual 2.20: face 1:
+// 1-2-3-4, face 2: 5-8-7-6, face 3: 1-5-6-2, face 4: 2-6-7-3, face 5: 3-7-8-4, face 6: 4-8-5-1.
 TEST(Hexahedron, FacesAreThoseOfCalculix) {
   const std::set<int> expected[6] = {
       {0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};

@@ -20,12 +20,14 @@ using fe_tire::CordLayer;
 
 constexpr double kThickness = 1e-3;  // m, of every layer
 constexpr double kSameDepth = 1e-4;
-/// Relative difference up to which two layers are the same one.
+/// Relative difference up to which two springs belong to the same layer.
 constexpr double kSameLayer = 1e-5;
-/// Share of the largest force: a spring that deviates more has another law than cords.
+/// Share of the largest force: if the law of a spring deviates more from the law of cords, it is no
+/// cord.
 constexpr double kSameForce = 1e-3;
 
-/// A layer in an element: its position, and its moduli and density for the thickness kThickness.
+/// A layer in an element: its position in depth, and its cords with moduli and density for the
+/// thickness kThickness.
 struct Part {
   double depth = 0.0;
   CordLayer cords;
@@ -59,7 +61,7 @@ class CordPlacer {
     return X;
   }
 
-  /// Elements whose corners carry both ends of the spring.
+  /// Returns the elements whose corners carry both ends of the spring.
   std::set<int> candidates(const InpSpring& spring) const {
     std::set<int> all;
     bool first = true;
@@ -92,7 +94,8 @@ class CordPlacer {
         return at.cwiseAbs().maxCoeff() < 1.0 + kSameDepth;
       };
       if (!first || !second || !inside(*first) || !inside(*second)) continue;
-      if (host >= 0 && first->z() < a.z()) continue;  // the inner one of two hosts
+      // if two elements may be the host, the inner one is chosen
+      if (host >= 0 && first->z() < a.z()) continue;
       host = e;
       a = *first;
       b = *second;
@@ -106,17 +109,19 @@ class CordPlacer {
     const Eigen::Vector2d d = surface.axes().transpose() * along;
     part.cords = law_of(spring, (to - from).norm(), surface.area());
     part.cords.angle = std::atan2(d[1], d[0]);
-    // A cord has no sense: angles are above -90 and up to 90 degrees.
+    // Angles of cords that differ by 180 degrees are equal; they are stored above -90 and up to 90
+    // degrees.
     const double half = 0.5 * std::numbers::pi;
     if (part.cords.angle > half + kSameDepth) part.cords.angle -= 2.0 * half;
     if (part.cords.angle <= -half + kSameDepth) part.cords.angle += 2.0 * half;
     return {host, part};
   }
 
-  /// Moduli times the layer's thickness over kThickness, so that the layer has that thickness.
+  /// Returns the cord law whose moduli are scaled so that the layer has the thickness kThickness.
   CordLayer law_of(const InpSpring& spring, double length, double surface) const {
     const double force = deck_.units.force, meter = deck_.units.length;
-    // Stress and strain of a cord whose cross section times length is kThickness times the surface.
+    // The cross section of the cord times its length is kThickness times the area of the layer's
+    // surface.
     const double area = kThickness * surface / length;
     std::vector<double> e, S;
     for (const InpSpring::Point& point : spring.law) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the cords that ccx_cords.h writes as springs, and makes layers of rebars of them again.
+// Recognizes the springs by which ccx_cords.h writes cords, and converts them to layers of rebars
+// again.
 //
 // The ends of a spring are means of the corners of one element; their local coordinates give the
 // depth and the angle of the layer, and the law of the spring (cord_law.h) gives its moduli and its
-// pretension. A deck states only the product of modulus and thickness, so every layer has a
-// thickness of one millimeter. Springs of another law or across elements are refused.
+// pretension. A deck states only the product of modulus and thickness, so every layer gets a
+// thickness of one millimeter. Springs with another law, or between two elements, are refused.
 #pragma once
 
 #include <functional>
@@ -16,9 +17,9 @@
 
 namespace latsch::formats {
 
-/// Adds the layers to `placed`. `place` returns a node of the deck in the frame of the hosts;
-/// `line` the two nodes (indices) that carry a corner of a host, twice the corner if it is a node
-/// itself.
+/// Adds the layers to `placed`. The function `place` returns the position of a deck's node in the
+/// frame of the hosts. The function `line` returns the two nodes (indices) that carry a corner of a
+/// host; both are the corner itself if it is a node.
 void place_cords(const InpDeck& deck,
                  const InpHosts& hosts,
                  const std::function<Eigen::Vector3d(int node)>& place,

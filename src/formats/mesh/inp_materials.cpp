@@ -28,8 +28,8 @@ Matrix6 isotropic(double E, double nu) {
   return fe_tire::StVenantKirchhoff::isotropic(G, lambda).D;
 }
 
-/// Converts the upper triangle column by column, 11 22 33 12 13 23 (CalculiX, Abaqus), to 11 22 33
-/// 12 23 13.
+/// Converts the upper triangle of an elasticity matrix, column by column, from the order 11, 22,
+/// 33, 12, 13, 23 (CalculiX, Abaqus) to 11, 22, 33, 12, 23, 13.
 Matrix6 anisotropic(const std::vector<double>& c) {
   Matrix6 D;
   int next = 0;
@@ -47,7 +47,8 @@ Matrix6 orthotropic(const std::vector<double>& c) {
       {c[0], c[1], c[2], c[3], c[4], c[5], 0, 0, 0, c[6], 0, 0, 0, 0, c[7], 0, 0, 0, 0, 0, c[8]});
 }
 
-/// Reads E1 E2 E3 nu12 nu13 nu23 G12 G13 G23, with strain_22 = -nu12 / E1 stress_11.
+/// Returns the elasticity matrix for E1 E2 E3 nu12 nu13 nu23 G12 G13 G23, where strain_22 = -nu12 /
+/// E1 stress_11.
 Matrix6 engineering(const std::vector<double>& c) {
   Eigen::Matrix3d compliance;
   compliance << 1.0 / c[0], -c[3] / c[0], -c[4] / c[0],  //
@@ -59,7 +60,7 @@ Matrix6 engineering(const std::vector<double>& c) {
   return D;
 }
 
-/// Rotates the axes of a material: D'_ijkl = R_ip R_jq R_kr R_ls D_pqrs.
+/// Rotates the elasticity tensor of a material: D'_ijkl = R_ip R_jq R_kr R_ls D_pqrs.
 Matrix6 turned(const Matrix6& D, const Eigen::Matrix3d& R) {
   using namespace fe_tire::voigt;
   Matrix6 T;  // S' = T S

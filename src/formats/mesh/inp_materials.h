@@ -21,8 +21,9 @@ fe_tire::Solid solid_from(const InpDeck& deck,
                           const InpMaterial& material,
                           const InpOrientation* orientation);
 
-/// `sign` is -1 if the normal of the surface elements points inward, because the angle is counted
-/// about it. Throws InputError for a rebar that is not linear elastic or has no size.
+/// Returns the layer of cords. `sign` is -1 if the normal of the surface elements points inward,
+/// because the angle is counted about that normal. Throws InputError for a rebar that is not linear
+/// elastic or has no cross section.
 fe_tire::CordLayer layer_from(const InpDeck& deck, const InpRebars& rebars, int sign);
 
 }  // namespace latsch::formats

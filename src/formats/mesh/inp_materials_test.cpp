@@ -12,7 +12,8 @@ namespace {
 
 using fe_tire::Matrix6;
 
-/// Stiffness of a material M with this law in an orientation rotated about an axis (0: none).
+/// Returns the stiffness matrix of a material with this law in an orientation rotated about an axis
+/// (0: no rotation).
 Matrix6 stiffness_of(const std::string& law, int axis = 0, double angle = 0.0) {
   const std::string turned = axis == 0 ? "" : fmt::format("{},{}\n", axis, angle);
   const InpDeck deck = parse_inp("** units: m, N, kg\n*MATERIAL,NAME=M\n" + law +
@@ -39,19 +40,19 @@ TEST(InpMaterials, IsotropicConstantsAreTheSameInEveryForm) {
              D)
                 .norm(),
             1e-12 * D.norm());
-  // An isotropic law does not change by rotation.
+  // Rotation does not change an isotropic law.
   EXPECT_LT((stiffness_of(engineering(E, E, nu, G), 2, 33.0) - D).norm(), 1e-12 * D.norm());
 }
 
-// Modulus of a lamina at an angle to its fibers [Jones, Mechanics of Composite Materials, 2nd ed.
-// 1999, eq. 2.97]:
+// The expected modulus of a lamina at an angle to its fibers is that of [Jones, Mechanics of
+// Composite Materials, 2nd ed. 1999, eq. 2.97]:
 //   1/E_x = cos^4/E1 + (1/G12 - 2 nu12/E1) sin^2 cos^2 + sin^4/E2
 TEST(InpMaterials, ALaminaTurnedByAnAngleHasTheModulusOfTheBooks) {
   const double E1 = 2e9, E2 = 1e7, nu = 0.3, G = 4e6, angle = 24.0;
   const double c = std::cos(angle * M_PI / 180.0), s = std::sin(angle * M_PI / 180.0);
   const double expected =
       1.0 / (std::pow(c, 4) / E1 + (1.0 / G - 2.0 * nu / E1) * s * s * c * c + std::pow(s, 4) / E2);
-  // The fibers are along axis 1, radial; rotated about axis 3 they turn toward axis 2.
+  // The fibers are along axis 1, the radial one; a rotation about axis 3 turns them toward axis 2.
   const Matrix6 compliance = stiffness_of(engineering(E1, E2, nu, G), 3, angle).inverse();
   EXPECT_NEAR(1.0 / compliance(0, 0), expected, 1e-9 * expected);
   // Radial stress shears the lamina in the plane of the rotation: fibers lean toward +2 and tension

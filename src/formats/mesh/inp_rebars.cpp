@@ -13,8 +13,9 @@
 namespace latsch::formats {
 namespace {
 
-/// Tolerance for the distance of a surface element's corner from the side of its host and from
-/// constant depth, as a share of half the host's size. A larger value accepts more skewed layers.
+/// Tolerance for the distance between a corner of a surface element and the side of its host, and
+/// for the deviation from constant depth, as a share of half the host's size. A larger value
+/// accepts more skewed layers.
 constexpr double kOffSide = 0.02;
 constexpr double kXi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, kEta[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
                  kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
@@ -118,7 +119,7 @@ class Placer {
                                    rebars.name));
   }
 
-  /// Elements that may contain the surface element, ascending.
+  /// Returns the elements that may contain the surface element, in ascending order.
   std::vector<int> candidates(const InpSurfaceElement& element, const Eigen::Vector3d& middle) {
     const bool shares = std::all_of(element.node.begin(), element.node.end(), [&](int node) {
       return hosts_.of_node.count(node) > 0;
@@ -145,8 +146,8 @@ class Placer {
     return entry->second;
   }
 
-  /// Depth of the surface element in element e; none if it does not extend from side to side at
-  /// constant depth.
+  /// Returns the depth of the surface element in element e; nothing if the surface element does not
+  /// extend from side to side at constant depth.
   std::optional<double> depth_in(int e, const Eigen::Matrix<double, 3, 4>& x) const {
     const Hex X = corners_of(e);
     double lowest = 2.0, highest = -2.0;
@@ -173,7 +174,8 @@ class Placer {
     double depth = 0.0;
     for (const int e : candidates(element, x.rowwise().mean())) {
       const auto zeta = depth_in(e, x);
-      if (!zeta || (host >= 0 && *zeta <= depth)) continue;  // the inner one of two hosts
+      // if two elements may be the host, the inner one is chosen
+      if (!zeta || (host >= 0 && *zeta <= depth)) continue;
       host = e;
       depth = *zeta;
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the layers of rebars of an .inp file in the solid elements of the tire.
+// Places the rebars of an .inp file as layers in the solid elements of the tire.
 //
-// Abaqus defines cords in surface elements without stiffness of their own, *SURFACE SECTION with
-// *REBAR LAYER below it, which share the nodes of the solids or are an *EMBEDDED ELEMENT in them. A
-// layer of models/fe_tire fills an element from side to side at one depth zeta; so every surface
-// element has to extend from side to side of its host, and anything else is refused. Angles are
-// counted from the circumference, which requires an ORIENTATION about the spin axis, about the
-// normal of the surface element: the order of its nodes determines the normal.
+// Abaqus defines cords in surface elements without own stiffness, by *SURFACE SECTION followed by
+// *REBAR LAYER. These share the nodes of the solids or are an *EMBEDDED ELEMENT in them. A layer of
+// models/fe_tire extends through an element from side to side at one depth zeta; a surface element
+// that does not extend from side to side of its host is refused. Angles are counted from the
+// circumferential direction, which requires an ORIENTATION about the spin axis, and about the
+// normal of the surface element, which the order of its nodes determines.
 #pragma once
 
 #include <functional>
@@ -21,22 +21,22 @@
 
 namespace latsch::formats {
 
-/// A layer of the tire: rebars of the deck (an index), with the sign of their surface's normal, or
-/// cords that the deck has as springs (inp_cords.h).
+/// A layer of the tire. It is either rebars of the deck (an index), with the sign of their
+/// surface's normal, or cords that the deck models as springs (inp_cords.h).
 struct InpLayer {
   int rebars = 0;  // -1: none
   int sign = 1;
-  int cords = -1;  // index in InpPlacedRebars::cords; -1: none
+  int cords = -1;  // index in InpPlacedRebars::cords; -1: no such cords
   bool operator==(const InpLayer&) const = default;
 };
 
 struct InpPlacedRebars {
   std::vector<InpLayer> layers;
   std::vector<fe_tire::CordLayer> cords;
-  std::vector<std::vector<fe_tire::RebarPlacement>> of_element;  // layers of each host
+  std::vector<std::vector<fe_tire::RebarPlacement>> of_element;  // the layers of each host
 };
 
-/// The solids of the tire, with the axes of models/fe_tire/element/mesh.h.
+/// The solid elements of the tire, with the axes of models/fe_tire/element/mesh.h.
 struct InpHosts {
   Eigen::Matrix3Xd X;              // node positions, in any frame and unit
   std::vector<HexNodes> elements;  // indices into X
@@ -44,12 +44,12 @@ struct InpHosts {
   std::map<int, int> of_node;      // column of X by node number of the deck
 };
 
-/// Returns the local coordinates of a point, by Newton's method on the trilinear map; none far
-/// outside.
+/// Returns the local coordinates of a point, by Newton's method on the trilinear map; nothing if
+/// the point is far outside of the element.
 std::optional<Eigen::Vector3d> local_coordinates(const Hex& X, const Eigen::Vector3d& x);
 
-/// `place` returns a node of the deck in the frame of X. Throws InputError naming the surface
-/// element and its fault.
+/// Places the rebars of the deck in the hosts. The function `place` returns the position of a
+/// deck's node in the frame of X. Throws InputError that names the surface element and its error.
 InpPlacedRebars place_rebars(const InpDeck& deck,
                              const InpHosts& hosts,
                              const std::function<Eigen::Vector3d(int node)>& place);

@@ -18,7 +18,8 @@ struct RebarTire {
   Materials materials;
 };
 
-/// Tire B on a coarse mesh with its plies as rebars, limited to the properties of Abaqus' rebars.
+/// Returns tire B on a coarse mesh with its plies as rebars, limited to the properties that rebars
+/// in Abaqus have.
 RebarTire rebar_tire() {
   TireDescription tire = reference_tire_b();
   tire.section.meridional = 9;
@@ -39,8 +40,8 @@ std::string deck_of(const RebarTire& tire) {
   return rebar_deck(tire.mesh, tire.materials, run);
 }
 
-/// Compares thickness position and cord of every layer of an element, for any numbering of the
-/// layers.
+/// Compares the depth and the cord properties of every layer of two elements, whatever the
+/// numbering of the layers.
 void expect_same_cords(const Element& a,
                        const Materials& ma,
                        const Element& b,
@@ -134,7 +135,7 @@ TEST(InpRebars, WhatALayerCannotBeIsRefused) {
        "\"GONE\" is not defined");
   says(complaint("*REBAR LAYER,ORIENTATION=WHEEL\nPLY0,", "*REBAR LAYER,ORIENTATION=WHEEL\nPLY0,-"),
        "expected more than 0");
-  // One node is moved aside.
+  // One node of the surface element is displaced sideways.
   const std::string node = deck.substr(deck.find("\n1000000,"), 12);
   says(complaint(node, "\n1000000,9"), "from side to side");
 }

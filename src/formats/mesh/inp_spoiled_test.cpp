@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading a spoiled deck ends in a deck, a tire or an InputError, never otherwise, and never
-// slowly.
+// Reading a damaged deck must give a deck, a tire or an InputError, nothing else, and never take
+// long.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::string small_deck() {
   return out.str();
 }
 
-/// The small deck with its cords as layers of rebars in embedded surface elements.
+/// Returns the small deck with its cords as layers of rebars in embedded surface elements.
 std::string rebar_deck() {
   fe_tire::TireDescription tire = fe_tire::reference_tire_b();
   tire.section.meridional = 5;
@@ -40,7 +40,8 @@ std::string rebar_deck() {
   return rebar_deck(build_mesh(tire), materials, run);
 }
 
-/// True if the text is still a tire; if it is written back unchanged, the text is the same.
+/// True if the text is still a tire. Checks that writing it back without changes gives the same
+/// text.
 bool read(const std::string& text) {
   try {
     const InpDeck deck = parse_inp(text, "spoiled.inp");
@@ -69,7 +70,7 @@ void spoil(const std::string& deck, int decks) {
     RandomStream random(1, i);
     tires += read(spoiled(deck, pieces, random));
   }
-  EXPECT_GT(tires, 0);      // some changes do no harm
+  EXPECT_GT(tires, 0);      // some changes leave a valid tire
   EXPECT_LT(tires, decks);  // most do
 }
 
@@ -77,7 +78,7 @@ TEST(InpSpoiled, BytesChangedLinesMovedOrCutAway) { spoil(small_deck(), 2000); }
 
 TEST(InpSpoiled, TheSameOfLayersOfRebars) { spoil(rebar_deck(), 1000); }
 
-// A deck that ends anywhere before the steps is no tire, because every card of the model is needed.
+// A deck that ends before its steps is no tire, because every card of the model is needed.
 TEST(InpSpoiled, ATruncatedDeckIsNoTire) {
   for (const std::string& deck : {small_deck(), rebar_deck()}) {
     const std::size_t steps = deck.find("*STEP");

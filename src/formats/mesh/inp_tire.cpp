@@ -48,7 +48,7 @@ class TireReader {
   }
 
  private:
-  /// Collects the fixed directions of every supported node as bits.
+  /// Collects for every supported node which directions are fixed, as bits.
   void take_held() {
     const auto take = [&](const InpSupport& support) {
       for (int node : support.nodes) {
@@ -62,8 +62,8 @@ class TireReader {
       for (const InpSupport& support : step.supports) take(support);
   }
 
-  /// The ground is every body with a master surface; a body whose nodes are all fixed is no part of
-  /// the tire either.
+  /// Finds the elements of the ground, which are no part of the tire: every body with a master
+  /// surface, and every body whose nodes are all fixed.
   void separate_ground() {
     std::map<int, std::vector<int>> elements_at;
     for (const auto& [number, element] : deck_.elements)
@@ -116,13 +116,15 @@ class TireReader {
     down -= down.dot(axis) * axis;
     if (down.norm() < 1e-9) down = axis.unitOrthogonal();
     down.normalize();
-    // axial = radial x circumferential points along -y of the wheel frame.
+    // The cross product of radial and circumferential direction, the axial direction, points along
+    // -y of the wheel frame.
     R_.row(1) = -axis.transpose();
     R_.row(2) = -down.transpose();
     R_.row(0) = (-axis).cross(-down).transpose();
   }
 
-  /// Middle of the master faces, in the file's frame; a point below the axis if there is no ground.
+  /// Returns the middle of the contact's master faces in the file's frame; a point below the axis
+  /// if there is no ground.
   Eigen::Vector3d ground_point() const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     int count = 0;
@@ -183,7 +185,7 @@ class TireReader {
   void take_ties() {
     for (const auto& [number, tie] : deck_.ties) {
       const auto node = node_index_.find(number);
-      if (node == node_index_.end()) continue;  // belongs to no element of the tire
+      if (node == node_index_.end()) continue;  // the node belongs to no element of the tire
       const auto lower = node_index_.find(tie.lower), upper = node_index_.find(tie.upper);
       if (lower == node_index_.end() || upper == node_index_.end())
         throw InputError(
@@ -202,7 +204,7 @@ class TireReader {
       const InpSolid solid{material.name, has_directions(material) ? section.orientation : ""};
       for (int number : deck_.element_sets.at(section.elset)) {
         const auto element = element_index_.find(number);
-        if (element == element_index_.end()) continue;  // belongs to the ground
+        if (element == element_index_.end()) continue;  // the element belongs to the ground
         auto at = std::find(tire_.solids.begin(), tire_.solids.end(), solid);
         if (at == tire_.solids.end()) {
           tire_.mesh.region_names.push_back(material.name);
@@ -274,7 +276,8 @@ class TireReader {
     }
   }
 
-  using FaceSet = std::map<int, std::set<std::set<int>>>;  // element -> faces as sets of nodes
+  // faces as sets of nodes, for each element
+  using FaceSet = std::map<int, std::set<std::set<int>>>;
 
   FaceSet corner_sets(const std::vector<KnownFace>& known) const {
     FaceSet sets;
@@ -319,7 +322,7 @@ class TireReader {
     tire_.cords = placed_.cords;
   }
 
-  /// Walls and tread that the deck states in remarks, element by element.
+  /// Reads the comments about walls and tread, element by element.
   void take_remarks() {
     wall_.assign(elements_.size(), -1);
     for (std::size_t i = 0; i < deck_.remarks.walls.size(); ++i)
@@ -345,9 +348,10 @@ class TireReader {
     return found;
   }
 
-  /// Encodes solid, pressure, rebars and remarks as one number, equal for equal elements.
+  /// Encodes solid, pressure, rebars and comments of each element as one number, which is equal for
+  /// equal elements.
   void take_kinds() {
-    constexpr double kDepths = 1e4;  // steps of depth that are distinguished in half an element
+    constexpr double kDepths = 1e4;  // number of depths in half an element that are distinguished
     std::map<std::vector<std::int64_t>, std::int64_t> kinds;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       const int index = static_cast<int>(e);
@@ -429,13 +433,13 @@ class TireReader {
     mesh.sensors = choose_sensors(mesh);
     try {
       fe_tire::check(mesh);
-    } catch (const InputError& error) {  // the reader of the deck does not know the name of the
-                                         // file
+      // The reader of the deck does not know the file's name, so it is added here.
+    } catch (const InputError& error) {
       throw InputError({deck_.file, 0}, error.what());
     }
   }
 
-  /// Divides a tire of equal sectors by the planes that the deck states for the standing tire.
+  /// Divides a tire of equal sectors by the planes that the deck states for the tire on the ground.
   void divide(Mesh& mesh) const {
     const std::vector<double>& planes = deck_.remarks.planes;
     if (planes.empty() || !mesh.theta.empty()) return;
@@ -448,10 +452,10 @@ class TireReader {
     mesh.theta = planes;
   }
 
-  /// The nodes of a sector that are not tied to a line, in new numbers; -1: tied.
+  /// The nodes of a sector that are not tied to a line, and their numbers in the sector.
   struct SectorNodes {
     std::vector<int> own;
-    std::map<int, int> local;  // numbers in the ring -> numbers in the sector
+    std::map<int, int> local;  // number in the sector by number in the ring
     int count = 0;
   };
 
@@ -464,7 +468,8 @@ class TireReader {
     return nodes;
   }
 
-  /// Corners of an element of the sector: nodes, or positions on the line between two nodes.
+  /// Sets the corners of an element of the sector: each is a node, or a position on the line
+  /// between two nodes.
   void place_corners(const Sector& sector,
                      const SectorNodes& nodes,
                      int element_of_sector,
@@ -498,7 +503,7 @@ class TireReader {
     element.tie = placed->tie;
   }
 
-  /// Position of an element in the section: (y, r) of its middle.
+  /// Returns the position of the middle of an element in the cross section: (y, r).
   std::pair<double, double> place(int e) const {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (int node : elements_[e])
@@ -516,7 +521,7 @@ class TireReader {
   }
 
   static bool near(const std::set<std::pair<double, double>>& places, std::pair<double, double> p) {
-    constexpr double kTolerance = 1e-6;  // m, far below any element
+    constexpr double kTolerance = 1e-6;  // m, far smaller than any element
     const auto from = places.lower_bound({p.first - kTolerance, -1.0});
     for (auto it = from; it != places.end() && it->first <= p.first + kTolerance; ++it)
       if (std::abs(it->second - p.second) <= kTolerance) return true;
@@ -554,16 +559,18 @@ class TireReader {
   const InpUnits units_;
   InpTire tire_;
   Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();  // rotates the file's frame to the wheel's
-  std::map<int, int> held_;                          // node number -> bits of the fixed directions
+  // rotates vectors from the file's frame to the wheel frame
+  Eigen::Matrix3d R_ = Eigen::Matrix3d::Identity();
+  std::map<int, int> held_;  // bits of the fixed directions by node number
   std::set<int> ground_elements_, ground_nodes_;
   std::map<int, int> node_index_, element_index_;
-  std::map<int, TiedNode> ties_;  // keys are node indices
+  std::map<int, TiedNode> ties_;  // ties by node index
   std::vector<int> element_numbers_;
   std::vector<HexNodes> elements_;
   std::vector<int> solid_;
-  std::vector<int> wall_;  // index in the deck's remarks, for each element; -1: none
-  std::set<int> treads_;   // elements that a remark calls tread
+  // for each element the index of its wall among the deck's comments; -1: none
+  std::vector<int> wall_;
+  std::set<int> treads_;  // elements that a comment calls tread
   std::vector<KnownFace> inner_, outer_;
   FaceSet inner_faces_, outer_faces_;
   InpPlacedRebars placed_;

@@ -3,18 +3,15 @@
 // models/fe_tire.
 //
 // The spin axis is that of the cylindrical orientation (z if there is none); the ground is the
-// contact's master body, and its direction becomes down. A mesh of equal sectors is recognized and
-// becomes one sector, and so does one of unequal sectors with the same nodes in every plane; a
-// contact surface on part of the circumference is then continued around it.
-// Without contact, outer faces that face outward are the tread.
+// master body of the contact, and its direction becomes down. A mesh of equal sectors is recognized
+// and reduced to one sector, and so is one of unequal sectors with the same nodes in every plane; a
+// contact surface on part of the circumference is then continued around it. Without contact, outer
+// faces that face outward are the tread. A corner that *EQUATION ties to the line between two nodes
+// becomes an edge tie of its element (tied_corners.h), not a node. Walls, tread and the division of
+// the tire on the ground are those of the comments of the deck (inp_remarks.h).
 //
-// A corner that *EQUATION holds on the line between two nodes becomes an edge tie of its element
-// (tied_corners.h), not a node.
-//
-// Walls, tread and the division of the standing tire are those of remarks (inp_remarks.h).
-//
-// Elements are computed as the deck states: C3D8 with full integration, as in CalculiX, its
-// variants against locking (C3D8I, C3D8R, with H or without) by the solid shell.
+// Elements are computed as the deck states: C3D8 with full integration, as in CalculiX, and its
+// variants against locking (C3D8I, C3D8R, with or without H) by the solid shell.
 #pragma once
 
 #include <optional>
@@ -27,15 +24,15 @@
 
 namespace latsch::formats {
 
-/// Flat ground with its motion in the file.
+/// Flat ground and its motion as the file states it.
 struct InpGround {
-  double radius = 0.0;     // m, from wheel center to ground before the ground moves
-  double travel = 0.0;     // m, toward the wheel center
+  double radius = 0.0;     // m, from the wheel center to the ground before it moves
+  double travel = 0.0;     // m, motion toward the wheel center
   double stiffness = 0.0;  // Pa/m
   double mu = 0.0;
 };
 
-/// Names of the deck for a solid of the tire; no orientation: "".
+/// Names that the deck has for a solid material of the tire; `orientation` is "" if there is none.
 struct InpSolid {
   std::string material, orientation;
   auto operator<=>(const InpSolid&) const = default;
@@ -44,16 +41,17 @@ struct InpSolid {
 struct InpTire {
   fe_tire::Mesh mesh;
   fe_tire::ElementKind element = fe_tire::ElementKind::solid_shell;
-  std::vector<InpSolid> solids;  // solids of `materials`
+  std::vector<InpSolid> solids;  // names of the solids in `materials`
   std::vector<InpLayer> layers;
-  std::vector<fe_tire::CordLayer> cords;  // layers that the deck has as springs
+  std::vector<fe_tire::CordLayer> cords;  // layers of cords that the deck models as springs
   fe_tire::Materials materials;
   double pressure = 0.0;  // Pa
   std::optional<InpGround> ground;
-  int modes = 0;  // number requested; 0: none
+  int modes = 0;  // number of modes requested by the deck; 0: none
 };
 
-/// Throws InputError if the file cannot be such a tire, naming the line or the element.
+/// Throws InputError, which names the line or the element, if the file does not describe such a
+/// tire.
 InpTire read_inp_tire(const std::filesystem::path& file);
 InpTire tire_from(const InpDeck& deck);
 

@@ -38,7 +38,7 @@ std::string deck_of(const TireDescription& tire) {
   return out.str();
 }
 
-/// The doubts about a deck, one a line.
+/// Returns the doubts about a deck, one in each line.
 std::string deck_doubts(const std::string& text) {
   std::string all;
   for (const LedgerDoubt& doubt : doubts_of_deck(parse_inp(text, "tire.inp")))
@@ -74,7 +74,7 @@ TEST(InpDoubts, ANegativePressureAndASecondSectionAreTold) {
                       ", too: here they have the material RIGID of the last one, not SOLID0"),
             std::string::npos)
       << said;
-  // The repeated section changes nothing.
+  // Repeating a section without a change has no effect.
   std::string same = good;
   same.insert(end, good.substr(section, good.find('\n', section) + 1 - section));
   EXPECT_EQ(deck_doubts(same), "");
@@ -108,7 +108,7 @@ void expect_same_solids(const Mesh& a, const Materials& ma, const Mesh& b, const
   }
 }
 
-// The deck was written by an independent generator with nine digits.
+// An independent generator wrote the deck, with nine digits.
 TEST(InpTire, TheDeckOfTireBIsOneSectorOfTheSameTire) {
   if (!std::filesystem::exists(kDecks)) GTEST_SKIP() << "no decks in " << kDecks;
   const InpTire deck = read_inp_tire(kDecks / "tire_b_loaded.inp");
@@ -137,7 +137,8 @@ TEST(InpTire, WhatTheDeckWriterWritesComesBack) {
   EXPECT_EQ(deck.mesh.sensors.size(), 5u);
 }
 
-/// A tire with rows that end in the sidewall: corners of the many rows lie on the edges of the few.
+/// Returns a tire whose rows of elements end in the sidewall: corners of the many rows lie on the
+/// edges of the few.
 TireDescription tied_tire() {
   TireDescription tire = small_tire();
   tire.section.faces = {{{0.0}, {-0.6e-3}}, {{0.0}, {0.6e-3}}, {{0.0}, {1.7e-3}}};
@@ -162,7 +163,7 @@ TEST(InpTire, CornersTiedByEquationsComeBackAsEdgeTiesWithTheSameResults) {
     EXPECT_NEAR(read.mesh.elements[e].tie.lower, written.elements[e].tie.lower, 1e-11);
     EXPECT_NEAR(read.mesh.elements[e].tie.upper, written.elements[e].tie.upper, 1e-11);
   }
-  // Growth and the force on the ground, with the elements of the deck.
+  // Returns the growth and the force on the ground, computed with the element type of the deck.
   const auto results = [](const Mesh& mesh, const Materials& materials) {
     fe_tire::FeTire pressed(mesh, materials, {.element = fe_tire::ElementKind::full_integration});
     const auto inflated = pressed.inflate(2.6e5);
@@ -177,7 +178,8 @@ TEST(InpTire, CornersTiedByEquationsComeBackAsEdgeTiesWithTheSameResults) {
   EXPECT_NEAR(force_read / force, 1.0, 1e-7);
 }
 
-/// Cords as rebars: a radial carcass that is soft in compression, crossed belts, rows that end.
+/// Returns a tire with its cords as rebars: a radial carcass that is soft in compression, crossed
+/// belts, and rows of elements that end.
 TireDescription corded_tire() {
   TireDescription tire = tied_tire();
   tire.element = ElementKind::solid_shell;
@@ -242,7 +244,7 @@ TEST(InpTire, ASpringThatIsNoCordIsRefusedWithItsLine) {
   EXPECT_NE(complaint(with(",NONLINEAR\n", "\n")).find("linear"), std::string::npos);
   EXPECT_NE(complaint(with("*SPRING,ELSET=CORDS0,", "*SPRING,ELSET=OTHER,")).find("no *SPRING"),
             std::string::npos);
-  // Its force jumps in one point of the law.
+  // The force of the spring jumps at one point of its law.
   const std::size_t law = good.find('\n', good.find("NONLINEAR\n\n") + 11) + 1;
   std::string jump = good;
   jump.insert(law + (good[law] == '-' ? 1 : 0), "9");
@@ -252,10 +254,11 @@ TEST(InpTire, ASpringThatIsNoCordIsRefusedWithItsLine) {
 TEST(InpTire, ElementsMayComeInAnyOfTheirTwentyFourNumberings) {
   const TireDescription tire = small_tire();
   InpDeck deck = parse_inp(deck_of(tire), "small.inp");
-  // Every third element is turned by an even permutation of its axes, and its loaded faces with it.
+  // In every third element the axes are permuted evenly, and its loaded faces are renumbered
+  // accordingly.
   static constexpr int kTurned[8] = {0, 3, 7, 4, 1, 2, 6, 5};  // new axes (eta, zeta, xi)
-  static constexpr int kFace[7] = {0, 3, 5, 0, 0, 0, 0};       // faces of zeta = -1, +1 after
-                                                               // turning
+  // Numbers of the faces zeta = -1 and zeta = +1 after the permutation.
+  static constexpr int kFace[7] = {0, 3, 5, 0, 0, 0, 0};
   const Mesh mesh = build_mesh(tire);
   InpDeck original = deck;
   for (auto& [number, element] : deck.elements)
@@ -315,8 +318,8 @@ TEST(InpTire, AHeldBodyWithoutContactIsNoPartOfTheTire) {
   const InpTire read = tire_from(deck);
   EXPECT_EQ(read.mesh.element_count(), build_mesh(tire).element_count());
   EXPECT_FALSE(read.ground);
-  // Without a contact surface the tread consists of faces that face outward: the crown, but not the
-  // sidewall.
+  // Without a contact surface the tread consists of the faces that face outward: those of the
+  // crown, not those of the sidewall.
   EXPECT_NEAR(read.mesh.outer_radius(), build_mesh(tire).outer_radius(), 1e-9);
   for (const Element& element : read.mesh.elements)
     EXPECT_TRUE(!element.tread || -read.mesh.coordinates(element).row(2).mean() > 0.28);
@@ -358,7 +361,7 @@ std::string deck_complaint(const std::string& from, const std::string& to) {
   return "nothing";
 }
 
-// The 24 numbers are those of two rubbers, one smeared composite and the pressure.
+// The deck has 24 numbers: those of two rubbers, of one smeared composite, and the pressure.
 TEST(InpTire, NumbersHaveTheNamesOfTheFile) {
   const InpDeck deck = parse_inp(deck_of(small_tire()), "small.inp");
   const auto find = [&](const std::string& path) -> const InpNumber* {
@@ -368,7 +371,8 @@ TEST(InpTire, NumbersHaveTheNamesOfTheFile) {
   };
   ASSERT_TRUE(find("pressure"));
   EXPECT_EQ(find("pressure")->value, 0.26);
-  // The pressure occurs in inflation, in the load and, halved for CalculiX, in the frequency step.
+  // The pressure occurs in the inflation step, in the load step and, halved for CalculiX, in the
+  // frequency step.
   ASSERT_EQ(find("pressure")->where.size(), 3u);
   EXPECT_EQ(find("pressure")->where[2].times, 0.5);
   EXPECT_TRUE(find("material.SOLID0.density"));
@@ -406,10 +410,10 @@ TEST(InpTire, WrittenBackOnlyChangedNumbersAreOther) {
   std::istringstream a(text), b(changed);
   int other = 0;
   for (std::string one, two; std::getline(a, one) && std::getline(b, two);) other += one != two;
-  EXPECT_EQ(other, 4);  // three numbers are those of the pressure
+  EXPECT_EQ(other, 4);  // three fields hold the pressure
 }
 
-// Text around a number stays: blanks, line ends of another system, lower case.
+// The text around a number stays: blanks, line ends of another operating system, lower case.
 TEST(InpTire, WrittenBackBlanksAndEndsOfLinesStay) {
   const std::string text =
       "*material, name=Soft\r\n*elastic\r\n  1.50 ,\t0.49\r\n*density\r\n1.1E-9,\r\n";

@@ -13,7 +13,7 @@ namespace {
 using fe_tire::Element;
 using fe_tire::Mesh;
 
-/// Nodes of a face, with those of the next sector mapped to this one.
+/// Returns the nodes of a face; nodes of the next sector are mapped to this one.
 std::array<int, 4> face_of(const Mesh& mesh, const Element& element, int first) {
   std::array<int, 4> face{};
   for (int a = 0; a < 4; ++a) face[a] = element.node[first + a] % mesh.nodes_per_sector();
@@ -30,7 +30,8 @@ bool looks_outward(const Eigen::Matrix<double, 3, 8>& X) {
 }  // namespace
 
 void mark_tread(Mesh& mesh) {
-  std::set<std::array<int, 4>> covered;  // outer faces that coincide with a face of another element
+  // outer faces that coincide with a face of another element, so they are not free
+  std::set<std::array<int, 4>> covered;
   for (const Element& element : mesh.elements) covered.insert(face_of(mesh, element, 0));
   for (Element& element : mesh.elements)
     element.tread =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determines properties of the outer surface that a foreign mesh does not state: the points at
-// which mode shapes are compared, and the surface that may touch the ground.
+// Determines two properties that a foreign mesh does not state: the points at which mode shapes are
+// compared, and the outer surface that may touch the ground.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 namespace latsch::formats {
 
 /// Marks as tread every free outer face that faces outward more than sideways (within 45 degrees of
-/// the radius): for meshes without a contact surface.
+/// the radius). Used for meshes without a contact surface.
 void mark_tread(fe_tire::Mesh& mesh);
 
-/// Returns outer nodes at both widest positions, at both edges of the tread and at the crown, from
-/// left to right.
+/// Returns five outer nodes as sensors, from left to right: at both widest positions, at both edges
+/// of the tread and at the crown.
 std::vector<int> choose_sensors(const fe_tire::Mesh& mesh);
 
 }  // namespace latsch::formats

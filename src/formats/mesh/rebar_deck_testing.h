@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests: a tire with rebars in the form of Abaqus, its layers in embedded surface elements.
+// Test support: writes a tire with rebars in the form of Abaqus, with its layers in embedded
+// surface elements.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,8 +13,8 @@
 
 namespace latsch::formats {
 
-/// Returns the cards of layer `layer`: nodes of its own, elements, section. In every second layer
-/// the elements face inward, and the angle is counted in the opposite direction.
+/// Returns the cards of layer number `layer`: separate nodes, surface elements and section. In
+/// every second layer the elements face inward, and the angle is counted in the opposite direction.
 inline std::string rebar_cards(const fe_tire::Mesh& mesh,
                                const fe_tire::CordLayer& layer,
                                int index,
@@ -50,12 +51,13 @@ inline std::string rebar_cards(const fe_tire::Mesh& mesh,
       elements,
       layer.E_tension * 1e-6,
       layer.density * 1e-12,
-      layer.thickness * 1e3,  // area of a rebar with a spacing of one millimeter
+      layer.thickness * 1e3,  // mm^2, area of a rebar at a spacing of one millimeter
       layer.E_compression == 0.0 ? "*NO COMPRESSION\n" : "",
       angle);
 }
 
-/// A rebar has neither compression modulus nor pretension.
+/// Returns the deck of a tire. Rebars in Abaqus have neither a separate compression modulus nor a
+/// pretension, so the layers must not have them.
 inline std::string rebar_deck(const fe_tire::Mesh& mesh,
                               const fe_tire::Materials& materials,
                               const CcxRun& run) {

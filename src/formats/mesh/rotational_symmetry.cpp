@@ -12,10 +12,10 @@ namespace latsch::formats {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kTolerance = 2e-6;  // relative to the tire's radius; decks have seven digits or
-                                     // more
+// Tolerance of positions relative to the radius of the tire; decks have seven digits or more.
+constexpr double kTolerance = 2e-6;
 
-/// Node positions as (angle, ring), rings in ascending order of size.
+/// Node positions as (angle, ring); a ring is a set of nodes with equal radius and axial position.
 class Rings {
  public:
   explicit Rings(const Eigen::Matrix3Xd& X) : angle_(X.cols()), ring_(X.cols()) {
@@ -32,7 +32,7 @@ class Rings {
   }
 
   double angle(int node) const { return angle_[node]; }
-  /// Nodes of every ring, by their angles.
+  /// Returns the nodes of every ring in the order of their angles.
   const std::vector<std::vector<int>>& members() const { return members_; }
   double angular_tolerance() const { return angular_tolerance_; }
 
@@ -42,7 +42,8 @@ class Rings {
     return count;
   }
 
-  /// Returns the image of every node after a rotation by 2 pi / S; nothing if an image is no node.
+  /// Returns for every node its image after a rotation by 2 pi / S; nothing if there is no node at
+  /// an image.
   std::optional<std::vector<int>> turned(int S) const {
     std::vector<int> image(angle_.size());
     for (const auto& ring : members_) {
@@ -58,7 +59,8 @@ class Rings {
   }
 
  private:
-  /// Rings are searched on a grid of tolerance-sized cells, including neighbor cells.
+  /// Returns the ring at (y, r). Rings are found by a grid whose cells have the size of the
+  /// tolerance; neighboring cells are searched too.
   int ring_of(double y, double r) {
     if (members_.empty() || r < smallest_radius_) smallest_radius_ = r;
     const double cell = 4.0 * tolerance_;
@@ -104,7 +106,7 @@ bool maps_held(const RingOfNodes& ring, const std::vector<int>& image) {
   return true;
 }
 
-/// Sector numbers of all nodes, counted from the smallest angle at or after the bottom.
+/// Returns the sector number of every node, counted from the first angle at or after the bottom.
 std::vector<int> sector_numbers(const RingOfNodes& ring, const Rings& rings, int S) {
   const double tolerance = 4.0 * rings.angular_tolerance();
   const double first = -tolerance;
@@ -117,8 +119,8 @@ std::vector<int> sector_numbers(const RingOfNodes& ring, const Rings& rings, int
   return sector;
 }
 
-/// Returns the sector of the elements that start in sector 0; nothing if one extends beyond the
-/// next sector.
+/// Returns the sector formed by the elements that begin in sector 0; nothing if one of them extends
+/// beyond the next sector.
 std::optional<Sector> cut(const RingOfNodes& ring,
                           const Rings& rings,
                           const std::vector<int>& image,
@@ -152,13 +154,13 @@ std::optional<Sector> cut(const RingOfNodes& ring,
   return sector;
 }
 
-/// The planes of a ring of unequal sectors: angles, and ring and plane of every node.
+/// The planes between unequal sectors: their angles, and for every node its ring and its plane.
 struct Planes {
   std::vector<double> theta;
   std::vector<int> ring, plane;
 };
 
-/// Returns nothing if a ring has no node in one of the planes.
+/// Returns the planes; nothing if a ring has no node in one of them.
 std::optional<Planes> find_planes(const RingOfNodes& ring, const Rings& rings) {
   const double tolerance = 4.0 * rings.angular_tolerance();
   const auto from_bottom = [&](int node) {
@@ -193,7 +195,7 @@ std::optional<Planes> find_planes(const RingOfNodes& ring, const Rings& rings) {
   return planes;
 }
 
-/// Returns one of the unequal sectors, or nothing if they are not alike.
+/// Returns one of the unequal sectors; nothing if they do not have the same elements.
 std::optional<Sector> cut_unequal(const RingOfNodes& ring, const Rings& rings) {
   const auto planes = find_planes(ring, rings);
   if (!planes) return {};
@@ -203,7 +205,7 @@ std::optional<Sector> cut_unequal(const RingOfNodes& ring, const Rings& rings) {
   for (Eigen::Index i = 0; i < ring.X.cols(); ++i) at[planes->plane[i] * n + planes->ring[i]] = i;
   for (std::size_t i = 0; i < at.size(); ++i)
     if (ring.held[at[i]] != ring.held[at[i % n]]) return {};
-  // The elements of every sector: their nodes as numbers in the sector, and their kinds.
+  // The elements of every sector: their nodes as numbers within the sector, and their kinds.
   std::vector<std::map<HexNodes, std::int64_t>> kinds(S);
   std::vector<std::pair<HexNodes, int>> first;
   for (std::size_t e = 0; e < ring.elements.size(); ++e) {

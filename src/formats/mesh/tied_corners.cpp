@@ -7,9 +7,11 @@
 namespace latsch::formats {
 namespace {
 
-constexpr double kSamePlace = 1e-6;  // tolerance along the line; decks have more digits
+// tolerance of the position along a line; decks have more digits
+constexpr double kSamePlace = 1e-6;
 
-/// Two corners of one side in one plane, given by the nodes of a line and positions on it.
+/// Two tied corners on one side of an element, both in one plane: the nodes of the line and the
+/// positions on it.
 struct Edge {
   int lower = 0, upper = 0;
   double from = 0.0, to = 1.0;

@@ -90,8 +90,8 @@ class VtuWriter {
   long cells_;
 };
 
-/// Values of all nodes, followed by those of all corners between two nodes; values with three
-/// components are vectors and are rotated into the wheel frame.
+/// Returns the values of all nodes, followed by those of all corners between two nodes. Vectors
+/// (three components) are rotated into the wheel frame.
 Eigen::MatrixXd on_ring(const Mesh& mesh, const Corners& corners, const Eigen::MatrixXd& values) {
   const int n = mesh.nodes_per_sector();
   assert(values.cols() == n || values.cols() == mesh.nodes());
@@ -112,7 +112,7 @@ Eigen::MatrixXd on_ring(const Mesh& mesh, const Corners& corners, const Eigen::M
   return result;
 }
 
-/// XML forbids "--" inside a comment.
+/// Returns a comment that names the regions. XML forbids "--" in a comment.
 std::string region_comment(const Mesh& mesh) {
   std::string text = "<!-- region:";
   for (std::size_t i = 0; i < mesh.region_names.size(); ++i)

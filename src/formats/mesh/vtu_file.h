@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ParaView files (.vtu, VTK's XML unstructured grid, ASCII) of a tire and of its contact patch.
+// Writes a tire and its contact patch as files for ParaView (.vtu, VTK's XML unstructured grid,
+// ASCII).
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +13,8 @@
 
 namespace latsch::formats {
 
-/// A named quantity in sector frames, one column for each node, one or three rows: [c x nodes] of
-/// the whole ring, or [c x nodes_per_sector] if it is the same in every sector.
+/// A named field in sector frames, one column for each node, with one or three rows: [c x nodes] of
+/// the whole ring, or [c x nodes_per_sector] if it is equal in all sectors.
 struct VtuField {
   std::string name;
   Eigen::MatrixXd values;

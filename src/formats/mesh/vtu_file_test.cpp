@@ -13,9 +13,10 @@
 namespace latsch::formats {
 namespace {
 
-/// Runs Python's own XML parser over a file; `claims` are lines of Python on `root`.
+/// Parses a file with Python's own XML parser and evaluates `claims`, lines of Python about `root`.
+/// Returns the exit status.
 int python_says(const std::filesystem::path& file, const std::string& claims) {
-  // Tests may run in parallel: each process has a script of its own.
+  // Tests may run in parallel, so each process has a separate script.
   const auto script =
       std::filesystem::path(testing::TempDir()) / ("vtu_check_" + std::to_string(getpid()) + ".py");
   std::ofstream(script)
@@ -31,7 +32,7 @@ int python_says(const std::filesystem::path& file, const std::string& claims) {
 TEST(VtuFile, TireIsWellFormedAndCompleteForAnXmlParser) {
   const fe_tire::Mesh mesh = build_mesh(fe_tire::reference_tire_b());
   Eigen::MatrixXd u = Eigen::MatrixXd::Zero(3, mesh.nodes_per_sector());
-  u.row(2).setConstant(-1e-3);  // displacement outward at the bottom of every sector
+  u.row(2).setConstant(-1e-3);  // m, outward displacement at the bottom of every sector
   const auto file = std::filesystem::path(testing::TempDir()) / "tire.vtu";
   write_tire_vtu(
       file, mesh, {{"displacement <m>", u}, {"n", Eigen::MatrixXd::Ones(1, mesh.nodes())}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A deck that Latsch wrote is read back as the same tire: mesh with walls, tread and division,
-// growth, force, modes. The deck has twelve to fifteen digits; the results differ by what the
-// solvers' tolerances make of that.
+// A deck that Latsch wrote is read back as the same tire: mesh with walls, tread and division into
+// sectors, growth, force, modes. The deck has twelve to fifteen digits, which with the tolerances
+// of the solvers determines how much the results differ.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +21,7 @@ using namespace fe_tire;
 constexpr double kDeckPressure = 2.6e5;
 constexpr double kDegreeOfZone = std::numbers::pi / 180.0;
 
-/// A coarse tire B with rows that end in the sidewall, as solid shells.
+/// Returns a coarse tire B with rows of elements that end in the sidewall, with solid shells.
 TireDescription tire_of_shells(CordModel cords, bool zones) {
   TireDescription tire = reference_tire_b();
   tire.section.meridional = 9;
@@ -45,7 +45,7 @@ std::string deck_written_of(const TireDescription& tire, bool loaded) {
   return out.str();
 }
 
-/// Growth, force on flat ground, frequencies of the free and of the standing tire.
+/// Returns growth, force on flat ground, and frequencies of the tire off and on the ground.
 std::array<double, 6> results_of_deck(const Mesh& mesh,
                                       const Materials& materials,
                                       ElementKind element) {
@@ -111,8 +111,8 @@ INSTANTIATE_TEST_SUITE_P(
                     WrittenDeckCase{"smeared_zones_free", CordModel::smeared, true, false}),
     [](const auto& one) { return std::string(one.param.name); });
 
-// A deck off the ground has equal sectors: by these Latsch inflates a tire, whatever its zones, and
-// in another program a ring of unequal ones does not stay round.
+// A deck without ground has equal sectors, whatever the zones of the tire: Latsch inflates a tire
+// with equal sectors, and in another program a ring of unequal sectors does not stay round.
 TEST(WrittenDecks, OffTheGroundSectorsAreEqual) {
   const TireDescription tire = tire_of_shells(CordModel::rebar, true);
   TireDescription even = tire;

@@ -17,7 +17,8 @@
 namespace latsch::formats {
 namespace {
 
-/// Without a format line the standard assumes KRBI; data in digits cannot have this format.
+/// Sets the format if the header has no format line: the standard then assumes KRBI, which data in
+/// digits cannot have.
 void settle_format(const std::string& bytes, OpenCrgHeader& header) {
   if (!header.format.empty()) return;
   const auto is_text = [](unsigned char c) { return (c >= 32 && c < 127) || c == 10 || c == 13; };
@@ -41,7 +42,7 @@ double last_of(OpenCrgHeader::Channel::Kind kind,
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Builds a road from a file with data and the options and modifiers that apply to it.
+/// Builds a road from the file that has the data, and the options and modifiers that apply to it.
 OpenCrg assemble(const std::string& bytes, OpenCrgHeader header) {
   using Kind = OpenCrgHeader::Channel::Kind;
   if (header.data_begin == std::string_view::npos) {

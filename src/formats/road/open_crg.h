@@ -46,18 +46,18 @@ struct OpenCrg {
   std::string comment;                  // $CT
   std::string format;                   // "LRFI"
   std::vector<std::string> statements;  // options and modifiers of the surface, as in the file
-  std::vector<std::string> kept;        // "name = value": statements that do not concern the
-                                        // surface
-  std::vector<std::string> warnings;    // for the user: statements whose meaning may have been
-                                        // different
-  int gaps = 0;                         // number of heights missing in the file
+  /// "name = value": statements that do not concern the shape of the surface.
+  std::vector<std::string> kept;
+  /// Messages for the user about statements that may have been intended otherwise.
+  std::vector<std::string> warnings;
+  int gaps = 0;  // number of heights missing in the file
   road::CrgGrid grid;
 
   /// Both functions throw InputError if the file is not valid, is larger than 256 MB, or has fewer
   /// rows than its header states. The message names the file, the line (text) or record (binary
   /// data), what was found and what was expected.
   static OpenCrg read(const std::filesystem::path& file);
-  /// Refuses `$ROAD_CRG_FILE`.
+  /// Parses a file from its bytes. Refuses a section $ROAD_CRG_FILE, which refers to other files.
   static OpenCrg parse(std::string bytes, std::string file_name);
 };
 

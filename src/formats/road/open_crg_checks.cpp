@@ -10,8 +10,8 @@
 namespace latsch::formats {
 namespace {
 
-/// Relative tolerance of the stated end: headings and slopes of files have seven digits, and
-/// integration tools differ by more. A larger value hides contradictions.
+/// Relative tolerance of the stated end of the line: headings and slopes in files have seven
+/// digits, and programs integrate them in different ways. A larger value would hide contradictions.
 constexpr double kSameEnd = 1e-2;
 
 class Settling {
@@ -97,8 +97,8 @@ void compare_open_crg_end(OpenCrgHeader& header, const OpenCrgEnd& last) {
     const auto stated = header.road.find(end);
     if (stated == header.road.end()) return;
     const bool by_channel = !std::isnan(channel);
-    // Without a channel the line continues as it begins; a straight line without stated heading is
-    // drawn through its end.
+    // Without a channel the line keeps its initial heading; a straight line without a stated
+    // heading runs through its end, so there is nothing to check.
     if (!by_channel && angle && !header.road.contains(start)) return;
     const double line = by_channel ? channel : header.value(header.road, start, 0.0);
     double off = stated->second.number - line;

@@ -6,14 +6,14 @@
 
 namespace latsch::formats {
 
-/// Brings modifiers into the form that the grid reads and reports the changes: factors of 0 on
-/// heights, slope and banking are ignored, as the standard says; offsets of the reference point are
-/// added to its position. Throws InputError for two positions of the reference point; adds a
+/// Brings modifiers into the form that the grid reads: factors of 0 on heights, slope and banking
+/// are ignored, as the standard requires; offsets of the reference point are added to its position.
+/// Reports these changes. Throws InputError for two positions of the reference point; adds a
 /// warning for modifiers that others disable.
 void settle_open_crg_modifiers(OpenCrgHeader& header);
 
-/// Warns if the header's end of the reference line differs from that of its channels. `last` has
-/// the channels phi, slope, banking in the last record; NaN if there is none.
+/// The end of the reference line according to its channels phi, slope and banking in the last
+/// record; NaN for a channel that is missing. The function warns if the header states another end.
 struct OpenCrgEnd {
   double phi, slope, banking;
 };

@@ -17,9 +17,9 @@ using Kind = OpenCrgHeader::Channel::Kind;
 
 // Shares by which a repeated statement may differ: files write few digits, and tools integrate
 // differently. Larger values hide contradictions.
-constexpr double kOfSpacing = 1e-2;  // of the distance of sections or rows
+constexpr double kOfSpacing = 1e-2;  // share of the spacing of sections or rows
 constexpr double kOfPoints = 5e-2;   // likewise, if points state it: OpenCRG allows 3 %
-constexpr double kOfLength = 1e-2;   // of the length of the line
+constexpr double kOfLength = 1e-2;   // share of the length of the reference line
 constexpr double kAngle = 1e-2;      // rad, and of slopes
 constexpr double kHeight = 1e-3;     // m
 

@@ -16,9 +16,9 @@ using Kind = OpenCrgHeader::Channel::Kind;
 
 constexpr double kDefaultIncrement = 0.01;  // m, default of OpenCRG along u and v
 constexpr double kLeastSpacing = 1e-6;      // m, least value allowed by OpenCRG
-constexpr double kEvenLine = 3e-2;          // relative, by OpenCRG: tolerance of the spacing of
-                                            // points of the line
-constexpr double kLargestPlace = 1e9;       // m; no road is longer, no position farther away
+// Relative tolerance of OpenCRG for the spacing of the points of the line.
+constexpr double kEvenLine = 3e-2;
+constexpr double kLargestPlace = 1e9;  // m; no road is longer, no position farther away
 constexpr double kMostRows = 1e8;
 
 Vector2d direction(double phi) { return {std::cos(phi), std::sin(phi)}; }
@@ -196,14 +196,16 @@ class GridBuilding {
     sum_headings(phi, begin, bent && has_end && !changed ? &end : nullptr);
   }
 
-  /// Sums forward; if there is an end, blends with the sums backward from there.
+  /// Sums the headings forward to the points of the line. If there is a stated end, blends these
+  /// points with the backward sums from that end.
   void sum_headings(const std::vector<double>& phi, const Vector2d& begin, const Vector2d* end) {
     const double step = grid_.u_increment;
     const int last = records_.rows - 1;
     grid_.line[0] = begin;
     for (int i = 1; i <= last; ++i) grid_.line[i] = grid_.line[i - 1] + step * direction(phi[i]);
     if (!end) return;
-    // The error of the backward sum is the same at all points: the gap at the end.
+    // The backward sum differs from the forward sum by the same vector at all points: the gap at
+    // the end.
     const Vector2d gap = *end - grid_.line[last];
     if (gap.norm() > 0.1 * step * last) {
       fail(
@@ -285,7 +287,8 @@ class GridBuilding {
     }
   }
 
-  /// Fills gaps by grid_nan_mode: 0 leaves no road, 1 sets zero, 2 the nearest height in the row.
+  /// Fills missing heights as grid_nan_mode says: 0 leaves no road, 1 sets zero, 2 takes the
+  /// nearest height in the row. Returns the number of missing heights.
   int fill_gaps() {
     const double mode = modifier("grid_nan_mode", 2.0);
     if (mode != 0.0 && mode != 1.0 && mode != 2.0) {
@@ -300,7 +303,8 @@ class GridBuilding {
       gaps += missing[i] ? 1 : 0;
     }
     if (gaps == 0) return 0;
-    std::vector<double> fallback(columns, 0.0);  // a row without any height is like the row before
+    // a row without any height takes those of the row before
+    std::vector<double> fallback(columns, 0.0);
     for (std::size_t row = 0; row < grid_.z.size(); row += columns) {
       fill_row(&grid_.z[row], mode == 1.0 ? &offset : nullptr, offset, fallback);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes the surface from header and records of an OpenCRG file: reference line, modifiers, options.
+// Builds the road surface from header and records of an OpenCRG file: reference line, modifiers,
+// options.
 #pragma once
 
 #include "formats/road/open_crg_header.h"
@@ -8,10 +9,11 @@
 
 namespace latsch::formats {
 
-/// Number of records that u in the header requires, if begin, end and increment are stated.
+/// Returns the number of records that begin, end and increment of u in the header require; nullopt
+/// if they are not all stated.
 std::optional<long> expected_open_crg_rows(const OpenCrgHeader& header);
 
-/// `gaps` becomes the number of missing heights.
+/// Sets `gaps` to the number of missing heights.
 road::CrgGrid open_crg_grid(const OpenCrgHeader& header, const OpenCrgRecords& records, int& gaps);
 
 }  // namespace latsch::formats

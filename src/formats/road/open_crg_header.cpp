@@ -59,8 +59,8 @@ const std::vector<std::string> kModifiers = {
     "refpoint_u",          "refpoint_v_fraction", "refpoint_v_offset",   "refpoint_v",
     "refpoint_x",          "refpoint_y",          "refpoint_z",          "refpoint_phi"};
 
-// Statements of $ROAD_CRG_MPRO: ellipsoids, the transformation between them, the map projection.
-// Those that end in _nm are names.
+// Names of statements of $ROAD_CRG_MPRO: ellipsoids, the transformation between them, the map
+// projection. The values of those that end in _nm are names.
 const std::vector<std::string> kProjection = {
     "gell_nm", "gell_a",  "gell_b",  "lell_nm", "lell_a",  "lell_b",  "tran_nm",
     "tran_ds", "tran_rx", "tran_ry", "tran_rz", "tran_tx", "tran_ty", "tran_tz",
@@ -94,7 +94,7 @@ class HeaderReading {
   }
 
  private:
-  /// Effect of a statement that occurs a second time.
+  /// States how a statement that occurs a second time is treated.
   enum class Twice { refused, last };
 
   [[noreturn]] void fail(const std::string& message) const {
@@ -115,7 +115,7 @@ class HeaderReading {
     return true;
   }
 
-  /// True for a path below $ROAD_CRG_FILE that begins with an environment variable:
+  /// True for a path in the section $ROAD_CRG_FILE that begins with an environment variable:
   /// $roads/track.crg.
   bool is_path(std::string_view line) const {
     return section_ == "$road_crg_file" && line.size() > 1 && line[1] != '!' &&
@@ -128,7 +128,7 @@ class HeaderReading {
     header_.has_modifiers = header_.has_modifiers || section_ == "$road_crg_mods";
   }
 
-  /// Returns "" between sections.
+  /// Returns the section that the line begins; "" for a line that ends a section.
   std::string section_of(std::string_view line) const {
     const std::string word = lower(line.substr(0, line.find_first_of(" \t!")));
     if (word == "$") return "";
@@ -160,7 +160,8 @@ class HeaderReading {
     fail("is " + in_quotes(text) + ", expected a section such as $ROAD_CRG");
   }
 
-  /// The statement is kept as text: it gives the road's position on the globe, not its shape.
+  /// Keeps a statement of the map projection as text: it gives the road's position on the globe,
+  /// not its shape.
   void take_projection(std::string_view text) {
     const std::size_t middle = text.find('=');
     const std::string name = lower(trimmed(text.substr(0, middle)));
@@ -203,8 +204,8 @@ class HeaderReading {
     place->second = {*number, line_, header_.file};
   }
 
-  /// Reads a number; also one with an exponent of 0 whose sign precedes the letter e, as in a
-  /// sample of the standard (2.000000000+e00), with a warning.
+  /// Parses a number. With a warning it also accepts an exponent of 0 whose sign precedes the
+  /// letter e, as in a sample of the standard (2.000000000+e00).
   std::optional<double> number_of(std::string_view text) {
     const auto number = parse_number(text);
     const std::size_t wrong = text.find("+e");

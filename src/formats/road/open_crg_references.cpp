@@ -23,7 +23,7 @@ struct Block {
   std::string file;
 };
 
-/// The statements of a file and of those it refers to.
+/// The statements of a file and of the files to which it refers.
 struct Gathered {
   std::optional<Block> options, modifiers;
   std::optional<OpenCrgHeader> data;
@@ -33,7 +33,8 @@ struct Gathered {
 
 class Resolving {
  public:
-  /// `named_in`: file and line that refer to the file; nothing for the first one.
+  /// Reads a file and those to which it refers. `named_in` is the file and line that refer to this
+  /// file; empty for the first one.
   Gathered gather(const std::filesystem::path& file, const Place& named_in = {}) {
     files_.push_back(file);
     named_in_.push_back(named_in);
@@ -113,7 +114,7 @@ class Resolving {
     return all;
   }
 
-  /// Replaces $NAME up to the next / by the value of that environment variable.
+  /// Replaces $NAME, up to the next /, by the value of that environment variable.
   static std::string with_environment(std::string text, const Place& place) {
     for (std::size_t at = text.find('$'); at != text.npos; at = text.find('$')) {
       const std::size_t end = std::min(text.find('/', at), text.size());
@@ -130,7 +131,7 @@ class Resolving {
     return text;
   }
 
-  /// Merges two sets; for statements that are in both, `next` counts.
+  /// Adds the statements of `next` to `all`; of statements that are in both, those of `next` count.
   static void merge(Gathered next, Gathered& all) {
     const auto replace = [&](auto& now, auto& then, const char* what) {
       if (!then) return;

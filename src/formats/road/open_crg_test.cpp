@@ -55,8 +55,8 @@ void expect_crg_message(const std::string& text,
   }
 }
 
-/// Compares with central differences, away from the lines of the grid; h² times third derivatives
-/// and rounding over h are below 1e-8.
+/// Compares the normal with central differences at a point that is not on a grid line. The errors
+/// of the differences, h² times third derivatives and rounding divided by h, are below 1e-8.
 void expect_normal_of_surface(const CrgRoad& road, double x, double y) {
   constexpr double h = 1e-5;
   const road::GroundPoint ground = road.at(x, y, 0.0);
@@ -76,7 +76,8 @@ TEST(OpenCrg, GridIsBilinearBetweenTheNumbersOfTheFile) {
   EXPECT_DOUBLE_EQ(z(road, 2.5, 0.25), (0.04 + 0.09) / 2 + 0.025);
   EXPECT_DOUBLE_EQ(road.height(2.5, 0.25, 0.0), z(road, 2.5, 0.25));
   expect_normal_of_surface(road, 2.3, 0.2);
-  EXPECT_DOUBLE_EQ(road.height(9.0, 3.0, 0.0), 0.21);  // the edge is kept
+  // beyond the edge the height of the edge continues
+  EXPECT_DOUBLE_EQ(road.height(9.0, 3.0, 0.0), 0.21);
 }
 
 TEST(OpenCrg, BordersAndSmoothingGoOnAsTheOptionsSay) {
@@ -170,7 +171,7 @@ TEST(OpenCrg, ReadsEveryFormatOfNumbers) {
       if (format[0] == 'L' && format[2] == 'F') data += "\r\n";
     }
     const CrgRoad road = road_of(with("....", format, head) + "$$$$\n" + data);
-    // 4 bytes have 24 bits of mantissa, the shorter texts seven decimals.
+    // Formats of 4 bytes have a mantissa of 24 bits, the shorter texts seven decimals.
     const double tolerance = format[1] == 'D' ? 1e-13 : 1e-8;
     for (double u = 0.1; u < 4.0; u += 0.37) {
       EXPECT_NEAR(z(road, u, 0.3), z(expected, u, 0.3), tolerance) << format;
@@ -179,7 +180,8 @@ TEST(OpenCrg, ReadsEveryFormatOfNumbers) {
 }
 
 TEST(OpenCrg, ArcIsAnArcAndItsNormalsAreThoseOfTheSurface) {
-  // 100 steps of 0.5 m along a circle of 30 m: chords of heading (i - 1/2) step / radius.
+  // The line follows a circle of 30 m radius in 100 steps of 0.5 m: chords with the heading (i -
+  // 1/2) step / radius.
   std::string text = with("= 1.0 !", "= 0.5 !").substr(0, kPlain.find("$$$$$$") + 0);
   text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1", text) + "$$$$\n";
   constexpr double kRadius = 30.0, kStep = 0.5;
@@ -198,8 +200,8 @@ TEST(OpenCrg, ArcIsAnArcAndItsNormalsAreThoseOfTheSurface) {
   for (double u = 0.3; u < 50.0; u += 1.7) {
     for (const double v : {-0.4, 0.1, 0.45}) {
       const Eigen::Vector2d place = road.point({u, v});
-      // The sum of chords is an arc of the circumscribed polygon: tolerance from sagitta and angle
-      // of a step.
+      // The points lie on an arc of the polygon around the circle; the tolerance follows from the
+      // sagitta and the angle of a step.
       const double r = (place - Eigen::Vector2d(0.0, kRadius)).norm();
       EXPECT_NEAR(r, kRadius - v, kStep * kStep / (4 * kRadius)) << u;
       const auto back = road.locate(place.x(), place.y());
@@ -211,8 +213,8 @@ TEST(OpenCrg, ArcIsAnArcAndItsNormalsAreThoseOfTheSurface) {
 }
 
 TEST(OpenCrg, EveryPlaceHasAHeightAndANormalAlsoInsideATightBend) {
-  // Headings turn by a radian per meter: the center of curvature is at a meter, within the
-  // sections.
+  // Headings change by one radian per meter, so the center of curvature is one meter away, within
+  // the sections.
   std::string text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1");
   text = text.substr(0, text.find("$$$$$$")) + "$$$$\n";
   for (int i = 0; i < 7; ++i) {
@@ -250,10 +252,10 @@ TEST(OpenCrg, ReferenceLineWithAnEndMeetsIt) {
 TEST(OpenCrg, ClosedTrackComesRound) {
   std::string text = with("$KD_", "$ROAD_CRG_OPTS\nrefline_continuation = 1\n$\n$KD_");
   text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1", text);
-  text = with("= 1.0 !", "= 1.0471975512 !", text);  // a sixtieth of the circumference of a circle
-                                                     // of 10 m
+  // A step is a sixtieth of the circumference of a circle with 10 m radius.
+  text = with("= 1.0 !", "= 1.0471975512 !", text);
   text = text.substr(0, text.find("$$$$$$")) + "$$$$\n";
-  for (int i = 0; i < 60; ++i) {  // one step is missing, so the line is open
+  for (int i = 0; i < 60; ++i) {  // one step is missing, so the line is not closed
     char line[64];
     std::snprintf(line,
                   sizeof line,
@@ -268,7 +270,7 @@ TEST(OpenCrg, ClosedTrackComesRound) {
   EXPECT_NEAR(road.height(0.0, 0.0, 0.0), 0.1, 1e-15);
   const auto once = road.locate(-0.3, 0.0), twice = road.locate(-0.7, 0.0);
   EXPECT_LT(std::abs(once.u), 1.0);
-  EXPECT_GT(twice.u, 60.0);  // nearer to the end
+  EXPECT_GT(twice.u, 60.0);  // the point near the end is closer
 }
 
 TEST(OpenCrg, SaysWhereAndWhatIsWrong) {
@@ -310,7 +312,7 @@ TEST(OpenCrg, OfAnOptionThatComesTwiceTheLastOneCountsWithAWarning) {
                 "road.crg:11: log_eval comes a second time: 0 counts, 1 of line 9 does not",
                 "road.crg:15: scale_z_grid comes a second time: 2 counts, 3 of line 14 does not"}));
   EXPECT_TRUE(OpenCrg::parse(kPlain, "road.crg").warnings.empty());
-  // Two contradicting statements about the surface itself are refused.
+  // Contradicting statements about the surface itself are refused.
   expect_crg_message(with("$ROAD_CRG\n", "$ROAD_CRG\nreference_line_increment = 2\n"),
                      "road.crg:6: ",
                      "comes twice");
@@ -376,7 +378,8 @@ TEST(OpenCrg, EveryStatementOfTheStandardsTablesIsTaken) {
   const OpenCrg file = OpenCrg::parse(with("$ROAD_CRG\n", parameters, text), "road.crg");
   EXPECT_EQ(OpenCrg::parse(kPlain, "road.crg").grid.z, file.grid.z);
   EXPECT_TRUE(file.warnings.empty()) << file.warnings.front();
-  // 10 road parameters, 8 options, 20 statements of the projection do not concern the surface.
+  // 10 road parameters, 8 options and 20 statements of the map projection do not concern the
+  // surface.
   EXPECT_EQ(file.kept.size(), 10u + 8u + 20u);
   EXPECT_NE(std::find(file.kept.begin(), file.kept.end(), "proj_nm = 'UTM_32U' (map projection)"),
             file.kept.end());
@@ -414,7 +417,8 @@ TEST(OpenCrg, StatementsThatContradictOrIdleEachOtherAreTold) {
   expect_crg_message(with_section("$ROAD_CRG_OPTS\nrefline_continuation = 2\n"),
                      "road.crg:9: ",
                      "expected 0 or 1");
-  // An offset of the reference point counts with and without a fraction, and beside a position.
+  // refpoint_u_offset and refpoint_v_offset shift the reference point, whether the file states its
+  // position (refpoint_u), its fraction of the road's length (refpoint_u_fraction) or neither.
   const auto origin = [](const std::string& modifiers) {
     return road_of(with_section("$ROAD_CRG_MODS\n" + modifiers)).point({0.0, 0.0});
   };
@@ -465,7 +469,7 @@ TEST(OpenCrg, WithoutAFormatDataAreKrbiWithAWarning) {
   EXPECT_NE(file.warnings[0].find("taken as KRBI"), std::string::npos);
 }
 
-/// Files in a folder of their own, which is removed at the end.
+/// A temporary folder with files; it is removed at the end.
 class CrgFolder {
  public:
   CrgFolder()
@@ -493,9 +497,9 @@ class CrgFolder {
   std::filesystem::path path_;
 };
 
-// There may be several files, paths on several lines, environment variables (3.4.6); if a statement
-// is defined twice the last one counts, and a section of the referring file before those of the
-// files it refers to.
+// A section may name several files, paths on several lines and environment variables (3.4.6). If a
+// statement is defined twice, the last one counts, and a section of the referring file takes
+// precedence over those of the files to which it refers.
 TEST(OpenCrg, SeveralReferencesAreSeveralFiles) {
   const CrgFolder folder;
   folder.write("plain.crg", kPlain);
@@ -545,8 +549,8 @@ struct Reference {
   double x, y, u, v, z;
 };
 
-// The numbers are from an independent program: the C library of OpenCRG 1.2.0, without modifiers,
-// with default options. It keeps heights in single precision.
+// The reference heights are those of an independent program, the C library of OpenCRG 1.2.0,
+// without modifiers and with default options. It stores heights in single precision.
 void expect_as(const char* name, const std::vector<Reference>& points) {
   const CrgRoad road(OpenCrg::read(kCrgSamples / name).grid);
   for (const Reference& point : points) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reader of Adams road data files; road_file.h says what they mean.
+// Reads Adams road data files; road_file.h describes their meaning.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ using road::Profile;
 
 constexpr double kLargestRoad = 1e7;  // m: no road is longer
 constexpr double kMostCleats = 1e4;
-constexpr double kMostOblique = 80.0 / 180.0 * std::numbers::pi;  // rad, of a bar
+constexpr double kMostOblique = 80.0 / 180.0 * std::numbers::pi;  // rad, largest angle of a bar
 constexpr double kSmoothest = 1e-6;  // m; least length of an obstacle or wave
 
 const std::vector<std::string> kRoadTypes = {"flat",
@@ -43,7 +43,7 @@ const std::vector<std::string> kRoadTypes = {"flat",
                                              "drum",
                                              "stochastic_uneven"};
 
-/// Keys of [PARAMETERS] of all those roads.
+/// Keys that [PARAMETERS] may have for every type of road.
 const std::vector<std::string> kRoadKeys = {"MU",
                                             "MU_FACTOR_CLEAT",
                                             "OFFSET",
@@ -73,7 +73,7 @@ const std::vector<std::string> kRoadKeys = {"MU",
                                             "CLEAT_DIRECTION",
                                             "CLEAT_STARTING_ANGLE"};
 
-/// Quantity of a number, which decides its unit.
+/// Kind of quantity, which determines the unit of a number.
 enum class Of { ratio, length, angle, time, speed };
 
 class RdfReading {
@@ -105,7 +105,8 @@ class RdfReading {
   }
 
  private:
-  /// Doubts about unused parts that would move, turn or scale the surface, or change its friction.
+  /// Adds doubts about unused parts that would move, rotate or scale the surface, or change its
+  /// friction.
   void doubt_unused() {
     const std::map<std::string, std::array<double, 3>, std::less<>> of_surface = {
         {"SCALE", {1.0, 1.0, 1.0}},
@@ -125,7 +126,8 @@ class RdfReading {
     for (const TeimOrbitPart& part : result_.unused) {
       constexpr std::string_view kSection = "[PARAMETERS] ";
       if (!part.name.starts_with(kSection)) continue;
-      // A key of another ROAD_TYPE is often left in a file and means nothing.
+      // A key that belongs to another ROAD_TYPE is often left in a file and has no effect, so it
+      // causes no doubt.
       const std::string key = part.name.substr(kSection.size());
       if (key.starts_with("{") ||
           std::find(kRoadKeys.begin(), kRoadKeys.end(), key) != kRoadKeys.end())
@@ -143,7 +145,8 @@ class RdfReading {
                                 Place{file_.file(), friction_across_->line}});
   }
 
-  /// True if X, Y, Z of the section have no effect: they are those of `neutral` or not there.
+  /// True if X, Y, Z of the section have no effect: they have the values of `neutral` or are
+  /// missing.
   static bool leaves_surface(const TeimOrbitSection& section,
                              const std::array<double, 3>& neutral) {
     if (!section.tables().empty()) return false;
@@ -170,8 +173,8 @@ class RdfReading {
     return entry || parameters_ == &model_ ? entry : model_.find(key);
   }
 
-  /// SI value of one unit of a number. Asked for only if the number is there and not 0, which is 0
-  /// in any unit, because a unit that the file does not state is refused.
+  /// Returns the SI value of one unit. It throws if the file does not state the unit, so it is
+  /// called only for numbers other than 0; 0 is the same in any unit.
   double in_si(Of quantity) const {
     switch (quantity) {
       case Of::length:
@@ -205,7 +208,8 @@ class RdfReading {
   double place(const char* key, double fallback = 0.0) {
     return number(key, Of::length, -kLargestRoad, kLargestRoad, fallback);
   }
-  /// Reads a height of an obstacle or wave. One above a meter is told: a unit may be wrong.
+  /// Reads the height of an obstacle or wave. Adds a doubt about one above a meter, because a unit
+  /// may be wrong.
   double height(const char* key) {
     constexpr double kHighest = 1.0;  // m
     const double value = number(key, Of::length, -kLargestRoad, kLargestRoad);
@@ -335,8 +339,8 @@ class RdfReading {
     return *found;
   }
 
-  /// Returns rows of a table as numbers in m (or s, m/s: `units` of each column), with a rising
-  /// first column.
+  /// Returns the rows of a table in SI (`units` has the SI value of each column's unit). The first
+  /// column must rise.
   std::vector<std::vector<double>> rows(const char* block, const std::vector<double>& units) {
     std::vector<std::vector<double>> result;
     for (const TeimOrbitRow& row : table(block).rows) {
@@ -415,7 +419,7 @@ class RdfReading {
         points.push_back({row[0], row[1]});
         radii.push_back(row[2]);
       }
-      // The angle is that of the middle of the bar.
+      // The angle turns the bar about its middle.
       const double middle = (points.front().s + points.back().s) / 2.0;
       for (Profile::Point& point : points) point.s -= middle;
       cleat.profile = road::rounded_profile(points, radii);
@@ -460,7 +464,7 @@ class RdfReading {
     result_.road = std::move(surface);
   }
 
-  /// Reads the number of a node or element; some programs write it as a real number.
+  /// Returns the number of a node or element; some programs write it as a real number.
   long id(const TeimOrbitSection& section, const TeimOrbitRow& row, double number) const {
     if (number == std::floor(number) && std::abs(number) < 1e15) return static_cast<long>(number);
     throw InputError(section.place(row.line),
@@ -528,7 +532,7 @@ class RdfReading {
                      fmt::format("{} is {}, but {} follow", key, entry->value, found));
   }
 
-  /// Reads [OFFSET] or [REFSYS].
+  /// Reads the section [OFFSET] or [REFSYS].
   Eigen::Vector3d read_offset(Eigen::Matrix3d& turn) const {
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
     if (const TeimOrbitSection* section = file_.find("OFFSET")) {
@@ -570,7 +574,8 @@ class RdfReading {
   TeimOrbitUnits units_;
   const TeimOrbitSection& model_;
   const TeimOrbitSection* parameters_;
-  std::optional<TeimOrbitPart> friction_across_;  // first triangle with another mu_y than mu_x
+  // the first triangle whose coefficient mu_y differs from mu_x
+  std::optional<TeimOrbitPart> friction_across_;
   RoadFile result_;
 };
 

@@ -15,11 +15,12 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kStation = 0.5;        // m, between cross-sections
-constexpr double kMostPieces = 200.0;   // most cross-sections in an interval; a longer interval has
-                                        // a larger distance between them
+constexpr double kStation = 0.5;  // m, distance of cross-sections
+// Largest number of cross-sections in an interval between two points; in a long interval their
+// distance is larger.
+constexpr double kMostPieces = 200.0;
 constexpr double kLargestSpline = 1e6;  // m
-constexpr double kLeastStep = 1e-3;     // m, between points in plan
+constexpr double kLeastStep = 1e-3;     // m, least horizontal distance of two points
 
 struct DataPoint {
   Vector3d center = Vector3d::Zero();
@@ -56,7 +57,7 @@ class SplineReading {
                      "ROAD_VERTICAL is " + in_quotes(text) + ", expected '0 0 1'");
   }
 
-  /// Returns a row's own number, or the common one if the row has 0 or none.
+  /// Returns the row's own number; the common one if the row has 0 or no number.
   double own(const std::vector<double>& row, std::size_t column, double of_all) const {
     return column < row.size() && row[column] != 0.0 ? row[column] : of_all;
   }
@@ -116,8 +117,8 @@ class SplineReading {
 
   double chord(long i) const { return (point(i + 1).center - point(i).center).head<2>().norm(); }
 
-  /// Slope of the parabola through the point and its neighbors, over the chords; at an end the
-  /// slope of the chord.
+  /// Returns the slope of the parabola through the point and its neighbors over the chord length;
+  /// at an end, the slope of the chord.
   Vector3d slope(long i) const {
     const long last = std::ssize(points_) - 1;
     const auto rise = [&](long k) {
@@ -139,8 +140,8 @@ class SplineReading {
     const Vector3d a = point(i).center, b = point(i + 1).center;
     const Vector3d m = slope(i) * h, n = slope(i + 1) * h;
     const Vector3d rise = b - a;
-    // Hermite's cubic is a chord plus a term that bends it: collinear points give an exactly
-    // straight line.
+    // The Hermite cubic is written as a chord plus a term that bends it, so that collinear points
+    // give an exactly straight line.
     const Vector3d bend = (1.0 - t) * (m - rise) - t * (n - rise);
     const Vector3d change = -(m - rise) - (n - rise);
     const double width = point(i).width + t * (point(i + 1).width - point(i).width);

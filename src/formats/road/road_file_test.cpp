@@ -41,7 +41,7 @@ void expect_road_message(const std::string& text,
                          const std::string& place,
                          const std::string& words) {
   try {
-    // Units behind the text leave its line numbers as they are.
+    // The units stand after the text, so that its line numbers do not change.
     rdf(text + "[UNITS]\nLENGTH='meter'\nANGLE='radian'\nTIME='second'\n");
     FAIL() << words;
   } catch (const InputError& error) {
@@ -64,15 +64,15 @@ TEST(RdfFile, ObstaclesStandWhereTheirParametersSay) {
   EXPECT_EQ(plank.road->at(0.1, 0, 0).friction, 0.9);
   EXPECT_EQ(names_of(plank.unused), std::vector<std::string>{"[PARAMETERS] COLOR"});
   EXPECT_TRUE(road_2d("plank", "HEIGHT = 20\nSTART = 1000\nLENGTH = 200\n").unused.empty());
-  // Unused keys are reported: a misspelled key, one in another section, one whose value would mean
-  // another model.
+  // Unused keys are reported: a misspelled key, a key in another section, and a key whose value
+  // would mean another model.
   EXPECT_EQ(
       names_of(road_2d("flat", "MUE = 0.5\n[GRAPHICS]\nLENGTH = 3\n[OFFSET]\nZ = 1\n").unused),
       (std::vector<std::string>{"[PARAMETERS] MUE", "[GRAPHICS]", "[OFFSET]"}));
   const RoadFile oblique =
       road_2d("plank", "HEIGHT = 20\nSTART = 1000\nLENGTH = 200\nDIRECTION = 45\n");
   EXPECT_EQ(z(oblique, 1.1, 0.0), 0.02);
-  EXPECT_EQ(z(oblique, 1.1 - 0.3, 0.3), 0.02);  // angle counterclockwise from the axle
+  EXPECT_EQ(z(oblique, 1.1 - 0.3, 0.3), 0.02);  // the angle is counterclockwise from the axle
   EXPECT_EQ(z(oblique, 1.1 + 0.3, 0.3), 0.0);
   const RoadFile hole = road_2d("pothole", "DEPTH = 50\nSTART = 1000\nLENGTH = 200\nOFFSET = 7\n");
   EXPECT_NEAR(z(hole, 1.1), -0.043, kRounding);
@@ -99,7 +99,8 @@ TEST(RdfFile, WavesHaveTheirPhaseFromTheIntegralOfTheWaveNumber) {
   for (const int type : {0, 1}) {
     const RoadFile road = road_2d("sweep", sweep + std::to_string(type) + "\n");
     for (const double x : {0.3, 4.1, 9.7}) {
-      // Simpson's rule, error far below 1e-12 with 2000 pieces.
+      // Computes the phase of the sweep by Simpson's rule, whose error is far below 1e-12 with 2000
+      // intervals.
       double phase = 0.0;
       const auto wave_number = [&](double s) {
         const double length = type == 0 ? 4.0 * std::pow(0.25, s / 10.0) : 4.0 - 0.3 * s;
@@ -141,7 +142,8 @@ TEST(RdfFile, DrumTurnsItsCleatsUnderTheTire) {
                                    "DIAMETER = -2500\nNUMBER_CLEATS = 1\n(TV_DATA)\n0 0\n1 "
                                    "1000\n(XZR_DATA)\n0 0 0\n0 20 10\n40 20 10\n40 0 0\n");
   EXPECT_NEAR(z(rounded, 0), 0.02, 1e-4);
-  // The corner has a quarter circle of 10 mm: at 45 deg it is 10 (1 - cos 45 deg) = 2.93 mm inside.
+  // The corner is a quarter circle of 10 mm radius; at 45 deg it lies 10 (1 - cos 45 deg) = 2.93 mm
+  // inside.
   EXPECT_NEAR(z(rounded, 0.02 - 0.00293), 0.02 - 0.00293, 1.5e-4);
   EXPECT_EQ(rounded.road->at(0, 0, 0.5).velocity.x(), -0.5);
 }
@@ -172,7 +174,7 @@ TEST(RdfFile, SaysWhereAndWhatIsWrong) {
   expect_road_message(mesh + "NUMBER_OF_ELEMENTS = 5\n1 2 3\n", "road.rdf:8: ", "but 1 follow");
 }
 
-/// The message of a road whose [UNITS] has these lines only.
+/// Returns the error message for a road whose [UNITS] has only these lines.
 std::string complaint_of_road(const std::string& units, const std::string& rest) {
   try {
     rdf((units.empty() ? "" : "[UNITS]\n" + units) + rest);
@@ -191,7 +193,7 @@ TEST(RdfFile, AMissingUnitOfAQuantityThatTheRoadHasIsRefused) {
   const std::string silent = complaint_of_road("FORCE='newton'\nANGLE='degree'\n", plank);
   EXPECT_EQ(silent.find("road.rdf:1: [UNITS] has no LENGTH"), 0u) << silent;
   EXPECT_NE(silent.find("add the line LENGTH = 'mm'"), std::string::npos) << silent;
-  // Its angles are 0, in any unit.
+  // All angles of this file are 0, so they need no unit.
   EXPECT_EQ(complaint_of_road("LENGTH='mm'\n", plank), "none");
   const std::string turned = plank.substr(0, plank.find("DIRECTION")) + "DIRECTION=30\n";
   EXPECT_NE(complaint_of_road("LENGTH='mm'\n", turned).find("[UNITS] has no ANGLE"),
@@ -242,7 +244,7 @@ TEST(RdfFile, PartsThatWouldChangeTheSurfaceAreDoubts) {
   EXPECT_EQ(names_of(across.unused), Names{"[ELEMENTS] mu_y"});
   EXPECT_EQ(names(units + "[MODEL]\nMETHOD='2D'\nROAD_TYPE='flat'\n[PARAMETERS]\nMUE=1\n"),
             Names{"[PARAMETERS] MUE:9"});
-  // A key of another type of road is unused, and no doubt.
+  // A key of another type of road is unused, and causes no doubt.
   const RoadFile flat =
       rdf(units + "[MODEL]\nMETHOD='2D'\nROAD_TYPE='flat'\n[PARAMETERS]\nMU=1\nHEIGHT=2\n");
   EXPECT_TRUE(flat.doubts.empty());
@@ -256,17 +258,18 @@ TEST(RdfFile, TrianglesInAnyOrderOfNodesAndOfWinding) {
           "[NODES]\n{ node x_value y_value z_value }\n70 1000 0 0\n3 0 0 0\n12 1000 1000 50\n5 0 "
           "1000 0\n"
           "[ELEMENTS]\n{ node_1 node_2 node_3 mu }\n3 12 70 0.8\n3 5 12 0.6\n");
-  // The road is turned by 90 deg: x of the file is y here.
+  // The road is rotated by 90 deg: x of the file is y here.
   EXPECT_NEAR(z(file, -0.25, 0.5), 0.1 + 0.0125, kRounding);
   EXPECT_NEAR(z(file, -0.999999, 0.999999), 0.15, 1e-6);
   EXPECT_EQ(file.road->at(-0.25, 0.5, 0).friction, 0.8);
   EXPECT_EQ(file.road->at(-0.75, 0.5, 0).friction, 0.6);
   EXPECT_GT(file.road->at(-0.25, 0.5, 0).normal.z(), 0.9);
-  EXPECT_NEAR(z(file, 0.5, 0.5), 0.1, kRounding);    // beside the mesh the nearest edge counts
-  EXPECT_NEAR(z(file, -1.5, 1.5), 0.15, kRounding);  // the nearest corner
+  // beyond the mesh the height is that of the nearest edge
+  EXPECT_NEAR(z(file, 0.5, 0.5), 0.1, kRounding);
+  EXPECT_NEAR(z(file, -1.5, 1.5), 0.15, kRounding);  // the height of the nearest corner
 }
 
-// Reference without a search: every triangle is tried.
+// Reference result without a spatial index: every triangle is tried.
 double brute_force(const road::TriangleMesh& mesh, const Eigen::Vector2d& p) {
   double best = -1e300;
   for (const auto& triangle : mesh.triangles) {
@@ -342,7 +345,8 @@ TEST(RdfFile, KerbsAsTrianglesAreTheSameKerbs) {
       const Eigen::Vector2d p =
           kerb.start + Eigen::Vector2d(s * std::cos(0.3) - 0.35 * std::sin(0.3),
                                        s * std::sin(0.3) + 0.35 * std::cos(0.3));
-      // Flanks lean by 0.01 mm, and so do the slopes that end in them.
+      // The steep faces of this road extend over 0.01 mm along the road, and so do the slopes that
+      // end in them.
       EXPECT_NEAR(z(file, p.x(), p.y()), exact.height(p.x(), p.y(), 0.0), 1e-5) << s;
       if (s < -0.01 || (s > 0.01 && s < 3.19) || s > 3.21) {
         EXPECT_EQ(file.road->at(p.x(), p.y(), 0).friction, exact.at(p.x(), p.y(), 0).friction);
@@ -381,11 +385,12 @@ TEST(RdfSpline, APlaneThroughStraightPointsIsThatPlane) {
   for (const double x : {0.1, 1.0, 2.9, 3.1, 7.7}) EXPECT_NEAR(z(road, x, 0.9), 0.1 * x, 1e-12);
   EXPECT_EQ(road.road->at(1.0, 1.0, 0.0).friction, 1.2);   // left
   EXPECT_EQ(road.road->at(1.0, -1.0, 0.0).friction, 0.8);  // right
-  EXPECT_EQ(road.road->at(5.0, 1.0, 0.0).friction, 0.5);   // a row's own value, from there on
+  // the row's own value holds from this point on
+  EXPECT_EQ(road.road->at(5.0, 1.0, 0.0).friction, 0.5);
 }
 
-// Points on a circle every 2 a: there the cubic is on the circle, between two points its distance
-// from the center is R cos a (1 + sin^2 a / 2).
+// Points lie on a circle, one every 2 a of angle. The cubic is on the circle at the points; between
+// two points its distance from the center is R cos a (1 + sin^2 a / 2).
 TEST(RdfSpline, AClosedCircleComesBackToItself) {
   std::string points;
   for (int i = 0; i < 18; ++i) {
@@ -397,7 +402,8 @@ TEST(RdfSpline, AClosedCircleComesBackToItself) {
   text.replace(text.find("'NO'"), 4, "'YES'");
   const RoadFile road = rdf(text);
   double out = 0.0, in = 1e9;
-  for (std::size_t i = 1; i < road.triangles->mesh().nodes.size(); i += 3) {  // the center line
+  // every third node lies on the center line
+  for (std::size_t i = 1; i < road.triangles->mesh().nodes.size(); i += 3) {
     const double radius = road.triangles->mesh().nodes[i].head<2>().norm();
     out = std::max(out, radius);
     in = std::min(in, radius);

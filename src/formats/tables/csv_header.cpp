@@ -28,7 +28,7 @@ bool is_number(std::string_view cell) {
 
 bool says_nothing(std::string_view unit) { return unit.empty() || unit == "-"; }
 
-/// A cell "1" may be a number or the unit of plain numbers.
+/// True if the cells contain numbers. A cell "1" may also be the unit of plain numbers.
 bool holds_numbers(const std::vector<std::string>& cells) {
   return std::any_of(cells.begin(), cells.end(), [](const std::string& cell) {
     return cell != "1" && is_number(cell);
@@ -46,7 +46,7 @@ bool all_units(const std::vector<std::string>& cells) {
   return any;
 }
 
-/// True if the line of units is above numbers.
+/// True if the next line has numbers below the texts of this line, so that this line holds units.
 bool stands_above_numbers(const std::vector<std::string>& cells, const CsvFields::Row& next) {
   for (std::size_t i = 0; i < std::min(cells.size(), next.cells.size()); ++i)
     if (!says_nothing(without_square_brackets(cells[i])) && cells[i] != "1" &&
@@ -66,7 +66,7 @@ void take_units(const std::vector<std::string>& cells,
   }
 }
 
-/// Columns of text have no unit, whatever is below their names.
+/// Removes the unit of columns of text, which have none whatever is below their names.
 void leave_texts(const CsvFields::Row& next, std::vector<TableColumn>& columns) {
   for (std::size_t i = 0; i < std::min(columns.size(), next.cells.size()); ++i)
     if (!is_number(next.cells[i]) && !is_gap_word(next.cells[i]) && !Unit::find(columns[i].unit))

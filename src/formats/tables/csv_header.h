@@ -19,11 +19,11 @@ struct CsvHeader {
   std::vector<TableColumn> columns;
 };
 
-/// Leaves `fields` at the first row of values. Throws InputError for an empty file, a column
-/// without a name, a name that is a number or occurs twice.
+/// Reads names and units and leaves `fields` at the first row of values. Throws InputError for an
+/// empty file, a column without a name, and a name that is a number or occurs twice.
 CsvHeader read_csv_header(CsvFields& fields, const std::string& file);
 
-/// Error message for a row with another number of fields than the header has.
+/// Returns the error message for a row with another number of fields than the header.
 std::string wrong_number_of_fields(std::size_t found, const CsvHeader& header, char separator);
 
 }  // namespace latsch::formats

@@ -20,9 +20,8 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kLargestTable = 1u << 30;  // bytes
-constexpr int kStride = 1024;                    // rows between two stored positions; a larger
-                                                 // stride saves memory and slows access to single
-                                                 // rows
+// Rows between two stored positions; a larger number saves memory and slows access to single rows.
+constexpr int kStride = 1024;
 
 std::string called(std::string_view column) { return "column " + in_quotes(column); }
 
@@ -264,7 +263,7 @@ std::string CsvTable::text(std::string_view column, int wanted) const {
 Channels CsvTable::channels() const {
   std::vector<Wanted> wanted;
   for (TableColumn column : columns_) {
-    const auto known = recognized(column.name);  // "SA_deg" is in degrees
+    const auto known = recognized(column.name);  // a name such as "SA_deg" states the unit
     if (known && column.unit.empty()) take_unit_of_name(column, std::string(known->meaning->unit));
     const Unit unit = unit_of_column(column, "", {file_, column.unit_line});
     wanted.push_back({column.name, si_unit(unit.dimension())});
@@ -318,7 +317,8 @@ std::string csv_header(const Channels& channels, const std::vector<std::string>&
 }
 
 std::string csv_rows(const Channels& channels, const std::vector<std::string>& units) {
-  constexpr std::size_t kUsualCell = 18;  // bytes; estimate for reserving memory
+  // bytes; estimate of the length of a cell, for reserving memory
+  constexpr std::size_t kUsualCell = 18;
   std::vector<Unit> written;
   std::size_t rows = 0;
   for (std::size_t i = 0; i < channels.all().size(); ++i) {
@@ -331,7 +331,7 @@ std::string csv_rows(const Channels& channels, const std::vector<std::string>& u
     for (std::size_t i = 0; i < written.size(); ++i) {
       if (i > 0) text += ',';
       const std::vector<double>& values = channels.all()[i].values;
-      // The sum writes a negative zero as 0.
+      // The sum with 0.0 turns -0 into 0.
       if (row < values.size()) written[i].append_exact_number(0.0 + values[row], text);
     }
     text += '\n';

@@ -42,14 +42,14 @@ class CsvTable {
   const std::string& file() const { return file_; }
   int rows() const { return rows_; }
   bool has(std::string_view column) const;
-  /// True if the table states the unit of the given column.
+  /// True if the table states a unit for the column.
   bool has_unit(std::string_view column) const;
-  /// Returns the unit as written; "" if the table states none.
+  /// Returns the unit of a column as written; "" if the table states none.
   const std::string& unit(std::string_view column) const;
   /// Returns every column as the header states it.
   const std::vector<TableColumn>& header() const { return columns_; }
-  /// Returns the names in the order of the file. A column is also found by its whole title, "force
-  /// [N]".
+  /// Returns the names of the columns in the order of the file. All functions also find a column by
+  /// its whole title, "force [N]".
   std::vector<std::string> columns() const;
   Place place(int row) const;
   Place header_place() const { return {file_, header_line_}; }
@@ -57,17 +57,17 @@ class CsvTable {
   /// Returns a column in the SI unit of `unit`. Throws InputError naming file and line for a
   /// missing column, a missing, unknown or wrong unit and for cells that are not finite numbers.
   std::vector<double> numbers(std::string_view column, std::string_view unit) const;
-  /// Returns several columns at once.
+  /// A column and the unit in which it is requested.
   struct Wanted {
     std::string column, unit;
   };
   std::vector<std::vector<double>> numbers(const std::vector<Wanted>& columns) const;
-  /// Passes the columns in blocks of `rows` rows, the last one shorter: for tables too long to be
-  /// kept.
+  /// Calls the function with blocks of `rows` rows of the columns, the last one shorter; for tables
+  /// too long to be kept in memory.
   void for_blocks(const std::vector<Wanted>& columns,
                   int rows,
                   const std::function<void(std::vector<std::vector<double>>&)>& block) const;
-  /// Columns with gaps: NaN for a cell that is no finite number.
+  /// Columns in which a cell that is no finite number is a gap, NaN.
   struct Gaps {
     std::vector<std::vector<double>> values;
     std::vector<int> lines;  // line of each row
@@ -75,13 +75,14 @@ class CsvTable {
     /// `is "1,234" in line 7, expected ...`. Empty if there is none.
     std::vector<std::string> texts;
   };
-  /// An empty unit requests the numbers as they are written.
+  /// Returns columns with their gaps. An empty unit requests the numbers as they are written.
   Gaps numbers_and_gaps(const std::vector<Wanted>& columns) const;
-  /// Unit to request if a column without a unit is in SI: `unit`, or "1".
+  /// Returns the unit to request for a column that is in SI if the table states no unit: `unit`, or
+  /// "1" for a column without unit.
   std::string si_or_plain(std::string_view column, std::string_view unit) const {
     return has_unit(column) ? std::string(unit) : "1";
   }
-  /// Returns a column like numbers(), but a column without a unit is in SI.
+  /// Returns a column as numbers() does, but a column without a unit is assumed to be in SI.
   std::vector<double> si_numbers(std::string_view column, std::string_view unit) const;
   /// Returns integers without unit.
   std::vector<int> integers(std::string_view column) const;
@@ -119,7 +120,7 @@ class CsvTable {
 /// each column; empty: SI. Reading a table of equal lengths gives the same bits.
 std::string csv_text(const Channels& channels, const std::vector<std::string>& units = {});
 
-/// Two parts of csv_text() for tables written block by block.
+/// The header and the rows of csv_text(), for tables that are written block by block.
 std::string csv_header(const Channels& channels, const std::vector<std::string>& units = {});
 std::string csv_rows(const Channels& channels, const std::vector<std::string>& units = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading a spoiled table ends in finite numbers of equal count or in an InputError.
+// Reading a damaged table must give finite numbers, equally many in each column, or an InputError.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +62,7 @@ TEST(CsvTableFuzz, TwentyThousandSpoiledTablesEndInNumbersOrAnInputError) {
       ASSERT_EQ(std::string(error.what()).find("spoiled.csv"), 0u) << error.what();
     }
   }
-  // Both outcomes are frequent.
+  // A good share of the damaged tables is read, and a good share is refused.
   EXPECT_GT(rejected, kMutations / 4);
   EXPECT_LT(rejected, 19 * kMutations / 20);
 }

@@ -49,8 +49,8 @@ TEST(CsvTable, UnitsMayStandInASecondRow) {
     EXPECT_EQ(table.numbers("x", "m"), (std::vector<double>{0.005}));
     EXPECT_EQ(table.integers("n"), (std::vector<int>{1}));
   }
-  EXPECT_EQ(parse("a,b\n1,2\n").rows(), 1);     // numbers are data
-  EXPECT_EQ(parse("a,b\nx,none\n").rows(), 1);  // words that are no units are data, too
+  EXPECT_EQ(parse("a,b\n1,2\n").rows(), 1);     // a line of numbers is data
+  EXPECT_EQ(parse("a,b\nx,none\n").rows(), 1);  // words that are no units are data too
 }
 
 TEST(CsvTable, SpreadsheetsOfOtherCountriesUseSemicolonAndComma) {
@@ -109,7 +109,8 @@ TEST(CsvTableComplaint, FloodsEndEarly) {
             "t.csv:1: has more than 10000 fields");
 }
 
-// Only some positions of a long table are stored: all ways to read its rows give equal results.
+// Only some positions of a long table are stored; all ways to read its rows must give equal
+// results.
 TEST(CsvTable, LongTablesAreReadByColumnsByBlocksAndByRows) {
   constexpr int kRows = 5000;
   std::string text = "n [mm], half, word\n";
@@ -150,7 +151,7 @@ TEST(CsvTable, FilesAreMapped) {
   EXPECT_THROW(CsvTable::read(file.parent_path()), InputError);
 }
 
-// Property: values written in any unit are read back bit for bit.
+// Values written in any unit must be read back with the same bits.
 TEST(CsvTable, WrittenChannelsComeBackBitForBit) {
   std::uint64_t state = 11;
   const auto any = [&] {
@@ -187,7 +188,8 @@ TEST(CsvTable, WrittenTablesAreReadable) {
   EXPECT_EQ(csv_text(channels, {"mm", "N"}), "deflection [mm],force [N]\n5,812\n");
 }
 
-// A modal test on the ground records many frequencies and one deflection.
+// A modal test on the ground records many frequencies and one deflection, so the deflection's
+// column has empty cells.
 TEST(CsvText, AShorterChannelLeavesItsCellsEmpty) {
   Channels channels;
   channels.add({"frequency", "Hz", {40.0, 60.0}});
@@ -203,7 +205,8 @@ TEST(CsvTable, AUnitMayStandInRoundBracketsOrBehindASlash) {
   EXPECT_EQ(table.numbers("v", "m/s")[0], 10.0);
   EXPECT_EQ(table.numbers("Temp", "K")[0], 273.15);
   EXPECT_EQ(table.numbers("p", "Pa")[0], 2e5);
-  // The whole title is a name too. Letters that name a frame, a side or a position are no units.
+  // The whole title is accepted as a name. Letters that name a frame, a side or a position are no
+  // units.
   EXPECT_EQ(table.numbers("Fz (kN)", "N")[0], 1000.0);
   EXPECT_EQ(table.numbers("Fy (H)", "1")[0], 7.0);
   EXPECT_EQ(table.numbers("toe (L)", "1")[0], 8.0);
@@ -248,7 +251,8 @@ TEST(CsvTable, SaysWhyANumberIsNone) {
             "semicolons or tabs between the columns");
 }
 
-// Rows are read a second time when their numbers are asked for.
+// Rows are read from the file a second time when their numbers are requested, so the test truncates
+// the file in between.
 TEST(CsvTable, OfAFileThatIsCutMeanwhileKeepsItsRows) {
   const ScratchFolder folder;
   std::string text = "force [kN]\n";

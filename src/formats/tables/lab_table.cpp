@@ -30,12 +30,12 @@ using Units = std::map<std::string, std::string>;
 constexpr std::size_t kMostColumns = 10000;                    // most columns of a .dat
 constexpr std::size_t kLargestLabFile = std::size_t{1} << 30;  // bytes
 
-/// A column as in the file.
+/// A column of a laboratory's file.
 struct LabColumn {
   TableColumn source;
   std::vector<double> values = {};  // NaN: a gap
   bool is_si = false;               // false: in the unit of `source`
-  std::string fault = {};           // fault of the cells, in words
+  std::string fault = {};           // error in the cells, in words
 };
 
 void expect_once(const std::vector<LabColumn>& columns, const Place& header) {
@@ -51,7 +51,7 @@ void expect_once(const std::vector<LabColumn>& columns, const Place& header) {
   }
 }
 
-/// Applies units that the caller states for columns that have none.
+/// Sets the units that the caller states for columns without unit.
 void take_stated_units(std::vector<LabColumn>& columns, const Units& units, const Place& header) {
   std::vector<std::string> names, missing;
   for (const LabColumn& column : columns) names.push_back(column.source.name);
@@ -70,7 +70,7 @@ void take_stated_units(std::vector<LabColumn>& columns, const Units& units, cons
   if (!missing.empty()) throw InputError(header, missing_columns(missing, names));
 }
 
-/// Adds columns in SI, with units that the caller states for those that have none.
+/// Adds columns, converted to SI, with units that the caller states for those without unit.
 void add_columns(std::vector<LabColumn> columns,
                  const Units& units,
                  const ExpectedUnit& expected,
@@ -144,7 +144,7 @@ LabTable read_csv(const std::filesystem::path& file,
     if (expected && !units.contains(source.name)) take_unit_of_name(source, expected(source.name));
     const std::string known = expected && !source.unit.empty() ? expected(source.name) : "";
     const bool is_si = !source.unit.empty() && fault_of_unit(source, known).empty();
-    // The number is converted from its digits, to the last bit.
+    // The decimal digits are converted in one step, so that the result is exact to the last bit.
     std::string si = known;
     if (is_si && si.empty()) si = si_unit(reading_of_unit(source.unit).unit->dimension());
     wanted.push_back({in_file, is_si ? si : ""});
@@ -191,7 +191,8 @@ std::vector<Line> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Names that consortia use, by which a line of names is distinguished from a line about the run.
+/// True for names that test consortia use. They distinguish a line of names from a line about the
+/// run.
 bool is_usual_name(std::string_view word) {
   static constexpr std::array<std::string_view, 22> kNames = {
       "ET", "V",  "N",   "SA",  "IA",  "RL",   "RE",   "P",    "FX",     "FY", "FZ",
@@ -237,7 +238,7 @@ std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
     const Line& names = before[before.size() - 2];
     std::vector<LabColumn> columns =
         columns_named(fields_of(trimmed(names.text), tabs), names, tabs);
-    // The last channels may be plain numbers, whose units are blank.
+    // The last channels may be plain numbers, whose fields in the line of units are blank.
     auto units = fields_of(last.text, tabs);
     while (tabs && units.size() < columns.size()) units.emplace_back();
     while (units.size() > columns.size() && units.back().empty()) units.pop_back();
@@ -253,7 +254,8 @@ std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
   return columns_named(fields_of(trimmed(last.text), tabs), last, tabs);
 }
 
-/// "1" is also the unit of plain numbers; then other units follow.
+/// True if the line begins with a number. "1" is also the unit of plain numbers; the line is then
+/// one of units if other units follow.
 bool begins_with_number(const Line& line) {
   const auto fields = fields_of(trimmed(line.text), false);
   if (parse_fortran_number(fields.front())) return true;
@@ -263,7 +265,7 @@ bool begins_with_number(const Line& line) {
          });
 }
 
-/// Says why no line begins with a number.
+/// Throws InputError that states why no line begins with a number.
 [[noreturn]] void no_line_of_numbers(const std::vector<Line>& lines, const std::string& file) {
   for (const Line& line : lines) {
     const auto first = trimmed(fields_of(trimmed(line.text), false).front());
@@ -277,7 +279,7 @@ bool begins_with_number(const Line& line) {
   throw InputError({file, 0}, "has no line of numbers");
 }
 
-/// Reads one number of a .dat: a gap, or an error if the cell is neither.
+/// Returns the number in a cell of a .dat, or NaN for a gap; throws if the cell is neither.
 double cell_of_dat(std::string_view field, const LabColumn& column, const Place& place) {
   if (const auto number = parse_number(field))
     return std::isfinite(*number) ? *number : std::nan("");
@@ -326,8 +328,9 @@ LabTable read_dat(const std::filesystem::path& file,
   return table;
 }
 
-/// Returns the number of samples of a recording of vectors: the length of the stated ones, if any,
-/// else of those with a known name, else of the first. Throws InputError if these differ.
+/// Returns the number of samples of a recording: the length of the vectors whose names the caller
+/// states, if any, else of those with a known name, else of the first vector. Throws InputError if
+/// these lengths differ.
 std::size_t samples_of(const MatFile::Named& vectors, const std::string& file, const Units& units) {
   const auto counts = [&](const std::string& name) {
     return units.empty() ? recognized(name).has_value() : units.contains(name);
@@ -413,7 +416,8 @@ LabTable read_mat(const std::filesystem::path& file,
   return table;
 }
 
-/// Leaves out a constant for which the file has a channel, too, and says if the two contradict.
+/// Drops a constant for which the file also has a channel, and adds a doubt if the two contradict
+/// each other.
 void leave_out_constant(const TydexFile::Entry& constant, const Channel& channel, LabTable& table) {
   double low = INFINITY, high = -INFINITY;
   for (const double value : channel.values) {
@@ -490,7 +494,7 @@ LabTable read_tydex(const std::filesystem::path& file,
         constant.line,
         std::vector<double>(table.lines.size(), *constant.number));
   }
-  // The values are in SI already, in the dimension that the reader of TYDEX has chosen.
+  // The values are already in SI, in the dimension that the reader of TYDEX has chosen.
   std::map<std::string, std::string> taken;
   for (const Channel& channel : tydex.channels.all()) taken[channel.name] = channel.unit;
   for (const TydexFile::Entry& constant : tydex.constants)
@@ -513,8 +517,9 @@ LabTable read_tydex(const std::filesystem::path& file,
   return table;
 }
 
-/// Counts the pairs of bytes that Shift-JIS (Windows code page 932) writes for one character each,
-/// and the bytes above ASCII that belong to no such pair.
+/// Counts the byte pairs that are one character in Shift-JIS (Windows code page 932) and begin as
+/// kana and usual kanji do, with 0x81 to 0x9f, and the bytes above ASCII that belong to no pair. An
+/// umlaut of Windows-1252 with the letter behind it is a pair that begins at 0xc4 or above.
 std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
   std::size_t pairs = 0, others = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -525,7 +530,7 @@ std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
     const bool follows = second >= 0x40 && second != 0x7f && second <= 0xfc;
     const bool is_kana = first >= 0xa1 && first <= 0xdf;  // half-width, one byte each
     if (leads && follows) {
-      ++pairs;
+      pairs += first <= 0x9f;
       ++i;
     } else if (!is_kana) {
       ++others;
@@ -534,8 +539,8 @@ std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
   return {pairs, others};
 }
 
-/// Returns in words which encoding is assumed for a text that is no UTF-8; empty for UTF-8. Only
-/// the beginning of a long file is looked at, because names stand there.
+/// Returns in words the encoding assumed for a text that is not UTF-8; empty for UTF-8. Only the
+/// beginning of a long file is examined, because the names are there.
 std::string encoding_of(const std::filesystem::path& file) {
   constexpr std::size_t kLookedAt = std::size_t{1} << 16;  // bytes
   const MappedFile mapped(file, kLargestLabFile);
@@ -555,7 +560,7 @@ using LabReader = LabTable (*)(const std::filesystem::path&,
                                const ExpectedUnit&,
                                const std::string&);
 
-/// The readers by the extensions of their files.
+/// Returns the readers with the file extensions for which they are used.
 const std::vector<std::pair<std::string, LabReader>>& lab_readers() {
   static const std::vector<std::pair<std::string, LabReader>> readers = {{".csv", read_csv},
                                                                          {".txt", read_csv},

@@ -91,7 +91,7 @@ TEST_F(LabTables, AnUnknownUnitOfADatIsNoName) {
     return std::string(name == "SA" ? "rad" : "");
   };
   EXPECT_THROW(read_lab_table(folder_ / "a.dat", {}, expected), InputError);
-  // All units are unknown, all names usual.
+  // None of the units is known, all names are usual ones.
   EXPECT_EQ(read("b.dat", "run\nSA\tFZ\nfoo\tbaz\n1\t2\n").left_out.size(), 2u);
 }
 
@@ -126,7 +126,7 @@ TEST_F(LabTables, TwoColumnsOfOneNameAndTooManyAreRefused) {
   EXPECT_NE(complaint("e.csv", "").find("is empty"), std::string::npos);
 }
 
-// Symbols of units occur in the encodings of Windows programs.
+// Symbols of units occur in the encodings that Windows programs use.
 TEST_F(LabTables, AreReadInUtf8AndWindows1252AndNotInUtf16) {
   for (const std::string head : {"SA [\xc2\xb0],x [\xc2\xb5m],y [\xce\xbcm]\n",
                                  "\xef\xbb\xbfSA [\xc2\xb0],x [\xc2\xb5m],y [\xc2\xb5m]\n",
@@ -148,7 +148,8 @@ TEST_F(LabTables, AreReadInUtf8AndWindows1252AndNotInUtf16) {
           << complaint(name, text);
 }
 
-// A file of zeros is what a crash leaves of a file that had room on the disk and no text yet.
+// A crash may leave a file for which space was reserved but nothing written: it contains only
+// zeros.
 TEST_F(LabTables, AFileOfZerosIsNoText) {
   for (const char* name : {"z.csv", "z.dat", "z.tdx"}) {
     const std::string said = complaint(name, std::string(4096, '\0'));
@@ -156,7 +157,7 @@ TEST_F(LabTables, AFileOfZerosIsNoText) {
   }
 }
 
-// The unit behind a name counts if the name is known.
+// A unit at the end of a name counts only if the name is known.
 TEST_F(LabTables, AUnitMayEndAName) {
   const auto expected = [](const std::string& name) {
     return std::string(name.starts_with("SA") ? "rad" : name.starts_with("P") ? "Pa" : "");
@@ -231,7 +232,7 @@ TEST_F(LabTables, OfTydexSayWhichConstantsTheirChannelsReplace) {
   EXPECT_EQ(table.left_out.at("FZW of **CONSTANTS"), "is not used: the channel of that name is");
 }
 
-// The layout of consortium files: vectors by name, their units in channel.units.
+// In files of consortia the vectors have names and channel.units lists their units.
 TEST_F(LabTables, OfMatTakeTheUnitsListedBesideTheChannels) {
   write_text_file(folder_ / "script",
                   "import numpy as np, scipy.io as io\n"
@@ -250,7 +251,8 @@ TEST_F(LabTables, OfMatTakeTheUnitsListedBesideTheChannels) {
   EXPECT_EQ(table.place(1).line, 0);
 }
 
-// A recording has one length: a shorter channel is no channel of zeros.
+// All channels of a recording have one length. A shorter one must be refused, not filled with
+// zeros.
 TEST_F(LabTables, OfMatHaveVectorsOfOneLength) {
   const auto read = [&](const std::string& vectors) {
     write_text_file(folder_ / "script",
@@ -274,11 +276,13 @@ TEST_F(LabTables, OfMatHaveVectorsOfOneLength) {
   const LabTable table = read_lab_table(folder_ / "run.mat");
   EXPECT_EQ(table.channels.all().size(), 2u);
   EXPECT_EQ(table.left_out.at("speeds"), "has 5 values, but the recording 60 samples");
-  EXPECT_EQ(table.left_out.at("P"), "is a single number, 82.7, and no channel");
+  EXPECT_EQ(
+      table.left_out.at("P"),
+      "is a single number, 82.7, without a unit: columns = {p = \"P [kPa]\"} makes it a channel");
 }
 
-// A column with a unit holds numbers: cells that are not numbers are an error of the column, also
-// if all of its cells are.
+// A column with a unit must hold numbers: other cells are an error of the column, even if all of
+// its cells are texts.
 TEST_F(LabTables, AColumnWithAUnitAndNoNumberIsLeftOutWithItsReason) {
   for (const char* cell : {"\"4,000\"", "4'000", "0x10", "=A1", "4 000"}) {
     SCOPED_TRACE(cell);
@@ -289,7 +293,7 @@ TEST_F(LabTables, AColumnWithAUnitAndNoNumberIsLeftOutWithItsReason) {
     ASSERT_EQ(table.left_columns.size(), 1u);
     EXPECT_EQ(table.left_columns[0].unit, "N");
   }
-  // A column of texts has no unit; a column of gaps counts as not recorded.
+  // A column of texts needs no unit; a column of gaps counts as not recorded.
   EXPECT_TRUE(read("t.csv", "who,FZ [N],MX [N m]\nbob,1,\nann,2,\n").left_out.empty());
 }
 

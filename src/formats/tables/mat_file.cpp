@@ -21,7 +21,7 @@ constexpr std::size_t kLargestMatFile = 512u << 20;  // bytes
 constexpr int kDeepestStruct = 16;
 constexpr std::size_t kMostVectors = 10000;
 
-/// Converts the result of matio for a file of version 7.3.
+/// Converts the variables that the library matio returns for a file of version 7.3.
 class Hdf5Reading {
  public:
   explicit Hdf5Reading(MatFile& file) : file_(file) {}
@@ -124,8 +124,8 @@ class Hdf5Reading {
   MatFile& file_;
 };
 
-/// Returns "Fz" for "Fz.data": the struct that contains a channel and its unit; "" for any other
-/// name.
+/// Returns the name of the struct that holds a channel and its unit: "Fz" for "Fz.data"; "" for any
+/// other name.
 std::string holder_of(const std::string& name) {
   const std::size_t dot = name.rfind('.');
   if (dot == name.npos) return "";
@@ -162,8 +162,8 @@ MatFile MatFile::parse(std::string bytes, std::string file_name) {
 
 namespace {
 
-/// Reads units that one list of texts assigns to the names in another: channel.units{2} to
-/// channel.name{2}.
+/// Reads units from a list of texts that belongs to a list of names: channel.units{2} is the unit
+/// of channel.name{2}.
 void take_listed_units(const std::vector<MatVariable>& variables,
                        std::map<std::string, std::string>& units) {
   std::map<std::string, std::string> texts;

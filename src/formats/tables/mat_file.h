@@ -20,8 +20,8 @@ namespace latsch::formats {
 
 struct MatVariable {
   std::string name;
-  std::vector<std::size_t> size;  // at least two
-  std::vector<double> values;     // column by column; empty for a text
+  std::vector<std::size_t> size;  // dimensions of the array, at least two
+  std::vector<double> values;     // column by column; empty for a text variable
   std::string text;               // UTF-8, row by row
   bool is_text = false;
 
@@ -33,18 +33,20 @@ struct MatFile {
   std::vector<MatVariable> variables;
   std::vector<std::string> left_out;  // names of variables that are not read
 
-  /// Throw InputError for a file that is no MAT file, broken, or above 512 MB when unpacked.
+  /// Throw InputError if the file is no MAT file, is broken, or is larger than 512 MB when
+  /// unpacked.
   static MatFile read(const std::filesystem::path& file);
   /// Reads version 5 only.
   static MatFile parse(std::string bytes, std::string file_name);
 
-  /// Every vector of numbers as a channel in SI. Its unit is a text beside it in its struct: S.unit
-  /// (or units) of S.data (or value, values), which then is called S; or listed beside the names of
-  /// all, channel.units{2} with channel.name{2}; or that of `units`, by name, if the file states
-  /// none. Without a unit it is a plain number. `expected` states the unit that a name must have. A
-  /// vector with an unknown unit is left out with the reason, unless `units` or `expected` know its
-  /// name. Throws InputError for a unit of a known vector that is unknown, of another dimension or
-  /// not the stated one, a name in `units` that is no vector, and a file without vectors.
+  /// All vectors of numbers as channels in SI. The unit of a vector is, in this order: a text
+  /// beside it in its struct, S.unit (or units) of S.data (or value, values), in which case the
+  /// channel is called S; an entry in a list, channel.units{2} for channel.name{2}; the one that
+  /// `units` states for the name. Without a unit it is a plain number. `expected` returns the unit
+  /// that a name must have. A vector with an unknown unit is left out with the reason, unless
+  /// `units` or `expected` know its name. Throws InputError if the unit of a known vector is
+  /// unknown, has another dimension or differs from the stated one, if a name in `units` is no
+  /// vector, and if the file has no vectors.
   struct Named {
     Channels channels;
     std::vector<TableColumn> columns;             // one for each channel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// MAT files written by other programs: SciPy, and Octave for the HDF5 form if it is installed.
+// Tests MAT files written by other programs: SciPy, and Octave for the HDF5 form if it is
+// installed.
 #include "formats/tables/mat_file.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ class MatFiles : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// Returns false if the program is not installed.
+  /// Runs a script with the program. Returns false if the program is not installed.
   bool run(const std::string& program, const std::string& script) {
     std::ofstream(folder_ / "script") << script;
     const std::string command =
@@ -65,8 +66,8 @@ TEST_F(MatFiles, OfSciPyComeOutAsTheyWentIn) {
     EXPECT_EQ(channels.find("run.Fy")->unit, "N");
     EXPECT_EQ(channels["c{1}"], (std::vector<double>{5.0, 6.0}));
     EXPECT_EQ(find(file, "tire")->text, "Reifen \xc3\xa4");
-    EXPECT_EQ(find(file, "map")->values, (std::vector<double>{0, 3, 1, 4, 2, 5}));  // column by
-                                                                                    // column
+    // column by column
+    EXPECT_EQ(find(file, "map")->values, (std::vector<double>{0, 3, 1, 4, 2, 5}));
     EXPECT_EQ(file.left_out, std::vector<std::string>{"z"});
     EXPECT_THROW(file.channels({{"FX", "N"}}), InputError);
     EXPECT_THROW(file.channels({{"FZ", "quux"}}), InputError);
@@ -112,7 +113,7 @@ TEST_F(MatFiles, CutOffAnywhereAreRefused) {
   int refused = 0, tried = 0;
   for (std::size_t length = 0; length < bytes.size(); length += 7, ++tried) {
     try {
-      // A file may end between two variables; then it has fewer of them.
+      // A file that is truncated between two variables is valid and has fewer of them.
       EXPECT_LT(MatFile::parse(bytes.substr(0, length), "x.mat").variables.size(), whole);
     } catch (const InputError& error) {
       ++refused;

@@ -23,8 +23,10 @@ std::vector<std::string> runs_in(const MatFile& file);
 /// if there is no such struct; the message has the structs of the file.
 MatFile run_of(const MatFile& file, const std::string& path);
 
-/// Repeats every single number that is a known channel with a unit, or a name in `units`, as often as the vectors have samples. Returns the names. Does nothing if the file has a vector
-/// of the same channel, or if the vectors of known names have several lengths.
+/// Turns single numbers into vectors of equal values with as many samples as the other vectors of
+/// the file, and returns their names. This is done for every number that is a known channel with a
+/// unit or whose name is in `units`. Nothing is done for a number if the file has a vector of the
+/// same channel, or for any number if the vectors of known channels differ in length.
 std::set<std::string> spread_constants(const std::map<std::string, std::string>& units,
                                        MatFile& file);
 

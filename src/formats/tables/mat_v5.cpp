@@ -15,13 +15,14 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kHeader = 128;               // bytes
-constexpr std::size_t kMostUnpacked = 512u << 20;  // bytes, of a whole file
+constexpr std::size_t kHeader = 128;  // bytes
+// bytes; limit for the unpacked contents of a file
+constexpr std::size_t kMostUnpacked = 512u << 20;
 constexpr std::size_t kMostVariables = 100000;
 constexpr int kDeepest = 16;
 constexpr std::size_t kMostDimensions = 8;
 
-/// Data types of elements, with the letters of the format's description.
+/// Data types of elements, named as in the description of the format.
 enum Type : std::uint32_t {
   miINT8 = 1,
   miUINT8 = 2,
@@ -102,8 +103,8 @@ class MatReading {
   MatElement next(std::string_view& bytes, bool aligned) const {
     if (bytes.size() < 8) fail("ends within the head of an element");
     const auto first = number_at<std::uint32_t>(bytes, 0);
-    if (const std::uint32_t size = first >> 16; size > 0) {  // a small element of eight bytes in
-                                                             // total
+    // Elements with at most four bytes of data take eight bytes in total.
+    if (const std::uint32_t size = first >> 16; size > 0) {
       if (size > 4) fail(fmt::format("has a small element of {} bytes, expected at most 4", size));
       const MatElement element{first & 0xffff, bytes.substr(4, size)};
       bytes.remove_prefix(8);
@@ -114,7 +115,7 @@ class MatReading {
       fail(fmt::format("has an element of {} bytes where {} are left", size, bytes.size() - 8));
     }
     const MatElement element{first, bytes.substr(8, size)};
-    // Elements begin at multiples of eight, except after compressed ones.
+    // Elements begin at multiples of eight bytes, except after compressed ones.
     const std::size_t padded = first == miCOMPRESSED || !aligned ? size : (size + 7) / 8 * 8;
     bytes.remove_prefix(std::min(bytes.size(), 8 + padded));
     return element;
@@ -143,7 +144,7 @@ class MatReading {
     return result;
   }
 
-  /// An array consists of flags, size, name, and then the contents of its class.
+  /// Reads an array. It consists of flags, size, name, and then contents that depend on its class.
   void take_array(std::string_view bytes, const std::string& path, int depth) {
     if (bytes.empty()) return;  // an empty cell
     if (depth > kDeepest) fail("has structs in structs deeper than 16");
@@ -182,7 +183,7 @@ class MatReading {
     file_.variables.push_back(std::move(variable));
   }
 
-  /// Names are ASCII; any other character is damage.
+  /// Returns the name; characters other than ASCII are damage and are replaced.
   static std::string printable(std::string name) {
     for (char& c : name)
       if (static_cast<unsigned char>(c) < 0x21 || static_cast<unsigned char>(c) > 0x7e) c = '?';
@@ -221,7 +222,7 @@ class MatReading {
     return values;
   }
 
-  /// Returns the codes of UTF-8 text.
+  /// Returns the character codes of UTF-8 text.
   static std::vector<double> characters(const MatElement& element) {
     std::vector<double> codes;
     for (std::string_view rest = element.contents; !rest.empty();) {
@@ -265,7 +266,8 @@ class MatReading {
     }
   }
 
-  /// Returns one line for each row; characters are below U+0800, which covers Latin and Greek.
+  /// Returns the text, with one line for each row of the character array. Only characters below
+  /// U+0800, which include Latin and Greek, occur.
   static std::string text_of(const std::vector<double>& codes,
                              const std::vector<std::size_t>& size) {
     std::string text;
@@ -310,8 +312,8 @@ class MatReading {
     }
   }
 
-  /// Every member occupies bytes of the file, so a large size in a header cannot make the loop
-  /// long.
+  /// Every member must occupy bytes of the file, so that a large size in a damaged header cannot
+  /// make the loop long.
   void take_member(std::string_view& bytes, const std::string& path, int depth) {
     if (bytes.empty()) fail(in_quotes(path) + " is missing: the file is cut off");
     const MatElement member = next(bytes, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads version 5 of MAT files from bytes: nested elements of a type, a length and contents.
+// Parses version 5 of MAT files: nested elements with a type, a length and contents.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace latsch::formats {
 
-/// Adds the contents of `bytes` to `file`. Throws InputError.
+/// Adds the variables in `bytes` to `file`. Throws InputError.
 void read_mat_v5(std::string_view bytes, MatFile& file);
 
 }  // namespace latsch::formats

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "base/document.h"
 #include "base/file.h"
@@ -16,23 +17,28 @@ namespace latsch::formats {
 namespace {
 
 const std::vector<std::string> kModeTypes = {"torsional", "lateral", "radial"};
-/// Waves around the tire. Rigs find some fifteen; forty are shorter than a contact patch.
+/// Largest number of waves around the tire. Rigs find about fifteen; forty waves would be shorter
+/// than a contact patch.
 constexpr long kMostWaves = 40;
 
 template <class Measurement>
 void check(const Measurement& measurement, const CsvTable& table) {
   const auto fault = find_fault(measurement);
   if (!fault) return;
+  std::string way_out;
+  if constexpr (std::is_same_v<Measurement, LoadDeflectionCurve>)
+    way_out = way_out_of(measurement, *fault);
   throw InputError(fault->point < 0 ? Place{table.file(), 0} : table.place(fault->point),
-                   fault->message);
+                   fault->message + way_out);
 }
 
-/// The columns of a table of modes by the names in the file; empty if there is none.
+/// Names that the columns of a table of modes have in the file; empty for a column that is absent.
 struct ModeColumns {
   std::string frequency, n, type, phase;
 };
 
-/// Finds the columns by our names and others, in any case. Throws InputError for a further column.
+/// Finds the columns of a table of modes by Latsch's names and other usual ones; letter case does
+/// not matter. Throws InputError for any other column.
 ModeColumns mode_columns(const CsvTable& table) {
   ModeColumns columns;
   const std::vector<std::pair<std::string*, std::vector<std::string>>> known = {
@@ -56,7 +62,7 @@ ModeColumns mode_columns(const CsvTable& table) {
   return columns;
 }
 
-/// Reads the labels in a row of the table of modes; an empty cell means not known.
+/// Reads the labels of a mode from a row of the table; an empty cell means not known.
 MeasuredMode read_label(const CsvTable& table, const ModeColumns& columns, int row) {
   MeasuredMode mode;
   const auto cell = [&](const std::string& column) {
@@ -137,7 +143,7 @@ std::string mode_toml(const ModeTable& table) {
   return text;
 }
 
-/// Returns any text as one line.
+/// Returns the text as one line, for a comment.
 std::string comment_line(std::string comment) {
   std::replace(comment.begin(), comment.end(), '\n', ' ');
   return comment.empty() ? "" : fmt::format("# {}\n", comment);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables that a laboratory delivers, and such tables written from a simulation (a twin).
+// Reads the tables that a laboratory delivers, and writes such tables from a simulation.
 //
 // Load-deflection, CSV: columns "deflection" (from first touch) or "loaded_radius" (wheel center to
 // ground), "force" and, if known, "spread", the standard deviation of the force. A table with other
@@ -19,7 +19,7 @@
 // the order of the modes), "x" "y" "z" (undeformed tire, wheel frame) and "ux" "uy" "uz" (any
 // scale); every mode has the same points in the same order.
 //
-// Units are in the header, see csv_table.h. Written tables are read back bit for bit.
+// Units are in the header, see csv_table.h. Written tables are read back with the same bits.
 #pragma once
 
 #include <filesystem>
@@ -30,17 +30,18 @@
 
 namespace latsch::formats {
 
-/// Throws InputError naming file and line: a missing column, a wrong unit, a fault of the curve.
+/// Throws InputError that names file and line for a missing column, a wrong unit, or an invalid
+/// curve.
 LoadDeflectionCurve read_load_deflection(const std::filesystem::path& file);
 /// True if a file is a CSV with no other columns than read_load_deflection() reads.
 bool is_load_deflection_table(const std::filesystem::path& file);
 
 /// Reads modes without shapes, from .toml or CSV.
 ModeTable read_modes(const std::filesystem::path& file);
-/// Reads shapes and sensor points into `table`.
+/// Reads mode shapes and sensor points and adds them to `table`.
 void read_shapes(const std::filesystem::path& file, ModeTable& table);
 
-/// `comment` becomes the first line and says where the numbers come from.
+/// Write a table. `comment` becomes the first line and states the origin of the numbers.
 void write_load_deflection(const std::filesystem::path& file,
                            const LoadDeflectionCurve& curve,
                            const std::string& comment);

@@ -21,7 +21,7 @@ class MeasurementFile : public testing::Test {
   }
   ~MeasurementFile() override { std::filesystem::remove_all(folder_); }
 
-  /// Returns the error message of reading that text, without the folder.
+  /// Returns the error message for a file with that text, without the folder's name.
   std::string complaint(const std::string& name,
                         const std::string& text,
                         const std::function<void(const std::filesystem::path&)>& read) {
@@ -81,7 +81,8 @@ TEST_F(MeasurementFile, FaultsOfCurvesNameTheirLine) {
             "c.csv:2: force is \"nan\", expected a finite number");
   EXPECT_EQ(complaint("c.csv", "deflection [mm],force [N]\n5,8\n# x\n5,9\n", read),
             "c.csv:4: deflection is 0.005 m after 0.005 m, expected values that all rise or all "
-            "fall");
+            "fall; sweep = {deflection = \"rising\"} in a [measurement.NAME] of the file keeps the "
+            "others");
   EXPECT_EQ(complaint("c.csv", "deflection [mm],forse [N]\n5,8\n", read),
             "c.csv:1: unknown column \"forse\", did you mean \"force\"?");
   EXPECT_EQ(complaint("c.csv", "force [N]\n5\n", read),

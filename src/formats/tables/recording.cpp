@@ -27,11 +27,11 @@ struct Column {
   TableColumn source;
   Unit read = Unit::of("1");
   bool is_si = true;       // no conversion
-  std::string fault = {};  // fault of a unit, for which the column is left out
+  std::string fault = {};  // error of the unit for which the column is left out
   std::vector<double> values = {};
 };
 
-/// Units stated by the caller apply to columns without a unit in the file.
+/// Returns the columns. Units that the caller states apply to columns without a unit in the file.
 std::vector<Column> columns_of(const CsvHeader& header,
                                const std::map<std::string, std::string>& units,
                                const std::string& file) {
@@ -99,8 +99,8 @@ Recording parse(std::shared_ptr<const MappedFile> source,
   const bool decimal_comma = fields.separator() != ',';
   const CsvHeader header = read_csv_header(fields, file);
   std::vector<Column> columns = columns_of(header, units, file);
-  constexpr std::size_t kUsualCell = 9;  // bytes; an estimate of the number of rows, which avoids
-                                         // copies
+  // Bytes of a cell; used to estimate the number of rows, so that vectors are allocated once.
+  constexpr std::size_t kUsualCell = 9;
   for (Column& column : columns) column.values.reserve(size / (kUsualCell * columns.size()));
   DecimalMarks marks(file);
   std::string scratch;
@@ -124,14 +124,15 @@ Recording parse(std::shared_ptr<const MappedFile> source,
   return recording;
 }
 
-/// Throws for the first column that is left out.
+/// Returns the channels; throws for the first column that was left out.
 Channels whole(Recording recording, const std::string& file) {
   if (!recording.left_out.empty())
     throw InputError({file, recording.header_line}, recording.left_out.begin()->second);
   return std::move(recording.channels);
 }
 
-/// Returns a table of a laboratory as a recording, which has no gaps.
+/// Converts a table of a laboratory to a recording. Throws if the table has gaps, which a recording
+/// must not have.
 Recording recording_of(LabTable table) {
   for (const Channel& channel : table.channels.all())
     for (std::size_t i = 0; i < channel.values.size(); ++i)

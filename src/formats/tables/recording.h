@@ -17,24 +17,24 @@
 
 namespace latsch::formats {
 
-/// `units` are those of channels, by name, that have none in the file. Throws InputError naming
-/// file and line: no header, ragged rows, a cell that is not a finite number, an unknown unit, a
-/// name that occurs twice, an unknown extension, more than 2 GB.
+/// `units` are those of channels, by name, that have none in the file. Throws InputError that names
+/// file and line for: no header, ragged rows, a cell that is not a finite number, an unknown unit,
+/// a name that occurs twice, an unknown extension, more than 2 GB.
 Channels read_recording(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {});
 
-/// A recording with its columns as the file states them. A column of an unknown unit is left out
-/// with the reason, unless `units` has its name.
+/// A recording with its columns as the file states them. A column with an unknown unit is left out
+/// with the reason, unless `units` states one for its name.
 struct Recording {
   Channels channels;
-  std::vector<TableColumn> columns;             // one for each channel
+  std::vector<TableColumn> columns;             // one for each channel, as the file states it
   std::map<std::string, std::string> left_out;  // name -> why
   int header_line = 0;                          // line of the units; 0: the file has no lines
 };
 Recording read_whole_recording(const std::filesystem::path& file,
                                const std::map<std::string, std::string>& units = {});
 
-/// Separated values out of a text.
+/// Parses separated values from a text.
 Channels parse_recording(std::string text, const std::string& file_name);
 
 }  // namespace latsch::formats

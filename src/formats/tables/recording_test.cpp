@@ -60,7 +60,7 @@ TEST(Recording, IsRefusedInWords) {
   EXPECT_THROW(read_recording("run.xls"), InputError);
 }
 
-// Every kind of file that a laboratory's reader knows is a recording, without a line of its own.
+// Every kind of file that read_lab_table() reads can be a recording.
 TEST(Recording, IsEveryKindOfLaboratoryFile) {
   const ScratchFolder folder;
   const std::string head = "Tire: 16.0x7.5-10 Run: 4\nET\tFZ\nsec\tkN\n";

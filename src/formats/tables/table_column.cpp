@@ -14,10 +14,12 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kMostNamed = 30;       // names in one message
-constexpr std::size_t kMostCompared = 1000;  // names among which the nearest is searched
+constexpr std::size_t kMostNamed = 30;  // largest number of names in a message
+// largest number of names among which the most similar one is searched
+constexpr std::size_t kMostCompared = 1000;
 
-/// Some letters in round brackets are units; others name frames, sides and axles.
+/// True if the text in round brackets is a unit. Some letters in round brackets name a frame, a
+/// side or an axle instead.
 bool is_unit_in_round_brackets(std::string_view unit, std::string_view name) {
   if (unit.empty() || unit == "1" || unit == "-") return unit == "-";
   if (unit.size() == 1 &&
@@ -28,8 +30,8 @@ bool is_unit_in_round_brackets(std::string_view unit, std::string_view name) {
   return looks_like_unit(unit);
 }
 
-/// The unit that a message proposes in place of `written`. A mass where a force is expected is most
-/// likely the weight of that mass: "kgf" for "kg", "kgf m" for "kg m".
+/// Returns the unit that a message proposes instead of `written`. If a force is expected, a mass
+/// most likely means the weight of that mass: "kgf" for "kg", "kgf m" for "kg m".
 std::string unit_to_propose(std::string_view written, const std::string& expected) {
   using Pair = std::pair<std::string_view, std::string_view>;
   for (const auto& [mass, force] :
@@ -42,7 +44,7 @@ std::string unit_to_propose(std::string_view written, const std::string& expecte
   return natural_unit(expected);
 }
 
-/// Returns the text with the full-width letters, digits and brackets of Japanese as plain ones.
+/// Converts the full-width letters, digits and brackets of Japanese text to ASCII.
 std::string narrow_letters(std::string_view text) {
   constexpr std::size_t kBytes = 3;
   std::string narrow;
@@ -52,7 +54,8 @@ std::string narrow_letters(std::string_view text) {
     const int code = is_long && (byte(0) & 0xf0) == 0xe0
                          ? ((byte(0) & 0x0f) << 12) | ((byte(1) & 0x3f) << 6) | (byte(2) & 0x3f)
                          : 0;
-    const bool is_letter = code >= 0xff01 && code <= 0xff5e;  // in the order of ASCII
+    // these codes are in the order of ASCII
+    const bool is_letter = code >= 0xff01 && code <= 0xff5e;
     if (is_letter || code == 0x3000) {
       narrow += is_letter ? static_cast<char>(code - 0xff01 + '!') : ' ';
       text.remove_prefix(kBytes);
@@ -64,7 +67,7 @@ std::string narrow_letters(std::string_view text) {
   return narrow;
 }
 
-/// Says what a unit of another dimension most likely means where an angle is expected.
+/// Returns what a unit of another dimension most likely means if an angle is expected.
 std::string about_unit_of_angle(const TableColumn& column, const Unit& unit) {
   const std::string written = lower(column.unit);
   if (unit.same_dimension(Unit::of("s"))) {
@@ -90,7 +93,8 @@ bool is_group(std::string_view number, std::size_t mark) {
          std::all_of(behind.begin(), behind.end(), is_digit);
 }
 
-/// Returns the unit of a cell such as "83 kPa" or "2,5 mm"; empty if the cell has none.
+/// Returns the unit after a number in a cell, such as kPa in "83 kPa" or mm in "2,5 mm"; empty if
+/// the cell has none.
 std::string unit_in_cell(std::string_view cell) {
   const std::size_t end = cell.find_first_not_of("+-0123456789.,eE ");
   if (end == cell.npos || end == 0 || cell.substr(0, end).find_first_of("0123456789") == cell.npos)
@@ -125,7 +129,7 @@ TableColumn column_of_title(std::string_view written) {
     return column;
   }
   if (title.ends_with(')')) {
-    // A unit such as "bar(g)" has brackets of its own.
+    // A unit such as "bar(g)" itself contains brackets.
     const auto bracket = title.find('(');
     const auto inside = title.substr(bracket + 1, title.size() - bracket - 2);
     if (bracket > 0 && bracket != title.npos &&
@@ -219,7 +223,7 @@ void take_stated_unit(TableColumn& column, const std::string& stated, const Plac
     column.unit = stated;
     return;
   }
-  // A unit "lb" in the file agrees with a stated "lbf" or "lbm".
+  // A unit "lb" in the file agrees with a stated "lbf" as well as "lbm".
   const auto said = Unit::find(stated);
   const auto written = said ? find_unit(column.unit, *said) : std::nullopt;
   if (!written || !written->same_dimension(*said) || written->to_si(1.0L) != said->to_si(1.0L) ||
@@ -236,8 +240,8 @@ std::string missing_columns(const std::vector<std::string>& missing,
                                 names.begin() + std::min<long>(kMostNamed, std::ssize(names)));
   std::string listed = list_of(some);
   if (some.size() < names.size()) listed += fmt::format(" and {} more", names.size() - some.size());
-  const bool few = names.size() <= kMostCompared;  // the nearest name is searched among few names
-                                                   // only
+  // The most similar name is searched only if the file has few names, because the search is slow.
+  const bool few = names.size() <= kMostCompared;
   if (missing.size() == 1)
     return "column " + in_quotes(missing[0]) + " is missing" +
            (few ? did_you_mean(missing[0], names) : "") + " (columns: " + listed + ")";
@@ -253,7 +257,7 @@ std::string missing_columns(const std::vector<std::string>& missing,
 
 std::string reason_of_no_number(std::string_view cell, std::string_view kind_of_file) {
   cell = trimmed(cell);
-  if (parse_number(cell)) return ", expected a finite number";  // NaN or infinity
+  if (parse_number(cell)) return ", expected a finite number";  // the cell is NaN or infinite
   if (is_number_with(cell, ','))
     return fmt::format(
         ", a decimal comma, which is not read in {}: write a decimal point, or a .csv with "

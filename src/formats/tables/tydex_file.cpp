@@ -18,7 +18,8 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLargestTydex = 512u << 20;  // bytes; an hour of ten channels at 1 kHz
+// bytes; more than an hour of ten channels at 1 kHz
+constexpr std::size_t kLargestTydex = 512u << 20;
 constexpr std::size_t kMostChannels = 1000;
 constexpr std::size_t kNameEnd = 10, kCommentEnd = 40, kUnitEnd = 50, kField = 10;
 constexpr double kNotAvailable = std::numeric_limits<double>::quiet_NaN();
@@ -53,8 +54,8 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-/// Accepts C and Fortran notation, decimal point or comma. Returns NaN if the text says so; nothing
-/// if it is no number.
+/// Parses a number in C or Fortran notation, with decimal point or comma. Returns NaN if the text
+/// says so, nothing if it is no number.
 std::optional<long double> number_of(std::string_view text) {
   text = trimmed(text);
   if (const auto parts = split_number(text); parts && parts->rest.empty()) return parts->number;
@@ -125,7 +126,7 @@ class Reading {
     if (word == "**MEASURDATA") take_count(line);
   }
 
-  /// Reads the number of samples, which may follow the keyword.
+  /// Reads the number of samples if it follows the keyword.
   void take_count(std::string_view line) {
     const auto words = words_of(line);
     if (words.size() < 2) return;
@@ -152,7 +153,8 @@ class Reading {
     }
   }
 
-  /// If the value is not behind column 50, the last word is the value, and a unit may precede it.
+  /// Parses an entry. If there is no value from column 51 on, the last word is the value, and the
+  /// word before it may be the unit.
   TydexFile::Entry entry_of(std::string_view line) const {
     TydexFile::Entry entry;
     entry.line = line_;
@@ -204,8 +206,9 @@ class Reading {
     file_.left_units[entry.name] = {entry.line, entry.unit};
   }
 
-  /// Returns `has unknown unit "grC"` for a name that is the laboratory's own, whose values need
-  /// not be understood; empty if the unit is known or TYDEX defines the name.
+  /// Returns an error such as `has unknown unit "grC"` for a name that TYDEX does not define,
+  /// because such a channel may be left out. Returns nothing if the unit is known or TYDEX defines
+  /// the name.
   std::string fault_of_own(const std::string& name, const std::string& written) const {
     const TydexName* known = find_tydex_name(name);
     if (known && !known->si_unit.empty()) return "";
@@ -213,7 +216,8 @@ class Reading {
     return reading.unit ? "" : "has " + reading.fault;
   }
 
-  /// Throws InputError for a missing unit, and for a wrong dimension if the name determines it.
+  /// Returns the unit of a name. Throws InputError if the unit is missing, or if it has another
+  /// dimension than the name requires.
   Unit unit_of(const std::string& name, const std::string& written, bool strict) const {
     const TydexName* known = find_tydex_name(name);
     const bool told = known && !known->si_unit.empty();
@@ -328,7 +332,8 @@ class Reading {
     file_.lines.push_back(line_);
   }
 
-  /// Numbers may touch and columns may be empty: columns of 10 characters separate them.
+  /// Splits a line into fixed columns of 10 characters, because numbers may touch and columns may
+  /// be empty.
   bool split_by_columns(std::string_view line) {
     const std::size_t count = raw_.size();
     if (line.size() <= kField * (count - 1) || line.size() > kField * count) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// TYDEX 1.3, the exchange format of tire test laboratories [Unrau & Zamow, "TYDEX-Format,
+// Reads TYDEX 1.3, the exchange format of tire test laboratories [Unrau & Zamow, "TYDEX-Format,
 // Description and Reference Manual", release 1.3, 1997].
 //
 //   **HEADER                                                 columns  1-10  name
@@ -36,7 +36,7 @@
 namespace latsch::formats {
 
 struct TydexFile {
-  /// A line of the header, the constants or a model.
+  /// A line of the header, of the constants or of a model section.
   struct Entry {
     std::string name;  // in capitals
     std::string comment;
@@ -52,7 +52,8 @@ struct TydexFile {
     double factor = 1.0, measured_offset = 0.0, physical_offset = 0.0;  // in `unit`
     int line = 0;
   };
-  /// A section like **MODELPARAMETERS, in the order of the file.
+  /// A section that is not interpreted, such as **MODELPARAMETERS; its entries are in the order of
+  /// the file.
   struct Section {
     std::string keyword;
     std::vector<Entry> entries;
@@ -64,31 +65,33 @@ struct TydexFile {
   std::vector<Entry> constants;
   std::vector<Section> model;
   Channels channels;
-  std::vector<Description> descriptions;        // one for each channel
-  std::vector<int> lines;                       // one for each sample
-  std::map<std::string, std::string> left_out;  // channels and constants of unknown units -> why
-  std::map<std::string, std::pair<int, std::string>> left_units;  // line, unit of each name
+  std::vector<Description> descriptions;  // one for each channel
+  std::vector<int> lines;                 // one for each sample
+  /// channels and constants with unknown units, with the reason
+  std::map<std::string, std::string> left_out;
+  std::map<std::string, std::pair<int, std::string>> left_units;  // line and unit of each of them
 
-  /// Throw InputError naming file, line, what was found and expected; also for a file without
-  /// **HEADER or **END, which is incomplete.
+  /// Throw InputError that names file, line, what was found and what was expected; also for a file
+  /// without **HEADER or **END, which is incomplete.
   static TydexFile read(const std::filesystem::path& file);
   static TydexFile parse(std::string text, std::string file_name);
 
-  /// Returns nullptr if the header and the constants have no such name.
+  /// Returns the entry of a name in the header or the constants; nullptr if there is none.
   const Entry* find(std::string_view name) const;
-  /// Returns a constant in the SI unit of `unit`, or if there is none the mean of the channel of
-  /// that name; throws InputError if there is neither or the dimension differs.
+  /// Returns a constant in the SI unit of `unit`. If there is no such constant, returns the mean of
+  /// the channel of that name; throws InputError if there is neither or if the dimension differs.
   double constant(std::string_view name, std::string_view unit) const;
 };
 
-/// Meaning of a name of TYDEX.
+/// A name that TYDEX defines, and its SI unit.
 struct TydexName {
   std::string_view name;
   std::string_view si_unit;  // "": the value is a text
   std::string_view axes;     // "W", "H", "C"; "": none
   std::string_view meaning;
 };
-/// Returns nullptr for a name of the laboratory's own. See tydex_names.cpp.
+/// Returns the definition of a TYDEX name; nullptr for a name of the laboratory's own. See
+/// tydex_names.cpp.
 const TydexName* find_tydex_name(std::string_view name);
 
 }  // namespace latsch::formats

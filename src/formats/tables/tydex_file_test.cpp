@@ -69,7 +69,7 @@ TEST(TydexFile, ReadsHeaderConstantsAndChannelsInSi) {
   EXPECT_EQ(file.channels["RUNTIME"], (std::vector<double>{0.0, 0.1}));
   EXPECT_EQ(file.channels["FZW"], (std::vector<double>{1000.0, 2000.0}));
   EXPECT_EQ(file.channels.find("SLIPANGL")->unit, "rad");
-  // factor (raw + measured offset) + physical offset = 2 (0.5 + 1) - 0.5 degrees
+  // The value is factor (raw + measured offset) + physical offset = 2 (0.5 + 1) - 0.5 degrees.
   EXPECT_NEAR(file.channels["SLIPANGL"][0], 2.5 * kDegree, 1e-16);
   EXPECT_EQ(file.descriptions[1].comment, "Slip angle");
   EXPECT_EQ(file.lines, (std::vector<int>{13, 14}));
@@ -197,7 +197,8 @@ TEST(TydexFile, AGradOfAGermanRigIsADegree) {
   expect_tydex_message(lower, "rig.tdx:4: ", "unit \"grad\", which is a degree in German and 0.9");
 }
 
-// Cornering tests on a flat belt at 25 mph; the files' names state load and pressure.
+// The samples are cornering tests on a flat belt at 25 mph; the names of the files state load and
+// pressure.
 TEST(TydexFile, ReadsTheCorneringTestsAsTheyAreNamed) {
   if (!std::filesystem::exists(kTydexSamples)) GTEST_SKIP() << "no samples in " << kTydexSamples;
   for (const double kilopascal : {69.0, 83.0}) {
@@ -214,7 +215,7 @@ TEST(TydexFile, ReadsTheCorneringTestsAsTheyAreNamed) {
       for (const double value : file.channels["INFLPRES"]) pressure += value / file.lines.size();
       const auto& slip = file.channels["SLIPANGL"];
       for (std::size_t i = 0; i < slip.size(); ++i) sideways -= slip[i] * file.channels["FYW"][i];
-      // The rig keeps its loads within a tenth, its pressure within a twentieth.
+      // The rig keeps its loads within 10 % and its pressure within 5 %.
       EXPECT_NEAR(load, newton, 0.1 * newton) << name;
       EXPECT_NEAR(pressure, 1000.0 * kilopascal, 50.0 * kilopascal) << name;
       EXPECT_NEAR(file.channels["LONGVEL"][0], 40.2 / 3.6, 0.1);
@@ -223,7 +224,7 @@ TEST(TydexFile, ReadsTheCorneringTestsAsTheyAreNamed) {
   }
 }
 
-// An unknown unit of a channel that the format does not know affects only this channel.
+// An unknown unit of a channel that TYDEX does not define affects only this channel.
 TEST(TydexFile, LeavesOutAChannelOfItsOwnWhoseUnitIsUnknown) {
   const std::string text =
       kHead + "TREADDEP  Depth                         32nds     8\n" + kChannels +

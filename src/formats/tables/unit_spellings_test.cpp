@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every spelling of the table of units is read by every reader of tables: the result is the number
-// computed by hand, or an error that names the unit, the file and the line. All readers agree.
+// Every spelling in the table of units is read by every reader of tables. The result must be the
+// expected number, or an error that names the unit, the file and the line, and all readers must
+// agree.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,13 +39,14 @@ std::string quoted(const std::string& text) {
   return field + "\"";
 }
 
-/// Returns a field "value [kPa]", also for a unit that is in brackets already.
+/// Returns a title "value [kPa]"; a unit that already has brackets gets no others.
 std::string title(const UnitSpelling& spelling, const std::string& name = "value") {
   const std::string unit = spelling.written;
   return quoted(name + " " + (unit.starts_with('[') ? unit : "[" + unit + "]"));
 }
 
-/// `knows_dimension`: the reader knows the measured quantity, so it must report a wrong dimension.
+/// `knows_dimension` is true for readers that know which quantity the column holds, so that they
+/// must report a wrong dimension.
 void expect_the_number_by_hand(const UnitSpelling& spelling,
                                const Reader& reader,
                                bool knows_dimension,
@@ -54,14 +56,14 @@ void expect_the_number_by_hand(const UnitSpelling& spelling,
     found = reader(spelling);
   } catch (const InputError& error) {
     const std::string words = error.what();
-    // Without the dimension a unit with two meanings is refused too.
+    // A reader that does not know the dimension refuses a unit with two meanings.
     const bool needs_dimension = !knows_dimension && words.find("which may be") != words.npos;
     EXPECT_TRUE(std::isnan(spelling.factor) || needs_dimension) << words;
     EXPECT_NE(words.find(where), words.npos) << words;
     EXPECT_NE(words.find(in_quotes(spelling.written)), words.npos) << words;
     return;
   }
-  // The user of a column compares its dimension with the needed one.
+  // Code that uses such a column compares its dimension with the needed one later.
   const bool is_refused_later =
       !knows_dimension && !Unit::of(found.unit).same_dimension(Unit::of(spelling.si));
   if (is_refused_later) return;
@@ -76,7 +78,8 @@ void go_through(const Reader& reader, bool knows_dimension, const std::string& w
     expect_the_number_by_hand(spelling, reader, knows_dimension, where);
 }
 
-/// Number of spellings that a reader accepts, which shows that it does not refuse all.
+/// Returns the number of spellings that a reader accepts. A reader that refuses all of them would
+/// otherwise pass the test.
 int count_read(const Reader& reader) {
   int count = 0;
   for (const UnitSpelling& spelling : unit_spellings::kAll) {

@@ -12,9 +12,10 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kMostFields = 10000;  // in a row
-constexpr std::size_t kKept = 32u << 20;    // bytes of a large file that stay in memory
+// bytes of a large file that stay in memory while it is read
+constexpr std::size_t kKept = 32u << 20;
 
-/// Returns the separator stated by a line "sep=;" of a spreadsheet's file; 0 for any other line.
+/// Returns the separator that a line "sep=;" of a spreadsheet's file states; 0 for any other line.
 char separator_said_by(std::string_view line) {
   line = line.substr(0, line.find('\n'));
   while (!line.empty() && (line.back() == '\r' || line.back() == '"')) line.remove_suffix(1);

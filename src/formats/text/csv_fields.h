@@ -25,14 +25,14 @@ class CsvFields {
     int line = 1;
   };
 
-  /// The text is not copied. It is UTF-8 (text_encoding.h).
+  /// Creates the reader without copying the text, which must be UTF-8 (text_encoding.h).
   CsvFields(std::shared_ptr<const MappedFile> source, std::string file);
 
   /// Returns ';', tab or ',': the first of them that is outside of quotes in the first row.
   char separator() const { return separator_; }
-  /// Reads the next row that is neither empty nor a comment; returns false at the end. Throws
-  /// InputError for a quote that is not closed or followed by more text and for more than 10,000
-  /// fields. The cells are valid until the next call.
+  /// Reads the next row that is neither empty nor a comment; returns false at the end of the text.
+  /// Throws InputError for a quote that is not closed or has text after it, and for more than
+  /// 10,000 fields. The cells are valid until the next call.
   bool next(Row& row);
   /// Returns the position of the next row; go_to() continues there.
   Mark mark() const { return {at_, line_}; }
@@ -47,9 +47,10 @@ class CsvFields {
 
   std::string file_;
   std::shared_ptr<const MappedFile> source_;
-  std::deque<std::string> unquoted_;  // fields of this row with doubled quotes
+  /// fields of this row that contained doubled quotes, with single ones
+  std::deque<std::string> unquoted_;
   std::string_view text_;
-  std::size_t let_go_ = 0;  // bytes of the text that are released
+  std::size_t let_go_ = 0;  // bytes at the beginning of the text that need not stay in memory
   std::size_t at_ = 0;
   int line_ = 1;
   char separator_ = ',';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as Fortran prints them: the exponent of a double follows the letter D, "1.2D+03".
+// Parses numbers as Fortran prints them: the exponent of a double follows the letter D, "1.2D+03".
 #pragma once
 
 #include <optional>

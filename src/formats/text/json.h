@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The JSON of answers: its keys keep the order in which they were written.
+// The JSON type of the program's answers: its keys keep the order in which they were written.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

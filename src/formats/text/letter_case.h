@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts words of file formats to one case: the letters a to z, independent of the locale.
+// Converts words of file formats to upper or lower case: only the letters a to z change,
+// independent of the locale.
 #pragma once
 
 #include <string>

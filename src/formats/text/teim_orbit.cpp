@@ -20,7 +20,7 @@ constexpr std::size_t kLongestOrbitLine = 64u << 10;
 
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ',' || c == ';'; }
 
-/// Fortran programs write 1.5D3 for 1.5E3.
+/// Fortran programs write 1.5D3 instead of 1.5E3.
 std::optional<double> number_in(std::string_view text) {
   std::string c_form(text);
   std::replace(c_form.begin(), c_form.end(), 'D', 'E');
@@ -45,7 +45,7 @@ std::string no_number(const std::string& what, const std::string& found) {
 
 }  // namespace
 
-/// Reads the text line by line.
+/// Parses the text line by line.
 class TeimOrbitReader {
  public:
   explicit TeimOrbitReader(TeimOrbit& into) : into_(into) {}
@@ -68,7 +68,8 @@ class TeimOrbitReader {
     throw InputError(Place{into_.file(), line_}, message);
   }
 
-  /// Returns the beginning of the comment, or the end of the line. Marks inside quotes are text.
+  /// Returns the position at which a comment begins, or the end of the line. A comment mark inside
+  /// quotes is text.
   std::size_t comment_of(std::string_view line) const {
     bool quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -141,7 +142,7 @@ class TeimOrbitReader {
   void read_row(std::string_view content) {
     TeimOrbitSection& here = section();
     if (!table_open_) {
-      // A lone word is no row: an equals sign was lost.
+      // A single word is no row: the equals sign of a key is probably missing.
       const std::vector<std::string> fields = split(content);
       const bool row = content.front() == '\'' || (!fields.empty() && number_in(fields[0]));
       if (!row && block_.empty())
@@ -152,7 +153,8 @@ class TeimOrbitReader {
     here.tables_.back().rows.push_back({split(content), line_});
   }
 
-  /// Returns fields separated by blanks, commas or semicolons; quotes stay together.
+  /// Splits the text into fields separated by blanks, commas or semicolons; a quoted text is one
+  /// field.
   std::vector<std::string> split(std::string_view text) const {
     std::vector<std::string> fields;
     std::size_t i = 0;
@@ -194,7 +196,7 @@ class TeimOrbitReader {
                            entry.key));
       value = value.substr(1, end - 1);
     }
-    // Some programs write texts in double quotes.
+    // Some programs write texts in double quotes, which are removed.
     if (value.size() >= 2 && value.front() == '"' && value.back() == '"')
       value = value.substr(1, value.size() - 2);
     entry.value = std::string(trimmed(value));
@@ -333,7 +335,7 @@ const TeimOrbitSection& TeimOrbit::section(std::string_view name) const {
 
 namespace {
 
-/// The keys of [UNITS], the dimension of each, and the names that Adams writes, for messages.
+/// A key of [UNITS] with its dimension, and its names in messages.
 struct UnitKey {
   std::string_view key, si, in_words, plural, names, example;
 };

@@ -33,10 +33,10 @@ namespace latsch::formats {
 struct TeimOrbitEntry {
   std::string key;      // in capitals
   std::string value;    // without quotes
-  std::string comment;  // comment behind the value, without its mark
+  std::string comment;  // comment after the value, without its mark
   bool quoted = false;
   int line = 0;           // counted from 1
-  std::size_t begin = 0;  // bytes of the value in the file, quotes included
+  std::size_t begin = 0;  // position in bytes of the value in the file, quotes included
   std::size_t end = 0;
 };
 
@@ -47,7 +47,7 @@ struct TeimOrbitRow {
 };
 
 struct TeimOrbitTable {
-  std::string block;               // sub-block of the table, in capitals; "" for none
+  std::string block;               // sub-block to which the table belongs, in capitals; "" for none
   std::vector<std::string> heads;  // in capitals; empty if the file has none
   std::vector<TeimOrbitRow> rows;
   int line = 0;
@@ -63,16 +63,17 @@ class TeimOrbitSection {
   Place place(int line) const { return {*file_, line}; }
 
   const std::vector<TeimOrbitEntry>& entries() const { return entries_; }
-  /// Returns the tables and marks them as read.
+  /// Returns the tables and marks them as read; see TeimOrbit::unread().
   const std::vector<TeimOrbitTable>& tables() const;
-  /// Returns the sub-blocks in the order of the file, also those without rows.
+  /// Returns the names of the sub-blocks in the order of the file, also of those without rows.
   const std::vector<std::string>& blocks() const { return blocks_; }
 
-  /// Returns nullptr if there is no such key. Throws InputError if the key occurs twice with
-  /// different values. Marks the key as read.
+  /// Returns the entry of a key and marks it as read; nullptr if there is no such key. Throws
+  /// InputError if the key occurs twice with different values.
   const TeimOrbitEntry* find(std::string_view key) const;
   bool has(std::string_view key) const { return find(key) != nullptr; }
-  /// Returns a finite number as written, in the units of the file.
+  /// Return a finite number as written, in the units of the file; `fallback`, if given, for a
+  /// missing key.
   double number(std::string_view key) const;
   double number(std::string_view key, double fallback) const;
   double number(const TeimOrbitEntry& entry) const;
@@ -80,9 +81,10 @@ class TeimOrbitSection {
   std::string text(std::string_view key) const;
   std::string text(std::string_view key, std::string_view fallback) const;
 
-  /// Returns the first table of that sub-block ("": outside of any); nullptr if there is none.
+  /// Returns the first table of that sub-block ("": outside of any sub-block); nullptr if there is
+  /// none.
   const TeimOrbitTable* find_table(std::string_view block) const;
-  /// Returns a row as finite numbers, at least `width` of them.
+  /// Returns the row as finite numbers. Throws InputError if there are fewer than `width`.
   std::vector<double> numbers(const TeimOrbitRow& row, std::size_t width) const;
 
  private:
@@ -91,32 +93,35 @@ class TeimOrbitSection {
   std::string name_;
   std::shared_ptr<const std::string> file_;
   int line_;
-  /// Lines of the keys and tables that were read, and of the section if any key was searched in it.
+  /// Lines of the keys and tables that were read, and the line of the section if any key was
+  /// searched in it.
   std::shared_ptr<std::set<int>> read_ = std::make_shared<std::set<int>>();
   std::vector<TeimOrbitEntry> entries_;
   std::vector<TeimOrbitTable> tables_;
   std::vector<std::string> blocks_;
 };
 
-/// SI values of the units in which a file is written. A unit that the file does not state is
-/// refused at its first use, because a guess would change every number without a word; formats that
-/// have SI as their default ask for it. Without a file all units are SI.
+/// SI values of the units in which a file is written. Using a unit that the file does not state
+/// throws, because a guessed unit would silently change every number; for formats whose default is
+/// SI the caller requests that default. Without a file all units are SI.
 class TeimOrbitUnits {
  public:
   enum class Missing { is_refused, is_si };
 
-  /// Each throws InputError if the file states no such unit, and says which line to add.
+  /// Return the SI value of a unit. Throw InputError, which says which line to add, if the file
+  /// does not state the unit.
   double length() const { return of(0); }
   double force() const { return of(1); }
   double angle() const { return of(2); }
   double mass() const { return of(3); }
   double time() const { return of(4); }
-  /// Returns force / length^2 if the file does not state the unit.
+  /// Returns the SI value of the unit of pressure: force / length^2 if the file does not state one.
   double pressure() const;
 
-  /// Returns the keys that the file does not state, except PRESSURE: "LENGTH", "ANGLE".
+  /// Returns the keys of units that the file does not state, except PRESSURE, such as "LENGTH",
+  /// "ANGLE".
   std::vector<std::string> missing() const;
-  /// Returns the SI unit of a key in words: "meter" of LENGTH.
+  /// Returns the SI unit for a key of [UNITS] in words: "meter" for LENGTH.
   static std::string si_in_words(std::string_view key);
 
  private:
@@ -126,19 +131,19 @@ class TeimOrbitUnits {
   std::array<std::optional<double>, 6> stated_;
   Missing missing_ = Missing::is_si;
   bool has_section_ = false;
-  Place place_;  // the line [UNITS]; the file if it has none
+  Place place_;  // the line [UNITS]; the whole file if it has none
 };
 
-/// A part of a file that was not read.
+/// A part of a file that was not used.
 struct TeimOrbitPart {
-  std::string name;  // "[SECTION] KEY", "[SECTION] {heads}", "[SECTION]" as a whole
+  std::string name;  // "[SECTION] KEY", "[SECTION] {heads}", or "[SECTION]" for a whole section
   int line = 0;
 };
 
 class TeimOrbit {
  public:
-  /// Throws InputError naming file and line: a line of none of the forms above, a quote or bracket
-  /// that is not closed, zero bytes, a line longer than 64 kB.
+  /// Throw InputError that names file and line for: a line of none of the forms above, a quote or
+  /// bracket that is not closed, zero bytes, a line longer than 64 kB.
   static TeimOrbit read(const std::filesystem::path& file);
   static TeimOrbit parse(std::string text, std::string file_name);
 
@@ -148,17 +153,17 @@ class TeimOrbit {
   const TeimOrbitSection* find(std::string_view section) const;
   /// Returns the first section of the given name; throws InputError if there is none.
   const TeimOrbitSection& section(std::string_view name) const;
-  /// Throws InputError for an unknown unit.
+  /// Returns the units of the file. Throws InputError for an unknown unit.
   TeimOrbitUnits units(TeimOrbitUnits::Missing missing = TeimOrbitUnits::Missing::is_refused) const;
 
-  /// Returns the parts that were not read so far: "[SECTION] KEY", "[SECTION] {table}", and
-  /// "[SECTION]" if nothing of it was read. A reader calls this at its end and reports them.
-  /// [MDI_HEADER] describes the file and is not included. A section that occurs a second time and
+  /// Returns the parts that have not been read so far: "[SECTION] KEY", "[SECTION] {table}", and
+  /// "[SECTION]" if nothing of it was read. A reader calls this after reading and reports them.
+  /// [MDI_HEADER] describes the file and is not included. A section that occurs a second time but
   /// was read only once is "a second [SECTION]".
   std::vector<TeimOrbitPart> unread() const;
 
-  /// Returns the file with some values replaced (as written, with quotes if needed); every other
-  /// byte stays.
+  /// Returns the text of the file with some values replaced by the given texts (with quotes if
+  /// needed); every other byte stays.
   std::string with_values(const std::map<const TeimOrbitEntry*, std::string>& values) const;
   const std::string& source() const { return source_; }
 

@@ -72,7 +72,7 @@ TEST(TeimOrbit, UnitsInSi) {
   EXPECT_EQ(units.length(), 1e-3);
   EXPECT_EQ(units.angle(), std::numbers::pi / 180.0);
   EXPECT_EQ(units.force(), 1.0);
-  EXPECT_NEAR(units.pressure(), 1e6, 1e-9);  // N/mm^2, because the file names no other unit
+  EXPECT_NEAR(units.pressure(), 1e6, 1e-9);  // N/mm^2, because the file states no unit of pressure
   EXPECT_EQ(parsed_orbit("[UNITS]\nPRESSURE='bar'\n").units().pressure(), 1e5);
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-/// Bytes 0x80 to 0x9f of Windows-1252 [unicode.org, CP1252.TXT]; 0 if there is no character.
+/// Characters of the bytes 0x80 to 0x9f in Windows-1252 [unicode.org, CP1252.TXT]; 0 if there is
+/// none.
 constexpr char16_t kWindows[32] = {0x20ac, 0,      0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
                                    0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017d, 0,
                                    0,      0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,

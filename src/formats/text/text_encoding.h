@@ -15,12 +15,12 @@ namespace latsch::formats {
 /// Windows-1252. Throws InputError for UTF-16 and for a zero byte, naming the line.
 std::string utf8_text(std::string bytes, const std::string& file);
 
-/// Returns `source` itself if it is UTF-8 (a byte order mark stays), else a converted copy in
-/// memory.
+/// Returns `source` itself if it is UTF-8, with its byte order mark if it has one; else a converted
+/// copy in memory.
 std::shared_ptr<const MappedFile> utf8_file(std::shared_ptr<const MappedFile> source,
                                             const std::string& file);
 
-/// Returns the characters `first` ... `first + count - 1` of a line of UTF-8, counted from 0, as
+/// Returns the characters `first` to `first + count - 1`, counted from 0, of a line of UTF-8, as
 /// far as they exist.
 std::string_view columns_of(std::string_view line, std::size_t first, std::size_t count);
 

@@ -28,7 +28,7 @@ std::string units_in_words(const TeimOrbit& source) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// Numbers of the lines of keys that no parameter has taken.
+/// Returns the line numbers of the keys that set no parameter.
 std::set<int> lines_of_unused_keys(const TirFile& tir) {
   std::set<int> lines;
   for (const TirKey& key : tir.keys)

@@ -18,7 +18,7 @@ using magic_formula::Parameters;
 
 constexpr const char* kCurve = "DEFLECTION_LOAD_CURVE";
 
-/// Coefficients of the formula of the vertical force that the curve replaces.
+/// Coefficients of the formula for the vertical force; they have no effect if the file has a curve.
 constexpr std::array<std::string_view, 12> kReplaced = {"Q_V2",
                                                         "Q_FZ2",
                                                         "Q_FCX",
@@ -69,7 +69,7 @@ class CurveReading {
                                    "and one of a load",
                                    kCurve));
   }
-  /// First deflection of the file, m.
+  /// Returns the first deflection in the file, m.
   double first() const { return first_; }
 
  private:
@@ -98,7 +98,7 @@ class CurveReading {
     F.push_back(Fz);
   }
 
-  /// Lets the curve begin at {0, 0}.
+  /// Adds the point {0, 0} if the curve begins later.
   void begin(const TeimOrbitRow& row, double rho, double Fz) {
     first_ = rho;
     if (rho < 0.0 || Fz < 0.0 || (rho == 0.0 && Fz != 0.0))
@@ -119,7 +119,7 @@ class CurveReading {
   double first_ = 0.0;
 };
 
-/// Refuses a curve of no tire, and one that belongs to another tire than VERTICAL_STIFFNESS.
+/// Throws for a curve that no tire has, and for one that contradicts VERTICAL_STIFFNESS.
 void check_curve_size(const Parameters& p, const TeimOrbitSection& curve) {
   constexpr double kFar = 100.0;
   if (p.curve_deflection.back() >= p.UNLOADED_RADIUS)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves of a .tir that are refused or doubted, and numbers that no tire has.
+// Tests curves of a .tir that are refused or doubted, and numbers that no tire has.
 #include "formats/tire/tir_curve.h"
 
 #include <gtest/gtest.h>

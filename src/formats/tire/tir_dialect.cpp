@@ -23,7 +23,8 @@ constexpr const char* kFormatsRead =
 struct KnownFitType {
   int number;
   Version version;
-  const char* note;  // nullptr: the equations are those of this number
+  // note for the user; nullptr: the format has exactly the equations of this version
+  const char* note;
 };
 constexpr std::array<KnownFitType, 8> kFitTypes = {{
     {5, Version::mf52, "MF-Tyre 5.0 and 5.1"},
@@ -36,7 +37,7 @@ constexpr std::array<KnownFitType, 8> kFitTypes = {{
     {62, Version::mf62, nullptr},
 }};
 
-/// Formats that name their equations, reduced to letters and digits.
+/// Names of formats that determine the equations, reduced to letters and digits.
 constexpr std::array<std::pair<const char*, Version>, 12> kFormats = {{
     {"PAC2002", Version::mf52},
     {"MF05", Version::mf52},
@@ -52,7 +53,7 @@ constexpr std::array<std::pair<const char*, Version>, 12> kFormats = {{
     {"MFTYRE62", Version::mf62},
 }};
 
-/// Formats of other models, by the beginning of their letters and digits.
+/// Formats of other tire models, by the first letters and digits of their names.
 constexpr std::array<std::pair<const char*, const char*>, 16> kOtherModels = {{
     {"PAC89", "the Magic Formula of 1989, with coefficients A0, B0, C0 ..."},
     {"PAC94", "the Magic Formula of 1994, with coefficients A0, B0, C0 ..."},
@@ -215,7 +216,7 @@ class DialectReading {
   TirDialect result_;
 };
 
-/// Pairs {key of PAC2002, name of the parameter}.
+/// Pairs of a key of PAC2002 and the name of its parameter.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kSpellings = {{
     {"LKG", "LKYC"},
     {"LKYG", "LKYC"},

@@ -26,7 +26,7 @@ int fittyp_of(Version version) {
   return version == Version::mf52 ? 6 : version == Version::mf61 ? 61 : 62;
 }
 
-/// Notation of the numbers in a file.
+/// Units and names of the numbers in a file.
 struct Spelling {
   TeimOrbitUnits units;
   bool pac2002 = false;
@@ -42,8 +42,8 @@ struct Spelling {
   }
 };
 
-/// Writes "KEY = value" lines below their [SECTION]s, in the order of the fields; `section` is open
-/// already.
+/// Returns lines "KEY = value" below the heads of their sections, in the order of the fields; the
+/// head of `section` has been written before.
 std::string written(const std::vector<const ParameterField*>& fields,
                     const Parameters& p,
                     const Spelling& spelling,
@@ -99,7 +99,7 @@ std::string tir_text(const TirFile& tir, const Parameters& parameters) {
 
 namespace {
 
-/// Returns " $ remark", to follow a value, and the end of the line.
+/// Returns " $ remark" and the end of the line, to be written after a value.
 std::string behind(const TirRemarks& remarks, std::string_view key) {
   const auto found = remarks.of_keys.find(key);
   return found == remarks.of_keys.end() ? "\n" : "  $ " + found->second + "\n";
@@ -112,8 +112,8 @@ std::string head_of(std::string_view section, const TirRemarks& remarks) {
   return text;
 }
 
-/// Writes parameters below the heads of their sections, in the order of the fields. MODEL is
-/// already open.
+/// Returns the parameters below the heads of their sections, in the order of the fields. The head
+/// of MODEL has been written before.
 std::string sections_of(const Parameters& p, const TirRemarks& remarks) {
   std::string text;
   std::string_view section = "MODEL", last_field_of = "MODEL";

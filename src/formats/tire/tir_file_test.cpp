@@ -65,7 +65,7 @@ bool says(const TirFile& tir, const std::string& part) {
   return false;
 }
 
-/// kSmall with another line before [VERTICAL].
+/// Returns kSmall with a further line before [VERTICAL].
 std::string with_line(const std::string& line) {
   return replaced("[VERTICAL]\n", line + "\n[VERTICAL]\n");
 }
@@ -110,7 +110,7 @@ TEST(TirFile, GramsAndPercentAndMillisecondsAreNoticed) {
 }
 
 TEST(TirFile, AWidthGivesTheMassOfATireOfItsSize) {
-  // pi 0.3^2 0.2 m^3 of 10 to 1500 kg/m^3
+  // The plausible mass of this tire is pi 0.3^2 0.2 m^3 times 10 to 1500 kg/m^3.
   const std::string sized = "UNLOADED_RADIUS=300\nWIDTH=200\n";
   std::string text = replaced("UNLOADED_RADIUS=300\n", sized);
   EXPECT_FALSE(says(parse_tir(text, "t.tir"), "MASS"));
@@ -154,7 +154,7 @@ TEST(TirFile, UnitsBecomeSiAndTheTwoMassesStayApart) {
   EXPECT_EQ(p.LMUY, 1.0);
 }
 
-/// The doubts of a file, one a line.
+/// Returns the doubts of a file, one in each line.
 std::string doubts_of(const std::string& text) {
   std::string all;
   for (const LedgerDoubt& doubt : ledger_of(parse_tir(text, "t.tir")).doubts)
@@ -276,7 +276,7 @@ TEST(TirFile, KeysOfPac2002AreTakenByTheirOtherNames) {
   EXPECT_EQ(p.PPZ2, 0.3);
   EXPECT_EQ(p.PFZ1, 0.7);
   EXPECT_EQ(p.Q_V2, 0.04);
-  // A changed value is written in the file's own spelling and scale.
+  // A changed value is written with the file's own key and scale.
   Parameters changed = p;
   changed.PPZ1 = -0.25;
   changed.Q_FCX = 0.01;
@@ -360,8 +360,8 @@ TEST(TirFile, ScalesRangesAndStrayLinesAreCheckedForWhatTheyMean) {
             std::string::npos);
   EXPECT_NE(tir_complaint(with("[DIMENSION]\nTYRESIDE='LEFT'\n")).find("expected [MODEL]"),
             std::string::npos);
-  // A key that occurs twice is reported if the values are equal, and refused otherwise, even if it
-  // is not used.
+  // A key that occurs twice with equal values is reported; with different values the file is
+  // refused, even if the key is not used.
   EXPECT_NE(tir_complaint(with("[VERTICAL]\nXYZ = 1\nXYZ = 2\n")).find("keep one of them"),
             std::string::npos);
 }
@@ -384,7 +384,7 @@ TEST(TirFile, EachUnitThatIsAssumedStandsInTheLedger) {
   const std::size_t at = text.find("LENGTH");
   text.erase(at, text.find('\n', at) + 1 - at);
   EXPECT_NE(doubts_of(text).find("[UNITS] is silent: LENGTH is taken as meter"), std::string::npos);
-  // 0.3 m are written as 300 mm.
+  // The radius, 0.3 m, is written as 300 without the unit mm.
   EXPECT_NE(doubts_of(text).find("UNLOADED_RADIUS is 300 m, where tires have"), std::string::npos);
   const Ledger ledger = ledger_of(parse_tir(text, "t.tir"));
   ASSERT_NE(ledger.find_taken("LENGTH"), nullptr);

@@ -32,7 +32,8 @@ void examine_slopes(const Parameters& p, const SteadyState& s, const AboutParame
                      p.PKX1));
 }
 
-/// Friction beyond these belongs to no road: 0.02 is wet ice, racing tires reach 2.5.
+/// Reports friction outside of the limits, which no road gives: 0.02 is wet ice, racing tires reach
+/// 2.5.
 void examine_friction(const char* peak,
                       const char* scale,
                       double mu,
@@ -42,7 +43,8 @@ void examine_friction(const char* peak,
   const auto value = [&](const char* name) {
     return p.*magic_formula::find_parameter(name)->member;
   };
-  // Some programs write a negative peak beside a slope of the usual sign, which is the same force.
+  // Some programs write a negative peak together with a slope of the usual sign, which gives the
+  // same force.
   mu = std::abs(mu);
   if (value(peak) == 0.0 || (mu >= kLeast && mu <= kMost)) return;
   const bool by_scale = value(scale) < kLeast || value(scale) > kMost;
@@ -60,7 +62,7 @@ void examine_friction(const char* peak,
 
 void examine_rolling_radius(const MagicFormula& tire, const AboutParameter& note) {
   constexpr double kRounding = 1e-9;
-  constexpr double kSmallest = 0.95;  // times the loaded radius; fitted tires have 0.99 and more
+  constexpr double kSmallest = 0.95;  // times the loaded radius; fitted tires have at least 0.99
   const Parameters& p = tire.parameters();
   for (const double share : {1.0, 0.5, 1.5}) {
     const SteadyState s = rolling_straight(tire, share * p.FNOMIN);
@@ -79,7 +81,7 @@ void examine_rolling_radius(const MagicFormula& tire, const AboutParameter& note
 }
 
 void examine_patch(const Parameters& p, const SteadyState& s, const AboutParameter& note) {
-  constexpr double kLongest = 0.6;  // times the radius: a tire on its rim
+  constexpr double kLongest = 0.6;  // times the radius; a tire that stands on its rim
   const bool mf52 = p.version == magic_formula::Version::mf52;
   if (!(s.a >= 0.0 && s.a <= kLongest * p.UNLOADED_RADIUS))
     note(mf52 ? "Q_A1" : "Q_RA1",

@@ -13,8 +13,8 @@ namespace latsch::formats {
 
 namespace {
 
-/// Adds a row for each number of a slow, standing or turning wheel that the file lacks
-/// (models/magic_formula/standstill.h).
+/// Adds a row for each parameter of a slow, standing or turning wheel that the file lacks and whose
+/// value is assumed (models/magic_formula/standstill.h).
 void add_assumed_at_rest(const TirFile& tir, Ledger& ledger) {
   struct Assumed {
     const char *name, *value;
@@ -41,7 +41,7 @@ void add_assumed_at_rest(const TirFile& tir, Ledger& ledger) {
   }
 }
 
-/// Adds a row for a unit of pressure that the file does not state but uses.
+/// Adds a row for the unit of pressure if the file uses it without stating it.
 void add_unit_of_pressure(const TirFile& tir, const TeimOrbitUnits& units, Ledger& ledger) {
   const TeimOrbitSection* stated = tir.source.find("UNITS");
   const bool is_used = std::ranges::any_of(tir.keys, [](const TirKey& key) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ledger of a .tir: a row for each key of the file (measurement/ledger.h).
+// Builds the ledger of a .tir: a row for each key of the file (measurement/ledger.h).
 #pragma once
 
 #include "formats/tire/tir_file.h"
@@ -7,9 +7,9 @@
 
 namespace latsch::formats {
 
-/// Keys that become a parameter are used, and `remark` says if they act only in some models or
-/// modes; other known keys are not used, with the reason; an unknown key is doubtful. Faults and
-/// assumptions are in the notes of the file.
+/// Keys that set a parameter are marked as used, and `remark` says if they have an effect only in
+/// some models or modes; other known keys are not used, with the reason; an unknown key is
+/// doubtful. Errors and assumptions are in the notes of the file.
 Ledger ledger_of(const TirFile& tir);
 
 }  // namespace latsch::formats

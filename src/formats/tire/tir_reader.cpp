@@ -29,16 +29,17 @@ using magic_formula::Parameters;
 using magic_formula::ParameterUnit;
 using magic_formula::Version;
 
-/// Scaling factors that the equations divide by, or that would remove the tire if they were 0.
+/// Scaling factors by which the equations divide, or which at 0 would remove all forces of the
+/// tire.
 constexpr std::array<std::string_view, 9> kNeverZero = {
     "LFZO", "LCX", "LMUX", "LKX", "LCY", "LMUY", "LKY", "LIP", "LCZ"};
-/// Pairs {smallest, largest} of the inputs that a file covers.
+/// Pairs of keys for the smallest and the largest value of each input that the file's data cover.
 constexpr std::array<std::array<std::string_view, 2>, 5> kRanges = {{{"PRESMIN", "PRESMAX"},
                                                                      {"FZMIN", "FZMAX"},
                                                                      {"KPUMIN", "KPUMAX"},
                                                                      {"ALPMIN", "ALPMAX"},
                                                                      {"CAMMIN", "CAMMAX"}}};
-/// Coefficients of the pressure's effect.
+/// Coefficients that describe the effect of the pressure.
 constexpr std::array<std::string_view, 17> kOfPressure = {"PPX1",
                                                           "PPX2",
                                                           "PPX3",
@@ -72,7 +73,7 @@ const std::set<std::string_view>& home_sections() {
   return sections;
 }
 
-/// Returns every key that a misspelled key may mean, for suggestions.
+/// Returns all keys that a misspelled key may have been, for suggestions.
 std::vector<std::string> all_keys() {
   std::vector<std::string> keys = other_spellings();
   for (const ParameterField& field : magic_formula::parameter_fields())
@@ -83,8 +84,8 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// Short names of coefficients differ by single letters anyway: a suggestion for them allows only
-/// one slip.
+/// Returns a suggestion for a misspelled key. Short names of coefficients differ by single letters,
+/// so only one wrong letter is allowed for them.
 std::string suggestion(const std::string& key) {
   constexpr std::size_t kShort = 6;
   const auto best = nearest(key, all_keys());
@@ -129,7 +130,7 @@ class TirReader {
   }
 
  private:
-  /// Adds a doubt, which every ledger tells.
+  /// Adds a doubt, which every ledger of the file contains.
   void doubt(const std::string& name, int line, const std::string& text) {
     tir_.doubts.push_back({name, text, Place{tir_.source.file(), line}});
   }
@@ -199,7 +200,8 @@ class TirReader {
     note(entry.line, fmt::format("{} occurs twice, in line {}, too", entry.key, before.line));
   }
 
-  /// [UNITS] and [MDI_HEADER] contain no parameters, unless a line [SECTION] was lost.
+  /// Checks keys in [UNITS] and [MDI_HEADER]. These contain parameters only if the line [SECTION]
+  /// after them is missing.
   void check_stranger(const TeimOrbitSection& section, const TeimOrbitEntry& entry) {
     static const std::set<std::string_view> units = {
         "LENGTH", "FORCE", "ANGLE", "MASS", "TIME", "PRESSURE"};
@@ -262,7 +264,7 @@ class TirReader {
            fmt::format("{} = {} has no effect: {}", entry.key, entry.value, unused->text));
   }
 
-  /// Reads a factor of PAC2002 that multiplies another number of the file.
+  /// Reads a factor of PAC2002 by which another number of the file is multiplied.
   void read_scale(const TeimOrbitSection& section, const TeimOrbitEntry& entry) {
     scales_[entry.key] = {section.number(entry), entry.line};
     const bool pressure = entry.key == "LIP";
@@ -353,7 +355,8 @@ class TirReader {
                                      "expected a number above 0; 1 scales nothing",
                                      field.name,
                                      found->second->value));
-      constexpr double kFar = 100.0;  // factors of fitted tires are between 0.5 and 2
+      // factors of fitted tires are between 0.5 and 2; a value beyond this one is wrong
+      constexpr double kFar = 100.0;
       if (needed && (value > kFar || value < 1.0 / kFar))
         doubt(std::string(field.name),
               found->second->line,
@@ -422,9 +425,10 @@ class TirReader {
     }
   }
 
-  /// A range in degrees beside ANGLE = 'radians' covers every state there is.
+  /// Adds a doubt about a range in degrees although ANGLE is 'radians': it would cover every
+  /// possible state.
   void check_angles() {
-    // rad; files without limits state up to 180 degrees.
+    // rad; files without real limits state up to 180 degrees.
     constexpr double kMostAngle = 3.2;
     for (const auto& [lower, upper] : {std::pair{"ALPMIN", "ALPMAX"}, {"CAMMIN", "CAMMAX"}})
       for (const char* name : {lower, upper}) {
@@ -471,7 +475,8 @@ class TirReader {
            "such as PHY1 and PKY1 are taken in radians");
   }
 
-  /// Without R coefficients braking and steering forces do not reduce each other.
+  /// Reports missing coefficients of combined slip (R...): without them braking and steering forces
+  /// do not reduce each other.
   void report_combined_slip() {
     const Parameters& p = tir_.parameters;
     const bool forces = (p.PDX1 != 0.0) && (p.PDY1 != 0.0);

@@ -6,10 +6,11 @@
 
 namespace latsch::formats {
 
-/// Fills everything but `source`, which must be set. Throws InputError naming file and line.
+/// Fills all members except `source`, which must have been set. Throws InputError that names file
+/// and line.
 void read_parameters(TirFile& tir);
 
-/// Returns the SI value of 1 in the units of a file.
+/// Returns the SI value of one unit of the file for a kind of parameter.
 double si_factor(magic_formula::ParameterUnit unit, const TeimOrbitUnits& units);
 
 /// True for a section whose keys are units or describe the file.

@@ -11,7 +11,7 @@ namespace {
 
 using magic_formula::Parameters;
 
-/// Range of tires from a bicycle's to an earthmover's, SI.
+/// Plausible range, SI, of a parameter: from the tire of a bicycle to that of an earthmover.
 struct Size {
   std::string_view name;
   const char* unit;
@@ -49,11 +49,11 @@ constexpr Size kSizes[] = {{"LONGVL", "m/s", 1.0, 100.0},
                            {"DAMP_RESIDUAL", "s", 0.0, 0.1},
                            {"DAMP_VLOW", "s", 0.0, 1.0}};
 
-/// Shares of the critical damping.
+/// Parameters that are damping ratios, shares of the critical damping.
 constexpr std::array<std::string_view, 4> kDampings = {
     "DAMP_LONG", "DAMP_LAT", "DAMP_YAW", "DAMP_WINDUP"};
 
-/// Coefficients without which a force is 0 in every state.
+/// A coefficient at whose value 0 a force is 0 in every state.
 struct Factor {
   std::string_view name;
   const char* force;
@@ -71,14 +71,15 @@ double value_of(const Parameters& p, std::string_view name) {
   return p.*magic_formula::find_parameter(name)->member;
 }
 
-/// Returns the mass, kg, of a tire of this size that weighs 1 kg per cubic meter of the cylinder
-/// that encloses it; 0 if the file states no width.
+/// Returns the mass, kg, of the cylinder that encloses the tire at a density of 1 kg/m^3; 0 if the
+/// file states no width.
 double enclosing_cylinder(const Parameters& p) {
   constexpr double kPi = 3.14159265358979;
   return kPi * p.UNLOADED_RADIUS * p.UNLOADED_RADIUS * p.WIDTH;
 }
 
-/// Compares masses with the size: tires have 30 kg/m^3 (a bicycle's) to 400 (an earthmover's).
+/// Compares masses with the size: per volume of the enclosing cylinder, tires have 30 kg/m^3 (a
+/// bicycle's) to 400 (an earthmover's).
 void examine_masses(const Parameters& p, const AboutParameter& note) {
   constexpr double kLight = 10.0, kHeavy = 1500.0;  // kg/m^3
   const double volume = enclosing_cylinder(p);
@@ -102,7 +103,8 @@ void examine_masses(const Parameters& p, const AboutParameter& note) {
                      p.MASS));
 }
 
-/// Compares an inertia with that of the mass at the radius, which no mass within it exceeds.
+/// Compares each moment of inertia with that of the whole mass at the tire's radius, which it
+/// cannot exceed.
 void examine_inertias(const Parameters& p, const AboutParameter& note) {
   struct Inertia {
     std::string_view name, of;
@@ -123,11 +125,11 @@ void examine_inertias(const Parameters& p, const AboutParameter& note) {
   }
 }
 
-/// Examines coefficients over which the equations of turn slip divide. They count only if a test
-/// asks for turn slip.
+/// Checks coefficients by which the equations of turn slip divide. They matter only if a test uses
+/// turn slip.
 void examine_turn_slip(const Parameters& p, const AboutParameter& note) {
   if (p.QDRP1 == 0.0 || p.PHYP1 == 0.0 || p.QCRP1 == 0.0) return;
-  constexpr double kLeast = 1e-9;  // equals that of Parameters::missing_of_turn_slip()
+  constexpr double kLeast = 1e-9;  // equal to the limit in Parameters::missing_of_turn_slip()
   if (const std::string_view missing = p.missing_of_turn_slip(); !missing.empty()) {
     note(missing,
          fmt::format("{} is {:.4g}: the equations of turn slip divide by it, so that tests without "

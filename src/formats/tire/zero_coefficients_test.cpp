@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every coefficient of a full MF 6.2 file is set to 0 and to a number close to 0: each result is
-// finite and of the size of a tire's, or the reader names the coefficient.
+// Sets every coefficient of a full MF 6.2 file to 0 and to a number close to 0. Each result must be
+// finite and of the size of a tire's, or the reader must report the coefficient.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using namespace magic_formula;
 
-/// Returns a tire of which every coefficient without unit is another number than 0.
+/// Returns a tire whose coefficients without unit are all different from 0.
 Parameters full_62() {
   Parameters p = round_tire();
   p.version = Version::mf62;
@@ -54,7 +54,8 @@ std::vector<State> lattice(const Parameters& p) {
   return states;
 }
 
-/// Returns where a result is not finite, or a force or moment is beyond every tire's; empty: none.
+/// Returns where a result is not finite, or where a force or moment is larger than any tire has;
+/// empty if neither occurs.
 std::string fault_of(const Parameters& p) {
   constexpr double kMost = 1e9;  // N, N m
   constexpr std::size_t kForces = 6;
@@ -115,7 +116,7 @@ TEST(ZeroCoefficients, TurnSlipWithoutHeightOfItsCurveShiftsNothing) {
   Parameters p = full_62();
   p.PHYP2 = p.PHYP3 = 0.0;
   Parameters small = p;
-  small.PHYP2 = 1e-9;  // the limit is that of a low curve
+  small.PHYP2 = 1e-9;  // equal to the limit that missing_of_turn_slip() sets
   Conventions conventions;
   conventions.turn_slip = true;
   for (const double phit : {-0.5, 0.0, 0.3}) {
@@ -135,7 +136,7 @@ TEST(ZeroCoefficients, ALockedWheelHasNoRollingResistanceWithoutVxlow) {
   EXPECT_EQ(std::abs(s.My), 0.0);
 }
 
-/// A road of ice has friction 0, which multiplies LMUY: the forces of slip are 0 there.
+/// Friction 0 of the road multiplies LMUY: all forces caused by slip are then 0.
 TEST(ZeroCoefficients, WithoutFrictionThereIsNoForceOfSlip) {
   Parameters p = round_tire();
   p.LMUX = p.LMUY = 0.0;

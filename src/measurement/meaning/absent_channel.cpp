@@ -14,10 +14,11 @@
 namespace latsch {
 namespace {
 
-/// A channel with a meaning of its own that may be another channel on some rigs.
+/// A channel that on some rigs serves as another one that is missing, although it has a meaning of
+/// its own.
 struct Relative {
   std::string_view missing, other, words;
-  std::string_view with = {};  // second channel, without which the other does not help
+  std::string_view with = {};  // a second channel that is also needed for that
   bool is_as_it_stands = false;
 };
 constexpr std::array kRelatives = {
@@ -59,8 +60,8 @@ bool same_letters(std::string_view a, std::string_view b) {
   });
 }
 
-/// Returns the known name behind a function's name in one word: ALPHA of "TANALPHA"; "" if there is
-/// none.
+/// Returns the known name in a function's name that is one word: "ALPHA" of "TANALPHA"; "" if there
+/// is none.
 std::string_view argument_of(std::string_view name) {
   for (const std::string_view function : kFunctions)
     if (name.size() > function.size() + 1 &&
@@ -70,10 +71,11 @@ std::string_view argument_of(std::string_view name) {
   return "";
 }
 
-/// Returns the channels that words within an unknown name mean: alpha of "tan alpha".
+/// Returns the channels named by words within an unknown name: alpha for "tan alpha".
 std::vector<std::string_view> channels_within(std::string_view name) {
   constexpr std::size_t kMostWords = 3;
-  constexpr std::size_t kFewestLetters = 2;  // a single letter means a channel by chance
+  // least length of such a word, because a single letter names a channel by chance
+  constexpr std::size_t kFewestLetters = 2;
   std::vector<std::string_view> found;
   if (const auto argument = argument_of(name); !argument.empty())
     found.push_back(recognized(argument)->meaning->name);
@@ -89,7 +91,7 @@ std::vector<std::string_view> channels_within(std::string_view name) {
   return found;
 }
 
-/// True if a name says that its numbers are a function of what it names: "tan alpha".
+/// True if the name is that of a function of another quantity, such as "tan alpha".
 bool is_function(std::string_view name) {
   if (!argument_of(name).empty()) return true;
   return std::ranges::any_of(words_of(name), [](std::string_view word) {

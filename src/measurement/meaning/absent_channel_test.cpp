@@ -25,7 +25,8 @@ TEST(AbsentChannel, AnAngleOfAnotherMeaningMayBeTheSlipAngle) {
     EXPECT_EQ(offered("alpha", "rad", {column("Fz", "N"), column(name, "rad")}), name);
   EXPECT_EQ(offered("alpha", "rad", {column("camber", "rad"), column("yaw", "N")}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "gamma", true}}), "SA");
-  EXPECT_EQ(offered("Fx", "N", {{"Fx_L", "N", true, "Fx_L", true}}), "");  // the axle has its loads
+  // the axle already has its loads
+  EXPECT_EQ(offered("Fx", "N", {{"Fx_L", "N", true, "Fx_L", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "alpha", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "gamma", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "yaw", false}}), "yaw");

@@ -23,7 +23,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNearlyAll = 0.9;  // share of the samples
 
-/// Values in `unit`: `from` to `to` is usual, below `least` or above `most` is impossible.
+/// Usual range of a channel, in `unit`: values from `from` to `to` are usual, values below `least`
+/// or above `most` impossible.
 struct UsualRange {
   std::string_view channel, unit;
   double least, from, to, most;
@@ -147,13 +148,14 @@ std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRang
 
 /// Checks that the loads are positive, as those of a wheel on the ground.
 std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
-  constexpr double kHop = 0.02;   // share of the largest load: noise about 0 while the wheel is in
-                                  // the air
+  // Share of the largest load: noise about 0 while the wheel is in the air.
+  constexpr double kHop = 0.02;
   constexpr double kLeast = 5.0;  // N; the load of every tire is larger
   const std::size_t all = numbers_in(channel.values);
   if (all == 0) return std::nullopt;
-  constexpr double kAboutZero = 0.05;  // mean over largest value: below it the channel holds
-                                       // changes of a load, not loads
+  // Ratio of the mean to the largest value below which a channel holds changes of a load, not
+  // loads.
+  constexpr double kAboutZero = 0.05;
   double most = 0.0, sum = 0.0;
   for (const double value : channel.values)
     if (!std::isnan(value)) most = std::max(most, std::abs(value)), sum += value;
@@ -196,8 +198,8 @@ const Channel* only(const Channels& channels, std::string_view meaning) {
   return found;
 }
 
-/// Returns the correlation about zero, not about the means, because a force changes its sign with
-/// its slip.
+/// Returns the correlation about zero, not about the means, because a force changes its sign
+/// together with its slip.
 double correlation(const Channel& a,
                    const Channel& b,
                    const std::function<bool(std::size_t)>& counts) {
@@ -213,7 +215,7 @@ double correlation(const Channel& a,
 struct Pair {
   std::string_view a, b;
   double sign;       // expected sign of their product
-  double most_of_a;  // SI; only samples with |a| below it count
+  double most_of_a;  // SI; only samples with a smaller |a| count
   std::string_view law;
 };
 
@@ -297,13 +299,14 @@ void check_stiffness(const Channels& channels, std::vector<ChannelDoubt>& doubts
           force && force->unit == "N" ? stiffness_of(motion, *force) : std::nullopt;
       if (!stiffness || (*stiffness * kPerMm >= usual.least && *stiffness * kPerMm <= usual.most))
         continue;
-      doubts.push_back({motion.name,
-                        fmt::format("moves by {} N/mm of {}, expected {:g} .. {:g} N/mm; {}",
-                                    format_number(*stiffness * kPerMm, 3),
-                                    force->name,
-                                    usual.least,
-                                    usual.most,
-                                    kLengths)});
+      doubts.push_back(
+          {motion.name,
+           fmt::format("has a stiffness of {} N/mm against {}, expected {:g} .. {:g} N/mm; {}",
+                       format_number(*stiffness * kPerMm, 3),
+                       force->name,
+                       usual.least,
+                       usual.most,
+                       kLengths)});
     }
   }
 }
@@ -317,7 +320,8 @@ void check_friction(const Channels& channels, std::vector<ChannelDoubt>& doubts)
   std::vector<double> loads;
   for (const double value : Fz->values)
     if (value > 0.0) loads.push_back(value);
-  if (2 * loads.size() <= Fz->values.size()) return;  // changes of a load, not loads
+  // the channel holds changes of a load, not loads
+  if (2 * loads.size() <= Fz->values.size()) return;
   const auto middle = loads.begin() + static_cast<std::ptrdiff_t>(loads.size() / 2);
   std::nth_element(loads.begin(), middle, loads.end());
   const double least = kLeastLoad * *middle;
@@ -406,8 +410,8 @@ void check_time(const Channels& channels,
   const std::vector<double>& t = time->values;
   constexpr std::size_t kShortestRun = 3;  // samples
   std::size_t back = 0, first_back = 0, same = 0, first_same = 0, steps = 0, begin = 0;
-  // A run of at least three samples, behind which the time begins where it began, is followed by
-  // another run.
+  // A run is at least three samples. If the time then returns to the value at which the run began,
+  // another run begins.
   const auto begins_anew = [&](std::size_t i) {
     return i - begin >= kShortestRun && std::abs(t[i] - t[begin]) <= t[begin + 1] - t[begin];
   };

@@ -43,20 +43,21 @@
 namespace latsch {
 
 struct ChannelDoubt {
-  std::string channel;     // name in the recording
-  std::string sentence;    // to follow the name: "is below 0 in 3 of 400 samples, ..."
-  std::size_t sample = 0;  // the first odd one
+  std::string channel;     // name of the channel in the recording
+  std::string sentence;    // sentence that follows the name: "is below 0 in 3 of 400 samples, ..."
+  std::size_t sample = 0;  // index of the first suspicious sample
   bool is_error = false;
-  bool all_loads_negative = false;  // suggests another convention
-  bool is_of_sign = false;  // true for a contradiction between signs, which another sign removes
+  /// true if all loads are negative, which suggests another convention
+  bool all_loads_negative = false;
+  bool is_of_sign = false;  // true for a contradiction between signs; changing a sign removes it
 };
 
-/// Checks channels in SI and iso, under our names; gaps are NaN. `breaks` are samples at which
-/// another file begins, whose time may begin anew.
+/// Checks channels in SI and iso with Latsch's names; gaps are NaN. `breaks` are the samples at
+/// which another file begins, whose time may start again.
 std::vector<ChannelDoubt> doubts_about(const Channels& channels,
                                        const std::vector<std::size_t>& breaks = {});
 
-/// Returns the channels that are empty in some samples. A channel that is empty as a whole was not
+/// Returns the channels that have gaps. A channel that is empty in all samples counts as not
 /// recorded.
 std::vector<ChannelDoubt> gaps_in(const Channels& channels);
 

@@ -73,7 +73,7 @@ TEST(ChannelChecks, TimeRisesFromSampleToSample) {
   EXPECT_EQ(said_of_time({0.0, 0.1, 0.0, 0.1}, {2}), "");  // the second file begins anew
 }
 
-// Millimeters that are read as meters, such as the 0.113 mm of a hub under 4 kN.
+// Millimeters that were read as meters, such as the 0.113 mm by which a hub moves under 4 kN.
 TEST(ChannelChecks, DoubtDisplacementsOfAnotherUnit) {
   for (const auto& [name, usual, other] : {std::tuple{"dy", 0.02, 0.113},
                                            {"dx", 0.02, 0.2},
@@ -92,7 +92,7 @@ TEST(ChannelChecks, DoubtDisplacementsOfAnotherUnit) {
   }
 }
 
-// A force of one sample in four kilonewtons, read as newtons, or a spike.
+// A single sample that was written in kilonewtons but read as newtons, or a spike.
 TEST(ChannelChecks, NoForceIsMoreThanThreeTimesTheLoad) {
   const auto doubts = doubts_about(times("Fy", 20.0, 17));
   ASSERT_FALSE(doubts.empty());
@@ -166,11 +166,11 @@ TEST(ChannelChecks, NoticeAClockThatGoesBackward) {
   back.add({"time", "s", {0, -0.1, -0.2, -0.3}});
   ASSERT_EQ(doubts_about(back).size(), 1u);
   EXPECT_EQ(doubts_about(back)[0].channel, "time");
-  runs.add({"time", "s", {0, 0.1, 0.2, 0, 0.1, 0.2}});  // two runs in one file
+  runs.add({"time", "s", {0, 0.1, 0.2, 0, 0.1, 0.2}});  // the file contains two runs
   EXPECT_TRUE(doubts_about(runs).empty());
 }
 
-// A table of a K&C rig: a compliant part moves along the force.
+// The table of a K&C rig has a compliant part that moves in the direction of the force.
 TEST(ChannelChecks, KnowTheSignOfACompliance) {
   Channels table;
   table.add({"Fy", "N", {-1000, 0, 1000}});

@@ -109,7 +109,8 @@ constexpr std::array kSenses = {
     Named{"spring", S::same},
 };
 
-// Classical compliances: toe or camber by the load that acts.
+// Beginnings of the names of classical compliances, such as lateral_force_toe, and the sense of the
+// load. A compliance is the change of toe or camber per unit of this load.
 constexpr std::array kActing = {Named{"lateral_force_", S::along_y},
                                 Named{"longitudinal_force_", S::along_x},
                                 Named{"aligning_torque_", S::about_z}};
@@ -120,7 +121,8 @@ S named(std::string_view name) {
   return S::unknown;
 }
 
-/// Returns the sense of a quantity under any spelling, for any wheel or frame.
+/// Returns the sense of a quantity under any spelling, for any wheel or frame. The sense says how
+/// its sign depends on the axes.
 S sense_of(std::string_view quantity) {
   if (const S exact = named(quantity); exact != S::unknown) return exact;
   if (const auto found = recognized(quantity)) return named(found->meaning->name);
@@ -154,7 +156,7 @@ ChannelSenses channel_senses(std::string_view name) {
 
 double sign_to_iso(ChannelSense sense, AxisConvention from) {
   const Eigen::Matrix3d R = axes_of(from);
-  const double handed = R.determinant();  // 1 for a rotation, as in all three conventions
+  const double handed = R.determinant();  // 1 for right-handed axes, as in all three conventions
   const double reversed = from == AxisConvention::adapted_sae ? -1.0 : 1.0;
   switch (sense) {
     case S::along_x:

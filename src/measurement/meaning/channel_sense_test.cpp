@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Signs of channels are checked against arrows in space, which Eigen rotates into the axes of each
+// Checks the signs of channels with vectors in space, which Eigen rotates into the axes of each
 // convention.
 #include "measurement/meaning/channel_sense.h"
 
@@ -18,7 +18,8 @@ using Eigen::Vector3d;
 constexpr AxisConvention kConventions[] = {
     AxisConvention::iso, AxisConvention::adapted_sae, AxisConvention::sae};
 
-/// A half turn about the forward axis turns left and up into right and down.
+/// Returns the axes of a convention: those other than iso are turned by half a turn about the
+/// forward axis, which turns left and up into right and down.
 Matrix3d turned_axes(AxisConvention convention) {
   if (convention == AxisConvention::iso) return Matrix3d::Identity();
   return AngleAxisd(M_PI, Vector3d::UnitX()).toRotationMatrix();
@@ -28,7 +29,8 @@ double sign(const char* name, AxisConvention from) {
   return sign_to_iso(channel_senses(name), from);
 }
 
-/// The components of an arrow in a convention, times the signs, are those in iso.
+/// Expects that the components of a vector in a convention, multiplied by the signs, are those in
+/// iso.
 void expect_components(const std::array<const char*, 3>& names,
                        const Vector3d& iso,
                        const Vector3d& written,
@@ -77,7 +79,7 @@ TEST(ChannelSense, MomentsAndTurnsAreArrowsAboutTheAxes) {
   }
 }
 
-// Tables of a K&C rig contain slopes of one written quantity by another.
+// Tables of a K&C rig contain slopes of one quantity over another.
 TEST(ChannelSense, SlopesHaveTheSignsOfBothQuantities) {
   for (const AxisConvention convention : kConventions) {
     const Matrix3d R = turned_axes(convention).transpose();
@@ -92,8 +94,8 @@ TEST(ChannelSense, SlopesHaveTheSignsOfBothQuantities) {
   }
 }
 
-// A wheel on a path that bends to the left has ψ' > 0 about up. The book has φt = -ψ' / V about
-// down.
+// A wheel on a path that bends to the left has the yaw rate ψ' > 0 about the upward axis. Pacejka's
+// book defines φt = -ψ' / V about the downward axis.
 TEST(ChannelSense, TurnSlipFollowsFromItsDefinition) {
   const double yaw_rate = 0.2, V = 10.0;
   for (const AxisConvention convention : kConventions) {

@@ -258,7 +258,7 @@ std::size_t plain_character(std::string_view text) {
   return 0;
 }
 
-/// True for a name without operators. A mark between words does not begin the name.
+/// True for a name without operators; a name may not begin with a mark between words such as "-".
 bool is_plain_name(std::string_view text) {
   if (text.starts_with('-')) return false;
   while (!text.empty()) {
@@ -282,7 +282,7 @@ std::string force_of(const std::string& word) {
   return name;
 }
 
-/// Recognizes a whole word without unit and wheel.
+/// Recognizes a whole word from which unit and wheel have been removed.
 std::optional<RecognizedName> word(std::string_view text) {
   const std::string key = folded(text);
   if (key.empty() || !is_plain_name(trimmed(text))) return std::nullopt;
@@ -305,7 +305,7 @@ std::optional<RecognizedName> word(std::string_view text) {
   return std::nullopt;
 }
 
-/// Splits "Alpha (deg)" into "Alpha" and "deg".
+/// Splits a name with a unit in brackets: "Alpha (deg)" into "Alpha" and "deg".
 std::pair<std::string_view, std::string_view> split_brackets(std::string_view text) {
   text = trimmed(text);
   for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
@@ -415,11 +415,12 @@ std::vector<std::string> look_like(std::string_view channel,
     if (spelling.channel == channel) spellings.emplace_back(spelling.written);
   std::vector<std::pair<int, std::string>> alike;
   for (const std::string& name : names) {
-    if (recognized(name)) continue;  // names another channel, or was found already
+    // the name is recognized, as another channel or as one found before
+    if (recognized(name)) continue;
     const std::string key = folded(split_brackets(name).first);
     int best = kMostEdits + 2;
     for (const std::string& spelling : spellings) {
-      // Short codes such as SA and SR are alike by chance.
+      // Short codes such as SA and SR differ by one letter, so only longer spellings are compared.
       if (spelling.size() >= 5 && key.size() >= 4) {
         const int allowed = spelling.size() >= 8 ? kMostEdits : 1 + (spelling.size() > 4);
         const int edits = edit_distance(key, spelling);

@@ -62,9 +62,9 @@ bool same_channel(std::string_view a, std::string_view b);
 /// Returns the known spellings of a channel, for messages: `alpha, SA, SLIPANGL ...`.
 std::string spellings_of(std::string_view channel);
 
-/// Returns those names of a file that look like a channel without being recognized as any: a typo
-/// ("Alhpa"), a word with an addition ("alpha_corrected", "FZ tire"). The most similar one comes
-/// first.
+/// Returns those names in a file that resemble a channel without being recognized as any: a typing
+/// error ("Alhpa"), a word with an addition ("alpha_corrected", "FZ tire"). The most similar one
+/// comes first.
 std::vector<std::string> look_like(std::string_view channel, const std::vector<std::string>& names);
 
 }  // namespace latsch

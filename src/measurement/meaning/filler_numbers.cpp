@@ -13,8 +13,10 @@ namespace latsch {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kBeyondAll = 1e30;  // no channel has such a value in any usual unit
-constexpr double kRounding = 1e-9;   // relative; a number goes through SI and back
+// magnitude above which no channel in any usual unit has a value
+constexpr double kBeyondAll = 1e30;
+// relative tolerance, because a number is converted to SI and back
+constexpr double kRounding = 1e-9;
 
 /// Absolute values of fillers, in increasing order.
 constexpr std::array kFillers = {999.0,        999.9,      999.99,       999.999,      7777.0,
@@ -54,7 +56,7 @@ struct Others {
 
   double span() const { return high - low; }
   double size() const { return std::max(std::abs(low), std::abs(high)); }
-  /// True if equal values hardly ever follow one another, as in a measured channel with noise.
+  /// True if neighboring values are hardly ever equal, as in a measured channel with noise.
   bool vary() const { return steps >= 10 && 2 * repeats < steps; }
 };
 
@@ -83,7 +85,7 @@ Others others_of(const std::vector<double>& values, const IsLeftOut& is_left_out
   return others;
 }
 
-/// True if every run of the number is far from the values before and behind it.
+/// True if the number is far from the values before and after it wherever it occurs.
 bool stands_alone(const std::vector<double>& values,
                   const FillerNumber& filler,
                   double largest_step) {
@@ -108,7 +110,8 @@ bool stands_alone(const std::vector<double>& values,
   return has_neighbor;
 }
 
-/// Judges a known filler. Returns false if the number may well be measured.
+/// Decides how certain it is that a known filler is no measured value. Returns false if it may well
+/// be measured.
 bool judge(const std::vector<double>& values, const Others& others, FillerNumber& filler) {
   constexpr double kOutside = 0.1;  // share of the span of the other values
   const double size = std::abs(filler.number);
@@ -118,7 +121,8 @@ bool judge(const std::vector<double>& values, const Others& others, FillerNumber
     filler.is_certain = size >= kBeyondAll || filler.number < 0.0;
     return filler.is_certain || filler.samples.size() > 1;
   }
-  constexpr std::size_t kFewest = 3;  // values that tell what is usual in the channel
+  // least number of other values that show which values are usual
+  constexpr std::size_t kFewest = 3;
   if (others.count < kFewest && size < kBeyondAll) return false;
   const double outside = std::max({others.low - filler.number, filler.number - others.high, 0.0});
   filler.is_certain = size >= kBeyondAll ||
@@ -147,7 +151,7 @@ std::vector<FillerNumber> known_fillers(const std::vector<double>& values) {
   return fillers;
 }
 
-/// Looks at the largest or the smallest value.
+/// Examines the largest or the smallest value.
 void judge_end(const std::vector<double>& values,
                double end,
                bool may_saturate,
@@ -199,7 +203,8 @@ std::string runs_in_words(const std::vector<long>& numbers) {
   while (i < numbers.size() && runs < kMostRuns) {
     std::size_t end = i + 1;
     while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
-    if (end - i == 2) end = i + 1;  // two neighbors are no range
+    // two neighboring samples are written as two numbers, not as a range
+    if (end - i == 2) end = i + 1;
     text += (runs++ == 0 ? "" : ", ") +
             (end - i == 1 ? fmt::format("{}", numbers[i])
                           : fmt::format("{} to {}", numbers[i], numbers[end - 1]));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The unit in which people write a quantity: the unit that a message proposes for a column which
-// has none. Files of rigs seldom hold radians, pascals or kelvin, so a user who copied a proposal
-// in SI would get wrong numbers.
+// The unit in which people usually write a quantity. A message proposes it for a column without
+// unit, because files of rigs seldom contain radians, pascals or kelvin, and a user who copied a
+// proposal in SI would get wrong numbers.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace latsch {
 
-/// "deg" for "rad", "kPa" for "Pa", "mm" for "m", "degC" for "K", "km/h" for "m/s", "rpm" for
-/// "rad/s"; any other SI unit stays.
+/// Returns "deg" for "rad", "kPa" for "Pa", "mm" for "m", "degC" for "K", "km/h" for "m/s", "rpm"
+/// for "rad/s"; any other SI unit unchanged.
 std::string natural_unit(std::string_view si_unit);
 
 }  // namespace latsch

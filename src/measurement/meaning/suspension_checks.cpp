@@ -20,7 +20,8 @@ using Values = std::vector<double>;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::array<std::string_view, 6> kWheelLoads = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
-/// Ends of the names of a wheel's channels; the sign of y on its side, 0 if it is not known.
+/// The end of a channel's name that names a wheel, and the sign of y on that wheel's side; 0 if the
+/// side is not known.
 struct WheelEnd {
   std::string_view end;
   int side;
@@ -35,10 +36,11 @@ constexpr std::array<WheelEnd, 9> kWheelEnds = {{{"", 0},
                                                  {"_RL", 1},
                                                  {"_RR", -1}}};
 
-/// Partial correlation of a motion with a load at fixed other loads; 0 if the load does not vary by
-/// itself.
+/// Returns the partial correlation of a motion with a load while the other loads are held constant;
+/// 0 if the load does not vary independently of them.
 double partial_correlation(Values motion, Values load, std::vector<Values> others) {
-  constexpr double kOwnShare = 1e-4;  // least share of the load that no other load explains
+  // least share of the load's variation that other loads do not explain
+  constexpr double kOwnShare = 1e-4;
   others.insert(others.begin(), Values(motion.size(), 1.0));
   const double whole = dot(load, load);
   for (std::size_t i = 0; i < others.size(); ++i) {
@@ -57,10 +59,10 @@ double partial_correlation(Values motion, Values load, std::vector<Values> other
   return dot(motion, load) / std::sqrt(own * left);
 }
 
-/// A slope of a motion over a load that has a clear sign.
+/// A slope of a motion over a load whose sign is clear.
 struct ClearSlope {
   std::string motion, load;  // names in the table
-  double correlation = 0.0;  // +1 or -1 of a slope that the table itself states
+  double correlation = 0.0;  // +1 or -1 for a slope that is itself a column of the table
   bool rises() const { return correlation > 0.0; }
   /// Returns the words that come after the name of the motion in a message.
   std::string words() const {
@@ -102,7 +104,8 @@ class WheelTable {
     return found && found->unit == unit ? found : nullptr;
   }
 
-  /// Samples of a motion and the loads in which all of them are numbers.
+  /// Returns the slope of a motion over a load, from the samples in which all loads and the motion
+  /// are numbers, if its sign is clear.
   std::optional<ClearSlope> slope_of(const char* motion, const char* load) const {
     constexpr double kClearly = 0.6;  // least partial correlation
     const std::string stated = std::string(motion) + "_by_" + load;
@@ -132,7 +135,8 @@ class WheelTable {
     return ClearSlope{y->name, x->name, r};
   }
 
-  /// A channel such as toe_by_Mz, if nearly all of its values have one sign.
+  /// Returns the sign of a column that is itself a slope, such as toe_by_Mz, if nearly all of its
+  /// values have that sign.
   static std::optional<ClearSlope> sign_of_stated(const Channel& slope, const char* load) {
     constexpr double kNearlyAllSlopes = 0.9;
     long positive = 0, negative = 0;
@@ -162,7 +166,8 @@ class WheelTable {
                         slope->words() +
                             ", but a moment about y turns the top of the kingpin forward, which "
                             "lowers the caster: is the sign of caster or of My another one?"});
-    constexpr double kLeastCaster = 1.0 * kDegree;  // smaller ones may be changes about rest
+    // smaller caster angles may be changes relative to the rest position
+    constexpr double kLeastCaster = 1.0 * kDegree;
     const Channel* caster = find("caster", "rad");
     if (caster && !caster->values.empty() &&
         std::all_of(caster->values.begin(), caster->values.end(), [](double value) {
@@ -175,10 +180,10 @@ class WheelTable {
 
   struct Evidence {
     ClearSlope slope;
-    int side;  // side of the wheel to which the slope belongs
+    int side;  // side of the car whose sign the slope has
   };
 
-  /// The slopes of toe and camber tell the side of the wheel.
+  /// Returns the sides of the car that the slopes of toe and camber indicate.
   std::vector<Evidence> evidence_of_side() const {
     std::vector<Evidence> evidence;
     for (const auto& [motion, load] : {std::pair{"toe", "Mz"}, {"camber", "Mx"}, {"camber", "Fy"}})
@@ -225,7 +230,8 @@ class WheelTable {
       }
   }
 
-  /// A hint: the top leans inboard as the wheel moves up.
+  /// Adds a doubt if the top of the wheel leans outboard as the wheel moves up; on most suspensions
+  /// it leans inboard.
   void check_travel(std::vector<ChannelDoubt>& doubts) const {
     constexpr double kLeastTravel = 0.01;          // m, from the lowest to the highest
     constexpr double kLeastGain = 10.0 * kDegree;  // per m: 0.1 degrees in 10 mm
@@ -263,7 +269,7 @@ class WheelTable {
   int side_;
 };
 
-/// Loads of a rolling wheel follow other laws.
+/// True if a channel shows that the wheel rolls; its loads then follow other laws.
 bool wheel_rolls(const Channels& channels) {
   for (const char* rolling : {"Vx", "omega", "alpha", "kappa"})
     if (channels.find(rolling)) return true;

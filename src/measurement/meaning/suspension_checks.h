@@ -32,8 +32,8 @@ namespace latsch {
 /// no toe, camber, caster or steer, or if a speed or a slip says that the wheel rolls.
 std::vector<ChannelDoubt> suspension_doubts(const Channels& channels);
 
-/// Returns the side of the wheel by the slopes of toe and camber: +1 for a left wheel, -1 for a
-/// right one, 0 if no slope is clear or if they disagree. Names with a side are passed over.
+/// Returns the side of the car that the slopes of toe and camber indicate: +1 left, -1 right, 0 if
+/// no slope is clear or if they disagree. Channels whose name states the side are not used.
 int side_of_wheel(const Channels& channels);
 
 }  // namespace latsch

@@ -11,12 +11,13 @@
 namespace latsch {
 namespace {
 
-/// Signs of the columns of a table; +1 if not named.
+/// Changed signs of the columns of a table; +1 for a column that is not listed.
 using Flips = std::map<std::string, double>;
 
-/// A linear corner on a K&C rig in iso axes: `side` is +1 for a left wheel. The rotation about z is
-/// 1e-4 Mz, that about x -1e-6 Fy R with the patch R below the middle of the carrier, so that the
-/// top moves against Fy, and that about y -1e-6 Fx R. The four loads are swept one after the other.
+/// Returns the table of a linear corner on a K&C rig in iso axes; `side` is +1 for a left wheel.
+/// The rotation about z is 1e-4 Mz. The one about x is -1e-6 Fy R, where the contact patch is R
+/// below the middle of the carrier, so the top moves against Fy. The one about y is -1e-6 Fx R. The
+/// four loads are varied one after the other.
 Channels kc_table(int side, const Flips& flips = {}, const std::string& end = "") {
   std::map<std::string, std::vector<double>> table;
   const auto add = [&](double Fx, double Fy, double Fz, double Mz) {

@@ -12,7 +12,7 @@ namespace latsch {
 namespace {
 
 constexpr double kMostLoad = 1e6;     // N; the largest mining tires carry 1 MN
-constexpr double kMostSamples = 0.9;  // share of the samples, as for other channels of a recording
+constexpr double kMostSamples = 0.9;  // share of the samples, as in the checks of other channels
 
 bool is_vertical(const std::string& channel) {
   return channel.size() >= 2 && std::tolower(static_cast<unsigned char>(channel[0])) == 'f' &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of a vertical force that a rig recorded, apart from the other channels of the recording.
+// Checks the vertical force of a recording without using its other channels.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,13 @@
 
 namespace latsch {
 
-/// Returns the reason why no tire has such a vertical force, to follow the name of the channel:
-/// half of its samples exceed 1 MN, which no tire carries. `values` in N.
+/// Returns the reason why no tire has this vertical force, in words that follow the name of the
+/// channel: half of the samples exceed 1 MN, which no tire carries. `values` are in N.
 std::optional<std::string> impossible_load(std::span<const double> values);
 
-/// Returns the reason why the signs are not those of iso axes: at least nine samples in ten are
-/// below 0. Returns nothing if the name is not that of a vertical force, "Fz" or "FZ_hub".
+/// Returns the reason why the signs cannot be those of iso axes: at least nine samples in ten are
+/// below 0. Returns nothing if the channel's name is not that of a vertical force, such as "Fz" or
+/// "FZ_hub".
 std::optional<std::string> negative_load(const std::string& channel,
                                          std::span<const double> values);
 

@@ -30,8 +30,8 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
-/// Returns "127.0.0.1" for "127.0.0.1:8421", "[::1]" for "[::1]:8421"; nothing if the host is
-/// neither.
+/// Returns the host without its port: "127.0.0.1" for "127.0.0.1:8421", "[::1]" for "[::1]:8421";
+/// nothing if the port is invalid.
 std::string_view without_port(std::string_view host) {
   const std::size_t bracket = host.starts_with('[') ? host.find(']') : 0;
   if (bracket == host.npos) return {};
@@ -49,8 +49,8 @@ bool is_address(std::string_view host) {
   return ::inet_pton(AF_INET, std::string(host).c_str(), bytes.data()) == 1;
 }
 
-/// Returns the value of every cookie of this name, because another program of this machine may have
-/// set one, too.
+/// Returns the values of all cookies with this name: another program on this machine may have set
+/// one with the same name.
 std::vector<std::string_view> cookies(std::string_view text, std::string_view name) {
   std::vector<std::string_view> values;
   while (!text.empty()) {
@@ -142,7 +142,8 @@ std::optional<Refusal> Admission::refuse_untrusted(const Head& head) const {
 bool Admission::is_host(std::string_view host) const {
   const std::string name = lower_case(without_port(host));
   if (std::find(hosts_.begin(), hosts_.end(), name) != hosts_.end()) return true;
-  return is_any_address_ && is_address(name);  // a page with a redirected DNS name sends the name
+  // a page with a redirected DNS name sends that name, not an address
+  return is_any_address_ && is_address(name);
 }
 
 bool Admission::shows_token(const Head& head) const {

@@ -2,15 +2,16 @@
 // Decides which requests the studio's server accepts. The head of a request is checked in this
 // order:
 //
-//   1 Host names this machine    a page whose own name was turned to 127.0.0.1 (DNS rebinding)
-//                                still sends its name; another port is a tunnel's and all right
-//   2 Origin, where named, is    other pages of this machine are of the same site, so SameSite
-//     the same host and port     keeps nothing from them
-//   3 Sec-Fetch-Site             the same for what sends no Origin (scripts, pictures); to open
-//                                "/" from elsewhere is all right
+//   1 Host names this machine    DNS rebinding: a page whose own name was redirected to 127.0.0.1
+//                                still sends its name. Another port is allowed: tunnels have one
+//   2 Origin, if present, is     other pages of this machine count as the same site, so
+//     the same host and port     SameSite cookies do not keep them out
+//   3 Sec-Fetch-Site             protects requests without Origin (scripts, pictures) likewise;
+//                                opening "/" from elsewhere is allowed
 //   4 GET, HEAD, POST            no CORS: a preflight (OPTIONS) is answered without permission
 //   5 the token                  Bearer for scripts; for the page a cookie, HttpOnly and
-//                                SameSite=Strict, named by port since cookies know no ports
+//                                SameSite=Strict, whose name contains the port because browsers
+//                                send cookies to every port
 //   6 JSON for POST              no form can send it without a preflight
 //
 // [Fetch Metadata, https://www.w3.org/TR/fetch-metadata/]. Tokens are compared in a time that does
@@ -25,10 +26,10 @@
 
 namespace latsch::studio {
 
-/// Fields of a request used by the decision; empty if absent.
+/// The fields of a request that the decision uses; empty if absent.
 struct Head {
   std::string method, target;
-  int hosts = 0;  // number of fields called Host
+  int hosts = 0;  // number of header fields called Host
   std::string host, origin, fetch_site, fetch_mode;
   std::string authorization, cookie;
   std::string content_type, accept, if_none_match;
@@ -39,26 +40,28 @@ struct Refusal {
   std::string error, hint;
 };
 
-/// Returns 128 bits of the system's random numbers in hexadecimal.
+/// Returns 128 random bits from the system as hexadecimal text.
 std::string random_token();
 
 class Admission {
  public:
-  /// `listen` is a numerical address; `names` are further names of this machine in requests. Throws
-  /// InputError if the token has fewer than 16 characters or others than A-Z a-z 0-9 - _.
+  /// `listen` is a numerical address; `names` are further names of this machine that requests may
+  /// use. Throws InputError if the token has fewer than 16 characters or others than A-Z a-z 0-9 -
+  /// _.
   Admission(const std::string& listen,
             std::uint16_t port,
             std::string token,
             std::vector<std::string> names);
 
-  /// Checks steps 1 to 4.
+  /// Applies checks 1 to 4 of the list above. Returns the refusal; nullopt if the request passes.
   std::optional<Refusal> refuse_stranger(const Head& head) const;
-  /// Checks steps 5 and 6.
+  /// Applies checks 5 and 6 of the list above. Returns the refusal; nullopt if the request passes.
   std::optional<Refusal> refuse_untrusted(const Head& head) const;
 
   const std::string& token() const { return token_; }
   bool is_token(std::string_view text) const;
-  /// Returns the value of Set-Cookie that the page keeps in place of the token.
+  /// Returns the value of the header Set-Cookie by which the page keeps its permission after the
+  /// token is removed from its address.
   std::string cookie() const;
 
  private:
@@ -67,7 +70,7 @@ class Admission {
 
   std::string token_;
   std::string cookie_name_;
-  std::vector<std::string> hosts_;  // in lower case, IPv6 addresses in brackets
+  std::vector<std::string> hosts_;  // lower case; IPv6 addresses in brackets
   bool is_any_address_ = false;
 };
 

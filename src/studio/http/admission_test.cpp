@@ -29,7 +29,7 @@ TEST(Admission, OfLoopbackTakesNamesOfLoopbackOnAnyPort) {
     EXPECT_EQ(status(loopback().refuse_stranger(asking(host))), 200) << host;
 }
 
-// A page of evil.example whose name leads to 127.0.0.1 sends its own name [DNS rebinding].
+// DNS rebinding: a page of evil.example whose name leads to 127.0.0.1 sends its own name as Host.
 TEST(Admission, RefusesEveryOtherHost) {
   for (const char* host : {"",
                            "evil.example:8421",
@@ -72,7 +72,7 @@ TEST(Admission, TakesOnlyItsOwnOrigin) {
     EXPECT_EQ(status(loopback().refuse_stranger(head)), 200) << origin;
   }
   for (const char* origin : {"null",
-                             "http://localhost:3000",  // another program of this machine
+                             "http://localhost:3000",  // another program on this machine
                              "http://localhost",
                              "http://127.0.0.1:8421",
                              "https://localhost:8421",
@@ -141,7 +141,7 @@ TEST(Admission, WantsTheTokenAsBearerOrCookie) {
   }
 }
 
-// A form can send these content types without a preflight [Fetch, CORS-safelisted request headers].
+// Forms can send these content types without a preflight [Fetch, CORS-safelisted request headers].
 TEST(Admission, WantsJsonOfAPost) {
   Head head = asking("localhost:8421");
   head.authorization = "Bearer " + kToken;

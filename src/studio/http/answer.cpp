@@ -52,7 +52,8 @@ std::string_view words(int status) {
   return "Other";
 }
 
-/// Returns "Sun, 06 Nov 1994 08:49:37 GMT" [RFC 9110, 5.6.7], in English for any locale.
+/// Returns the time as "Sun, 06 Nov 1994 08:49:37 GMT" [RFC 9110, 5.6.7], in English for any
+/// locale.
 std::string date(std::time_t now) {
   constexpr const char* kDays[] = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
   constexpr const char* kMonths[] = {
@@ -69,7 +70,7 @@ std::string date(std::time_t now) {
                      t.tm_sec);
 }
 
-/// True if a list of tags, "W/" before them or not, contains this one or is "*".
+/// True if the list of entity tags, with or without "W/", contains this one or is "*".
 bool has_tag(std::string_view list, std::string_view etag) {
   if (trimmed(list) == "*") return true;
   while (!list.empty()) {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// An answer as bytes: status line, the safety fields of every answer, body.
+// An HTTP answer as bytes: status line, the safety fields that every answer has, body.
 //
-//   Content-Security-Policy        scripts, styles, pictures, data from this server only, no frame
-//                                  around it. What scripts set by element.style is allowed, as
-//                                  Svelte and uPlot do, style attributes in text are not
-//   X-Content-Type-Options         a type is what it is said to be
-//   Referrer-Policy                the first address has the token: it is told to nobody
-//   Cross-Origin-Resource-Policy   other pages may not embed what is answered
-//   Cache-Control                  what was computed is not kept; the page's files are asked for
-//                                  again by their ETag
+//   Content-Security-Policy        scripts, styles, pictures and data may come from this server
+//                                  only, and no other page may frame this one. Scripts may set
+//                                  element.style, as Svelte and uPlot do; style attributes in the
+//                                  HTML text are not allowed
+//   X-Content-Type-Options         browsers must not guess another content type
+//   Referrer-Policy                no address is passed on, because the first one has the token
+//   Cross-Origin-Resource-Policy   other pages may not embed the answer
+//   Cache-Control                  computed answers are not cached; the files of the page are
+//                                  requested again with their ETag
 #pragma once
 
 #include <string>
@@ -23,20 +24,21 @@ namespace latsch::studio {
 struct Answer {
   int status = 200;
   std::string type;
-  std::string body;        // body from a handler, unless `asset` is set
-  std::string_view asset;  // kept in memory as long as the server
-  std::string fields;      // further fields: "Location: /\r\n"
-  bool has_length = true;  // false: the body ends with the connection
-  bool has_body = true;    // false for HEAD and 304
+  std::string body;        // body that a handler computed, unless `asset` is set
+  std::string_view asset;  // points to a file of the page that is in memory as long as the server
+  std::string fields;      // further header fields: "Location: /\r\n"
+  bool has_length = true;  // false: the end of the connection marks the end of the body
+  bool has_body = true;    // false for HEAD and for status 304
 
   std::string_view text() const { return asset.empty() ? std::string_view(body) : asset; }
 };
 
 Answer answer_of(Response response);
-/// Returns 304 if `if_none_match` [RFC 9110, 13.1.2] contains the asset's etag.
+/// Returns the answer with a file of the page; status 304 if `if_none_match` [RFC 9110, 13.1.2]
+/// contains its ETag.
 Answer answer_of(const Asset& asset, std::string_view if_none_match);
 
-/// Returns status line and fields, with the empty line after them.
+/// Returns status line and header fields, with the empty line after them.
 std::string head_text(const Answer& answer, bool keep_alive);
 
 }  // namespace latsch::studio

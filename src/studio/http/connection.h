@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One connection: reads the head of a request, lets its owner decide, reads the body, writes the
-// answer, and repeats this until one side ends it.
+// One connection of the HTTP server. It reads the head of a request, lets its owner decide, reads
+// the body, writes the answer, and repeats this until one side closes the connection.
 //
 //   reading ──► answering ──► writing ──► reading | lingering | closed
 //
@@ -8,8 +8,8 @@
 // for a second. If the connection were closed at once, the kernel would reset it and the client
 // would never see the answer [RFC 9112, 9.6].
 //
-// All of it runs in the thread of the sockets. Only server.cpp includes this file, because Beast's
-// headers take most of this module's compile time.
+// All of it runs in the thread that owns the sockets. Only server.cpp includes this file, because
+// Beast's headers take most of this module's compile time.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -34,18 +34,19 @@ using Moment = std::chrono::steady_clock::time_point;
 
 class Connection;
 
-/// Decision about a request whose head is known.
+/// The owner's decision about a request whose head has been read.
 struct RequestVerdict {
   enum class Kind : std::uint8_t { refuse, answer, handle, follow } kind = Kind::refuse;
-  Answer answer;  // used by refuse and answer
-  Target target;  // used by handle and follow
+  Answer answer;  // set for `refuse` and `answer`
+  Target target;  // set for `handle` and `follow`
 };
 
-/// The server as seen by its connections.
+/// The interface of the server that its connections use.
 class ConnectionOwner {
  public:
   virtual RequestVerdict judge(const Head& head) = 0;
-  /// The owner answers by Connection::answer(), in the connection's thread.
+  /// Handles a request. The owner answers later by Connection::answer(), in the thread of the
+  /// sockets. follow() takes over the socket for a stream of events.
   virtual void handle(std::shared_ptr<Connection> connection, Request request) = 0;
   virtual void follow(net::ip::tcp::socket socket, const Target& target) = 0;
   virtual Answer refusal(const Head& head, const Refusal& refusal) = 0;
@@ -69,9 +70,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   /// Closes the connection if it exceeds its time limit.
   void close_if_overdue(Moment now);
 
-  /// Order of closing if room is needed: connections without a token before those with one, and
-  /// among these the one silent for the longest time. A connection whose answer is being computed
-  /// stays.
+  /// Decide which connection is closed first if there are too many: those without a token before
+  /// those with one, and among these the one that has been silent for the longest time. A
+  /// connection whose answer is being computed is not closed.
   bool may_be_closed() const { return state_ != State::answering; }
   bool makes_room_before(const Connection& other) const {
     return std::pair(is_trusted_, heard_) < std::pair(other.is_trusted_, other.heard_);
@@ -79,8 +80,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
  private:
   enum class State : std::uint8_t { reading, answering, writing, lingering };
-  static constexpr std::size_t kSpare = 1024;  // bytes of buffer beyond the limit, so that the
-                                               // parser detects the limit
+  /// Bytes of buffer beyond the limit of the head, so that the parser can notice that the limit is
+  /// exceeded.
+  static constexpr std::size_t kSpare = 1024;
   static constexpr std::size_t kPiece = 512;
   static constexpr std::size_t kMostThrownAway = 4 << 20;  // bytes
   static constexpr std::chrono::milliseconds kLinger{1000};
@@ -103,7 +105,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   const ServerLimits& limits_;
   State state_ = State::reading;
   bool is_trusted_ = false;
-  bool is_overdue_ = false;  // set while reading
+  bool is_overdue_ = false;  // the time limit of reading has passed
   bool is_refused_ = false;
   Moment heard_, deadline_;
 
@@ -142,8 +144,9 @@ inline void Connection::read_request() {
   head_ = {};
   parser_.emplace();
   parser_->header_limit(static_cast<std::uint32_t>(limits_.head));
-  parser_->body_limit(std::numeric_limits<std::uint64_t>::max());  // the sender is checked first,
-                                                                   // then the size
+  /// The body has no limit at this point, because the sender is checked first and the size after
+  /// that.
+  parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
   http::async_read_header(
       socket_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
         self->read_head_done(error);
@@ -278,7 +281,7 @@ inline void Connection::close() {
 inline void Connection::close_if_overdue(Moment now) {
   if (state_ == State::answering || now < deadline_) return;
   if (state_ != State::reading || is_overdue_) return close();
-  is_overdue_ = true;  // reported if part of a request has arrived
+  is_overdue_ = true;  // answered with an error if part of a request has arrived
   deadline_ = now + kLinger;
   error_code ignored;
   socket_.cancel(ignored);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A connection that follows the events of a topic until one side ends it. Bytes from the client are
-// not read. A client that receives nothing for too long, or lags too far behind, is disconnected;
-// its page connects again. Runs in the thread of the sockets; only server.cpp includes this file,
-// as with connection.h.
+// A connection that receives the events of a topic until one side closes it. Bytes from the client
+// are not read. A client that receives nothing for too long, or lags too far behind, is
+// disconnected; its page connects again. Runs in the thread of the sockets. Only server.cpp
+// includes this file, because Beast's headers take long to compile.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -31,7 +31,7 @@ class EventClient : public std::enable_shared_from_this<EventClient> {
     if (on_their_way_.empty()) write();
   }
 
-  /// Sends `alive` only if no other event is being sent.
+  /// Sends the event `alive`, unless another event is being sent.
   void send_alive(const EventText& text, Moment now) {
     if (!on_their_way_.empty() && now > since_ + limits_.stalled) return close();
     if (on_their_way_.empty()) send(text);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Events waiting for a client, and the outbox in which other threads leave events for the thread of
-// the sockets. Texts are shared by all clients, so two hundred slow clients cost as much as one.
+// Queues of events: one for each client, and an outbox in which other threads leave events for the
+// thread of the sockets. Clients share the texts, so two hundred slow clients need as much memory
+// as one.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +14,21 @@
 
 namespace latsch::studio {
 
-/// Returns the format of server-sent events [HTML, 9.2.5]: a line for the event, one for each line
-/// of its data.
+/// Returns an event in the format of server-sent events [HTML, 9.2.5]: a line with its name and one
+/// for each line of its data.
 std::string event_text(std::string_view event, std::string_view data);
 
 using EventText = std::shared_ptr<const std::string>;
 
-/// Queue of one client.
+/// The events that wait to be sent to one client.
 class EventQueue {
  public:
   explicit EventQueue(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// Drops an event equal to the last one waiting. Returns false if too much is waiting.
+  /// Adds an event, unless it equals the last one that waits. Returns false if too much is waiting.
   bool push(EventText text);
   bool empty() const { return waiting_.empty(); }
-  /// Returns all waiting events in order and empties the queue.
+  /// Returns all waiting events in their order and empties the queue.
   std::vector<EventText> take();
 
  private:
@@ -36,7 +37,7 @@ class EventQueue {
   std::deque<EventText> waiting_;
 };
 
-/// Any thread may fill the outbox; the thread of the sockets empties it.
+/// Events that any thread may put in and the thread of the sockets takes out.
 class EventOutbox {
  public:
   struct Event {
@@ -45,12 +46,13 @@ class EventOutbox {
   };
   struct Content {
     std::vector<Event> events;
-    bool has_overrun = false;  // true if events were lost since the last call
+    bool has_overrun = false;  // true if events were lost since the last take()
   };
 
   explicit EventOutbox(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// Returns true if the outbox was empty, in which case the reader has to be woken.
+  /// Adds an event. Returns true if the outbox was empty, because the thread of the sockets then
+  /// has to be woken.
   bool put(Event event);
   Content take();
 

@@ -14,7 +14,8 @@ std::string all(EventQueue& queue) {
   return result;
 }
 
-// In [HTML, 9.2.5] lines end in CR, LF or both, and an empty line ends the event.
+// In server-sent events [HTML, 9.2.5] a line ends with CR, LF or both, and an empty line ends the
+// event.
 TEST(EventText, HasOneDataLineALineOfData) {
   EXPECT_EQ(event_text("alive", "{}"), "event: alive\ndata: {}\n\n");
   EXPECT_EQ(event_text("run", "{\n}"), "event: run\ndata: {\ndata: }\n\n");

@@ -15,12 +15,13 @@ namespace latsch::studio {
 class HandlerPool {
  public:
   HandlerPool(int threads, std::size_t most_waiting);
-  /// Drops waiting work and waits for running work.
+  /// Drops waiting work and waits until running work has ended.
   ~HandlerPool();
   HandlerPool(const HandlerPool&) = delete;
   HandlerPool& operator=(const HandlerPool&) = delete;
 
-  /// `work` must not throw. Returns false, without running it, if too much work is waiting.
+  /// Queues `work`, which must not throw. Returns false, and does not run it, if too much work is
+  /// waiting.
   bool submit(std::function<void()> work);
 
  private:

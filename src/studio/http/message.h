@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests and answers of the studio, without the bytes of HTTP around them.
+// Requests and answers as the studio sees them, independent of HTTP.
 #pragma once
 
 #include <map>
@@ -9,15 +9,15 @@
 
 namespace latsch::studio {
 
-/// All texts are decoded, valid UTF-8 without zeros; the path has no segment "." or "..". The body
-/// of a POST is declared as JSON, which the handler has to check.
+/// A request. All texts are decoded and valid UTF-8 without zero bytes; the path has no segment "."
+/// or "..". The body of a POST is declared as JSON, but the handler has to check that it is.
 struct Request {
-  std::string method;  // GET or POST; HEAD is passed as GET
+  std::string method;  // GET or POST; a HEAD request is passed on as GET
   std::string path;
   std::map<std::string, std::string> query;
   std::string body;
-  std::stop_token stop;  // set when the server ends: a long handler may then throw or answer
-                         // anything
+  /// Set when the server ends: a long handler may then throw or return any answer.
+  std::stop_token stop;
 };
 
 struct Response {
@@ -26,10 +26,11 @@ struct Response {
   std::string body;
 };
 
-/// Returns the text in quotes, escaped [RFC 8259, 7]; bytes that are no UTF-8 are replaced.
+/// Returns the text as a JSON string with quotes [RFC 8259, 7]; bytes that are not valid UTF-8 are
+/// replaced.
 std::string json_string(std::string_view text);
 
-/// Returns {"error": ..., "hint": ...}.
+/// Returns an answer with the status and the JSON object {"error": ..., "hint": ...}.
 Response error_response(int status, std::string_view error, std::string_view hint);
 
 }  // namespace latsch::studio

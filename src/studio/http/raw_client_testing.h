@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support, also for benchmarks: a client that sends any bytes and waits no longer than a given
-// time.
+// Test support, also for benchmarks: an HTTP client that sends any bytes and never waits longer
+// than a given time.
 #pragma once
 
 #include <arpa/inet.h>
@@ -21,10 +21,11 @@
 namespace latsch::studio {
 
 struct Reply {
-  int status = 0;  // 0: no reply came
+  int status = 0;  // 0: no reply arrived
   std::string head, body;
 
-  /// Returns the value of a field, its name as the server writes it; empty if there is none.
+  /// Returns the value of a header field, whose name is spelled as the server writes it; empty if
+  /// there is none.
   std::string field(const std::string& name) const {
     const std::size_t at = head.find("\r\n" + name + ": ");
     if (at == head.npos) return "";
@@ -61,8 +62,8 @@ class RawClient {
   }
   bool is_connected() const { return fd_ >= 0; }
 
-  /// Returns the number of bytes sent before the server closed, or nothing could be sent for
-  /// `patience`.
+  /// Sends bytes until all are sent, the server closes, or nothing can be sent for `patience`.
+  /// Returns the number of bytes sent.
   std::size_t send(std::string_view bytes, Milliseconds patience = kPatience) {
     std::size_t sent = 0;
     while (sent < bytes.size() && wait(POLLOUT, patience)) {
@@ -73,7 +74,8 @@ class RawClient {
     return sent;
   }
 
-  /// True if everything up to and including `text` arrived; see received().
+  /// Reads until `text` has arrived and returns true; false after `patience`. received() returns
+  /// all bytes so far.
   bool read_to(std::string_view text, Milliseconds patience = kPatience) {
     while (received_.find(text) == received_.npos)
       if (!receive(patience)) return false;
@@ -84,7 +86,8 @@ class RawClient {
       if (!receive(patience)) return false;
     return true;
   }
-  /// True if the server closes the connection in the given time. Bytes that came before are kept.
+  /// True if the server closes the connection within the given time. Bytes that arrive before are
+  /// kept.
   bool is_ended(Milliseconds patience = kPatience) {
     const auto until = std::chrono::steady_clock::now() + patience;
     while (receive(std::max(
@@ -94,7 +97,7 @@ class RawClient {
     return has_ended_;
   }
 
-  /// Returns the next reply, with its body if its length is stated.
+  /// Returns the next reply, with its body if the reply states the length.
   Reply reply(Milliseconds patience = kPatience, bool has_body = true) {
     Reply result;
     if (!read_to("\r\n\r\n", patience)) return result;
@@ -108,7 +111,7 @@ class RawClient {
     return result;
   }
 
-  /// Signals that nothing more will be sent.
+  /// Closes the sending direction of the connection.
   void end_sending() { ::shutdown(fd_, SHUT_WR); }
 
   const std::string& received() const { return received_; }
@@ -137,7 +140,7 @@ class RawClient {
   std::string received_;
 };
 
-/// Sends one request on a connection of its own.
+/// Sends one request on a new connection and returns the reply.
 inline Reply reply_to(std::uint16_t port, std::string_view request) {
   RawClient client(port);
   client.send(request);

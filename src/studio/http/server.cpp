@@ -27,16 +27,18 @@ namespace {
 
 using net::ip::tcp;
 
-constexpr std::chrono::milliseconds kSweep{200};  // between two checks for overdue connections
-constexpr std::chrono::milliseconds kGather{20};  // events within this time go to a client in one
-                                                  // write
-constexpr std::size_t kMostPublished = 8 << 20;   // bytes waiting for the thread of the sockets
-constexpr int kAcceptedAtOnce = 32;               // connections accepted before others have their
-                                                  // turn
+// interval between two searches for overdue connections
+constexpr std::chrono::milliseconds kSweep{200};
+// Events within this time are sent to a client together.
+constexpr std::chrono::milliseconds kGather{20};
+// bytes; limit of events that wait for the thread of the sockets
+constexpr std::size_t kMostPublished = 8 << 20;
+// Largest number of connections accepted before other work has its turn.
+constexpr int kAcceptedAtOnce = 32;
 constexpr int kBacklog = 4096;
 
-/// The flags close the socket in programs that this one starts, also in those started by another
-/// thread meanwhile.
+/// With these flags a socket is closed in every program that this process starts, even if another
+/// thread starts it at this moment.
 constexpr int kSocketFlags = SOCK_CLOEXEC | SOCK_NONBLOCK;
 
 net::ip::address address_of(const std::string& listen) {
@@ -59,13 +61,13 @@ net::ip::address address_of(const std::string& listen) {
   throw InputError(where + ": " + std::strerror(error));
 }
 
-/// Returns a listening socket.
+/// Returns a socket that listens at the endpoint.
 int listening_socket(const tcp::endpoint& endpoint) {
   const int fd = ::socket(endpoint.protocol().family(), SOCK_STREAM | kSocketFlags, 0);
   if (fd < 0) cannot_listen(endpoint, errno);
   const int yes = 1;
-  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);  // allows reuse while ended
-                                                                 // connections linger
+  // A new server may use the port although closed connections of the last one linger.
+  ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   if (::bind(fd, endpoint.data(), static_cast<socklen_t>(endpoint.size())) != 0 ||
       ::listen(fd, kBacklog) != 0) {
     const int error = errno;
@@ -121,12 +123,12 @@ class Server::Impl final : public ConnectionOwner {
   Admission admission_;
   net::steady_timer sweep_timer_{io_}, alive_timer_{io_}, accept_timer_{io_}, publish_timer_{io_};
 
-  std::vector<std::shared_ptr<Connection>> connections_;  // in no order
+  std::vector<std::shared_ptr<Connection>> connections_;  // in no particular order
   std::vector<std::shared_ptr<EventClient>> event_clients_;
   EventOutbox published_{kMostPublished};
   std::stop_source stop_;
   HandlerPool pool_;
-  std::thread thread_;  // thread of the sockets
+  std::thread thread_;  // the thread that owns the sockets
 };
 
 Server::Impl::Impl(ServerOptions options, Handler handler)
@@ -150,8 +152,9 @@ Server::Impl::~Impl() {
   stop_.request_stop();
   io_.stop();
   thread_.join();
-  end_connections();  // ended at once; then the pool waits for its handlers, whose answers nobody
-                      // receives
+  // Connections end at once; the pool then waits for its running handlers, whose answers are
+  // dropped.
+  end_connections();
 }
 
 void Server::Impl::run() {
@@ -160,8 +163,8 @@ void Server::Impl::run() {
     try {
       io_.run();
       return;
-    } catch (const std::exception& failure) {  // for example no memory; the sweep ends open
-                                               // connections
+      // Such as no memory; the next sweep closes connections that stay open.
+    } catch (const std::exception& failure) {
       if (options_.report) options_.report(failure.what());
     }
   }
@@ -175,7 +178,7 @@ std::string Server::Impl::address() const {
       "http://{}:{}/?token={}", listen_.is_v6() ? "[" + host + "]" : host, port_, token());
 }
 
-// The following functions handle requests.
+// Requests ------------------------------------------------------------------------------------
 
 RequestVerdict Server::Impl::judge(const Head& head) {
   const auto refuse = [&](const Refusal& why) {
@@ -216,9 +219,10 @@ RequestVerdict Server::Impl::judge(const Head& head) {
   return {RequestVerdict::Kind::handle, {}, std::move(target)};
 }
 
-// Redirects to / with the cookie in place of the token, so that the address may be shown and
-// stored. A browser that comes from another page follows a redirection as a request of that page,
-// without the cookie. A page opened by our own page counts as ours [RFC 6265bis, 5.2].
+// Redirects to / and sets the cookie that replaces the token, so that the address in the browser
+// can be shown and stored. A browser that comes from a page of another site would follow the
+// redirection without the cookie; such a request is answered by a page of our own that opens /
+// itself [RFC 6265bis, 5.2].
 RequestVerdict Server::Impl::opened_with_token(const Head& head, std::string_view token) {
   if (!admission_.is_token(token)) {
     return {RequestVerdict::Kind::refuse,
@@ -264,8 +268,8 @@ void Server::Impl::handle(std::shared_ptr<Connection> connection, Request reques
     return connection->answer(
         answer_of(error_response(400, "the body is no UTF-8", "send JSON in UTF-8")));
   request.stop = stop_.get_token();
-  // Only the thread of the sockets owns the connection: at the end it is gone before the handlers
-  // are.
+  // Only the thread of the sockets owns the connection, so at the end of the server the connection
+  // may be gone before the handler returns.
   const std::weak_ptr<Connection> client = connection;
   const bool is_accepted = pool_.submit([this, client, request = std::move(request)] {
     if (client.expired()) return;
@@ -301,9 +305,10 @@ void Server::Impl::forget(const Connection& connection) {
   connections_.pop_back();
 }
 
-// The following functions accept and end connections.
+// Connections ---------------------------------------------------------------------------------
 
-// Asio's own accept would leave the socket open in programs that are started at that moment.
+// The accept function of Asio is not used, because its socket would stay open in programs that are
+// started at that moment.
 void Server::Impl::wait_for_clients() {
   acceptor_.async_wait(tcp::acceptor::wait_read, [this](error_code error) {
     if (!error) accept_clients();
@@ -344,7 +349,8 @@ void Server::Impl::accept_client(int fd) {
   connection->read_request();
 }
 
-/// Ends the connection that has to make room first; false if all of them are being answered.
+/// Closes the connection that may be closed first, to make room; returns false if all of them are
+/// being answered.
 bool Server::Impl::make_room() {
   std::shared_ptr<Connection> slowest;
   for (const auto& each : connections_)
@@ -355,7 +361,7 @@ bool Server::Impl::make_room() {
 
 void Server::Impl::sweep() {
   const Moment now = std::chrono::steady_clock::now();
-  const auto all = connections_;  // a copy, because closed connections leave the list
+  const auto all = connections_;  // a copy, because closed connections are removed from the list
   for (const auto& each : all) each->close_if_overdue(now);
   std::erase_if(event_clients_, [](const auto& each) { return !each->is_open(); });
   sweep_timer_.expires_after(kSweep);
@@ -372,7 +378,7 @@ void Server::Impl::end_connections() {
   for (const auto& each : event_clients_) each->close();
 }
 
-// The following functions handle events.
+// Events --------------------------------------------------------------------------------------
 
 void Server::Impl::follow(tcp::socket socket, const Target& target) {
   const auto study = target.query.find("study");
@@ -415,7 +421,7 @@ void Server::Impl::send_alive() {
   });
 }
 
-// The following functions are the server's public interface.
+// Public interface ----------------------------------------------------------------------------
 
 Server::Server(ServerOptions options, Handler handler)
     : impl_(std::make_unique<Impl>(std::move(options), std::move(handler))) {}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The studio's server: HTTP/1.1 and server-sent events for one person on this machine. It knows no
-// studies: requests below /api go to a handler, the page comes from memory, no file is read.
+// The studio's HTTP server: HTTP/1.1 and server-sent events for one person on this machine. It
+// knows nothing about studies: requests below /api go to a handler, the page is in memory, no file
+// is read.
 //
 //   Server server({.port = 8421, .assets = page_assets()},
 //                 [&](const Request& request) { return views.answer(request); });
@@ -8,12 +9,12 @@
 //   server.publish("tires/a.toml", "trials", R"({"total": 12})");
 //
 // One thread owns all sockets and itself answers requests that take no time: refusals, the page,
-// /events, and /api/ping. Handlers run in `threads` threads of their own, so a slow handler delays
-// no ping and no event, and delays further requests only once all threads are busy.
+// /events, and /api/ping. Handlers run in `threads` other threads, so a slow handler delays no ping
+// and no event, and delays further requests only if all these threads are busy.
 //
-// docs/studio.md, "Safety", says who may send requests (admission.h). A request is refused by its
-// head, and its body is not read. A browser has six connections to a host, one of them for each
-// page's events.
+// docs/studio.md, "Safety", says who may send requests (admission.h). A refused request is refused
+// after its head, and its body is not read. A browser opens six connections to a host; each page
+// uses one of them for its events.
 #pragma once
 
 #include <chrono>
@@ -29,7 +30,8 @@
 
 namespace latsch::studio {
 
-/// A file of the page, in memory as long as the server. The asset "/" or "/index.html" answers "/".
+/// A file of the page, in memory as long as the server. The file "/" or "/index.html" answers
+/// requests for "/".
 struct Asset {
   std::string path;  // "/index.html"
   std::string type;  // "text/html; charset=utf-8"
@@ -38,32 +40,34 @@ struct Asset {
   std::string etag;  // with quotes: "\"3f2a\""
 };
 
-/// Limits for one client. Times are generous for a person's browser and short for a client that
+/// Limits for one client. The times are generous for a person's browser and short for a client that
 /// never ends a request.
 struct ServerLimits {
-  std::size_t body = 1 << 20;     // bytes of a request's body
-  std::size_t head = 16 << 10;    // bytes of a request's first line and fields
-  std::size_t connections = 384;  // with more, the slowest makes room for the newest
+  std::size_t body = 1 << 20;   // bytes; body of a request
+  std::size_t head = 16 << 10;  // bytes; first line and header fields of a request
+  /// number of connections; beyond it the slowest is closed for a new one
+  std::size_t connections = 384;
   std::size_t event_clients = 256;
-  std::size_t waiting = 128;                 // requests waiting for a handler's thread
-  std::size_t unread_events = 256 << 10;     // bytes by which a client of events may lag behind
-  std::chrono::milliseconds request{8000};   // for head and body together, from the start of the
-                                             // connection
-  std::chrono::milliseconds idle{60000};     // between two requests of a connection
-  std::chrono::milliseconds stalled{15000};  // time in which an answer makes no progress
-  std::chrono::milliseconds alive{2000};     // between two `alive` events
+  std::size_t waiting = 128;              // number of requests that wait for a handler's thread
+  std::size_t unread_events = 256 << 10;  // bytes of events by which a client may lag behind
+  /// Time for head and body together, from the start of the connection or of the request.
+  std::chrono::milliseconds request{8000};
+  std::chrono::milliseconds idle{60000};     // time between two requests on one connection
+  std::chrono::milliseconds stalled{15000};  // time without progress in sending an answer
+  std::chrono::milliseconds alive{2000};     // interval of the event `alive`
 };
 
 struct ServerOptions {
-  std::string listen = "127.0.0.1";  // an address of this machine; 0.0.0.0 or ::, all addresses
-  std::uint16_t port = 0;            // 0: any free port
-  std::string token;                 // empty: 128 random bits; otherwise 16 or more of A-Z a-z 0-9
-                                     // - _
-  int threads = 2;                   // number of handler threads
-  std::vector<Asset> assets;         // empty: GET / reports that there is no page
-  std::vector<std::string> names;    // further names of this machine accepted in requests
-  /// Receives exceptions of a handler other than InputError; the client receives no details. Called
-  /// by any thread.
+  /// an address of this machine; "0.0.0.0" or "::" means all of its addresses
+  std::string listen = "127.0.0.1";
+  std::uint16_t port = 0;  // 0: any free port
+  /// Empty: 128 random bits; otherwise at least 16 characters out of A-Z a-z 0-9 - _.
+  std::string token;
+  int threads = 2;                 // number of handler threads
+  std::vector<Asset> assets;       // files of the page; empty: GET / answers that there is no page
+  std::vector<std::string> names;  // further names of this machine that requests may use as Host
+  /// Called with the text of an exception of a handler, except InputError, from any thread; the
+  /// client gets no details.
   std::function<void(std::string_view)> report;
   ServerLimits limits;
 };
@@ -72,23 +76,25 @@ class Server {
  public:
   using Handler = std::function<Response(const Request&)>;
 
-  /// Listens when it returns. Several threads call the handler at once. An InputError of the
-  /// handler is answered with 400 and its text, anything else with 500 and no details. Throws
-  /// InputError if it cannot listen there, and for an invalid token.
+  /// Starts the server, which listens when the constructor returns. Several threads call the
+  /// handler at once. An InputError of the handler is answered with status 400 and its text, any
+  /// other exception with 500 and no details. Throws InputError if it cannot listen at the address,
+  /// and for an invalid token.
   Server(ServerOptions options, Handler handler);
-  /// Ends all connections at once, sets Request::stop of running handlers, and waits for these.
+  /// Closes all connections at once, sets Request::stop of running handlers, and waits for them.
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// Returns "http://127.0.0.1:8421/?token=...", to be opened by a browser of this machine.
+  /// Returns the URL with its token, "http://127.0.0.1:8421/?token=...", to be opened by a browser
+  /// on this machine.
   std::string address() const;
   std::uint16_t port() const;
   const std::string& token() const;
 
   /// Sends an event to the clients of /events?study=TOPIC; the topic "" reaches all clients. May be
   /// called by any thread and never blocks. A client that lags too far behind is disconnected: its
-  /// page connects again and requests everything it shows.
+  /// page connects again and requests everything that it shows.
   void publish(std::string_view topic, std::string_view event, std::string_view json);
 
  private:

@@ -27,7 +27,7 @@ ServerOptions options() {
   return result;
 }
 
-/// Answers with the text of the request.
+/// Answers with the text of the request's method, path and query.
 Response echo(const Request& request) {
   std::string text = request.method + " " + request.path;
   for (const auto& [name, value] : request.query) text += " " + name + "=" + value;
@@ -62,7 +62,7 @@ TEST(Server, HandsOverWhatWasAskedDecoded) {
             "POST /api/save {\"a\": 1}");
   const Reply head = reply_to(server.port(), trusted("HEAD /api/home"));
   EXPECT_EQ(head.status, 200);
-  EXPECT_EQ(head.field("Content-Length"), "14");  // length of the body that GET returns
+  EXPECT_EQ(head.field("Content-Length"), "14");  // the length of the body that GET returns
   EXPECT_EQ(head.field("Cache-Control"), "no-store");
 }
 
@@ -106,7 +106,7 @@ TEST(Server, AddressLeadsToTheCookieAndTheCookieToThePage) {
             401);
 }
 
-// A browser follows a redirection that began on another page without the cookie, which is Strict.
+// A browser that comes from another site follows a redirection without a SameSite=Strict cookie.
 TEST(Server, AddressOpenedFromAnotherPageLeadsThereByAPageOfItsOwn) {
   Server server(options(), echo);
   const Reply opened =
@@ -170,7 +170,7 @@ TEST(Server, RefusesBeforeItRoutes) {
   EXPECT_EQ(status(trusted("GET /a?b=%ff")), 400);
   EXPECT_EQ(status(trusted("POST /a", kJson, "\"\xff\"")), 400);
   EXPECT_EQ(status("GET / HTTP/9.1\r\n\r\n"), 400);
-  EXPECT_EQ(status("\x16\x03\x01\x02\r\n\r\n"), 400);  // an attempt to use HTTPS
+  EXPECT_EQ(status("\x16\x03\x01\x02\r\n\r\n"), 400);  // the first bytes of an HTTPS connection
   EXPECT_EQ(asked, 0);
 }
 
@@ -184,7 +184,8 @@ TEST(Server, TellsAPersonInPlainTextAndAScriptInJson) {
   EXPECT_THAT(person.body, HasSubstr("open the address that latsch printed"));
 }
 
-// A refused body is not read: it uses no memory, and the response is sent before its end.
+// The body of a refused request is not read: it uses no memory, and the answer is sent before the
+// body ends.
 TEST(Server, RefusesALongBodyOrHeadAtOnce) {
   Server server(options(), echo);
   EXPECT_EQ(
@@ -275,13 +276,13 @@ TEST(Server, TellsWhyItCannotListen) {
     return "";
   };
   EXPECT_THAT(why("127.0.0.1", server.port()), HasSubstr("another program does"));
-  EXPECT_THAT(why("192.0.2.1", 0), HasSubstr("no such address"));  // reserved for documentation
-                                                                   // [RFC 5737]
+  // This address is reserved for documentation [RFC 5737], so no machine has it.
+  EXPECT_THAT(why("192.0.2.1", 0), HasSubstr("no such address"));
   EXPECT_THAT(why("evil.example", 0), HasSubstr("expected an address"));
   EXPECT_EQ(why("localhost", 0), "");
 }
 
-// Both threads of handlers are busy. Requests that need none of them are answered anyway.
+// Both handler threads are busy. Requests that need no handler are answered anyway.
 TEST(Server, SlowHandlersDelayNeitherPingsNorEvents) {
   std::latch both_begun(2), may_end(1);
   ServerOptions fast = options();
@@ -322,7 +323,7 @@ TEST(Server, WhereTooMuchIsAskedAtOnceSaysSo) {
       trusted("GET /"
               "x"));
   third.send(trusted("GET /x"));
-  // One of the two requests waits; for the other there is no room.
+  // One of the two requests waits in the queue; for the other there is no room.
   while (!second.is_ended(10ms) && second.received().empty() && !third.is_ended(10ms) &&
          third.received().empty()) {
   }
@@ -351,8 +352,8 @@ TEST(Server, EventsGoToWhoFollowsTheirTopic) {
   EXPECT_EQ(none.received(), home);
 }
 
-// A client that reads nothing is disconnected; publishing never waits for it, and others receive
-// everything.
+// A client that reads nothing is disconnected; publishing never waits for it, and other clients
+// receive all events.
 TEST(Server, AClientThatReadsNoEventsIsEndedAndDelaysNobody) {
   ServerOptions silent = options();
   silent.limits.alive = 1h;
@@ -365,7 +366,8 @@ TEST(Server, AClientThatReadsNoEventsIsEndedAndDelaysNobody) {
     client->take(client->received().size());
   }
   constexpr int kRounds = 128, kEvents = 8;
-  const std::string filling(16000, 'x');  // 16 MB in all: more than the kernel buffers for a socket
+  // sent often enough for 16 MB in all, more than the kernel buffers for a socket
+  const std::string filling(16000, 'x');
   for (int round = 0; round < kRounds; ++round) {
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < kEvents; ++i)
@@ -394,7 +396,7 @@ TEST(Server, SlowOnesMakeRoomForNewOnes) {
   }
   EXPECT_EQ(reply_to(server.port(), trusted("GET /b")).body, "GET /b ");
   EXPECT_TRUE(slow.front().is_ended());
-  kept.send(trusted("GET /c"));  // the client that showed the token stays longest
+  kept.send(trusted("GET /c"));  // the client that showed the token is closed last
   EXPECT_EQ(kept.reply().body, "GET /c ");
 }
 
@@ -468,10 +470,11 @@ TEST(Server, EndsAllConnectionsAndTellsItsHandlers) {
   for (RawClient* client : {&silent, &events, &waiting}) EXPECT_TRUE(client->is_ended());
   ServerOptions again = options();
   again.port = port;
-  EXPECT_EQ(Server(again, echo).port(), port);  // the port is free again
+  // the port is free again after the first server has ended
+  EXPECT_EQ(Server(again, echo).port(), port);
 }
 
-// A program that a handler starts must not keep the connections of this one open.
+// A program that a handler starts must not inherit the server's sockets.
 TEST(Server, ProgramsStartedMeanwhileInheritNoSocket) {
   Server server(options(), [](const Request&) -> Response {
     FILE* listing = ::popen("ls -l /proc/self/fd", "r");

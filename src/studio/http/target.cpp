@@ -10,7 +10,7 @@
 namespace latsch::studio {
 namespace {
 
-/// Decodes percent signs and, in a query, pluses.
+/// Decodes percent-encoded characters and, in a query, "+" as a blank.
 std::string decoded(std::string_view text, bool is_query) {
   std::string result;
   for (std::size_t at = 0; at < text.size(); ++at) {

@@ -3,9 +3,9 @@
 //
 //   /api/study?study=tires%2Fa.toml&weights=force:2   ->   /api/study, study, weights
 //
-// The parser is stricter than the standard, so that a path means one thing only: no segment "." or
+// The parser is stricter than the standard, so that a path has only one meaning: no segment "." or
 // "..", no backslash, no control characters, not even percent-encoded, and each name of the query
-// once. In the query a plus is a blank, as forms and URLSearchParams write it.
+// only once. In the query a plus is a blank, as forms and URLSearchParams write it.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ struct Target {
   std::map<std::string, std::string> query;
 };
 
-/// Throws InputError that says what is wrong with the target.
+/// Throws InputError that states the error in the target.
 Target parse_target(std::string_view target);
 
 }  // namespace latsch::studio

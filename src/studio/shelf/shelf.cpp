@@ -17,9 +17,10 @@ namespace {
 constexpr int kMostLevels = 4;
 constexpr std::size_t kMostStudies = 2000;
 constexpr auto kOften = std::chrono::milliseconds(150);
-constexpr double kSeldom = 3.0;      // s, between two checks of all studies
-constexpr double kLookedAt = 120.0;  // s, for which an opened study is checked often
-constexpr long kAtOnce = 2000;       // trials read before other studies have their turn
+constexpr double kSeldom = 3.0;  // s, interval between two checks of all studies
+// s, time for which a study is checked often after it was opened
+constexpr double kLookedAt = 120.0;
+constexpr long kAtOnce = 2000;  // number of trials read before other studies have their turn
 
 bool is_hidden(const fs::path& file) { return file.filename().string().starts_with("."); }
 
@@ -71,7 +72,7 @@ Shelf::Shelf(fs::path root, const experiment::Language& language, Notice notice)
     const std::string id = file.filename().string();
     studies_.emplace(id, std::make_shared<ShelvedStudy>(id, file, language_));
   }
-  search();  // makes the studies available to the first request
+  search();  // finds the studies, so that they are available to the first request
   watching_ = std::thread([this] { watch(); });
   replaying_ = std::thread([this] { find_endings(); });
 }
@@ -133,12 +134,13 @@ bool Shelf::search() {
   if (!fs::is_directory(root_, none)) return false;
   std::map<std::string, fs::path> found;
   for (const fs::path& file : find_studies(folder_))
-    found.emplace(file.lexically_relative(folder_).generic_string(), file);  // symbolic links are
-                                                                             // not resolved
+    // The names are those of symbolic links, not of the files they point to.
+    found.emplace(file.lexically_relative(folder_).generic_string(), file);
   const std::lock_guard lock(mutex_);
   const std::size_t before = studies_.size();
   const auto gone = std::erase_if(studies_, [&](const auto& one) {
-    // A file being written by an editor is briefly no valid study.
+    // While an editor writes a file, it is no valid study for a moment, so only a study whose file
+    // is gone is removed.
     return !found.count(one.first) && !fs::is_regular_file(one.second->file(), none);
   });
   for (const auto& [id, file] : found) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The studies of a folder and its subfolders, watched by a thread: running and recently opened
-// studies several times a second, the others now and then. A second thread determines which
-// searches have ended, which takes as long as their optimizers need.
+// studies several times a second, the others every few seconds. A second thread determines which
+// searches have ended, which takes as long as their optimizers need to repeat them from the
+// journal.
 #pragma once
 
 #include <condition_variable>
@@ -21,26 +22,26 @@ namespace latsch::studio {
 
 class Shelf {
  public:
-  /// Called by the watching thread; the study "" means the list itself.
+  /// Called by the watching thread after a change; the id "" stands for the list of studies.
   using Notice = std::function<void(const std::string& id, const ShelvedStudy::Changes& changes)>;
 
-  /// `root` is a folder, or one study's file.
+  /// `root` is a folder, or the file of one study.
   Shelf(std::filesystem::path root, const experiment::Language& language, Notice notice);
   ~Shelf();
   Shelf(const Shelf&) = delete;
   Shelf& operator=(const Shelf&) = delete;
 
   const std::filesystem::path& folder() const { return folder_; }
-  /// Returns the studies sorted by their ids.
+  /// Returns the studies in the order of their ids.
   std::vector<std::shared_ptr<ShelvedStudy>> studies() const;
-  /// Returns nullptr if there is none with that id.
+  /// Returns the study with that id; nullptr if there is none.
   std::shared_ptr<ShelvedStudy> find(const std::string& id) const;
-  /// Returns the study as find() does. The study is checked often for a while, and read now if it
-  /// was not read yet.
+  /// Returns the study like find(). From now on the study is checked often for a while; if it was
+  /// never read, it is read now.
   std::shared_ptr<ShelvedStudy> open(const std::string& id);
-  /// Returns the number of studies read so far and the total number.
+  /// Returns the number of studies that have been read so far, and the total number.
   std::pair<int, int> read_so_far() const;
-  /// Triggers an early check, for a study that has just been started or changed.
+  /// Makes the watching thread check early, because a study has just been started or changed.
   void look_again();
 
  private:
@@ -57,14 +58,16 @@ class Shelf {
   std::condition_variable wake_;
   bool ends_ = false, hurries_ = false;
   std::map<std::string, std::shared_ptr<ShelvedStudy>> studies_;
-  std::map<std::string, double> looked_at_;  // s, on the steady clock
-  std::set<std::string> untold_;             // read by a request, other clients not yet notified
+  /// s, time of the steady clock at which each study was last opened
+  std::map<std::string, double> looked_at_;
+  /// studies that a request has read, of which other clients are not notified yet
+  std::set<std::string> untold_;
   std::thread watching_, replaying_;
 };
 
 /// Returns the study files of a folder and its subfolders, a few levels deep. Hidden entries and
 /// folders of builds and packages are skipped. An unreadable TOML file counts as a study if its
-/// name is study.toml, so that a typo does not make it vanish.
+/// name is study.toml, so that a typing error does not make the study disappear.
 std::vector<std::filesystem::path> find_studies(const std::filesystem::path& folder);
 
 }  // namespace latsch::studio

@@ -47,7 +47,7 @@ fs::file_time_type time_of(const fs::path& file) {
   return none ? fs::file_time_type::min() : time;
 }
 
-/// Adds the files named in a model's file, such as the suspensions and tires of a car, and the
+/// Adds the files that a model's file names, such as the suspensions and tires of a car, and the
 /// files that these name in turn.
 void add_named_files(const fs::path& file, int deepest, std::vector<fs::path>& files) {
   if (deepest == 0 || file.extension() != ".toml") return;
@@ -65,11 +65,11 @@ void add_named_files(const fs::path& file, int deepest, std::vector<fs::path>& f
   }
 }
 
-/// Returns the files a study was read from.
+/// Returns the files from which a study was read.
 std::vector<fs::path> files_of(const Study& study) {
   std::vector<fs::path> files{study.file};
   if (!study.model_file.empty()) {
-    constexpr int kDeepest = 4;  // levels: car, suspension, bushing
+    constexpr int kDeepest = 4;  // number of levels: car, suspension, bushing and one more
     files.push_back(study.model_file);
     add_named_files(study.model_file, kDeepest, files);
   }
@@ -82,8 +82,8 @@ std::vector<fs::path> files_of(const Study& study) {
   return files;
 }
 
-/// Returns why the trials of a journal do not belong to the study, and their number; empty if they
-/// do.
+/// Returns the reason why the trials of a journal do not belong to the study, and sets `trials` to
+/// their number; empty if they belong to it.
 std::string journal_fault(const Study& study, long& trials) {
   trials = 0;
   try {
@@ -96,8 +96,8 @@ std::string journal_fault(const Study& study, long& trials) {
   }
 }
 
-/// True if the search of a study without stages may have a step in its journal. Reading a large
-/// design of experiments again takes a second, only to find that it has none.
+/// True if the search of the study may have a step in its journal. For a journal that has only a
+/// large design of experiments this avoids a replay of a second.
 bool may_be_begun(const Study& study, const std::vector<TableRow>& rows) {
   if (!study.stages.empty() || correlation::estimates_noise(study)) return true;
   try {
@@ -110,7 +110,8 @@ bool may_be_begun(const Study& study, const std::vector<TableRow>& rows) {
   }
 }
 
-/// True if the last stages agree: noise estimated by the fit, weights, and the variables held.
+/// True if both studies have the same last stage: equal weights, estimated noise and held
+/// variables.
 bool have_same_last_stage(const Study& a, const Study& b) {
   if (a.free != b.free || a.held_at != b.held_at) return false;
   for (std::size_t e = 0; e < a.experiments.size(); ++e) {
@@ -137,8 +138,9 @@ bool ShelvedStudy::is_out_of_date() const {
 
 void ShelvedStudy::read_files() {
   is_read_ = true;
-  read_at_ = {{file_, time_of(file_)}};  // taken before reading, so that changes meanwhile are
-                                         // noticed
+  // The times are taken before the files are read, so that a change during reading is noticed
+  // later.
+  read_at_ = {{file_, time_of(file_)}};
   const fs::path folder = file_.parent_path();
   const auto folder_was = time_of(folder);
   whole_.reset();
@@ -155,7 +157,8 @@ void ShelvedStudy::read_files() {
   } catch (const std::exception& error) {
     error_ = error.what();
     whole_.reset();
-    // A file that the study names may appear, or be corrected, while the study stays unchanged.
+    // A file that the study names may appear or be corrected while the study's own file stays
+    // unchanged, so its folder is watched too.
     read_at_.emplace(folder, folder_was);
     const auto* wrong = dynamic_cast<const InputError*>(&error);
     if (wrong && !wrong->place().file.empty())
@@ -172,13 +175,13 @@ void ShelvedStudy::show_stage() {
       journal_fault_.empty())
     correlation::take_stage(
         correlation::with_estimated_noise(*whole_, Journal::read(whole_->run.journal)), shown);
-  table_ = std::make_unique<TrialTable>(shown);  // must come first: an exception must not leave a
-                                                 // study without a table
+  // Done first, because an exception must not leave the study without a table of trials.
+  table_ = std::make_unique<TrialTable>(shown);
   study_ = std::make_shared<const Study>(std::move(shown));
 }
 
-/// Checks the journal before its first trial is read, and as long as it belongs to another study,
-/// because points of another space do not fit into the table.
+/// Checks whether the journal belongs to the study, before its first trial is read and again while
+/// it belongs to another study, because points of another design space do not fit into the table.
 void ShelvedStudy::check_journal() {
   const bool was_another = !journal_fault_.empty();
   if (!was_another && !table_->rows().empty()) return;
@@ -220,7 +223,8 @@ ShelvedStudy::Changes ShelvedStudy::refresh(long most_trials) {
   return changes;
 }
 
-/// Updates who runs the study and when it last changed. Returns true if a run has begun or ended.
+/// Finds out which process runs the study and when it last changed. Returns true if a run has begun
+/// or ended.
 bool ShelvedStudy::look_at_run() {
   const auto& journal = study_->run.journal;
   changed_ = std::max({time_of(file_), time_of(journal), time_of(journal.string() + "-wal")});
@@ -256,7 +260,8 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   correlation::StagesRun stages{*whole};
   try {
     if (is_begun) stages = correlation::recorded_stages(*whole, Journal::read(whole->run.journal));
-    found.has_ended = stages.has_ended || stages.fits.empty();  // a design of experiments alone
+    // the journal has only a design of experiments
+    found.has_ended = stages.has_ended || stages.fits.empty();
     if (stages.has_ended) {
       found.words = stages.fits.back().run.ending;
       const Journal journal = Journal::read(whole->run.journal);
@@ -265,14 +270,14 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
         for (std::string& words : correlation::faults_beyond_data(stages.study, best->point))
           found.spoiled.push_back(std::move(words));
     }
-  } catch (const std::exception&) {  // a missing or changed stage
+  } catch (const std::exception&) {  // a stage is missing or has changed
   }
   const std::lock_guard lock(mutex_);
   if (whole != whole_) return {};
   const bool is_of_now = found.rows == table_->rows().size() && found.edition == table_->edition();
   ending_ = std::move(found);
   if (!is_of_now || have_same_last_stage(stages.study, *study_)) return {.of_state = true};
-  // Trials since the study was read have changed the noise.
+  // Trials that were added since the study was read have changed the estimated noise.
   Study shown = *study_;
   correlation::take_stage(stages.study, shown);
   std::unique_ptr<TrialTable> table;
@@ -288,7 +293,7 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   return {.of_study = true, .of_state = true};
 }
 
-/// Returns why the nearest trial is no best point of the study as it stands.
+/// Returns the reason why no trial is the best point of the present study.
 std::string ShelvedStudy::why_no_best() const {
   const bool was_replayed = ending_ && ending_->rows == table_->rows().size();
   return correlation::why_no_best(*study_,

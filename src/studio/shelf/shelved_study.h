@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The current state of one study of a folder: its file, read again when it or its model changes,
-// its trials, and the process that runs it. Every call is safe from any thread.
+// The current state of one study of a folder: its file, which is read again when it or its model
+// changes, its trials, and the process that runs it. Any thread may call any function.
 #pragma once
 
 #include <filesystem>
@@ -18,17 +18,17 @@ namespace latsch::studio {
 
 enum class StudyState {
   reading,  // not read yet
-  broken,   // unreadable file, see `error`
+  broken,   // the file cannot be read, see `error`
   fresh,    // never run
   running,
-  stopped,  // has trials; no process runs it and its search has not ended
+  stopped,  // has trials; no process runs it, and its search has not ended
   ended
 };
 std::string name(StudyState state);
 
 class ShelvedStudy {
  public:
-  /// `id` is the path below the folder, used in requests.
+  /// `id` is the path of the file below the folder; requests use it.
   ShelvedStudy(std::string id, std::filesystem::path file, const experiment::Language& language);
 
   const std::string& id() const { return id_; }
@@ -38,33 +38,37 @@ class ShelvedStudy {
     bool of_study = false, of_trials = false, of_state = false;
     bool any() const { return of_study || of_trials || of_state; }
   };
-  /// Checks the files and reads at most this many new trials.
+  /// Checks the files for changes and reads at most `most_trials` new trials.
   Changes refresh(long most_trials);
-  /// Counts the study as not running from now on, for a report at the end of its own run.
+  /// Makes the study count as not running from now on. A run uses this for the report at its own
+  /// end.
   void ignore_runs() { ignores_runs_ = true; }
-  /// True if refresh() has not read everything yet.
+  /// True if refresh() has not read all trials yet.
   bool has_more() const;
-  /// Replays the search on the journal, if that has grown since the last replay, to determine
-  /// whether and how it has ended. May take seconds, during which no other call waits.
+  /// Replays the search on the journal, if the journal has grown since the last replay, and
+  /// determines whether and why the search has ended. May take seconds, during which other calls do
+  /// not wait.
   Changes find_ending();
 
-  /// The current state, held constant: the table does not change while `look` runs.
+  /// The current state, which stays unchanged while the function given to look() runs.
   struct Sight {
     StudyState state;
-    std::string error;          // error of the file, or of the journal
-    long of_another_study = 0;  // number of trials of the journal if none belongs to the study
-    std::string no_best;  // reason why no trial is the best of the study as it stands; empty: one
-                          // is, or none has succeeded
+    std::string error;          // error in the file or in the journal
+    long of_another_study = 0;  // number of trials in the journal if it belongs to another study
+    // Reason why no trial is the best of the present study; empty if one is, or if none has
+    // succeeded.
+    std::string no_best;
     std::shared_ptr<const correlation::Study>
-        study;                // the study in the stage that is shown; nullptr: broken
+        study;                // the study in the stage that is shown; nullptr if its file is broken
     const TrialTable* table;  // nullptr: broken
     std::optional<JournalHolder> holder;
-    std::filesystem::file_time_type changed;  // later one of file and journal
-    /// Duration and number of rows since the present run was first seen.
+    std::filesystem::file_time_type changed;  // time of the last change of file or journal
+    /// Duration, s, of the present run since it was first seen, and number of its trials.
     double run_seconds = 0.0;
     long run_trials = 0;
-    std::string ending;                // why the search ended; empty: it has not, or unknown
-    std::vector<std::string> spoiled;  // faults of the result, in words
+    // reason why the search ended; empty: it has not ended, or this is not known
+    std::string ending;
+    std::vector<std::string> spoiled;  // faults of the result, in sentences
   };
   template <class Look>
   auto look(Look&& look) const {
@@ -88,20 +92,23 @@ class ShelvedStudy {
 
   mutable std::mutex mutex_;
   bool is_read_ = false, ignores_runs_ = false;
-  std::string error_;          // error of the file
-  std::string journal_fault_;  // why the journal does not belong to the study: none of it is shown
-  long of_another_study_ = 0;  // number of trials of such a journal
-  std::string journal_error_;  // why the rest of the journal cannot be read
-  std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;  // at last reading
+  std::string error_;  // error in the study's file
+  /// reason why the journal does not belong to the study, so that none of it is shown
+  std::string journal_fault_;
+  long of_another_study_ = 0;  // number of trials in such a journal
+  std::string journal_error_;  // reason why the rest of the journal cannot be read
+  /// time of each file when it was last read
+  std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;
   std::filesystem::file_time_type changed_ = std::filesystem::file_time_type::min();
-  std::shared_ptr<const correlation::Study> whole_;  // study as written in the file
-  std::shared_ptr<const correlation::Study> study_;  // stage that is shown, with its noise
+  std::shared_ptr<const correlation::Study> whole_;  // the study as written in its file
+  /// the stage that is shown, with its estimated noise
+  std::shared_ptr<const correlation::Study> study_;
   std::unique_ptr<TrialTable> table_;
   std::optional<JournalHolder> holder_;
-  double run_seen_at_ = 0.0;  // s, on the steady clock
+  double run_seen_at_ = 0.0;  // s, time of the steady clock at which the present run was first seen
   long run_seen_rows_ = 0;
   struct Ending {
-    std::size_t rows = 0;  // rows of the table at the replay
+    std::size_t rows = 0;  // number of rows of the table at the last replay
     int edition = 0;
     bool has_ended = false;
     std::string words;

@@ -29,7 +29,7 @@ namespace {
 
 std::string version_of(const std::string& text) { return fmt::format("{:016x}", hash(text)); }
 
-/// Returns a basic string. [TOML 1.0, String]
+/// Returns the text as a basic string of TOML [TOML 1.0, String].
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -57,14 +57,15 @@ std::string toml_of(const EditedValue& value) {
   return fmt::format("{}", number);
 }
 
-/// Expects letters, digits, _ and -: a name that needs no quotes in a table head.
+/// Throws unless the name consists of letters, digits, _ and -, so that it needs no quotes in the
+/// head of a table.
 void expect_bare(const std::string& name) {
   const auto is_bare = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), is_bare))
     throw InputError("\"" + name + "\" is no name: expected letters, digits, _ and - only");
 }
 
-/// Returns the beginning of the line around a position in the text, and that of the next line.
+/// Returns the beginning of the line that contains the position, and that of the next line.
 std::pair<std::size_t, std::size_t> line_around(const std::string& text, std::size_t at) {
   const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
   const std::size_t begin = before == std::string::npos ? 0 : before + 1;
@@ -72,7 +73,7 @@ std::pair<std::size_t, std::size_t> line_around(const std::string& text, std::si
   return {begin, end == std::string::npos ? text.size() : end + 1};
 }
 
-/// Returns the end of the line with the given number, the first line being 1.
+/// Returns the position of the end of the line with this number; the first line has number 1.
 std::size_t end_of_line(const std::string& text, int line) {
   std::size_t at = 0;
   for (int k = 0; k < line; ++k) {
@@ -143,18 +144,18 @@ std::string edited(const std::string& text, const std::string& file_name, const 
 std::string write_study_text(const fs::path& file,
                              const std::string& version,
                              const std::string& text) {
-  DocumentTree(text, file.string());  // throws for a text that is no TOML, before writing
+  DocumentTree(text, file.string());  // throws before writing if the text is no TOML
   if (read_study_text(file).version != version)
     throw ChangedMeanwhile(
         file.string() + " was changed by somebody else meanwhile: load it again before you write");
-  allow_to_replace(file);  // edited on the page
+  allow_to_replace(file);  // the page edits this file
   write_text_file(file, text);
   return version_of(text);
 }
 
 namespace {
 
-/// A temporary file beside the study while the study is read.
+/// A temporary file beside the study. It is removed after the study has been read from it.
 class Beside {
  public:
   Beside(const fs::path& file, const std::string& text) {
@@ -207,8 +208,8 @@ Checked check_study_text(const fs::path& file,
                          const std::string& text,
                          const experiment::Language& language) {
   Checked checked;
-  // Files that the study names are relative to its folder, so the text is read from a temporary
-  // file there, unless the file holds the same text.
+  // Files that a study names are relative to its folder. Therefore the text is read from a
+  // temporary file there, unless the study's file holds the same text.
   std::optional<Beside> beside;
   try {
     std::error_code none;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Changes the file of a study for the page: one value in place, with everything else unchanged,
-// comments included; or the whole text. Changes that somebody else made meanwhile are not
+// Changes a study's file for the page: replaces one value and keeps everything else, including
+// comments; or replaces the whole text. Changes that somebody else has made meanwhile are not
 // overwritten.
 #pragma once
 
@@ -16,48 +16,50 @@ namespace latsch::studio {
 
 struct StudyText {
   std::string text;
-  std::string version;  // changes with the text
+  std::string version;  // text that differs for every content of the file
 };
 StudyText read_study_text(const std::filesystem::path& file);
 
-/// Text, number or flag; monostate removes the key.
+/// A text, number or flag; monostate removes the key.
 using EditedValue = std::variant<std::monostate, std::string, double, bool>;
 
 struct Edit {
-  std::vector<std::string> table;  // path of table names, {"variable", "sidewall"}; empty: the top
-                                   // of the file
+  /// Path of table names, {"variable", "sidewall"}; empty: the top level of the file.
+  std::vector<std::string> table;
   std::string key;
   EditedValue value;
 };
 
-/// Returns the text with one edit: an existing value is replaced, a missing key is added below its
-/// table's head, a missing table is added at the end. Throws InputError if the place holds a list
-/// or a table, which must be edited as text, and for invalid names.
+/// Returns the text with one edit: an existing value is replaced, a missing key is added below the
+/// head of its table, a missing table is added at the end. Throws InputError for invalid names and
+/// if the value to replace is a list or a table, which must be edited as text.
 std::string edited(const std::string& text, const std::string& file_name, const Edit& edit);
 
-/// Thrown if the file differs from the one that the page has seen.
+/// Thrown if the file has changed since the page read it.
 class ChangedMeanwhile : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Writes the text if the file still has that version. Returns the new version. Throws
-/// ChangedMeanwhile, and InputError for a text that is no TOML or a file that cannot be written.
+/// Writes the text if the file still has that version, and returns the new version. Throws
+/// ChangedMeanwhile if it does not, and InputError for a text that is no TOML or a file that cannot
+/// be written.
 std::string write_study_text(const std::filesystem::path& file,
                              const std::string& version,
                              const std::string& text);
 
 struct Message {
   std::string text;
-  int line = 0;          // line in the study's file; 0: another file, or the whole file
+  /// line in the study's file; 0: the message concerns another file, or the whole file
+  int line = 0;
   bool is_wrong = true;  // false: a warning
 };
 struct Checked {
   bool ok = false;
   std::vector<Message> messages;
-  std::vector<std::string> understood;  // lines for people
+  std::vector<std::string> understood;  // lines that say how the files were interpreted
 };
-/// Returns the result of `latsch check` for that text in place of the file. The file is not
+/// Returns the result of `latsch check` for the text, as if the file contained it. The file is not
 /// changed.
 Checked check_study_text(const std::filesystem::path& file,
                          const std::string& text,

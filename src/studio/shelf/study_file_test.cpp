@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A change by the page changes only the intended position of a study's file.
+// Tests that a change by the page changes only the intended position of a study's file.
 #include "studio/shelf/study_file.h"
 
 #include <gtest/gtest.h>
@@ -108,8 +108,8 @@ TEST_F(WrittenStudy, TheCheckNamesTheLineAndLeavesNothing) {
     EXPECT_FALSE(file.path().filename().string().starts_with(".")) << file.path();
 }
 
-// A name so long that no other name fits beside it acts like a read-only folder, which a test run
-// by root cannot have.
+// A file name so long that no temporary file fits beside it acts like a read-only folder, which a
+// test run by root cannot have.
 TEST_F(WrittenStudy, WhereNothingCanBeWrittenTheCheckSaysSo) {
   const auto& language = experiment::language();
   const std::string name = std::string(240, 'x') + ".toml";

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kStoppedOnRequest = 130;  // exit code of latsch after Ctrl-C or SIGTERM
+constexpr int kStoppedOnRequest = 130;  // exit code of the program after Ctrl-C or SIGTERM
 constexpr std::size_t kLogLines = 40;
 constexpr std::streamoff kLogTail = 16'384;  // bytes
 
@@ -61,7 +61,8 @@ class SpawnSettings {
   posix_spawnattr_t attributes_;
 };
 
-/// Returns the last lines. Of a line that was overwritten (progress), only the last text counts.
+/// Returns the last lines of a file. If a line was overwritten by carriage returns (progress), only
+/// its last text counts.
 std::vector<std::string> last_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   in.seekg(0, std::ios::end);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares two studies by the names that they have in common.
+// Compares two studies by the variables and experiments that have the same name in both.
 #include <algorithm>
 
 #include "base/error.h"
@@ -18,7 +18,7 @@ struct Side {
   std::shared_ptr<const correlation::Study> study;
   std::optional<DesignPoint> best;
   Json target = nullptr;
-  std::map<std::string, double> errors;  // of each experiment, in its own measure
+  std::map<std::string, double> errors;  // errors of the experiments, each in its own measure
   Json convergence;
   KeptIdentifiability kept;
   std::string no_intervals;  // reason why there are no intervals
@@ -51,8 +51,8 @@ bool has(const auto& named, const std::string& name) {
   return std::any_of(named.begin(), named.end(), [&](const auto& one) { return one.name == name; });
 }
 
-/// Returns why a study has no value of a variable, or no error of an experiment; empty if it has
-/// one.
+/// Returns a reason if a study lacks a value for a variable or an error of an experiment; empty if
+/// it has one.
 std::string lack(const Side& side, const auto& named, const std::string& name, const char* words) {
   if (!has(named, name)) return words;
   return side.best ? "" : kNoTrial;
@@ -74,7 +74,7 @@ Json interval_of(const Side& side, const std::string& name) {
   return "";
 }
 
-/// Returns the names of both, those of the first in front.
+/// Returns the names that occur in either map, those of the first one first.
 template <class Named>
 std::vector<std::string> names_of(const Named& a, const Named& b) {
   std::vector<std::string> names;

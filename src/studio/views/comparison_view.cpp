@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured and simulated values, from the channels in the journal. Experiments that are only
-// predicted are in no journal, so the point is simulated again for them, if the model allows it.
+// Measured and simulated values, from the channels in the journal. The journal has no channels of
+// experiments that are only predicted; if the model allows it, they are simulated again at the
+// point.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -23,9 +24,10 @@ namespace {
 
 using correlation::Study;
 
-constexpr std::size_t kMostSamples = 4000;  // samples of a curve on a page
+constexpr std::size_t kMostSamples = 4000;  // most samples of a curve on a page
 
-/// For long curves, the least and the greatest value of every stretch, in their order.
+/// Samples of a curve. A long curve is divided into stretches, and the least and the greatest value
+/// of each are kept, in their order.
 struct Samples {
   std::vector<double> x, y;
 };
@@ -56,7 +58,7 @@ Json line(const std::vector<double>& x,
   return {{"x", in_unit(few.x, x_unit)}, {"y", in_unit(few.y, y_unit)}};
 }
 
-/// Returns the numbers of the samples if there is no abscissa.
+/// Returns the abscissa x, or the sample numbers if x is empty.
 std::vector<double> abscissa_of(const std::vector<double>& x, std::size_t count) {
   if (!x.empty()) return x;
   std::vector<double> numbers(count);
@@ -66,7 +68,8 @@ std::vector<double> abscissa_of(const std::vector<double>& x, std::size_t count)
 
 bool is_of_time(const std::string& name) { return name == "time" || name.ends_with("/time"); }
 
-/// Returns y at evenly spaced times between its first and its last; empty if time does not rise.
+/// Returns y interpolated at evenly spaced times between the first and the last; empty if the times
+/// do not increase.
 std::vector<double> even_samples(const std::vector<double>& t,
                                  const std::vector<double>& y,
                                  double rate) {
@@ -82,7 +85,7 @@ std::vector<double> even_samples(const std::vector<double>& t,
 }
 
 Json psd(const report::MeasuredCurve& curve) {
-  constexpr std::size_t kLeastSamples = 64;  // least number for a useful spectrum
+  constexpr std::size_t kLeastSamples = 64;  // least number of samples for a useful spectrum
   if (!is_of_time(curve.x_name) || curve.x_measured.size() < kLeastSamples ||
       curve.x_simulated.size() < kLeastSamples)
     return nullptr;
@@ -139,7 +142,7 @@ Json curve_of(const report::ComparedForces& curve) {
           {"psd", nullptr}};
 }
 
-/// Returns the simulated line of every piece with its measured points; null if the curve is one
+/// Returns the simulated line and the measured points of every piece; null if the curve has one
 /// piece.
 Json pieces_of(const report::MeasuredCurve& curve) {
   if (curve.pieces.empty() || curve.y_simulated.size() != curve.x_measured.size()) return nullptr;

@@ -8,7 +8,7 @@
 namespace latsch::studio {
 namespace {
 
-/// Returns seconds since 1970.
+/// Converts a file time to seconds since 1970.
 double unix_time(std::filesystem::file_time_type time) {
   const auto system = std::chrono::file_clock::to_sys(time);
   return std::chrono::duration<double>(system.time_since_epoch()).count();

@@ -76,7 +76,8 @@ Json of_page(const report::IdentifiabilityPage& page, const std::string& why_not
 Json identifiability_view(const ShelvedStudy& shelved) {
   const KeptIdentifiability kept = kept_identifiability(shelved);
   if (!kept.what) return of_page({}, kept.why_not);
-  // Bands and gains need the whole journal, and trials of the predicted experiments.
+  // Uncertainty bands and information gains need the whole journal and trials of the predicted
+  // experiments, so the last answers are kept.
   using Question = std::pair<std::shared_ptr<const correlation::Identifiability>, std::string>;
   static KeptAnswers<Question, Json> pages(kPagesKept);
   return *pages.get({kept.what, state_of_predictions(*kept.study)}, [&] {

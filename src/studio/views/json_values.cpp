@@ -13,7 +13,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Rounds to seven significant digits, which keeps the text short.
+/// Rounds to seven significant digits, so that the text is short.
 double short_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.7g", value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formats numbers for the page.
+// Converts numbers to JSON values for the page.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,12 +9,12 @@
 
 namespace latsch::studio {
 
-/// Returns null if the value is not finite.
+/// Returns the value as JSON; null if it is not finite.
 nlohmann::ordered_json finite(double value);
 nlohmann::ordered_json finite(const std::optional<double>& value);
 nlohmann::ordered_json finite(const std::vector<double>& values);
 
-/// Returns SI values in a unit a person reads, with seven digits, which is enough for a page.
+/// Converts SI values to `unit` and rounds them to seven digits, which is enough for a page.
 nlohmann::ordered_json in_unit(double si, const std::string& unit);
 nlohmann::ordered_json in_unit(const std::vector<double>& si, const std::string& unit);
 

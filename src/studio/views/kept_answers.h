@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cache of the last answers to questions that take a trial's time or a reading of the journal. A
-// thread that requests an answer under computation waits for that answer, and for no other.
+// Cache of the last answers to questions that take the time of a trial or a pass over the journal.
+// A thread whose answer is just being computed by another thread waits for it, but for no other
+// answer.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +20,14 @@ class KeptAnswers {
  public:
   explicit KeptAnswers(std::size_t most) : most_(most) {}
 
-  /// Returns the stored answer, or the result of `find()`; may be called by any thread. All threads
-  /// waiting for an answer receive the exception that `find()` throws; the next request computes it
-  /// again.
+  /// Returns the stored answer to the question, or the result of `find()`; may be called by any
+  /// thread. If `find()` throws, all threads that wait for the answer receive the exception, and
+  /// the next request computes the answer again.
   template <class Find>
   std::shared_ptr<const Answer> get(const Question& question, Find&& find) {
     std::promise<std::shared_ptr<const Answer>> promise;
-    const auto mine = std::make_shared<int>();  // another answer may have replaced the entry
-                                                // meanwhile
+    // Identifies this computation, because another one may replace the entry meanwhile.
+    const auto mine = std::make_shared<int>();
     {
       std::unique_lock lock(mutex_);
       for (const Kept& one : kept_) {

@@ -31,8 +31,8 @@ TEST(KeptAnswers, ATroubleIsThrownAndNotKept) {
   EXPECT_EQ(*kept.get(1, [] { return 5; }), 5);
 }
 
-// One thread is held while it computes an answer. A request for another answer does not wait; a
-// request for the same answer receives that one.
+// One thread is kept busy computing an answer. A request for another answer does not wait; a
+// request for the same answer receives the result of that computation.
 TEST(KeptAnswers, OneThatTakesLongHoldsUpNoOther) {
   KeptAnswers<int, int> kept(4);
   std::promise<void> begun, go_on;

@@ -31,10 +31,10 @@ KeptIdentifiability computed(const std::string& id,
   return {study, std::make_shared<const correlation::Identifiability>(std::move(*what)), ""};
 }
 
-/// Returns a text that changes when a journal grows.
+/// Returns a text that changes when the journal grows.
 std::string state_of_journal(const std::string& journal) {
   std::string state;
-  for (const char* of : {"", "-wal"}) {  // "-wal": the write-ahead log
+  for (const char* of : {"", "-wal"}) {  // "-wal" is the write-ahead log of SQLite
     std::error_code none;
     const auto size = std::filesystem::file_size(journal + of, none);
     const auto written = std::filesystem::last_write_time(journal + of, none);
@@ -43,16 +43,18 @@ std::string state_of_journal(const std::string& journal) {
   return state;
 }
 
-/// The state that an answer was computed from.
+/// The state of a study from which an answer was computed.
 struct State {
   std::shared_ptr<const correlation::Study> study;
   int edition = 0;
   std::size_t rows = 0;
-  std::string refits;  // state of the trials of profiles, which are stored beside the journal
+  // state of the file with the trials of profiles, which is stored beside the journal
+  std::string refits;
   std::string error;
   bool is_running = false;
 
-  /// A result needs the whole journal, so during a run the result of the first request stays valid.
+  /// A result needs the whole journal. During a run the result of the first request therefore stays
+  /// valid.
   bool holds_for(const State& now) const {
     return study == now.study && edition == now.edition && error == now.error &&
            ((rows == now.rows && refits == now.refits) || now.is_running);
@@ -60,7 +62,7 @@ struct State {
 };
 
 struct Kept {
-  std::mutex mutex;  // one for each study, so that others do not wait
+  std::mutex mutex;  // one for each study, so that requests for other studies do not wait
   std::optional<State> from;
   KeptIdentifiability result;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Identifiability from the journal of a study, computed once for every state of the study, because
-// it takes a pass over all channels.
+// Computes the identifiability of a study from its journal once for every state of the study,
+// because this takes a pass over all channels.
 #pragma once
 
 #include <memory>
@@ -13,18 +13,20 @@ namespace latsch::studio {
 
 struct KeptIdentifiability {
   std::shared_ptr<const correlation::Study> study;
-  std::shared_ptr<const correlation::Identifiability> what;  // nullptr: see `why_not`
+  /// nullptr if there is none; `why_not` then has the reason
+  std::shared_ptr<const correlation::Identifiability> what;
   std::string why_not;
 
-  /// Returns why the result does not hold at a point; empty if it does.
+  /// Returns the reason why the result does not hold at a point; empty if it does.
   std::string why_not_at(const DesignPoint& point) const;
 };
 
-/// Returns a text that changes with new trials of predicted experiments, which have a journal of
-/// their own.
+/// Returns a text that changes with new trials of predicted experiments; these trials have a
+/// separate journal.
 std::string state_of_predictions(const correlation::Study& study);
 
-/// May be called by any thread, which waits while the result is being computed.
+/// Returns the identifiability of the study. May be called by any thread; it waits while the result
+/// is being computed.
 KeptIdentifiability kept_identifiability(const ShelvedStudy& shelved);
 
 }  // namespace latsch::studio

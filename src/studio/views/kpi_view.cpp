@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of the compliance tool: weight, target, initial value, optimized value and error, one
-// row for each number. A whole curve has a row for its error, in the measure of its experiment.
+// The table of single values, as in the compliance tool of the thesis: weight, measured value,
+// initial value, optimized value and error, one row for each number. A whole curve has one row, for
+// its error in the measure of its experiment.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,9 +18,11 @@ namespace {
 
 using correlation::Study;
 
-constexpr double kNextToNoWeight = 1e-6;  // share of the largest weight
-constexpr double kAtBound = 1e-3;         // share of the range
-constexpr double kMissed = 0.1;           // error that needs a remark
+// share of the largest weight below which a value counts as hardly weighted
+constexpr double kNextToNoWeight = 1e-6;
+// share of the range: a variable nearer to a bound counts as at the bound
+constexpr double kAtBound = 1e-3;
+constexpr double kMissed = 0.1;  // relative error from which the row has a remark
 
 std::string weight_flag(double weight, double largest) {
   return weight < kNextToNoWeight * largest ? "weight about zero: it does not count" : "";
@@ -51,8 +54,8 @@ std::string error_flag(double error) {
                                    : "";
 }
 
-/// Returns the row of the error of a whole curve, in the measure of its experiment, whose target is
-/// 0.
+/// Returns the row of the error of a whole curve or set of modes, in the measure of its experiment;
+/// the measured value of the error is 0.
 Row error_row(const report::ExperimentRow& of) {
   Row row{of.measure + " error", of.name, "%", 0.0};
   row.fitted = of.fitted;

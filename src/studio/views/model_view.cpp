@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model of a study: its numbers, each of which a click turns into a variable.
+// The model of a study: its parameters. On the page a click turns a parameter into a variable.
 #include <map>
 
 #include "base/document_tree.h"
@@ -14,7 +14,8 @@ namespace {
 
 using correlation::Study;
 
-/// Returns for each path the variable, or the follower of one, that moves its number.
+/// Returns for the path of each parameter the variable that changes it, or the dependent quantity
+/// that follows a variable.
 std::map<std::string, std::string> moved_by(const Study& study) {
   std::map<std::string, std::string> moved;
   for (const DesignVariable& v : study.space.variables()) {
@@ -25,7 +26,7 @@ std::map<std::string, std::string> moved_by(const Study& study) {
   return moved;
 }
 
-/// Returns the tree of the model's own file; nullptr if it is no TOML.
+/// Returns the parsed file of the model; nullptr if it is no TOML.
 std::unique_ptr<const DocumentTree> tree_of(const Study& study) {
   if (study.model_file.extension() != ".toml") return nullptr;
   return std::make_unique<const DocumentTree>(read_text_file(study.model_file),

@@ -18,7 +18,8 @@ using correlation::Study;
 
 namespace {
 
-constexpr std::size_t kKept = 16;  // stored points with their predictions, and with their bands
+// number of stored points with their predictions, and with their bands
+constexpr std::size_t kKept = 16;
 
 std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial) {
   const auto count = static_cast<long>(sight.table->rows().size());
@@ -37,17 +38,18 @@ std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial)
   return static_cast<std::size_t>(number - 1);
 }
 
-/// A study, a point of it and, if it matters, the identifiability known then.
+/// Key of a stored answer: a study, a point of it and, if it matters, the identifiability at that
+/// time.
 struct Known {
   std::shared_ptr<const Study> study;
   std::string point;
   std::shared_ptr<const correlation::Identifiability> what = nullptr;
-  std::string predictions = {};  // state of the predictions
+  std::string predictions = {};  // text that changes with new trials of predictions
   bool operator==(const Known&) const = default;
 };
 
-/// Returns the recordings of all experiments at a point, including the predicted ones. Two pages
-/// with the same question wait for one simulation.
+/// Returns the recordings of all experiments at a point, including the predicted ones. If two pages
+/// request the same point, both wait for one simulation.
 std::shared_ptr<const Result<Channels>> with_predicted(const std::shared_ptr<const Study>& study,
                                                        const DesignPoint& point) {
   static KeptAnswers<Known, Result<Channels>> kept(kKept);
@@ -83,7 +85,7 @@ RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& tri
     return found;
   });
   if (is_kept) return recorded;
-  // Reads outside the lock, so that no follower of the journal waits.
+  // Reads without holding the lock, so that other users of the journal do not wait.
   auto channels =
       read_channels(recorded.study->run.journal, static_cast<std::size_t>(recorded.trial - 1));
   if (!channels) throw InputError(channels.failure().reason);
@@ -95,7 +97,7 @@ namespace {
 
 using Bands = std::vector<correlation::ExperimentBand>;
 
-/// Returns one band for every experiment, or none. Reads the whole journal.
+/// Returns one uncertainty band for every experiment, or none. Reads the whole journal.
 std::shared_ptr<const Bands> bands_of(
     const RecordedTrial& recorded,
     const std::shared_ptr<const correlation::Identifiability>& what) {

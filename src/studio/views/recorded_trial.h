@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A trial with its channels and its drawn experiments: the basis of several views.
+// A trial with its channels and its experiments prepared for drawing; several views use it.
 #pragma once
 
 #include <memory>
@@ -23,18 +23,19 @@ struct RecordedTrial {
   std::optional<Channels> initial;
 };
 
-/// `trial` is "best" or a number. Throws InputError if there is none, or with the reason if it
-/// failed.
+/// Reads a trial; `trial` is "best" or a number. Throws InputError if there is no such trial, or
+/// with the reason if it failed.
 RecordedTrial recorded_trial(const ShelvedStudy& shelved, const std::string& trial);
 
 struct Drawn {
-  report::StudyReport page;  // experiments, forces, curves, modes, values
-  std::vector<std::pair<std::string, std::string>> absent;  // experiment and reason
+  report::StudyReport page;  // experiments, forces, curves, modes and values
+  /// experiments that cannot be drawn, with the reason
+  std::vector<std::pair<std::string, std::string>> absent;
 };
 
-/// Draws every experiment at that trial beside the initial point. Predicted experiments are
-/// simulated if the model allows it, which takes a trial's time. If `what` belongs to that point,
-/// the uncertainty of the computed values is drawn, too.
+/// Prepares every experiment at that trial, with the values at the initial point. Predicted
+/// experiments are simulated if the model allows it, which takes the time of a trial. If `what`
+/// belongs to that point, the uncertainty of the computed values is included.
 Drawn draw(const RecordedTrial& recorded,
            const std::shared_ptr<const correlation::Identifiability>& what = nullptr);
 

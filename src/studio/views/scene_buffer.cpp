@@ -10,7 +10,7 @@
 namespace latsch::studio {
 namespace {
 
-/// Concatenated lists of four-byte numbers, and the beginning of each list.
+/// Lists of four-byte numbers, one after the other, and the position at which each list begins.
 class Buffer {
  public:
   template <class Number>
@@ -19,11 +19,12 @@ class Buffer {
     Json at{{"at", bytes_.size()}, {"count", numbers.size()}};
     const auto* begin = reinterpret_cast<const char*>(numbers.data());
     bytes_.append(begin,
-                  numbers.size() * sizeof(Number));  // least significant byte first: x86, ARM
+                  // least significant byte first, as on x86 and ARM
+                  numbers.size() * sizeof(Number));
     return at;
   }
-  /// Returns the length of the head, the head padded with blanks to a multiple of four, and the
-  /// numbers.
+  /// Returns the length of the JSON head, the head padded with blanks to a multiple of four bytes,
+  /// and the numbers.
   std::string behind(const Json& head) const {
     std::string text = head.dump();
     text.append((4 - text.size() % 4) % 4, ' ');
@@ -51,7 +52,8 @@ Json ranges(const std::vector<report::Scene::Part>& parts) {
   return all;
 }
 
-/// Returns one list for each quantity that changes from step to step, with the steps concatenated.
+/// Returns the lists of a sequence: for each quantity that changes from step to step, its values at
+/// all steps in one list.
 Json sequence_of(const report::Scene::Sequence& sequence, Buffer& buffer) {
   std::vector<float> points, field, vectors;
   Json at = Json::array(), origins = Json::array(), arrows = Json::array();

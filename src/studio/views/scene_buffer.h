@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Encodes a scene as the one buffer that docs/studio.md describes, and a tire's section as JSON.
+// Encodes a scene as the binary buffer that docs/studio.md describes, and a tire's cross section as
+// JSON.
 #pragma once
 
 #include <string>

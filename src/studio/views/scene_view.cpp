@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The body of a model in space, and its section. Drawing takes a trial's time, so the last ones are
-// stored.
+// The body of a model in space, and its cross section. Drawing takes the time of a trial, so the
+// last drawings are stored.
 #include <utility>
 
 #include "base/error.h"
@@ -18,7 +18,7 @@ using correlation::Study;
 
 constexpr std::size_t kBodiesKept = 4;
 
-/// Returns the drawing of the model at a point by its kind.
+/// Returns the drawing of the model at a design point; the model's kind draws it.
 report::StudyReport draw_body(const Study& study, const DesignPoint& point) {
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (!kind || !kind->has_body()) throw InputError("the model of this study has no body to draw");
@@ -42,8 +42,8 @@ struct AtPoint {
   std::string words;
 };
 
-/// Returns the point of "initial", of "best" (the initial point if nothing was found yet), or of a
-/// trial.
+/// Returns the design point that `trial` names: "initial", "best" (the initial point if there is no
+/// best one yet), or the number of a trial.
 AtPoint point_of(const ShelvedStudy& shelved, const std::string& trial) {
   return shelved.look([&](const ShelvedStudy::Sight& sight) -> AtPoint {
     if (!sight.study) throw InputError(shelved.id() + " cannot be read: " + sight.error);

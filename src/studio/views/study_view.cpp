@@ -25,9 +25,10 @@ namespace {
 using correlation::Study;
 using Sight = ShelvedStudy::Sight;
 
-constexpr std::size_t kNamedTrials = 20;  // trials named for one reason
+constexpr std::size_t kNamedTrials = 20;  // most trials named for one reason of failure
 constexpr std::size_t kReasons = 50;
-constexpr double kNoWeight = 1e-6;  // share of the largest weight that counts as none
+// share of the largest weight below which a weight counts as zero
+constexpr double kNoWeight = 1e-6;
 
 Json variables(const Study& study, const DesignPoint* best) {
   Json list = Json::array();
@@ -108,8 +109,8 @@ Json failures(const TrialTable& table) {
   return list;
 }
 
-/// Returns the findings of `latsch check`. If the study's file cannot be read any more, while it is
-/// edited, those of its model alone.
+/// Returns the findings of `latsch check` about a study. If the study's file can no longer be read,
+/// as while a user edits it, returns only the findings about its model.
 std::vector<experiment::Finding> findings(const Study& study) {
   try {
     return correlation::implausible(study);
@@ -120,7 +121,7 @@ std::vector<experiment::Finding> findings(const Study& study) {
   }
 }
 
-/// Returns warnings before or during a run.
+/// Returns the warnings about a study before or during its run.
 Json warnings(const Study& study, const Sight& sight, const std::vector<Ledger>& ledgers) {
   Json list = Json::array();
   if (!sight.error.empty()) list.push_back(sight.error);
@@ -150,15 +151,15 @@ double seconds_since(std::filesystem::file_time_type time) {
       .count();
 }
 
-/// Returns the number of points of the design still to come; nullopt if it is not known, because a
-/// search ends when it has found a minimum.
+/// Returns the number of points of the design of experiments that are still to come; nullopt for a
+/// search, whose end is not known in advance.
 std::optional<double> trials_to_come(const Sight& sight, const StudyRuns::Run& run) {
   if (!run.is_alive || run.verb != RunVerb::doe || !sight.study->doe) return std::nullopt;
   const auto points = plan(*sight.study->doe, sight.study->space).points.size();
   return std::max(0.0, static_cast<double>(points) - static_cast<double>(sight.table->total()));
 }
 
-/// Returns the present run, or the last run that this page started.
+/// Returns the run in progress, or the last run that this page started.
 Json run_of(const ShelvedStudy& shelved, const Sight& sight, const StudyRuns::Run& run) {
   if (!sight.holder && !run.is_ours) return nullptr;
   Json view{{"workers", sight.study->run.workers},
@@ -202,7 +203,7 @@ Json best_of(const Study& study, const TrialTable& table, std::size_t place) {
           {"shown", shown}};
 }
 
-/// Adds the counts of trials, as `latsch check --json` gives them.
+/// Adds the counts of trials that `latsch check --json` also gives.
 void add_counts(Json& view, const Sight& sight) {
   const bool is_other = sight.of_another_study > 0;
   const correlation::TrialCounts counts = sight.table->counts_read();

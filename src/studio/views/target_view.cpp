@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The target function as the trials show it: surfaces of a grid, slices through its best point,
-// minima, and a cloud of trials if there is no grid.
+// The target function as the trials show it: surfaces over a grid, slices through its best point,
+// minima, and a scatter of trials if there is no grid.
 #include <algorithm>
 #include <map>
 
@@ -51,7 +51,7 @@ Json surface_of(const Study& study, const report::Surface& surface) {
           {"initial", point_on(surface, surface.initial)}};
 }
 
-/// Returns the trials that differ from the best one in a single variable.
+/// Returns the slices: trials that differ from the best one in a single variable.
 Json slices(const Study& study, const std::vector<RatedTrial>& trials, const DesignPoint& best) {
   Json list = Json::array();
   for (int i = 0; i < study.space.size(); ++i) {
@@ -94,7 +94,7 @@ Json minima(const std::optional<report::Basins>& basins) {
           {"doubt", basins->doubt}};
 }
 
-/// Returns the lowest trials, and others spread over all of them.
+/// Returns the trials with the lowest targets, and a sample of the others.
 Json scatter(const Study& study,
              const std::vector<RatedTrial>& trials,
              const std::vector<long>& numbers) {

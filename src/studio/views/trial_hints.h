@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explains to a person the cause of a failed trial and what to do about it.
+// Explains why a trial failed and what the user can do about it.
 #pragma once
 
 #include <string>

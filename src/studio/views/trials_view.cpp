@@ -45,7 +45,7 @@ Json row_of(const Sight& sight, std::size_t place, const Weighting& weighting) {
           {"seconds", finite(row.seconds)}};
 }
 
-/// Indices of the trials of one stretch worth showing: least, greatest, first failure.
+/// Indices of the trials that represent one stretch: least target, greatest target, first failure.
 struct Extremes {
   std::optional<std::size_t> least, greatest, failed;
 };
@@ -63,8 +63,8 @@ Json convergence_view(const ShelvedStudy& study,
     const long to = stretch.to <= 0 ? total : std::clamp(stretch.to, from, std::max(from, total));
     const long most = std::clamp(stretch.most, kFewestPoints, kMostPoints);
     const long count = std::max(0L, std::min(to, total) - from + 1);
-    const long width = std::max(1L, (3 * count + most - 1) / most);  // trials in a stretch of three
-                                                                     // points
+    // Number of trials in a stretch, which is shown by three points.
+    const long width = std::max(1L, (3 * count + most - 1) / most);
 
     std::vector<double> targets(static_cast<std::size_t>(total));
     std::vector<double> best(static_cast<std::size_t>(total));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parses the weights of a request: "force:2,modes:0.5" changes those of two experiments, and the
+// Parses the weights in a request: "force:2,modes:0.5" changes those of two experiments, and the
 // others keep the weights of the study.
 #pragma once
 

@@ -2,6 +2,8 @@
 // A tire as a vertical spring and damper at the wheel center, over the road that passes below it at
 // the car's speed v:
 //   F = k (R - (z_c - h)) + c (h' - z_c'),   h = h(x_c + v t),   h' = dh/ds (v + x_c')     F > 0
+// R is the free radius, x_c and z_c are the position of the wheel center, h is the height of the
+// road.
 #pragma once
 
 #include <Simbody.h>
@@ -47,7 +49,7 @@ class LinearTire : public SimTK::Force::Custom::Implementation {
 
  private:
   SimTK::MobilizedBody wheel_;
-  SimTK::Vec3 center_;  // center of the wheel, in its body
+  SimTK::Vec3 center_;  // center of the wheel, in the axes of its body
   TireData data_;
   RoadData road_;
   double speed_;

@@ -13,10 +13,10 @@ namespace {
 
 using namespace SimTK;
 
-constexpr int kRows = 12;  // the first half has no damping
+constexpr int kRows = 12;  // number of rows; the bushings of the first half have no damping
 constexpr unsigned kSeed = 20;
 
-// Ranges of the random values on both sides of 0: m, rad, m/s, rad/s. They exceed those of any real
+// Bounds of the magnitudes of random values: m, m, rad, m/s, rad/s. They exceed those of any real
 // bushing by far.
 constexpr double kPoint = 0.5, kTravel = 0.02, kTurn = 0.4, kVelocity = 2.0, kSpin = 20.0;
 
@@ -40,7 +40,7 @@ const std::array<const char*, 17> kVectors = {"point",
 
 class Draws {
  public:
-  /// Returns a number between -reach and reach, from raw numbers that are identical in every
+  /// Returns a random number between -reach and reach, from integers that are identical in every
   /// standard library.
   double number(double reach) {
     return reach * (2.0 * static_cast<double>(generator_()) / 4294967295.0 - 1.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contents of a case file for the oracle: bodies on bushings, loads, tires on a road. Units are
-// SI; x forward, y left, z up; places and axes are those at rest. README.md lists the fields.
+// The contents of a case file for the oracle, the reference program on Simbody: bodies on bushings,
+// loads, tires on a road. Units are SI; x points forward, y left, z up; positions and axes are
+// those at rest. README.md lists the fields.
 #pragma once
 
 #include <SimTKcommon.h>
@@ -13,13 +14,14 @@ namespace oracle {
 struct BodyData {
   std::string name;
   double mass;
-  SimTK::Vec3 center;             // center of mass, which is the body's origin
-  SimTK::Vec3 moments, products;  // Ixx Iyy Izz; Ixy Ixz Iyz, elements of the tensor
+  SimTK::Vec3 center;  // m, center of mass, which is the origin of the body
+  /// kg m^2, elements Ixx Iyy Izz and Ixy Ixz Iyz of the inertia tensor
+  SimTK::Vec3 moments, products;
 };
 
 struct BushingData {
   std::string name;
-  std::string a, b;  // bodies or "ground"
+  std::string a, b;  // names of bodies, or "ground"
   SimTK::Vec3 point;
   SimTK::Vec3 stiffness, rotational_stiffness;  // N/m, N m/rad
   SimTK::Vec3 damping, rotational_damping;      // N s/m, N m s/rad
@@ -33,18 +35,20 @@ struct LoadData {
 
 struct LoadCase {
   std::string name;
-  std::vector<LoadData> loads;  // in addition to those that are always applied
+  std::vector<LoadData> loads;  // applied in addition to the loads that all cases have
 };
 
-/// F = k (R - (z_c - h)) + c (h' - z_c'), upward at the wheel center, while it is above zero.
+/// A tire as a vertical spring and damper at the wheel center: its upward force is F = k (R - (z_c
+/// - h)) + c (h' - z_c') while F > 0, where R is the free radius, z_c the height of the center and
+/// h that of the road.
 struct TireData {
   std::string body;
   SimTK::Vec3 wheel_center;
   double radius, stiffness, damping;
 };
 
-/// A road profile: `count` times H/2 (1 - cos 2π s/L), the first from `start` on, for lateral[0] <=
-/// y <= lateral[1].
+/// A road profile: `count` humps H/2 (1 - cos 2π s/L) of pitch L and height H in a row, the first
+/// from `start` on, for lateral[0] <= y <= lateral[1].
 struct RoadData {
   double pitch = 1.0, height = 0.0, start = 0.0;
   int count = 0;
@@ -64,7 +68,8 @@ struct Case {
   SimTK::Vec3 gravity;
   std::vector<BodyData> bodies;
   std::vector<BushingData> bushings;
-  /// Springs to the ground that hold, in statics, what nothing else holds; empty body: none.
+  /// Springs to the ground that remove the free motions of the model in statics; none if their
+  /// body's name is empty.
   BushingData held_in_statics;
   std::vector<LoadData> loads;
   std::vector<LoadCase> load_cases;

@@ -45,7 +45,7 @@ Vec3 Model::in_body(const std::string& name, const Vec3& point) const {
 }
 
 Force::LinearBushing Model::add_bushing(const BushingData& one) {
-  // Simbody's order has rotations first.
+  // In Simbody's 6-vectors the rotational components come first.
   const auto six = [](const Vec3& rotational, const Vec3& along) {
     return Vec6(rotational[0], rotational[1], rotational[2], along[0], along[1], along[2]);
   };

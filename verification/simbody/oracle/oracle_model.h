@@ -3,10 +3,10 @@
 // bushings are the library's own Force::LinearBushing, loads are ConstantForce and ConstantTorque,
 // and the tires are our own force elements. No joint is a constraint.
 //
-// Force::LinearBushing has the law of the comparison: body-fixed 1-2-3 angles, generalized forces
-// -(k q + c q'), and a force along the axes of the first body that acts on the second at its own
-// point and, reversed, on the first at that same point. `simbody_oracle bushing` prints its
-// wrenches, which the tests compare with formulas.
+// Force::LinearBushing has the same law as our bushings: body-fixed 1-2-3 angles, generalized
+// forces -(k q + c q'), and a force along the axes of the first body that acts on the second body
+// at that body's point and, reversed, on the first body at the same position. `simbody_oracle
+// bushing` prints its wrenches, which the tests compare with formulas.
 #pragma once
 
 #include <Simbody.h>
@@ -23,7 +23,7 @@ class Model {
  public:
   enum class Held { as_in_statics, free };
 
-  /// Applies the loads of this load case in addition to those that are always applied.
+  /// Applies the loads of this load case in addition to those that all cases have.
   Model(const Case& data, const LoadCase& load_case, Held held);
 
   const SimTK::MultibodySystem& system() const { return system_; }
@@ -31,11 +31,11 @@ class Model {
 
   int bodies() const { return static_cast<int>(mobilized_.size()); }
   const SimTK::MobilizedBody& body(int i) const { return mobilized_[static_cast<std::size_t>(i)]; }
-  /// Returns the forces of all elements: moment about the body's origin and force, in the ground's
-  /// axes.
+  /// Returns the sum of the forces of all elements on a body: moment about the body's origin and
+  /// force, in the ground's axes.
   SimTK::SpatialVec wrench(const SimTK::State& state, int body) const;
   double energy_of_bushings(const SimTK::State& state) const;  // J
-  /// Returns the displacement of output point i from its place at rest.
+  /// Returns the displacement of output point i from its position at rest.
   SimTK::Vec3 displacement(const SimTK::State& state, int output) const;
   const Case& data() const { return data_; }
 

@@ -14,7 +14,8 @@ using namespace SimTK;
 
 constexpr double kEnough = 1e-7;  // N, N m
 constexpr int kIterations = 30;
-// M, rad: the error is of order 2 in it, the rounding noise inversely proportional.
+// Step of the differences, m and rad: their error is of order 2 in the step, and their rounding
+// noise is inversely proportional to it.
 constexpr double kStep = 1e-7;
 
 Vector forces(const Model& model, const State& state) {
@@ -30,7 +31,8 @@ Vector forces(const Model& model, const State& state) {
   return r;
 }
 
-/// Moves a body by the travel of its origin, then by a rotation vector, both in the ground's axes.
+/// Moves a body by a displacement of its origin and then by a rotation vector, both in the ground's
+/// axes.
 void move(const Model& model, State& state, int i, const Vec3& travel, const Vec3& rotation) {
   const Transform at = model.body(i).getMobilizerTransform(state);
   const double angle = rotation.norm();
@@ -55,8 +57,9 @@ Matrix jacobian(const Model& model, State state) {
   return J;
 }
 
-/// Returns a start with all bodies lowered until linear tires carry the load. If tires only touched
-/// the road, their differences would mix both sides.
+/// Returns a start state in which all bodies are lowered until the linear tires carry the load. If
+/// the tires only touched the road, a central difference would combine a state with contact and one
+/// without.
 State start_of(const Model& model) {
   State state = model.at_rest();
   double stiffness = 0.0, down = 0.0;
@@ -80,7 +83,7 @@ Statics solve_statics(const Model& model) {
     const Vector r = forces(model, found.state);
     found.left = r.normInf();
     if (found.left <= kEnough && found.left > 0.5 * before)
-      return found;  // to the limit of rounding
+      return found;  // converged to the limit of rounding
     if (!std::isfinite(found.left) || found.iterations == kIterations)
       throw std::runtime_error("no equilibrium: " + std::to_string(found.left) + " N are left");
     Vector x;

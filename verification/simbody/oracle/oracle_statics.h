@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equilibrium by Newton's method on Simbody's forces r(x), with a Jacobian by central differences,
 // recomputed at every iteration, and a dense factorization.
-//   x <- x - (dr/dx)^-1 r,   x: travel and rotation vector of every body
+//   x <- x - (dr/dx)^-1 r,   x: displacement and rotation vector of every body
 #pragma once
 
 #include "oracle_model.h"

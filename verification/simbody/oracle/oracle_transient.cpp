@@ -12,7 +12,7 @@ namespace {
 
 using namespace SimTK;
 
-// Longest step: it cannot skip a kerb, which lasts 13 ms.
+// s, longest step of the integrator: it cannot skip a kerb, which lasts 13 ms.
 constexpr double kLongestStep = 1e-3;  // s
 
 void print_head(const Case& data) {

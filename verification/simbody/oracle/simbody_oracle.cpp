@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statics and transients of bodies on bushings by Simbody, as a reference for tests. It is a
-// separate program and never part of the product.
+// Statics and transients of bodies on bushings by Simbody, as a reference (oracle) for tests. It is
+// a separate program and not part of the product.
 //
 //   simbody_oracle statics CASE.json       displacements, rotations, energy of every load case
 //   simbody_oracle transient CASE.json [ACCURACY [explicit|cpodes]]      displacements over time
 //   simbody_oracle bushing                 wrenches of one bushing, far from rest
 //
-// Numbers go to the standard output as CSV, the cost of the computation to the standard error.
+// Results go to standard output as CSV, the computing time to standard error.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -21,7 +21,8 @@
 namespace {
 
 using namespace SimTK;
-// Returns processor time: this is one thread, and others may run beside it.
+// Returns the processor time, s, used since `start`: this program has one thread, and other
+// programs may run beside it.
 double seconds_since(std::clock_t start) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The examples that `latsch help VERB` shows can be pasted: each line is a command or a comment, the shipped files that
-it names exist, and the quick ones run, in the order of the page, in a folder that holds the shipped studies."""
+"""Tests that the examples that `latsch help VERB` shows can be pasted: each line is a command or a comment, the
+shipped files that it names exist, and the quick ones run, in the order of the page, in a folder with the shipped
+studies."""
 import os
 import pathlib
 import re
@@ -17,7 +18,8 @@ from cli_testing import LATSCH
 
 SOURCE = pathlib.Path(__file__).resolve().parents[4]
 
-# Examples that take longer than a test may, need a cluster or do not end by themselves. The verbs have tests of their own.
+# Examples that take longer than a test may, need a cluster or do not end by themselves. Their verbs have separate
+# tests.
 NOT_RUN = re.compile(r"mpirun|srun|latsch (run|resume|identify|doe|serve|compare|process)\b|--place-columns|mesh .*--convergence"
                      r"|slow\.toml|tire_b_twin|--ccx|--vtu|--drum |--size|baseline.toml --fmu")
 
@@ -31,7 +33,7 @@ def verbs():
 
 
 def examples(verb):
-    """The lines below "Example:" or "Examples:", to the next empty line."""
+    """Returns the lines below "Example:" or "Examples:", up to the next empty line."""
     found = re.search(r"^Examples?:\n((?:  .*\n?)+)", said("help", verb), re.M)
     return [line[2:] for line in found[1].splitlines()] if found else []
 
@@ -45,7 +47,7 @@ class HelpExamples(unittest.TestCase):
                 self.assertTrue(lines)
                 for line in lines:
                     self.assertRegex(line, r"^(latsch|mpirun|srun|printf) |^# [A-Z].*\.$")
-                    # Words behind two blanks are a comment, or the shell takes them for arguments.
+                    # Words behind two blanks must be a comment, because a shell would read them as arguments.
                     self.assertNotRegex(line.split(" # ")[0].rstrip(), r"\S  +\S")
 
     def test_shipped_files_of_examples_exist(self):

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The manual and the completion agree with the help of the program: every verb, its options, their
-values.
+"""Tests that the manual page and the completion of the shell have every verb, its options and their values, as the
+program's help has them.
 
-    manual_test.py PATH/TO/latsch
-"""
+   manual_test.py PATH/TO/latsch"""
 import pathlib
 import re
 import subprocess
@@ -57,7 +56,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(completed("run", "--wor"), ["--workers"])
         self.assertEqual(set(completed("run", "--")), set(re.findall(r"--[a-z-]+", said("help", "run").split("[run]")[0])))
         self.assertEqual(set(completed("test", "--signs", "a")), {"adams"})
-        self.assertEqual(completed("run", "stud"), [])  # bash then completes file names
+        self.assertEqual(completed("run", "stud"), [])  # no candidates: bash then completes file names
 
 
 if __name__ == "__main__":

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""Numbers of cars, kerbs, posts, rigs and roads that cannot be meant: each is refused or told by name.
+"""Tests cars, kerbs, posts, rigs and roads with numbers that cannot be intended: each is refused or reported by name.
 
-    car_doors_test.py PATH/TO/latsch
-"""
+   car_doors_test.py PATH/TO/latsch"""
 import math
 import pathlib
 import re
@@ -37,7 +36,7 @@ class Doors(unittest.TestCase):
         self.written = self.car.read_text()
 
     def refused(self, says, *edits, file=None, commands=None):
-        """Edits the car or one of its files, expects the refusal by check and test, and restores the file."""
+        """Edits the car's file or one that it names, expects `check` and `test` to refuse it, and restores it."""
         file = file or self.car
         written = file.read_text()
         edit(file, *edits)
@@ -67,7 +66,7 @@ class Cars(Doors):
             with self.subTest(new=new):
                 self.refused(says, (old, new))
 
-    # A number of a suspension is named with its own file and line.
+    # The message about a number of a suspension names the suspension's own file and line.
     def test_numbers_that_no_suspension_and_no_air_have(self):
         rear = self.folder / "kerb" / "rear.toml"
         self.car.write_text(self.written.replace("rear_rigid.toml", "rear.toml"))
@@ -103,7 +102,8 @@ class Cars(Doors):
         self.assertRegex(self.latsch("check", self.car, code=WRONG_INPUT), r"curve\.x has 9000 N at -0\.001 m: " + drives)
         front.write_text(written)
 
-    # A curve beside a spring may take from it, if the sum resists; a damper may fall in its force.
+    # The curve of a bump stop may be negative if its sum with the spring resists; the force of a damper may fall over
+    # speed.
     def test_curves_that_resist_less_are_no_error(self):
         edit(self.car, ('"-40 mm", "-12 kN"', '"-40 mm", "1 kN"'), ('"0.5 m/s", "1.9 kN"', '"0.5 m/s", "0.5 kN"'))
         text = self.latsch("check", self.car)
@@ -125,7 +125,7 @@ class Cars(Doors):
 
 
 class Kerbs(Doors):
-    WHEEL = 612.5  # mm, y of the left wheels' middle
+    WHEEL = 612.5  # mm, y of the center planes of the left wheels
     KERB = ('[kerb]\nkind = "kerb"\nshape = "sine"\npitch = "800 mm"\nwidth = "800 mm"\nheight = "25 mm"\n'
             'count = 6\nstart = ["0 m", "0.5 m"]\n')
 
@@ -149,7 +149,7 @@ class Kerbs(Doors):
     def test_a_kerb_that_can_be_driven_over_is_not_told_of(self):
         self.assertNotRegex(self.said(), "meets|sample_step is|drives over")
 
-    # A hill of the same height is none; a narrow slot is not seen by the wheel.
+    # A long hill of the same height can be driven over, and a wheel does not follow a narrow slot.
     def test_kerbs_that_no_car_drives_over(self):
         for height in ("200 mm", "500 mm", "-200 mm", "1.9 m"):
             text = self.said(('"25 mm"', f'"{height}"'), code=WRONG_INPUT)
@@ -159,7 +159,7 @@ class Kerbs(Doors):
         slot = ('shape = "sine"', 'shape = "block"\nlength = "20 mm"')
         self.assertNotIn("drives over", self.said(slot, ('"25 mm"', '"-200 mm"')))
         car = self.written
-        for axle in ("front", "rear"):  # a tire whose file states no rim
+        for axle in ("front", "rear"):  # a tire whose file states no rim radius
             car = car.replace(f'{axle}_tire = "slick.tir"\n', "")
             car += f'\n[{axle}.spring_tire]\nradius = "235 mm"\nstiffness = "117 N/mm"\n'
         self.car.write_text(car)
@@ -177,7 +177,7 @@ class Kerbs(Doors):
         self.assertIn("the pitch of a kerb", self.said(('"800 mm"\nwidth', '"1 mm"\nwidth'), ("60 m/s", "0.5 m/s"), keys='sample_step = "0.2 ms"\n', code=WRONG_INPUT))
         self.assertIn("the record holds frequencies to", self.said(keys='sample_step = "3 ms"\n'))
 
-    # A speed at which the usual step would be too long makes the step shorter.
+    # At a speed at which the usual time step would be too long, the program uses a shorter one.
     def test_a_high_speed_has_a_usual_step_that_it_may_have(self):
         self.assertIn("wrote", self.said(("60 m/s", "130 m/s")))
 
@@ -188,7 +188,8 @@ class Kerbs(Doors):
         self.assertIn("the car stands: its speed is 0", self.said(("60 m/s", "0 m/s")))
         self.assertIn("expected 1000 um to", self.said(('width = "800 mm"', 'width = "1 um"'), code=WRONG_INPUT))
 
-    # The kerb's right edge is 30 or 60 mm beside the contact point of the left wheels, whose tread is 180 mm wide.
+    # The right edge of the kerb is 30 or 60 mm beside the contact point of the left wheels, whose tread is 180 mm
+    # wide.
     def test_a_kerb_beside_the_contact_point_is_told(self):
         for beside in (30, 60):
             said = self.said(('width = "800 mm"', 'width = "60 mm"'), ('"0.5 m"]', f'"{self.WHEEL + beside:.1f} mm"]'))
@@ -199,7 +200,8 @@ class Kerbs(Doors):
             self.assertAlmostEqual(float(found[1]), beside, delta=1.0)
         far = self.said(('width = "800 mm"', 'width = "60 mm"'), ('"0.5 m"]', f'"{self.WHEEL + 300:.1f} mm"]'))
         self.assertNotIn("beside something", far)
-        self.assertNotIn("beside something", self.said())  # the middle of the wheels is on the kerb, far from its edges
+        # the center planes of the wheels are on the kerb, far from its edges
+        self.assertNotIn("beside something", self.said())
 
     def test_it_stands_on_every_line(self):
         for line in ("10 m", "20 m", "-50 m", "50 m"):
@@ -219,7 +221,7 @@ class Posts(Doors):
         self.refused_test('to = "3000 Hz", step = "0.5 ms"', r"to reaches 3000 Hz, of whose period a sample every 1 ms sees 0\.333; expected 12 at least")
         self.refused_test('to = "100 Hz"', r"sees 10; expected 12 at least: frequencies to 83\.33 Hz, or a sample_step of at most 0\.833 ms")
         self.refused_test('sample_step = "50 ms", spectra = true', r"to reaches 30 Hz")
-        self.refused_test('sample_step = "100 ms"', r"to reaches 30 Hz")  # without spectra, too
+        self.refused_test('sample_step = "100 ms"', r"to reaches 30 Hz")  # the limit also holds without spectra
 
     def test_spectra_without_spectra(self):
         for key in ('segment = "1 s"', 'band = ["1 Hz", "20 Hz"]'):
@@ -233,7 +235,7 @@ class Posts(Doors):
         self.refused_test('amplitude = "3 m"', r"the amplitude of a post is usually 0\.01 to 100 mm")
         self.refused_test('velocity = "30 m/s"', r"the velocity of a post")
 
-    # Posts of 25 Hz, recorded every 25 ms: spectra show them at 15 Hz.
+    # The posts move at 25 Hz and are recorded every 25 ms, so spectra would show the motion at 15 Hz (aliasing).
     def test_recorded_posts_that_move_faster_than_the_samples(self):
         rows = ["time [s],post_FL [m],post_FR [m],post_RL [m],post_RR [m]"]
         for i in range(2001):
@@ -292,7 +294,7 @@ class Roads(Doors):
         hundred = (("cleats = 1", "cleats = 100"), ('"25 mm"', '"100 mm"'))
         self.assertRegex(self.road(*hundred, code=WRONG_INPUT), r"cleats does not fit the drum: the cleats overlap: one covers 100 mm .* 78\.54 mm behind its begin")
         self.road(hundred[0], ('"25 mm"', '"70 mm"'))
-        oblique = ('"25 mm"\n', '"70 mm"\nangle = "60 deg"\n')  # covers twice as much
+        oblique = ('"25 mm"\n', '"70 mm"\nangle = "60 deg"\n')  # at this angle the bar covers twice the length
         self.assertIn("one covers 140 mm", self.road(hundred[0], oblique, code=WRONG_INPUT))
         self.assertIn("expected -2 m to 2 m", self.road(('kind = "drum"\ndiameter = "2.5 m"\nspeed = "60 km/h"\ncleats = 1', 'kind = "cleat"'),
                                                          ('"20 mm"', '"20 m"'), code=WRONG_INPUT))

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Numbers without a unit, spectra beyond the recording, signs and sizes that no tire has: each is
-refused or reported by name, in studies, suites, `latsch process` and `latsch compare`.
+"""Tests numbers without a unit, spectra beyond the recording, and signs and sizes that no tire has: each is refused
+or reported by name, in studies, suites, `latsch process` and `latsch compare`.
 
-    doubtful_data_test.py PATH/TO/latsch
-"""
+   doubtful_data_test.py PATH/TO/latsch"""
 import math
 import os
 import pathlib
@@ -347,7 +346,8 @@ class Comparison(Data):
 
 
 def passages(rate, seconds=16.0, scale=1.0, circumference=CIRCUMFERENCE):
-    """Rows of time, speed and Fz: a hit that rings at 40 Hz, once in a turn."""
+    """Returns rows of time, speed and Fz: an impact once in each turn of the drum, followed by a decaying oscillation
+    of 40 Hz."""
     period = circumference / SPEED
     for i in range(int(rate * seconds)):
         time = i / rate

@@ -168,11 +168,23 @@ class KcRig(doubtful_data_test.Data):
         self.write("study.toml", study.replace(at, ""))
         self.latsch("check", "study.toml")
 
+    def test_slopes_in_other_axes_are_answered_with_the_axes_first(self):
+        self.check()
+        slopes = '[measurement.s]\nfile = "slopes.csv"\n'
+        self.write("slopes.csv", "toe_by_Mz [deg/(N m)],camber_by_Fy [deg/kN]\n" + "0.01,0.02\n" * 5)  # SAE J670e
+        self.write("study.toml", KC.format(more="", compare="") + slopes)
+        said = self.latsch("check", "study.toml")
+        self.assert_says(said, "has the signs of a right wheel", 'say axes = "sae"; or', 'toe_by_Mz = "-toe_by_Mz"',
+                         'camber_by_Fy = "-camber_by_Fy"')
+        for more in ('axes = "sae"\n', 'columns = {toe_by_Mz = "-toe_by_Mz", camber_by_Fy = "-camber_by_Fy"}\n'):
+            self.write("study.toml", KC.format(more="", compare="") + slopes + more)
+            self.assertNotIn("has the signs of", self.latsch("check", "study.toml"))
+
     def test_a_displacement_in_another_unit_is_told(self):
-        rows = "".join(f"{F},{1e-5 * F:.6f}\n" for F in range(-4000, 4001, 1000))  # mm: 100 kN/mm
+        rows = "".join(f"{F},{2e-5 * F:.6f}\n" for F in range(-4000, 4001, 1000))  # mm: 50 kN/mm
         compare = '[experiment.dy]\nkind = "curve"\nx = "A/Fy"\ny = "A/dy"\nmeasurement = "rig"\n'
         for unit, told in (("mm", False), ("m", True)):
-            self.write("rig.csv", f"Fy [N],dy [{unit}],toe [deg]\n" + rows.replace("\n", ",0.01\n").replace("4000,0.04,0.01", "4000,0.04,0.02"))
+            self.write("rig.csv", f"Fy [N],dy [{unit}],toe [deg]\n" + rows.replace("\n", ",0.01\n").replace("4000,0.08,0.01", "4000,0.08,0.02"))
             self.write("study.toml", KC.format(more="", compare=compare))
             self.assertEqual("has a stiffness of" in self.latsch("check", "study.toml"), told, unit)
 
@@ -212,7 +224,8 @@ measurement = "m.csv"
             self.write("study.toml", self.STUDY + more)
             self.assert_says(self.latsch("check", "study.toml"), "warning", part)
         self.write("study.toml", self.STUDY.replace('initial = "180 N/mm"',
-                                                    'initial = "180 N/mm"\nprior = "300 N/mm"\nprior_sigma = "5 N/mm"'))
+                                                    'initial = "180 N/mm"\nprior = "300 N/mm"\nprior_sigma = "5 N/mm"')
+                   + 'noise = "20 N"\n')
         self.assert_says(self.latsch("check", "study.toml"), "warning", "outside of its bounds")
         self.write("m.csv", "deflection [mm],force [N]\n10,1600\n")
         self.write("study.toml", self.STUDY + '[variable.R]\npath = "UNLOADED_RADIUS"\nlower = "0.3 m"\nupper = "0.34 m"\n'

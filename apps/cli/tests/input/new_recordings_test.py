@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Recordings that `latsch new` cannot use are refused with what is missing and the columns that may be it; those that it
-can use are doubted as by `latsch check`, and no half-written study is left.
+"""Tests recordings given to `latsch new`. One that it cannot use is refused, and the message names the missing channel and
+the columns that may contain it. One that it can use causes the same warnings as in `latsch check`. No incomplete study
+is left behind.
 
-    new_recordings_test.py PATH/TO/latsch
-"""
+   new_recordings_test.py PATH/TO/latsch"""
 import math
 import pathlib
 import sys
@@ -48,6 +48,18 @@ class Recordings(doubtful_data_test.Data):
         self.assert_says(self.new("side", FY=-1), "warning", "sign")
         self.assert_says(self.new("back", V=-1), "warning", "km/h")
         self.assert_says(self.new("heavy", FZ=100, FY=100), "warning", "is it in N, kN or lbf?")
+
+    def test_an_error_names_the_option_or_the_file_that_exists(self):
+        self.new("r")
+        for arguments, part in ((["r.csv", "r.csv"], '--magic-formula names "r.csv" twice'),
+                                (["r.csv", "--axes", "sae"], '--axes is "sae", but'),
+                                (["r.csv", "--column", "Fz = LOAD [quux]"], "--column Fz is")):
+            said = self.latsch("new", "wrong", "--radius", "0.3 m", "--magic-formula", *arguments, code=WRONG_INPUT)
+            self.assert_says(said, part)
+            self.assertNotIn("recordings:", said)
+        self.write("none.csv", "SA [deg],FZ [N],FY [N]\n")
+        said = self.latsch("new", "wrong", "--radius", "0.3 m", "--magic-formula", "none.csv", code=WRONG_INPUT)
+        self.assert_says(said, "latsch: none.csv holds no sample")
 
     def test_both_statements_that_make_the_signs_agree_are_told(self):
         said = self.new("mirrored", SA=-1, MZ=-1)

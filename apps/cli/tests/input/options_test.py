@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Options that have no effect in the chosen form of a verb are refused in words, and nothing is
+"""Tests that an option without effect in the chosen form of a verb is refused with the reason, and that nothing is
 written.
 
-    options_test.py PATH/TO/latsch
-"""
+   options_test.py PATH/TO/latsch"""
 import pathlib
 import shutil
 import subprocess
@@ -94,7 +93,8 @@ class Options(unittest.TestCase):
         self.refused("--axes", "show", TIR, "--axes", "sae", says=["no effect"])
         self.refused("--set", "simulate", study, "--set", "matrix=12 N/mm^2", "--set", "matrix=13 N/mm^2", says=["matrix is set twice"])
         self.refused("--set", "simulate", study, "--set", "z=5 N/mm^2", says=['no variable "z"; expected "matrix"'])
-        for value in ("5 %", '5" N', "5\\", "12", "nan"):  # a stiffness needs its unit; no text breaks the message
+        # a stiffness needs its unit, and no text can break the message
+        for value in ("5 %", '5" N', "5\\", "12", "nan"):
             self.refused("matrix", "simulate", study, "--set", f"matrix={value}", says=["expected"])
         self.refused("pareto", "pareto", study, "modes", "modes", says=["against itself"])
 

@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""A run beside somebody who edits its files, deletes its journal or runs it again.
+"""Tests a run during which somebody edits its files, deletes its journal or starts it again.
 
-    running_studies_test.py PATH/TO/latsch
-"""
+   running_studies_test.py PATH/TO/latsch"""
 import json
 import os
 import pathlib
@@ -45,7 +44,7 @@ method = "auto"
 """
 MEASURED = "deflection [mm],force [N]\n10,1800\n20,4000\n30,6600\n"
 
-# Some tenths of a second a trial, and a search that takes dozens of them.
+# A trial takes some tenths of a second, and the search takes dozens of them.
 SLOW = """[model]
 kind = "rigid_ring"
 file = "base.tir"
@@ -86,7 +85,7 @@ SLOW_MEASURED = "time [s],Fz [N]\n" + "".join(
 
 
 def numbers(text):
-    """The result as printed, without what says how it came about."""
+    """Returns the printed result without the lines that say how it was reached."""
     return [line for line in text.splitlines() if re.search(r"95 %|Best of|  fitted|Journal:", line)]
 
 
@@ -103,7 +102,7 @@ def children(parent):
 
 
 class Small(unittest.TestCase):
-    """A study of some dozens of trials of a millisecond."""
+    """Tests with a study of some dozens of trials of a millisecond each."""
 
     assert_says = Coarse.assert_says
 
@@ -140,7 +139,7 @@ class FinishedStudies(Small):
         self.assert_repeats("resume")
 
     def test_a_search_that_ended_by_its_budget_is_repeated(self):
-        """Its intervals move to a better trial each time they are computed anew."""
+        """Checks a study whose intervals would move to a better trial each time they are computed."""
         edit(self.study, ('method = "auto"', 'method = "auto"\nmax_steps = 6'))
         self.assert_repeats()
 
@@ -173,7 +172,7 @@ class FinishedStudies(Small):
 
 
 class RunningStudies(Small):
-    """Somebody does something to the files of a run that has some trials."""
+    """Tests what happens if a user changes the files of a run that already has some trials."""
 
     def setUp(self):
         super().setUp()
@@ -227,7 +226,7 @@ class RunningStudies(Small):
         self.assertNotIn("have changed", self.end(DONE))
 
     def test_a_worker_that_starts_later_refuses_an_edited_model(self):
-        """A trial of the edited model in the journal of the old one would be wrong without a sign of it."""
+        """A trial of the edited model in the journal of the old model would be wrong, and nothing would show it."""
         self.start()
         edit(self.folder / "base.tir", (r"UNLOADED_RADIUS *= *[0-9.]+", "UNLOADED_RADIUS = 0.33"))
         workers = children(self.process.pid)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The doors of .tir files, through the program: curves, rings, standing and rolling tests, and what a
-study says of the ranges that its tire leaves."""
+"""Tests .tir files through the program: curves, ring parameters, static and rolling tests, and the message of a study
+whose tire leaves the validity ranges of its file."""
 
 import html
 import json
@@ -59,7 +59,7 @@ class TirDoors(unittest.TestCase):
         (self.folder / name).write_text(text)
 
     def tire(self, *lines, more=""):
-        """A tire of the repository with some lines replaced by their keys, or added to [MODEL]."""
+        """Returns a tire of the repository with some lines replaced, by their keys, or added to [MODEL]."""
         text = TIR.read_text()
         for line in lines:
             key = line.split()[0]

@@ -9,7 +9,7 @@ const experiment::KeySection& optimizer_keys();
 
 namespace {
 
-/// Adds the sentences of keys that one method alone has, and for every method a sample of all its
+/// Adds the descriptions of keys that only one method has, and for every method a sample of all its
 /// keys.
 experiment::KeySection with_methods(experiment::KeySection section) {
   for (const MethodKind& kind : method_kinds()) {

@@ -70,7 +70,7 @@ class DocumentRows {
   }
 
   Ledger ledger;
-  std::vector<fs::path> named;  // files that texts of the document name
+  std::vector<fs::path> named;  // files that the document names
 
  private:
   void take_lines(std::string_view text) {
@@ -160,8 +160,9 @@ class DocumentRows {
       } catch (const InputError&) {
       }
     }
-    for (const std::string& text : texts) {
+    for (std::string text : texts) {
       std::error_code none;
+      if (text.starts_with("{study}/")) text.erase(0, 8);  // a script of an outside program
       if (!text.empty() && fs::is_regular_file(folder_ / text, none))
         named.push_back(folder_ / text);
     }
@@ -205,7 +206,7 @@ Ledger ledger_of_road(const fs::path& file, const std::string& by) {
   return ledger;
 }
 
-/// A finite-element deck: its units, and what in it is doubtful.
+/// Describes a finite-element deck: its units, and what is doubtful in it.
 Ledger ledger_of_deck(const fs::path& file, const std::string& by) {
   const formats::InpDeck deck = formats::read_inp(file);
   Ledger ledger{file.string()};
@@ -221,7 +222,7 @@ Ledger ledger_of_deck(const fs::path& file, const std::string& by) {
   return ledger;
 }
 
-/// A bushing: what its reader made of each part.
+/// Describes a bushing's file: how its reader interpreted each part.
 Ledger ledger_of_bushing(const fs::path& file, const std::string& by) {
   Ledger ledger = formats::read_bus_file(file).ledger;
   for (LedgerRow& row : ledger.rows)
@@ -229,7 +230,7 @@ Ledger ledger_of_bushing(const fs::path& file, const std::string& by) {
   return ledger;
 }
 
-/// Describes a table of which only the reader is known.
+/// Describes a table about which only its reader is known.
 Ledger ledger_of_table(const fs::path& file, const std::string& by) {
   const auto table = formats::CsvTable::read(file);
   Ledger ledger{file.string()};

@@ -13,7 +13,8 @@ namespace latsch::correlation {
 
 namespace {
 
-/// Adds the ledger of a table whose reader rejects every unused column: load-deflection, modes.
+/// Adds the ledger of a table whose reader rejects every unused column, such as load-deflection
+/// curves and modes.
 void add_table(const std::filesystem::path& file,
                const std::string& by,
                std::vector<Ledger>& ledgers) {

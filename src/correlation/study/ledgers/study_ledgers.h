@@ -15,18 +15,18 @@ namespace latsch::correlation {
 /// measurements, experiments, tests.
 std::vector<Ledger> ledgers_of(const Study& study);
 
-/// Returns them for the parts of a study, or of a suite of checks.
+/// Returns the same ledgers for the parts of a study, or of a suite of checks.
 std::vector<Ledger> ledgers_of(const Laboratory& laboratory,
                                const std::vector<StudyExperiment>& experiments,
                                const std::vector<StudyTest>& tests);
 
-/// Returns those ledgers and behind them the ledgers of every other file that the study opens.
+/// Returns those ledgers, followed by the ledgers of every other file that the study opens.
 std::vector<Ledger> all_ledgers_of(const Study& study);
 
 /// Throws InputError for the first doubt that is an error, naming file, line and column.
 void refuse_doubtful(const std::vector<Ledger>& ledgers);
 
-/// Returns {"file", "summary", "rows": [...], "doubts": [...]}.
+/// Returns the ledger as JSON: {"file", "summary", "rows": [...], "doubts": [...]}.
 nlohmann::ordered_json json_of(const Ledger& ledger);
 
 }  // namespace latsch::correlation

@@ -18,7 +18,7 @@ constexpr int kPressSteps = 5;
 constexpr double kGuessedStiffness =
     2.0e5;  // N/m, start of the search for the deflection under a load
 
-/// Greatest deflection of a load-deflection test, m.
+/// Returns the largest deflection of a load-deflection test, m.
 double depth(const LoadDeflection& test, double inflated_radius) {
   double deepest = 0.0;
   for (double deflection : test.deflections) deepest = std::max(deepest, deflection);
@@ -48,7 +48,7 @@ std::optional<fe_tire::TireState> stand(fe_tire::FeTire& tire,
   return std::move(*loaded);
 }
 
-/// Adds the modes of a tire that spins or whose rim moves, each as its shape at one moment.
+/// Adds the modes of a tire that rotates or whose rim moves, each as its shape at one moment.
 void add_spinning_modes(fe_tire::FeTire& tire,
                         const ModalTest& test,
                         const std::optional<fe_tire::RimBody>& rim,
@@ -110,7 +110,7 @@ void add_load(fe_tire::FeTire& tire,
   pictures.inflated = std::move(*inflated);
 }
 
-/// Ply of every cord layer of the mesh, with its angle at the crown.
+/// Returns the ply of every cord layer in the mesh, with its angle at the crown.
 std::vector<report::Layer> cord_layers(const fe_tire::TireDescription& description) {
   const fe_tire::SectionPlan plan(description);
   std::vector<report::Layer> layers(plan.layers());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of a finite-element tire on a page: the tire in the states of its tests, and the
-// distance of its mesh from the converged tire, an error that identified values absorb unnoticed.
+// Pictures of a finite-element tire on a page: the tire in the states of its tests, and the error
+// of its mesh, which a fit would compensate by wrong values without showing it.
 #pragma once
 
 #include <optional>
@@ -29,9 +29,9 @@ void add_pictures(fe_tire::FeTire& tire,
                   report::TirePictures pictures,
                   report::StudyReport& page);
 
-/// Adds the mesh error of growth and frequencies of the unloaded tire; if thoroughness is `minutes`
-/// also those of force and frequencies on the ground, at the depth of the page's pictures. Pressure
-/// and ground are those of the first test. States that do not converge are left out.
+/// Adds the mesh error of growth and frequencies of the unloaded tire and, if the thoroughness is
+/// `minutes`, of force and frequencies on the ground at the deflection of the page's pictures.
+/// Pressure and ground are those of the first test. States that do not converge are left out.
 void add_mesh_error(const fe_tire::TireDescription& tire,
                     const std::vector<const Test*>& tests,
                     Thoroughness thoroughness,

@@ -10,8 +10,9 @@
 namespace latsch::experiment {
 
 void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report::Scene& scene) {
-  // Most steps of all films together, most and fewest of one film. More steps make a page larger: a
-  // step of a car on its road needs some 7 kB, all of them 1.6 MB, which are 0.9 MB in a report.
+  // Largest number of steps of all films together, and largest and least number of one film. More
+  // steps make a page larger: a step of a car on its road needs some 7 kB, all of them 1.6 MB,
+  // which are 0.9 MB in a report.
   constexpr int kSteps = 240, kMostSteps = 120, kFewestSteps = 9;
   std::vector<const Test*> shown;
   for (const Test* test : tests)
@@ -30,9 +31,10 @@ void add_films(const std::vector<const Test*>& tests, Specimen& specimen, report
   const int steps = std::clamp(kSteps / static_cast<int>(shown.size()), kFewestSteps, kMostSteps);
   for (const Test* test : shown) {
     try {
-      // The trial reports a failure; the body is shown nevertheless.
+      // A failure is reported by the trial; the body is drawn nevertheless.
       (void)test->film(specimen, steps, scene);
-    } catch (const InputError&) {  // impossible with these numbers: a corner without bushings
+      // this model cannot run the test, for example a corner without bushings
+    } catch (const InputError&) {
     }
   }
 }

@@ -12,8 +12,8 @@ namespace latsch::experiment {
 namespace {
 
 constexpr int kCirclePoints = 72;
-constexpr double kWidthOfRadius = 0.6;  // share of the radius; assumed for the drawing if the
-                                        // belt's width is unknown
+// Share of the radius; width of the belt for the drawing if it is unknown.
+constexpr double kWidthOfRadius = 0.6;
 
 Eigen::Matrix3Xd circle(double radius) {
   Eigen::Matrix3Xd points(3, kCirclePoints);

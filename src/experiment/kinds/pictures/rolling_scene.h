@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rolling tire in space: its belt unloaded and on the ground, and the contact pressure below it.
+// Draws a rolling tire in space: its unloaded belt, its belt on the ground, and the contact
+// pressure below it.
 #pragma once
 
 #include "models/tire/tire.h"

@@ -25,8 +25,8 @@ constexpr int kPoints = 121;
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kMostAlpha = 15.0 * kDegree, kMostKappa = 0.3;
 constexpr double kBar = 1e5;
-constexpr double kNothing = 1e-6;  // share of the nominal load, in N and N m; a smaller force
-                                   // counts as none
+// Share of the nominal load, in N and N m; a smaller force or moment counts as none.
+constexpr double kNothing = 1e-6;
 
 /// A test condition other than slip, with its name in the legend.
 struct Varied {
@@ -109,14 +109,14 @@ bool exceeds(const std::vector<double>& values, double limit) {
       values.begin(), values.end(), [&](double value) { return std::abs(value) > limit; });
 }
 
-/// A plot with the data needed to judge which of its lines are supported by the fit.
+/// A plot with the data that decide which of its lines the fit supports.
 struct JudgedPlot {
   LinePlot plot;
-  const char* slip;  // channel of the abscissa
-  double unit;       // SI, of one unit of the abscissa; 0: no slip
-  char force;        // 'X', 'Y', 'Z' or 'R', see is_of()
+  const char* slip;  // channel of the abscissa, a slip
+  double unit;       // SI value of one unit of the abscissa; 0: the abscissa is no slip
+  char force;        // force of the ordinate: 'X', 'Y', 'Z' or 'R', see is_of()
   std::optional<magic_formula::Condition> varied;
-  std::vector<double> values;  // SI, of the varied condition, one for each line
+  std::vector<double> values;  // SI; value of the varied condition for each line
   double nominal = 0.0;
 };
 
@@ -129,7 +129,7 @@ bool is_of(char force, const std::string& name) {
 }
 
 /// True if at least one coefficient of a force is known; if a condition is given, at least one of
-/// those that describe its effect.
+/// those that describe the effect of the condition.
 bool knows(const SlipKnowledge& knowledge,
            char force,
            const std::optional<magic_formula::Condition>& condition) {
@@ -151,7 +151,7 @@ std::optional<std::pair<double, double>> ends_of_values(std::vector<double> valu
   return std::pair{*least, *greatest};
 }
 
-/// Shades, dashes and names the lines according to what the fit knows.
+/// Shades the plot outside of the data, and dashes and names lines that the fit does not support.
 LinePlot told_by_knowledge(JudgedPlot one, const SlipKnowledge& knowledge) {
   LinePlot& plot = one.plot;
   if (one.unit > 0.0 && !knowledge.measured_at("Fz").empty()) {
@@ -160,13 +160,14 @@ LinePlot told_by_knowledge(JudgedPlot one, const SlipKnowledge& knowledge) {
         slips ? std::pair{slips->first / one.unit, slips->second / one.unit} : std::pair{0.0, 0.0};
   }
   const bool has_force = knows(knowledge, one.force, std::nullopt);
-  // Forces change with the load without special coefficients; camber and pressure need theirs.
+  // Forces change with the load even without special coefficients; the effects of camber and
+  // pressure need coefficients of their own.
   const bool has_condition = !one.varied || *one.varied == magic_formula::Condition::load ||
                              knows(knowledge, one.force, one.varied);
   const auto reached =
       one.varied ? ends_of_values(knowledge.measured_at(magic_formula::channel_of(*one.varied)))
                  : std::nullopt;
-  constexpr double kEnd = 1e-3;  // share of a value by which the value may lie beyond the data
+  constexpr double kEnd = 1e-3;  // share of a value by which it may lie beyond the data
   for (std::size_t k = 0; k < plot.lines.size(); ++k) {
     report::PlotLine& line = plot.lines[k];
     const double value = k < one.values.size() ? one.values[k] : one.nominal;
@@ -181,7 +182,7 @@ LinePlot told_by_knowledge(JudgedPlot one, const SlipKnowledge& knowledge) {
 }
 
 /// True if the tire has this force and the varied quantity changes it: not every file has the
-/// coefficients of every slip, of camber and of pressure.
+/// coefficients for every slip, for camber and for pressure.
 bool tells_something(const LinePlot& plot, double FNOMIN) {
   const double limit = kNothing * FNOMIN;
   const auto has_force = [&](const PlotLine& line) {

@@ -24,7 +24,7 @@ std::vector<std::string> plots_of(const std::string& coefficients) {
   return names;
 }
 
-// A file of pure cornering has no Fx, so an axis from -1 N to 1 N would show nothing.
+// A file of pure cornering has no Fx, so a plot from -1 N to 1 N would show nothing.
 TEST(SlipPlots, ShowNoForceThatTheTireDoesNotHave) {
   using testing::Contains;
   using testing::HasSubstr;
@@ -61,10 +61,11 @@ TEST(SlipPlots, TellAssumedFromKnownAndDataFromBeyond) {
       EXPECT_FALSE(plot.lines[0].is_dashed);
       EXPECT_TRUE(plot.lines[0].name.ends_with(", outside")) << plot.lines[0].name;
       EXPECT_FALSE(plot.lines[1].name.ends_with(", outside")) << plot.lines[1].name;
-    } else if (plot.description == "Fx over kappa, by load") {  // QSX1 is of Mx
+    } else if (plot.description == "Fx over kappa, by load") {  // QSX1 belongs to Mx
       ++seen;
       ASSERT_TRUE(plot.data);
-      EXPECT_EQ(plot.data->first, plot.data->second);  // no slip was measured: all is shaded
+      // no slip was measured, so the whole plot is shaded
+      EXPECT_EQ(plot.data->first, plot.data->second);
       for (const auto& line : plot.lines) {
         EXPECT_TRUE(line.is_dashed);
         EXPECT_TRUE(line.name.ends_with(", assumed")) << line.name;

@@ -68,8 +68,8 @@ Eigen::Matrix3Xd corners_at(const std::vector<suspension::CornerGeometry>& corne
   for (const suspension::CornerGeometry& corner : corners) {
     for (int side = 0; side < sides; ++side) {
       suspension::MovingLinkage moving(corner.linkage, suspension::TravelOf::wheel_center);
-      // The rack belongs to the front axle and moves to the left of the car on both sides, which is
-      // to the right of the mirror image.
+      // The rack belongs to the front axle. It moves to the left of the car for both wheels, which
+      // is to the right for the mirror image.
       const double steered = &corner == &corners.front() ? position.rack : 0.0;
       const double rack = side == 0 ? steered : -steered;
       if ((position.travel != 0.0 || rack != 0.0) && !moving.move_to(position.travel, rack))

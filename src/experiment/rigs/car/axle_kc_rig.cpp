@@ -17,19 +17,22 @@ using Eigen::Vector3d;
 using multibody::Matrix6d;
 using multibody::Vector6d;
 
-constexpr double kHeld = 1e10, kHeldTurn = 1e9;  // stiffness that holds the chassis, N/m, N m/rad
-constexpr double kPad = 1e9, kBar = 1e9;         // N/m
+// N/m, N m/rad; stiffnesses that hold the chassis fixed
+constexpr double kHeld = 1e10, kHeldTurn = 1e9;
+constexpr double kPad = 1e9, kBar = 1e9;  // N/m
 constexpr std::array<const char*, 6> kTwistNames = {
     "dx", "dy", "dz", "about_x", "about_y", "about_z"};
 constexpr auto kSides = AxleKcTest::kSides;
-constexpr int kMovedOfSide = 7;  // dx, dy, dz, camber, toe, caster; spring
+// number of recorded quantities for each side: dx, dy, dz, camber, toe, caster; spring
+constexpr int kMovedOfSide = 7;
 enum Driver { kRack = car::kRackDriver, kPadLeft, kPadRight, kDriversHere };
 
 bool is_of_torsion(const multibody::Joint& joint, const car::CarParts& parts) {
   return joint.a == parts.chassis && joint.b == parts.chassis_rear;
 }
 
-/// Returns the car's parts with the chassis held and pads below the wheels.
+/// Returns the mechanism on the rig: the car's parts with the chassis held and pads below the
+/// wheels.
 multibody::Mechanism on_the_rig(const car::CarMechanism& car, const AxleKcTest& test, int left) {
   const multibody::Mechanism& whole = car.mechanism;
   std::vector<multibody::Joint> joints = whole.joints();
@@ -136,7 +139,7 @@ class AxleOnRig {
     watch({mechanism_, assembly_, rest_, loads_, wheels, state});
   }
 
-  /// Slopes of the motion of both wheels in all stiffnesses, columns as in
+  /// Returns the derivatives of the motion of both wheels by all stiffnesses, with columns as in
   /// Equilibrium::by_stiffness.
   Result<Eigen::MatrixXd> slopes() {
     if (const Status done = statics_.linearize(rest_, standing()); !done) return done.failure();
@@ -228,7 +231,7 @@ class AxleOnRig {
     drivers_[kPadLeft] = (*test_.travel)[0][at];
     drivers_[kPadRight] = (*test_.travel)[1][at];
   }
-  /// Slopes of the spring's extension in translation and rotation of all bodies.
+  /// Returns the derivatives of the spring's extension by translation and rotation of all bodies.
   Eigen::VectorXd extension_slopes(int side) const {
     Eigen::VectorXd slopes = Eigen::VectorXd::Zero(mechanism_.bodies().size() * 6);
     const int unit = corner(side).unit;
@@ -260,8 +263,8 @@ class AxleOnRig {
   std::array<double, kDriversHere> drivers_{};
 };
 
-/// Columns of the stiffnesses in the rig's mechanism, whose joints are those of the car without
-/// torsion.
+/// Returns the columns of the stiffnesses in the rig's mechanism, which has the joints of the car
+/// without its torsion spring.
 std::vector<std::vector<Eigen::Index>> columns_on_the_rig(const car::CarMechanism& car,
                                                           const std::vector<Stiffnesses>& varied) {
   const auto& joints = car.mechanism.joints();
@@ -271,7 +274,7 @@ std::vector<std::vector<Eigen::Index>> columns_on_the_rig(const car::CarMechanis
   std::vector<std::vector<Eigen::Index>> columns;
   for (const Stiffnesses& number : varied) {
     columns.emplace_back();
-    for (const auto& [joint, axis] : number)  // the torsion comes first
+    for (const auto& [joint, axis] : number)  // the torsion spring comes first
       columns.back().push_back(6 * (joint - (twists ? 1 : 0)) + axis);
   }
   return columns;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// One axle of a car on the rig for kinematics and compliance: the chassis is held, loads act on
-// both wheels at the contact patch or at the wheel center, pads may raise the wheels to a
+// One axle of a car on the rig for kinematics and compliance (K&C). The chassis is held, loads act
+// on both wheels at the contact patch or at the wheel center, pads may raise the wheels to a
 // prescribed travel, and the rack is at a prescribed position. Couplings of the wheels are
-// included: anti-roll bar, third element, and the rack's compliance. Springs act, or bars replace
-// them. The states follow each other, as friction remembers earlier states.
+// included: anti-roll bar, third element, and the rack's compliance. The car's springs act, or
+// rigid bars replace them. The states are computed in their order, because friction depends on
+// earlier states.
 //
-// Slopes in the stiffnesses of bushings are exact (multibody/equilibrium.h, adjoint) as long as no
-// bushing has friction and no pad is below a wheel: a spring's preload under the car's weight
-// depends on all stiffnesses.
+// Derivatives by the stiffnesses of bushings are exact (multibody/equilibrium.h, adjoint) if no
+// bushing has friction and no pad is below a wheel; with pads, a spring's preload under the car's
+// weight would depend on all stiffnesses.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,19 +31,19 @@ struct AxleKcTest {
   bool springs_locked = false;
   bool at_wheel_center = false;
   std::vector<Channel> prescribed;  // stated loads and positions, recorded beside the motion
-  Eigen::Matrix<double, 12, Eigen::Dynamic> loads;  // left and right wheel, N, N m; one column for
-                                                    // each state
-  std::optional<std::array<std::vector<double>, 2>> travel;  // m, of the wheel centers, imposed by
-                                                             // pads
-  std::vector<double> rack;                                  // m, one value for each state
-  std::optional<SlopesBy> slopes;                            // variables of the regressed slopes of
-                                                             // the motion
+  /// left and right wheel, N, N m; one column for each state
+  Eigen::Matrix<double, 12, Eigen::Dynamic> loads;
+  /// m, of the wheel centers, imposed by pads
+  std::optional<std::array<std::vector<double>, 2>> travel;
+  std::vector<double> rack;  // m, one value for each state
+  /// Regression of slopes of the motion by a stated quantity; nullopt: no slopes.
+  std::optional<SlopesBy> slopes;
 
   Eigen::Index states() const { return loads.cols(); }
 };
 
-/// Names and units of the motion without its slopes: dx_L ... caster_L, dx_R ...; Fz of the pads,
-/// N; springs, m.
+/// Returns names and units of the motion without its slopes: dx_L ... caster_L, dx_R ...; Fz of the
+/// pads, N; springs, m.
 std::vector<std::pair<std::string, std::string>> axle_kc_moved(const AxleKcTest& test);
 
 /// Returns the prescribed channels, the motion and its slopes, and the requested derivatives by the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// An axle on the K&C rig: its slopes in bushings equal differences, its loads on each wheel follow
-// from those on the left one by the mode, and a straight line has its own slope.
+// Tests an axle on the K&C rig: derivatives by bushings equal differences, the mode determines the
+// loads on the right wheel from those on the left, and the regression slope of a straight line is
+// its slope.
 #include "experiment/rigs/car/axle_kc_rig.h"
 
 #include <gtest/gtest.h>
@@ -71,8 +72,9 @@ TEST_F(AxleOnKcRig, SlopesInStiffnessesAreThoseOfDifferences) {
         size = std::max(size, std::abs(slope));
         value = std::max(value, std::abs(channel.values[i]));
       }
-      // A load on the left wheel does not move the right one: the remainder of Newton's method is
-      // 1e-6 N on 1e8 N/m, over a step of 1e-2; for a slope it is divided by loads of some kN.
+      // A load on the left wheel does not move the right one. The tolerance is the residual of
+      // Newton's method, 1e-6 N over 1e-8 m/N, divided by a step of 1e-2; for a slope it is divided
+      // by loads of some kN.
       const double left = n == 1 ? 1e-15 : 1e-12;
       EXPECT_LE(apart, 1e-6 * size + 1e-9 * value + left) << channel.name << " " << asked.paths[p];
       if (p == 3) {

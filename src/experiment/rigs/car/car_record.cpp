@@ -65,7 +65,8 @@ void CarRecord::sample(const car::CarState& state, const car::CarInputs& inputs,
   for (const double force : car_.pushrod_forces(state, inputs)) put(force);
   std::array<std::optional<Footprint>, kCorners> footprints;
   for (std::size_t i = 0; i < kCorners; ++i) footprints[i] = state.wheels[i].tire->footprint();
-  // A tire that does not know the load of the road has no belt: it equals the force on the hub.
+  // For a tire that does not report the load of the road, which has no belt, the load equals the
+  // force on the hub.
   const auto at_hubs = car_.vertical_forces(state);
   for (std::size_t i = 0; i < kCorners; ++i)
     put(footprints[i] ? footprints[i]->load

@@ -23,7 +23,7 @@
 
 namespace latsch::experiment {
 
-/// Returns the names at the four corners: "pushrod" gives "pushrod_FL" ...
+/// Returns the names for the four corners: "pushrod" gives "pushrod_FL" ...
 std::array<std::string, car::kCorners> of_corners(const std::string& name);
 
 /// Names and units of all channels; area, if any, comes last.

@@ -30,7 +30,7 @@ namespace {
 
 constexpr double kStart = 0.1, kStop = 0.05;  // shares of a sweep's duration
 
-/// Growth of the logarithm of the frequency, 1/s.
+/// Returns the growth of the logarithm of the sweep's frequency, 1/s.
 double growth_of(const PostSweep& sweep) {
   return std::log(sweep.to / sweep.from) / ((1.0 - kStart - kStop) * sweep.duration);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rig in the time domain against the same car as a linear model (models/car/car_linear.h),
-// which involves neither steps nor spectra.
+// Compares the rig in the time domain with a linear model of the same car
+// (models/car/car_linear.h), which needs neither time steps nor spectra.
 #include "experiment/rigs/car/four_post_rig.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,8 @@ class FourPostOfALinearCar : public testing::TestWithParam<PostMode> {
 // end with the record, so only those count whose segments agree, judged by the coherence of Welch's
 // method.
 TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
-  // In pitch the body hardly rises: at 0.03 m/s the effect of geometry is above 1 % of that.
+  // In pitch the body hardly moves vertically: at 0.03 m/s the effect of nonlinear geometry is
+  // above 1 % of that motion.
   FourPostTest test = sweep_test({.mode = GetParam(),
                                   .from = 0.5,
                                   .to = 40.0,
@@ -68,8 +69,8 @@ TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
     const std::vector<double> agreement = coherence_of_segments(record["post_FL"], record[sensor]);
     for (std::size_t i = 0; i < f.size(); ++i) {
       const Eigen::VectorXcd H = linear_.response(f[i]) * Eigen::Vector4d(sign.data());
-      // In pitch the body's two halves nearly cancel each other: above 20 Hz the error of the time
-      // steps in each is more than 1 % of their sum.
+      // The contributions of both axles to the body's motion in pitch nearly cancel: above 20 Hz
+      // the error of the time steps in each is more than 1 % of their sum.
       if (GetParam() == PostMode::pitch && sensor == "body_z" && f[i] > 20.0) continue;
       if (!(measured["coherence_" + sensor][i] > 0.99)) continue;
       const std::complex<double> expected = H[static_cast<Eigen::Index>(k)],
@@ -82,7 +83,7 @@ TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
       ++compared;
     }
   }
-  EXPECT_GT(compared, 500);  // 204 lines and nine sensors were compared
+  EXPECT_GT(compared, 500);  // there are 204 lines and nine sensors
 }
 
 // A sweep of a file that states no settings: 0.5 to 30 Hz in 20 s, lines of 0.25 Hz.
@@ -100,22 +101,22 @@ TEST_P(FourPostOfALinearCar, AtItsDefaultsItsResponsesAreRightFromTheLowestLineO
       const std::complex<double> expected = H[static_cast<Eigen::Index>(k)],
                                  found = std::polar(measured["tf_" + sensor][i],
                                                     measured["phase_" + sensor][i]);
-      // The body's center does not move up in roll to first order, because of the symmetry: its
-      // motion has only even powers.
+      // The body's center does not move vertically in roll to first order, because of the symmetry:
+      // its motion has only even powers.
       if (GetParam() == PostMode::roll && sensor == "body_z") {
         EXPECT_LT(std::abs(found), 1e-6 * measured["tf_hub_FL"][i]) << f[i];
         EXPECT_LT(measured["coherence_body_z"][i], 0.1) << f[i];
         continue;
       }
       EXPECT_LT(std::abs(found - expected), 0.02 * std::abs(expected)) << sensor << " " << f[i];
-      // The body hardly rises in pitch: nonlinear laws cause a tenth of that motion.
+      // The body hardly moves vertically in pitch: nonlinear laws cause a tenth of that motion.
       EXPECT_GT(measured["coherence_" + sensor][i], sensor == "body_z" ? 0.98 : 0.995)
           << sensor << " " << f[i];
     }
   }
 }
 
-// At 0.1 m/s the tires of so light a car leave the plates in heave, which no linear model
+// At 0.1 m/s in heave the tires of so light a car leave the plates, which no linear model
 // represents. The rear wheels resonate there, at 11 Hz: their response has an error of a quarter.
 TEST(FourPost, WhereItsTiresLeaveThePlatesTheCoherenceFalls) {
   const auto car = car::Car::make(car::race_car(false), car::spring_tires());
@@ -135,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Modes,
                          FourPostOfALinearCar,
                          testing::Values(PostMode::heave, PostMode::pitch, PostMode::roll));
 
-// Signals are orthogonal: each mode is zero in the signals of the others.
+// The signals of the modes are orthogonal: each mode has no component in the others.
 TEST(FourPost, TheModesOfItsPostsDoNotMix) {
   for (const PostMode a : {PostMode::heave, PostMode::pitch, PostMode::roll, PostMode::warp})
     for (const PostMode b : {PostMode::heave, PostMode::pitch, PostMode::roll, PostMode::warp}) {

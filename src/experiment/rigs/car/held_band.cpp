@@ -44,8 +44,8 @@ double share_above(const FourPostTest& test, PostMode mode, double frequency) {
 }
 
 std::optional<HeldBand> held_band(const FourPostTest& test, PostMode mode, double width) {
-  constexpr double kLeast = 1e-4;    // share of the largest power; lines below it contain only
-                                     // leakage
+  // Share of the largest power; lines below it contain only leakage.
+  constexpr double kLeast = 1e-4;
   constexpr double kStands = 1e-10;  // m; smaller motions are rounding of a table
   const std::vector<double> steps = steps_of(test, mode);
   const std::size_t count = steps.size();

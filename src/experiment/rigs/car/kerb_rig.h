@@ -17,7 +17,7 @@
 
 namespace latsch::experiment {
 
-/// A quantity over time; one value: constant.
+/// A quantity over time, piecewise linear; a single value: constant.
 struct History {
   std::vector<double> times, values;  // s
   double at(double time) const;
@@ -28,15 +28,15 @@ struct History {
   double mean(double from, double to) const;
 };
 
-/// Deviation of a driver from the prescribed speed and line: their standard deviations. Each
-/// deviation consists of three sines with random phases and periods of 1, 0.6 and 0.4 of `period`.
+/// Random deviation of a driver from the prescribed speed and line, by standard deviations. Each
+/// deviation is a sum of three sines with random phases and periods of 1, 0.6 and 0.4 of `period`.
 struct Wander {
   double speed = 0.0, line = 0.0;  // m/s, m
   double period = 1.0;             // s
   long seed = 1;
 };
-/// Returns the prescribed value with a deviation, from -before to after; its mean over the time is
-/// unchanged.
+/// Returns the prescribed value with a deviation, for times from -before to after; the mean over
+/// this time is unchanged.
 History wandering(
     double asked, double deviation, const Wander& wander, int stream, double before, double after);
 
@@ -47,8 +47,8 @@ struct FiledRoad {
   std::shared_ptr<const road::Road> road;
   Eigen::Vector2d start = Eigen::Vector2d::Zero();  // m, in the file's axes
   double heading = 0.0;                             // rad, counterclockwise from the file's x axis
-  bool continues = false;                           // true: beyond its edge the road continues as
-                                                    // its kind defines
+  /// true: beyond its edge the road continues as its kind defines
+  bool continues = false;
 };
 
 struct KerbTest {
@@ -60,8 +60,8 @@ struct KerbTest {
   bool with_area = false;
   std::optional<car::AeroLoaders> loaders;
   Eigen::Vector3d downforce = Eigen::Vector3d::Zero();  // N, constant force of the loaders
-  /// The loaders may instead reproduce these low-passed push-rod forces, N, from time 0 - run_in
-  /// on.
+  /// Push-rod forces, N, low-passed, from time 0 - run_in on, which the loaders reproduce instead
+  /// of applying a constant force.
   std::array<History, 4> pushrods;
   bool follows_pushrods() const { return !pushrods[0].values.empty(); }
 };

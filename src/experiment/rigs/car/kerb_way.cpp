@@ -8,25 +8,30 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr int kLines = 4;          // to either side of the middle, evenly over the tread
-constexpr double kUnfelt = 2e-3;   // m, of height; less is below the roughness of a road
-constexpr double kAlong = 5e-3;    // m, between the places looked at; steeper shapes are verticals
-constexpr double kTeeth = 16.0;    // places looked at in a pitch of the kerb, at least
-constexpr double kDiffers = 1e-3;  // m, of height; less is below the roughness of a road
-constexpr double kTouches = 1e-6;  // m, of height of a kerb; less is rounding
-constexpr long kMostPlaces = 400'000;  // places of a wheel; a longer way is looked at less closely
+constexpr int kLines = 4;  // lines on either side of the middle, evenly spaced over the tread
+// m; a smaller difference in height is below the roughness of a road
+constexpr double kUnfelt = 2e-3;
+// m, distance of the examined positions; steeper shapes count as vertical
+constexpr double kAlong = 5e-3;
+constexpr double kTeeth = 16.0;  // least number of examined positions in one pitch of the kerb
+// m; a smaller difference in height is below the roughness of a road
+constexpr double kDiffers = 1e-3;
+constexpr double kTouches = 1e-6;  // m, height of a kerb; a smaller one is rounding
+// positions of a wheel; on a longer path they are farther apart
+constexpr long kMostPlaces = 400'000;
 
-/// Heights below one wheel, at places of equal distance.
+/// Heights of the road below one wheel, at equidistant positions.
 struct Trace {
   double x0 = 0.0, along = 0.0;  // m
-  std::vector<double> highest;   // m, of all lines
-  bool differs = false;          // across the width
-  bool touches = false;          // true if a place that is felt differs from the level road
-  Unfelt unfelt = {};            // without its corner; its place in the axes of the road
+  std::vector<double> highest;   // m, highest of all lines at each position
+  bool differs = false;          // true if the height differs across the width
+  // true if the kerb changes the height at any line that the tire model follows
+  bool touches = false;
+  Unfelt unfelt = {};  // without its corner; its place in the axes of the road
 };
 
-/// Returns the distance from the middle, m, at which the road rises above `felt` on the way to a
-/// line `y` beside it, by bisection.
+/// Returns, by bisection, the distance from the middle, m, at which the road between the middle and
+/// a line at `y` rises above the height `felt`.
 double edge_beside(const road::Road& road, double x, double middle, double y, double felt) {
   double inside = 0.0, outside = y;
   for (int i = 0; i < 20; ++i) {
@@ -46,7 +51,8 @@ Trace trace_of(const KerbTest& test,
   double time = -test.run_in, x = -reach;
   const double way = test.speed.area(test.duration) - test.speed.area(-test.run_in);
   for (; x <= way + reach; x += along) {
-    // The time at which the wheel is there, for a line that changes.
+    // The time at which the wheel reaches the position, because the lateral line may change with
+    // time.
     const double speed = test.speed.at(time);
     if (x > 0.0 && speed > 0.0 && time < test.duration) time += along / speed;
     const double y = center.y() + test.line.at(time), at = center.x() + x;
@@ -95,7 +101,7 @@ std::vector<double> envelope(const Trace& trace, double radius) {
   return path;
 }
 
-/// Returns the distance between the places looked at, m.
+/// Returns the distance of the examined positions, m.
 double spacing_of(const KerbTest& test, double way) {
   double along = kAlong;
   if (test.kerb) along = std::min(along, test.kerb->pitch / kTeeth);
@@ -118,7 +124,7 @@ KerbWay way_of(const KerbTest& test, const car::Car& car, const TreadWidth& widt
   for (int corner = 0; corner < car::kCorners; ++corner) {
     const Eigen::Vector3d& center =
         car.parts().corners[static_cast<std::size_t>(corner)].wheel_center;
-    const double radius = center.z();  // a tire that stands there has this radius within a quarter
+    const double radius = center.z();  // a tire on the ground has this radius within a quarter
     const double along = spacing_of(test, driven + 2.0 * radius);
     const Trace trace = trace_of(test, *road, center, radius, along, width);
     way.first = std::min(way.first, center.x() - origin);

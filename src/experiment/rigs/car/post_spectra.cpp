@@ -46,7 +46,7 @@ struct Response {
   std::vector<double> frequency, post, density, magnitude, phase, coherence;
 };
 
-/// A record of both runs, split: half the difference (odd), and half the sum minus its start
+/// The records of both runs, split into half the difference (odd) and half the sum minus its start
 /// (even).
 struct Parts {
   std::vector<double> odd, even;
@@ -81,9 +81,10 @@ Response response_of(const std::vector<double>& u,
     kept.post.push_back(s.xx[i]);
     kept.density.push_back(s.yy[i]);
   }
-  constexpr double kHalfLine = 0.7;  // share of a line's width, times the segment
-  // The response of a car lasts a second or two. A higher order resolves longer responses, but must
-  // be fitted to more lines than kHalfLine allows.
+  // width of the fit on either side of a line, as a share of the line spacing times the segment
+  constexpr double kHalfLine = 0.7;
+  // Order and delay of the local polynomials. The response of a car lasts a second or two. A higher
+  // order resolves longer responses, but must be fitted to more lines than kHalfLine allows.
   constexpr int kOrder = 6;
   constexpr double kDelay = 0.8;  // s
   const auto local = numerics::local_response(

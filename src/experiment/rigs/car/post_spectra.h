@@ -32,9 +32,9 @@ namespace latsch::experiment {
 
 struct PostSpectra {
   double segment = 4.0;          // s, length
-  double from = 0.5, to = 30.0;  // Hz, band of the lines
-  double moving = 0.0;  // s from the start in which the posts move, used for densities; 0: the
-                        // whole record
+  double from = 0.5, to = 30.0;  // Hz, band of the computed lines
+  /// Time from the start, s, in which the posts move, used for densities; 0: the whole record.
+  double moving = 0.0;
 };
 
 /// Sensors that have a transfer function; names and units of the channels.

@@ -46,7 +46,8 @@ Eigen::ArrayXd change(const Quantities& from, const Quantities& to) {
   return changed;
 }
 
-constexpr double kLeft = 4.0 / 3.0;  // total error of second order over the change by halving
+// ratio of the total error, of second order, to the change by halving the elements
+constexpr double kLeft = 4.0 / 3.0;
 
 /// Extrapolates from meshes refined 2 and 3 times, assuming second order. A mode that one of these
 /// meshes lacks has no change there.
@@ -55,8 +56,8 @@ Eigen::ArrayXd limit(const Eigen::ArrayXd& twice, const Eigen::ArrayXd& thrice) 
   return (twice == 0.0 || thrice == 0.0).select(kLeft * twice, thrice + kBeyond * (thrice - twice));
 }
 
-constexpr int kMore = 4;  // additional modes on finer meshes, because the order of neighboring
-                          // modes may change
+// Additional modes on finer meshes, because the order of neighboring modes may change.
+constexpr int kMore = 4;
 
 }  // namespace
 
@@ -99,7 +100,7 @@ Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
                                   const Start& start,
                                   int modes) {
   const std::vector<fe_tire::MeshRefinement> finer = {
-      3, 2, {1, 2, 1}, {2, 1, 1}, 1};  // the slowest first
+      3, 2, {1, 2, 1}, {2, 1, 1}, 1};  // the slowest meshes first
   const auto each = std::ssize(finer);
   const auto found = at_once<Quantities>(std::ssize(meshes) * each, [&](Eigen::Index i) {
     const bool refined = i % each + 1 < each;
@@ -140,9 +141,9 @@ Result<ColumnChanges> changes(const Judged& mesh, const Start& start, int modes)
   for (Eigen::Index j = 0; j < count; ++j) {
     found.column.col(j) = change(mesh.values, (*finer)[j]).abs();
   }
-  // If neighbors share a bend, columns halved together change more than one by one, and less if
-  // they err to opposite sides. Errors that cancel on this mesh may not cancel on the next, so half
-  // of the cancelled part is kept.
+  // If neighboring columns share a bend, halving them together changes more than halving them one
+  // by one; if their errors have opposite signs, it changes less. Errors that cancel on this mesh
+  // may not cancel on the next, so half of the cancelled part is kept.
   const Eigen::ArrayXd sum = found.column.rowwise().sum().max(1e-12);
   found.column.colwise() *= (mesh.along.abs() / sum).max(0.5).min(2.0);
   return found;

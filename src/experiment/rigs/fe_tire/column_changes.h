@@ -47,7 +47,7 @@ int nodes_across(const fe_tire::Section& section, Eigen::Index column);
 /// Growth and frequencies by name.
 using Quantities = std::map<std::string, double>;
 
-/// The inflated tire on one mesh, which is the start on all others.
+/// The inflated tire on one mesh, from which the iterations on all other meshes start.
 struct Start {
   fe_tire::SectionGrid grid;
   Eigen::Matrix3Xd u;
@@ -69,14 +69,15 @@ struct Judged {
 
 /// Changes by the columns of a mesh, relative.
 struct ColumnChanges {
-  Eigen::ArrayXXd column;  // [quantities x columns], each column halved: magnitudes whose sum is
-                           // the whole change
+  /// [quantities x columns], change if each column is halved: magnitudes whose sum is the whole
+  /// change.
+  Eigen::ArrayXXd column;
 };
 
-/// Returns the error of halved sectors on the ground as a multiple of that of the unloaded tire. It
+/// Returns the ratio of the error caused by sectors on the ground to that of the unloaded tire. It
 /// is the second-order error of the widest sectors, because a mode bends most where it is free, far
-/// from the contact, where sectors are widest; and its waves, as many as unloaded, are shorter by
-/// the length that the contact holds, up to the end of the narrowest sectors.
+/// from the contact, where sectors are widest. Its waves, as many as unloaded, are shorter, because
+/// the contact fixes a part of the circumference up to the end of the narrowest sectors.
 double loaded_part(const fe_tire::Section& section);
 
 /// Returns the change by halving all elements: the largest of that of the unloaded tire, on the

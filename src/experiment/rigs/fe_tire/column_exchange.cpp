@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-/// A norm close to the largest error that also shows improvements of all errors but one.
+/// Returns a norm close to the largest error that also decreases if all other errors improve.
 double size_of(const Eigen::ArrayXd& errors) {
   constexpr double kPower = 20.0;
   const double largest = errors.abs().maxCoeff();
@@ -32,8 +32,8 @@ double size_of(const Eigen::ArrayXd& errors) {
   return largest * std::pow((errors.abs() / largest).pow(kPower).sum(), 1.0 / kPower);
 }
 
-/// A mesh and the relative distance of its quantities from the limits; infinite for a quantity that
-/// the mesh does not show.
+/// A mesh, and the relative errors of its quantities; infinite for a quantity that could not be
+/// computed on the mesh.
 struct Seen {
   TireDescription tire;
   int unknowns = 0;
@@ -91,8 +91,8 @@ struct Exchange {
   bool meets(const Exchange& other) const { return from < other.to && other.from < to; }
 };
 
-/// Returns `change` if it increases an error, else 0: the error of fewer elements may cancel that
-/// of others on this mesh alone.
+/// Returns `change` where it increases an error, else 0: an improvement is not counted, because the
+/// errors of fewer elements may cancel those of others on this mesh alone.
 Eigen::ArrayXd harm(const Eigen::ArrayXd& error, const Eigen::ArrayXd& change) {
   return ((error + change).abs() > error.abs()).select(change, 0.0);
 }

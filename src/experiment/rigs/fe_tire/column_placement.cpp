@@ -143,8 +143,8 @@ Status check_stands(const TireDescription& tire, double deflection) {
 Result<ColumnPlacement> place_columns(const TireDescription& tire,
                                       const ColumnPlacementSettings& settings,
                                       const std::function<void(const std::string&)>& progress) {
-  constexpr int kMoreLoaded = 2;  // additional modes, because others may be among the lowest on the
-                                  // ground
+  // Additional modes, because others may be among the lowest on the ground.
+  constexpr int kMoreLoaded = 2;
   const int modes = settings.modes + kMoreLoaded;
   const int most = settings.unknowns > 0 ? settings.unknowns : build_mesh(tire).free_dofs();
   const std::vector<double> fixed = fixed_ends(tire.section);

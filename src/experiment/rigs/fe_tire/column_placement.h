@@ -27,12 +27,13 @@
 namespace latsch {
 
 struct ColumnPlacementSettings {
-  int unknowns = 0;  // greatest number in the mesh; 0: the present one
+  int unknowns = 0;  // largest number of unknowns; 0: as many as the present mesh has
   int modes = 20;
   int rounds = 6;               // most rounds of moving columns
   bool choose_sectors = false;  // true: chooses an even number of sectors, too
-  double deflection = 0.0;      // m; > 0: columns and sectors are then exchanged according to
-                                // errors on the ground
+  /// Deflection, m; if > 0, columns and sectors are then exchanged according to errors on the
+  /// ground.
+  double deflection = 0.0;
 };
 
 struct ColumnPlacement {
@@ -42,7 +43,7 @@ struct ColumnPlacement {
   /// Error of the quantity with the greatest error, as estimated above.
   double error_before = 0.0, error = 0.0;
   std::string worst;  // name of that quantity: "growth", "lateral n=2"
-  /// Says why not all rounds were completed; the result is then the best of the completed rounds.
+  /// Reason why not all rounds were completed; the result is then the best of the completed rounds.
   /// Empty if all were.
   std::string stopped = {};
 };

@@ -18,8 +18,8 @@ using fe_tire::TireState;
 
 constexpr double kForceTolerance = 1e-7;  // relative; slopes then agree with the values to 1e-6
 constexpr double kForceNoise = 1e-5;      // relative; accepted if friction prevents kForceTolerance
-constexpr int kPatience = 8;  // attempts before kForceNoise is accepted: the secant needs four or
-                              // five
+// Number of attempts before kForceNoise is accepted: the secant method needs four or five.
+constexpr int kPatience = 8;
 constexpr int kMaxAttempts = 25;
 constexpr int kFirstSteps = 3;
 constexpr double kLargestChange = 2.0;  // greatest factor of the deflection between attempts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Presses the tire until it carries a given vertical load.
+// Presses a finite-element tire on the ground until it carries a given vertical load.
 #pragma once
 
 #include "base/result.h"

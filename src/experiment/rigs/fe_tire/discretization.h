@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Estimates the distance of a mesh from the converged tire: the same tire with the same boundary on
-// finer meshes, extrapolated.
-//
-// A fit absorbs the error of its mesh into the moduli unnoticed; this study quantifies that error.
+// Estimates the error of a mesh compared with the converged tire: the same tire with the same
+// boundary is computed on finer meshes, and the results are extrapolated. A fit compensates the
+// error of its mesh by wrong moduli without showing it; this study quantifies the error.
 #pragma once
 
 #include <array>
@@ -53,10 +52,10 @@ struct DiscretizationRow {
 };
 
 struct DiscretizationStudy {
-  std::vector<DiscretizationRow> unloaded;       // growth, then modes by label
-  std::vector<DiscretizationRow> loaded;         // Fz, then modes by label
-  std::vector<DiscretizationRow> loaded_by_few;  // loaded rows by the default method, if
-                                                 // `loaded_thoroughly`
+  std::vector<DiscretizationRow> unloaded;  // growth, then modes by label
+  std::vector<DiscretizationRow> loaded;    // Fz, then modes by label
+  /// loaded rows by the default method, if `loaded_thoroughly`
+  std::vector<DiscretizationRow> loaded_by_few;
 };
 
 /// Measured values on one mesh, by name and in order: "growth" in m, "Fz ..." in N, all other names

@@ -117,9 +117,9 @@ class Expected {
     return largest * std::pow((left / largest).pow(kPower).sum(), 1.0 / kPower);
   }
 
-  /// Numbers with the least error: columns are added where they help most, then exchanged. All
-  /// allowed unknowns are used, although fewer columns may have a smaller error by cancelling those
-  /// of the sectors.
+  /// Returns the numbers of columns with the least error: columns are added where they help most,
+  /// then exchanged. All allowed unknowns are used, although fewer columns may have a smaller error
+  /// on this mesh by cancelling those of the sectors.
   std::vector<int> best(int most) const {
     std::vector<int> number(nodes_.size(), 1);
     while (improve(number, most, {{1, 0}}, std::numeric_limits<double>::infinity())) {

@@ -9,8 +9,8 @@
 namespace latsch {
 namespace {
 
-constexpr double kSecondOrder = 1.0 / 3.0;  // error that remains after halving, as a share of the
-                                            // change
+// Error that remains after halving, as a share of the change, for second order.
+constexpr double kSecondOrder = 1.0 / 3.0;
 
 RoughLimit of_few(const std::vector<double>& v) {
   const double around = v[1] - v[0];

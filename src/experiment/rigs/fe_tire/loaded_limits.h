@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Estimates the limit of a pressed tire, of which only few finer meshes are affordable.
+// Estimates the limit of the results of a pressed tire, for which only few finer meshes are
+// affordable.
 //
-// Elements have similar errors on and off the ground. So the pressed tire is extrapolated from few
-// meshes, and the error of the same extrapolation for the unloaded tire, whose limit is known from
-// many meshes, is added mode by mode according to the mode's name. Orders of convergence need not
-// be known: with refinement the rows of a smeared section pass the limit and come back slowly. The
-// vertical force has no counterpart. Its correction is a share of its change by refining the
-// section; the share is a least-squares fit to the modes. The error of sectors is computed from the
-// pressed tire itself, because its sectors are narrow only at the contact.
+// Elements have similar errors on and off the ground. Therefore the pressed tire is extrapolated
+// from few meshes, and the error of the same extrapolation for the unloaded tire, whose limit is
+// known from many meshes, is added mode by mode according to the mode's name. Orders of convergence
+// need not be known: with refinement the rows of a smeared section pass the limit and come back
+// slowly. The vertical force has no unloaded counterpart. Its correction is a share of its change
+// by refining the section; the share is a least-squares fit to the modes. The error of sectors is
+// computed from the pressed tire itself, because its sectors are narrow only at the contact.
 #pragma once
 
 #include <map>

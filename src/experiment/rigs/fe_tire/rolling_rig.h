@@ -38,10 +38,10 @@ struct RollingTest {
 
 /// Channels of the test, one value for each state: the states "alpha" (rad), "kappa" (against the
 /// free wheel), "gamma" (rad), "phit" (1/m), "Vx" (m/s), then forces and moments in W, "omega"
-/// (rad/s), "R_e" (V_x/omega, m), "R_l" (m), "drive" (N m, moment of the drive about the spin axis),
-/// "friction_power" (W), "sticking" (share of the load on points that stick), "length", "width" (m)
-/// of the patch, and "balance" (W, power of drive and hub less that of friction, which
-/// discretization leaves).
+/// (rad/s), "R_e" (V_x/omega, m), "R_l" (m), "drive" (N m, moment of the drive about the spin
+/// axis), "friction_power" (W), "sticking" (share of the load on points that stick), "length" and
+/// "width" (m) of the patch, and "balance" (W, power of drive and hub minus that of friction, an
+/// error of the discretization).
 Channels channels_of(const std::vector<fe_tire::RollingState>& states,
                      const std::vector<double>& kappa);
 

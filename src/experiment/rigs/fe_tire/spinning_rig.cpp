@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// TireRig (tire_rig.h) with a tire that spins off the ground, or whose rim moves.
+// TireRig (tire_rig.h) with a tire that rotates off the ground, or whose rim moves.
 //
-// Channels besides those of mode_record.h, one value for each mode: "sense" (1 with the spin, -1
-// against it, 0 neither), "frequency_on_tire" (Hz, of a sensor that spins along; "frequency" is
-// seen from axes that do not spin), and "shape_later", the shape a quarter of a period later. One
-// value: "spin" (rad/s) and "outer_radius" (m) of the tire that spins, and, if asked for,
-// "standing_wave_speed" (rad/s) and "standing_wave_n".
+// Channels besides those of mode_record.h, one value for each mode: "sense" (1 if the mode travels
+// with the rotation, -1 against it, 0 neither), "frequency_on_tire" (Hz, seen by a sensor on the
+// tire; "frequency" is seen from axes that do not rotate), and "shape_later", the shape a quarter
+// of a period later. One value: "spin" (rad/s) and "outer_radius" (m) of the rotating tire and, if
+// requested, "standing_wave_speed" (rad/s) and "standing_wave_n".
 #include <fmt/format.h>
 
 #include "base/error.h"

@@ -17,8 +17,8 @@ using fe_tire::GroundPose;
 using fe_tire::TireState;
 
 constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection
-constexpr int kSteps = 4;                    // steps of the ground's displacement, because the
-                                             // patch slides during it
+// Steps of the ground's displacement: several, because the contact patch slides during it.
+constexpr int kSteps = 4;
 
 /// The wheel's travel in a direction is applied as the opposite displacement of the ground.
 GroundPose moved(GroundPose pose, Direction direction, double travel) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The standing finite-element tire: the test of static_stiffness.h as a sequence of equilibria.
+// Runs the test of static_stiffness.h on a finite-element tire that does not roll, as a sequence of
+// equilibria.
 #pragma once
 
 #include "experiment/rigs/static_stiffness.h"

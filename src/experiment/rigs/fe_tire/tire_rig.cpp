@@ -24,8 +24,8 @@ using fe_tire::Inflated;
 using fe_tire::Standing;
 using fe_tire::TireState;
 
-constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection under a
-                                             // load
+// Stiffness, N/m, for a first guess of the deflection under a load.
+constexpr double kTypicalStiffness = 2.0e5;
 constexpr int kEvenSteps = 5;
 
 /// Deflections, in even steps, of a path that the test does not prescribe.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Virtual tire rig: drives the finite-element tire as the laboratory drove the specimen.
+// Virtual tire rig: runs the tests of the laboratory on the finite-element tire.
 //
 // Channels of a load-deflection test, one value for each deflection in the order of the test:
 // "deflection" m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area"
 // m^2. A loaded radius larger than the radius of the inflated tire means no contact: force and
 // patch are 0. Channels of a modal test: those of mode_record.h, and for a loaded tire
-// "deflection", "loaded_radius", "force" (one value); for a tire that spins, whose rim moves or
-// whose standing-wave speed is asked for, those of spinning_rig.cpp. Other tests drive tire()
+// "deflection", "loaded_radius", "force" (one value). If the tire rotates, if its rim moves or if
+// its standing-wave speed is requested: those of spinning_rig.cpp. Other tests use tire()
 // themselves.
 //
-// Every test has a path of its own: a curve is pressed once through its deflections, ascending; a
+// Every test has its own load path: a curve is pressed once through its deflections, ascending; a
 // single deflection is reached in five even steps. So its recording does not depend on other tests.
 // The inflated tire and the last path are kept: a test with exactly that path gets the same bits.
 #pragma once
@@ -41,7 +41,7 @@ class TireRig {
 
   /// Returns the tire inflated to a pressure, Pa, as it spins.
   Result<fe_tire::Inflated> spinning(double pressure, const SpinSpeed& speed);
-  /// States the rim, for tests in which it moves.
+  /// Sets the data of the rim, for tests in which it moves.
   void set_rim(std::optional<fe_tire::RimBody> rim) { rim_ = rim; }
 
   fe_tire::FeTire& tire() const { return tire_; }
@@ -91,10 +91,10 @@ struct NearestSensors {
 };
 NearestSensors nearest_sensors(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points);
 
-/// Fails if a point is none of the tire. A point may lie up to 25 mm from the wall: half of that is
-/// a mount and its cable, the rest the difference between the drawing and the tire. A point farther
-/// away has another unit or other axes. Inside the wall, as for sensors on the inner liner, the
-/// distance is that to the nearest face of the elements.
+/// Fails if a point does not belong to the tire. A point may lie up to 25 mm from the wall: half of
+/// that is a mount and its cable, the rest the difference between the drawing and the tire. A point
+/// farther away has another unit or other axes. For points inside the wall, such as sensors on the
+/// inner liner, the distance is that to the nearest face of the elements.
 Status points_on_tire(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points);
 
 }  // namespace latsch::experiment

@@ -17,7 +17,8 @@ namespace latsch {
 magic_formula::ConditionLevels condition_levels(
     const std::function<std::vector<double>(const std::string&)>& values_of);
 
-/// Says for each coefficient why these values cannot determine it: magic_formula::reason_against().
+/// Returns for each coefficient the reason why these values cannot determine it:
+/// magic_formula::reason_against().
 std::vector<std::string> reasons_against(
     const std::vector<std::string>& coefficients,
     const std::function<std::vector<double>(const std::string&)>& values_of);

@@ -17,9 +17,10 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kWheelInertia = 0.25;  // kg m^2, of the wheel that rolls up to its free speed; a
-                                        // light wheel swings fast about it
-constexpr double kFollow = 20e-3;       // s, time constant with which the axle follows the load
+// Inertia, kg m^2, of the wheel that rolls freely before the sweep; a light wheel oscillates fast
+// about its free speed.
+constexpr double kWheelInertia = 0.25;
+constexpr double kFollow = 20e-3;          // s, time constant with which the axle follows the load
 constexpr double kLeastDeflection = 1e-3;  // m
 
 /// Carrier yawed relative to the belt: with the heading turned right by α the belt moves the wheel

@@ -25,7 +25,8 @@
 
 namespace latsch::experiment {
 
-/// The quantity that the axle keeps constant.
+/// The quantity that the rig keeps constant: the load, by moving the axle, or the height of the
+/// axle.
 enum class AxleHold { load, height };
 
 struct SlipSweep {

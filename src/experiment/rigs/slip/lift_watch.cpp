@@ -12,7 +12,7 @@
 namespace latsch {
 namespace {
 
-/// Passes every call to a tire and tells a log the load at the end of each step.
+/// Passes every call to a tire and reports the load at the end of each step to a log.
 class WatchedTire final : public Tire {
  public:
   WatchedTire(std::unique_ptr<Tire> tire, LiftLog& log) : tire_(std::move(tire)), log_(log) {}

@@ -11,8 +11,9 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kFree = 2.0,
-                 kSettled = 2.0;  // m, at least: distance rolled freely and then with the slip
-                                  // before the force is averaged
+                 // Least distance, m, rolled freely, and then with the slip, before the force is
+    // averaged.
+    kSettled = 2.0;
 
 struct Steady {
   double Fx, Fy, Mz;  // W, means over a turn of the wheel

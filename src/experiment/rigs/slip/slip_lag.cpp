@@ -29,7 +29,7 @@ struct Length {
   Eigen::MatrixXd slopes;
 };
 
-/// Steps of time that are gaps: after each, slips start anew.
+/// Returns for each time step whether it is a gap, after which the slips start anew.
 std::vector<bool> gaps_of(const std::vector<double>& times) {
   constexpr double kMost = 3.0;  // in units of the median step
   std::vector<double> steps;
@@ -199,8 +199,8 @@ Channels lagging_answers(const MagicFormula& tire,
   }
   Channels found = answers(tire, lagging);
   if (!parameters.empty()) {
-    std::vector<std::string> variables = parameters;  // and the slips, because the parameters
-                                                      // change these
+    // The slips are added, because the parameters change them.
+    std::vector<std::string> variables = parameters;
     variables.insert(variables.end(), {"kappa", "alpha"});
     const auto n = static_cast<Eigen::Index>(parameters.size());
     const Eigen::VectorXd tangent = Eigen::VectorXd::Map(y.x.data(), std::ssize(y.x));

@@ -20,14 +20,15 @@
 
 namespace latsch {
 
-/// Says what of the lag a record cannot show: gaps after which slips start settled, samples farther
-/// apart than a relaxation length, a tire without relaxation lengths. One sentence each.
+/// Returns what a record cannot show of the lag, one sentence each: gaps after which slips start
+/// from their steady values, samples farther apart than a relaxation length, a tire without
+/// relaxation lengths.
 std::vector<std::string> lag_limits(const magic_formula::MagicFormula& tire,
                                     const std::vector<magic_formula::State>& states,
                                     const std::vector<double>& times);
 
-/// Says why times are those of no record: a single one, most of them backward or repeated; empty if
-/// they are. `sample` receives the number of the first odd sample, from 0.
+/// Returns the reason why times cannot be those of a record: there is a single one, or most of them
+/// go backward or repeat; empty if they can. `sample` receives the index of the first such sample.
 std::string no_record(const std::vector<double>& times, std::size_t& sample);
 
 /// Returns the channels of slip_states.h, sample by sample, with the lagged slips as "kappa" and

@@ -63,7 +63,7 @@ constexpr std::array<AnswerColumn, 23> kAnswerColumns = {{
 }};
 
 constexpr std::size_t kMostLines =
-    100;  // Lines of one filler in one message; a message has to stay short.
+    100;  // largest number of lines listed for one filler, so that a message stays short
 
 bool same_name(const std::string& a, const std::string& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
@@ -179,7 +179,8 @@ std::vector<Meant> meant_by(const formats::CsvTable& table) {
   return all;
 }
 
-/// Notes numbers that are hardly states as doubts and makes gaps of them for the other checks.
+/// Adds doubts about numbers that are probably no states, and replaces them by gaps for the other
+/// checks.
 void note_fillers(const formats::CsvTable& table, Channels& states, Ledger& ledger) {
   Channels plain;
   for (Channel channel : states.all()) {

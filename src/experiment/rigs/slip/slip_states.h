@@ -28,7 +28,7 @@ namespace latsch {
 /// why the test ignores phit; empty if the test uses it.
 std::vector<experiment::MeasuredCondition> measured_states(const std::string& no_turn_slip = "");
 
-/// Says how each column of such a table is interpreted, what is assumed, and what is doubtful.
+/// Returns how each column of such a table is interpreted, what is assumed, and what is doubtful.
 Ledger ledger_of_states(const formats::CsvTable& table,
                         const std::string& by,
                         const std::string& no_turn_slip = "");
@@ -49,8 +49,9 @@ std::vector<std::string> for_slip_states(
 /// Reads all states. Throws InputError naming file and line.
 SlipStates slip_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
 
-/// Returns a sentence that names the states a table lacks and the values taken for them; empty if
-/// it lacks none. Turning (phit) is not named: a table without it is one of straight rolling.
+/// Returns a sentence that names the states that a table lacks and the values assumed for them;
+/// empty if it lacks none. Turn slip (phit) is not named, because a table without it is one of
+/// straight rolling.
 std::string assumed_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
 
 /// Returns Fx Fy Fz Mx My Mz R_e R_l rho length width t Mzr mux muy omega Kxk Kya Cx Cy Cz sigma_x

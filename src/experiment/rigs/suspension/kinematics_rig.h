@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rig for rigid kinematics: the chassis is held, both wheels of the axle are moved up and down
-// together, in opposite directions or one alone, and the rack is moved to the sides. The other
+// The rig for rigid kinematics of an axle: the chassis is held fixed, both wheels are moved up and
+// down together, in opposite directions or one alone, and the rack is moved sideways. The other
 // wheel is the mirror image of the one in the file. Equations and signs:
 // models/suspension/kinematic_outputs.h and axle_kinematics.h.
 #pragma once
@@ -23,12 +23,12 @@ struct KinematicsTest {
   suspension::TravelOf at = suspension::TravelOf::contact;
   std::vector<double> travel, rack;  // m; equally many of each
   bool with_rates = false, with_anti_roll_bar = false;
-  double outer_share = 0.5;                        // share of the lateral force on the outer wheel,
-                                                   // for the force-based roll center
-  std::optional<suspension::VehicleData> vehicle;  // for anti-dive and the other shares of the load
-                                                   // transfer
-  std::optional<double> wheelbase;                 // m; for Ackermann
-  std::optional<double> rack_per_turn;             // m per turn of the steering wheel
+  /// Share of the lateral force that the outer wheel carries, for the force-based roll center.
+  double outer_share = 0.5;
+  /// Data of the vehicle for anti-dive and the other shares of the load transfer.
+  std::optional<suspension::VehicleData> vehicle;
+  std::optional<double> wheelbase;      // m; for Ackermann
+  std::optional<double> rack_per_turn;  // m per turn of the steering wheel
 };
 
 /// The axle in one state of the test; `own` is the wheel of the file.

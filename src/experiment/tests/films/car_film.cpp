@@ -17,12 +17,13 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using report::Scene;
 
-constexpr int kMostAround = 40;         // points of a tire's ring
-constexpr double kWidthOfRadius = 0.6;  // share of the radius; assumed if the tire's width is
-                                        // unknown
-constexpr double kPost = 0.36;          // m, side of a post's plate
-constexpr double kBefore = 1.2;         // m of road behind the rear axle and before the front one
-constexpr double kBeside = 0.5;         // m of road beside the wheels
+constexpr int kMostAround = 40;  // most points on the outline of a tire
+// Share of the radius: width of a tire whose file states none.
+constexpr double kWidthOfRadius = 0.6;
+constexpr double kPost = 0.36;  // m, side of a post's plate
+// m, length of road shown behind the rear axle and before the front one
+constexpr double kBefore = 1.2;
+constexpr double kBeside = 0.5;  // m, width of road shown beside the wheels
 
 /// Returns every k-th point of a closed line.
 Matrix3Xd thinned(const Matrix3Xd& line) {
@@ -56,7 +57,7 @@ void begin_part(Scene::Mesh& mesh, std::string name) {
   mesh.parts.push_back({std::move(name), static_cast<std::uint32_t>(mesh.triangles.size() / 3), 0});
 }
 
-/// Region in which the links of an axle are attached to the chassis.
+/// Box that contains the points at which the links of an axle are attached to the chassis.
 struct Span {
   double x0 = std::numeric_limits<double>::infinity(), x1 = -x0, z0 = x0, z1 = -x0, y = 0.0;
 };
@@ -252,7 +253,7 @@ void CarFilm::add_to(Scene& scene,
   const auto most = static_cast<std::size_t>(most_steps);
   Scene::Sequence film{.name = name, .along = "time", .unit = "s"};
   if (steps_.size() > most) {
-    // Finds the interval of `most` steps in which the loads change most.
+    // Finds the stretch of `most` steps in which the loads change most.
     std::vector<double> sum = {0.0};
     for (std::size_t k = 1; k < steps_.size(); ++k)
       sum.push_back(sum.back() + (steps_[k].vectors - steps_[k - 1].vectors).squaredNorm());

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car's run in space: chassis, links, springs, deformed tires, the loads on its wheels, and the
-// road or the posts below it.
+// Draws a car's run in space: chassis, links, springs, deformed tires, the loads on its wheels, and
+// the road or the posts below it.
 //
-// Pictures are taken every kInterval, or at the test's samples if these are fewer, which shows
-// waves of up to some 50 Hz. A run with more pictures than a page can hold is shown where its wheel
-// loads vary most. Points are relative to a position that moves along x with the chassis. The
-// chassis is a sketch between the attachment points of its links; it moves as computed.
+// Pictures are taken every kInterval, or at the test's samples if these are farther apart; this
+// shows waves of up to some 50 Hz. Of a run with more pictures than a page can hold, the part is
+// shown in which the wheel loads vary most. Points are relative to a position that moves along x
+// with the chassis. The chassis is a sketch between the attachment points of its links; it moves as
+// computed.
 #pragma once
 
 #include <array>
@@ -58,11 +59,11 @@ class CarFilm {
   report::Scene::Mesh mesh_;
   std::vector<report::Scene::Arrow> arrows_;
   std::array<Ring, car::kCorners> rings_{};
-  std::uint32_t contacts_ = 0, posts_ = 0;  // first points in the mesh: one for each wheel, four
-                                            // for each post
-  double rear_ = 0.0, front_ = 0.0;         // m, ends of the road that is shown
-  double side_ = 0.0;                       // m, from the car's middle
-  double y_ = 0.0;                          // m, of that
+  /// First points in the mesh: one for each wheel, four for each post.
+  std::uint32_t contacts_ = 0, posts_ = 0;
+  double rear_ = 0.0, front_ = 0.0;  // m, ends of the road that is shown
+  double side_ = 0.0;  // m, edge of the road that is shown, from the middle of the car
+  double y_ = 0.0;     // m, of that
   std::vector<report::Scene::Step> steps_;
 };
 

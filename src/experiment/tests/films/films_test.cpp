@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page shows what the test computes: forces balance the loads, a linkage that can be computed by
-// hand has its forces, wheel loads of a run equal its channels.
+// Tests that a page shows what the test computes: forces balance the loads, a linkage that can be
+// calculated by hand has the calculated forces, and the wheel loads of a run equal its channels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,8 +25,9 @@ using suspension::DoubleWishbone;
 
 const std::filesystem::path kFilmedStudies = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies";
 
-/// Wishbones level at z = 0.4 and 0.2, a push-rod upright on the upper one, a track-rod level in
-/// the middle; the parts are nearly rigid and joints do not resist rotation.
+/// Returns a corner with level wishbones at z = 0.4 and 0.2, a vertical push-rod on the upper one,
+/// and a level track-rod in the middle. The parts are nearly rigid, and the joints do not resist
+/// rotation.
 DoubleWishbone level_corner() {
   DoubleWishbone corner;
   corner.points = {{{0.15, 0.3, 0.4},
@@ -81,11 +82,12 @@ KcTest loaded(const std::vector<multibody::Vector6d>& loads) {
   return test;
 }
 
-// Equilibrium of the upright under Fy and Fz at the contact point: the lower ball joint has no Fz,
-// because its wishbone rotates freely; moments about it
+// Equilibrium of the upright under Fy and Fz at the contact point, with the forces U, L and T of
+// upper and lower ball joint and track-rod. The lower ball joint has no vertical force, because its
+// wishbone rotates freely:
 //    -0.2 U_y + 0.1 F_z + 0.2 F_y = 0,  U_y + L_y + F_y = 0,  U_z + F_z = 0,  T_y = 0
-// and of the upper wishbone about its axis 0.3 F_z + 0.25 P = 0. Compliance moves points by 1e-5 of
-// the lengths.
+// The moments of the upper wishbone about its axis give the force P of the push-rod: 0.3 F_z + 0.25
+// P = 0. Compliance moves points by 1e-5 of the lengths.
 TEST(RigFilm, ForcesOfALevelLinkageAreThoseWorkedOutByHand) {
   multibody::Vector6d load;
   load << 0.0, 1000.0, 2000.0, 0.0, 0.0, 0.0;
@@ -107,7 +109,8 @@ TEST(RigFilm, ForcesOfALevelLinkageAreThoseWorkedOutByHand) {
   EXPECT_EQ(film.force(0, "load on the wheel"), load.head<3>());
 }
 
-// Equilibrium is checked in the displaced position, including the moments of the bushings.
+// Equilibrium is checked in the displaced position, including the moments that the bushings
+// transmit.
 TEST(RigFilm, JointsOfTheUprightBalanceItsLoad) {
   multibody::Vector6d first, second;
   first << -3000.0, 1500.0, 4000.0, 20.0, -10.0, 80.0;
@@ -146,7 +149,7 @@ TEST(RigFilm, JointsOfTheUprightBalanceItsLoad) {
     const Vector3d left = seen.force(k, "ubj") + seen.force(k, "lbj") +
                           seen.force(k, "trackrod_outer") -
                           test.loads.col(static_cast<Eigen::Index>(k)).head<3>();
-    EXPECT_LT(left.norm(), 1e-4) << k;  // N, remainder of the equilibrium in sums of 1e4 N
+    EXPECT_LT(left.norm(), 1e-4) << k;  // N, residual of the equilibrium for sums of 1e4 N
     EXPECT_LT(moments[k], 1e-4) << k;
     EXPECT_EQ(seen.sequence().steps[k].at, test.loads(2, static_cast<Eigen::Index>(k)));
   }
@@ -197,7 +200,8 @@ Scene scene_of_test(const std::string& car, const std::string& keys, int most_st
   return scene;
 }
 
-// Links, rocker and springs of both sides have no weight on the rig: the chassis carries the loads.
+// Links, rocker and springs of both sides have no weight on the rig, so the chassis carries the
+// loads.
 TEST(RigFilm, TheChassisBearsTheLoadsOfAnAxle) {
   Filmed film{scene_of_test("kerb/baseline.toml",
                             "kind = \"axle_kc\"\naxle = \"rear\"\nFz = \"1.5 kN\"\n"
@@ -216,7 +220,8 @@ TEST(RigFilm, TheChassisBearsTheLoadsOfAnAxle) {
     const bool is_strut = arrow.name.find("spring") != std::string::npos ||
                           arrow.name.find("bar") != std::string::npos ||
                           arrow.name.find("heave") != std::string::npos;
-    if (is_strut)  // recorded on the strut, which acts oppositely on its rocker
+    // the force is recorded on the strut and acts on its rocker in the opposite direction
+    if (is_strut)
       sum -= film.sequence().steps[0].vectors.col(static_cast<Eigen::Index>(k));
     else if (arrow.is_load && arrow.unit == "N")
       sum += film.sequence().steps[0].vectors.col(static_cast<Eigen::Index>(k));
@@ -237,7 +242,7 @@ TEST(CarFilm, ShowsTheLoadsAndTheWayOfItsChannels) {
   const auto channels = test->run(*specimen);
   ASSERT_TRUE(channels);
   const Filmed film{scene_of_test("kerb/baseline.toml", keys, 20)};
-  ASSERT_EQ(film.sequence().steps.size(), 20u);  // 20 of 33, in which the loads vary most
+  ASSERT_EQ(film.sequence().steps.size(), 20u);  // the 20 of 33 steps in which the loads vary most
   const std::vector<double> times = (*channels)["time"];
   for (const Scene::Step& step : film.sequence().steps) {
     const auto sample = static_cast<std::size_t>(
@@ -275,7 +280,8 @@ TEST(CarFilm, StandsOnItsPosts) {
   };
   double most = 0.0;
   for (const Scene::Step& step : film.sequence().steps) {
-    EXPECT_NEAR(height(step, 0), -height(step, 1), 1e-15);  // left against right
+    // the left and the right side move in opposite directions
+    EXPECT_NEAR(height(step, 0), -height(step, 1), 1e-15);
     most = std::max(most, std::abs(height(step, 0)));
   }
   EXPECT_GT(most, 1e-3);
@@ -293,7 +299,8 @@ TEST(RoadSurface, HasTheLinesItTakes) {
   EXPECT_LT(mesh.points.cols(), 1000);
   for (Eigen::Index k = 0; k < mesh.points.cols(); ++k)
     EXPECT_EQ(mesh.points(2, k), road.height(mesh.points(0, k), mesh.points(1, k), 0.0));
-  // Lines along x: the sine deviates from each chord by no more than the rule allows.
+  // The lines along x are chords: the sine deviates from each of them by no more than the
+  // tolerance.
   EXPECT_NEAR(mesh.points.row(2).maxCoeff(), 0.025, 3e-4);
 }
 

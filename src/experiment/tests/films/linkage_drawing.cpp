@@ -166,7 +166,7 @@ void LinkageDrawing::add_link(int body) {
   if (inner.empty()) return;
   const Vector3d from = middle(inner), to = outward.empty() ? from : middle(outward);
   for (const int j : inner) {
-    // The force that pushes a rocker turns it, so it is no tension in the rocker.
+    // The force that drives a rocker rotates it, so it is no tension in the rocker.
     const Force force{
         .joint = j, .is_axial = !outer.empty(), .from = on(body, at_joint(j)), .to = on(body, to)};
     const int number = static_cast<int>(forces_.size());

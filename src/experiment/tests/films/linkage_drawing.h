@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts that connect wheels to a frame, drawn as rods in space, with the forces in them: for
-// any mechanism, according to the joints between its bodies.
+// Draws the parts that connect wheels to a frame as rods in space, with the forces in them, for any
+// mechanism, from the joints between its bodies.
 //
-//   A link's inner joints are those with the frame and with links nearer to it; its outer joints
-// are the others at which it is the first body. A rod goes from every inner joint to the middle of
-// the outer ones; its tension is the force of the inner joint along it. The tension at an outer
-// joint is along the line to it from the middle of the inner ones.
+// A link's inner joints are those with the frame and with links nearer to it; its outer joints are
+// the others at which it is the first body. A rod goes from every inner joint to the middle of the
+// outer ones; its tension is the force of the inner joint along it. The tension at an outer joint
+// is along the line to it from the middle of the inner ones.
 //     T = -F u at an inner joint, F u at an outer one     F: on the link, u: unit vector outward
 //
 // So a rod with two joints has its axial force, and each leg of a wishbone its own; for links with
@@ -30,12 +30,13 @@ struct DrawnWheel {
 
 class LinkageDrawing {
  public:
-  /// `frame` are bodies of the frame besides the ground. The mechanism has to outlive this object.
+  /// `frame` lists bodies that belong to the frame in addition to the ground. The mechanism must
+  /// outlive this object.
   LinkageDrawing(const multibody::Mechanism& mechanism,
                  std::vector<int> frame,
                  std::vector<DrawnWheel> wheels);
 
-  /// The mesh at rest; points that this object does not move may be appended to its own.
+  /// Returns the mesh at rest. Points that this object does not move may be appended to a copy.
   const report::Scene::Mesh& mesh() const { return mesh_; }
   /// Arrows of joints and struts, then of the loads that were added.
   const std::vector<report::Scene::Arrow>& arrows() const { return arrows_; }
@@ -47,8 +48,8 @@ class LinkageDrawing {
   void add_circle(const DrawnWheel& wheel);
   void add_load(const std::string& name, const std::string& unit, std::uint32_t point);
 
-  /// Returns points, tensions in N (NaN: none), and forces: on links at their joints, on struts at
-  /// their second end, of pads on wheels; those of loads are zero.
+  /// Returns a step of the drawing: points, tensions in N (NaN: none), and forces: on links at
+  /// their joints, on struts at their second end, of pads on wheels; those of loads are zero.
   report::Scene::Step step(double at,
                            const multibody::Assembly& assembly,
                            const multibody::Motion& motion) const;

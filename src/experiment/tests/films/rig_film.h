@@ -14,12 +14,13 @@ namespace latsch::experiment {
 
 class RigFilm {
  public:
-  /// `told` identifies the states, one value each; at most `most_steps` of them are kept.
+  /// The channel `told` identifies the states, with one value for each; at most `most_steps` of
+  /// them are kept.
   RigFilm(Channel told, int most_steps) : told_(std::move(told)), most_(most_steps) {}
 
   /// This object has to outlive the watcher.
   RigWatcher watcher();
-  /// Adds a mesh and a sequence of the given name, whose text says if states are left out.
+  /// Adds a mesh and a sequence of the given name; a remark says if states are left out.
   void add_to(report::Scene& scene, const std::string& name);
 
  private:

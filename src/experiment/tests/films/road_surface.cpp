@@ -11,7 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kAlong = 0.02, kAcross = 0.04;  // m
-constexpr int kMostLines = 4000;                 // samples in either direction
+constexpr int kMostLines = 4000;                 // most samples in either direction
 constexpr std::size_t kMostPoints = 12000;
 
 VectorXd evenly(double from, double to, double spacing) {
@@ -20,8 +20,8 @@ VectorXd evenly(double from, double to, double spacing) {
   return VectorXd::LinSpaced(count, from, to);
 }
 
-/// Marks further columns to be kept between two kept columns if a straight line between these
-/// deviates too much.
+/// Marks further columns as kept between two kept columns if a straight line between these deviates
+/// too much from the heights.
 void keep(const MatrixXd& heights,
           const VectorXd& at,
           Eigen::Index from,

@@ -61,6 +61,7 @@ kappa = [-0.01, -0.05]
 )toml",
               R"toml(kind = "rolling"
 states = "states.csv"
+speed = "60 km/h"
 friction = 1.0
 )toml",
           },

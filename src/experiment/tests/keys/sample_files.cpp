@@ -93,7 +93,7 @@ Channels sample_recording(const std::vector<MeasuredCondition>& conditions,
   for (const MeasuredCondition& condition : conditions) {
     const std::string& name = condition.channel;
     const bool is_of_one_wheel = name.ends_with("_L") || name.ends_with("_R");
-    if (is_of_one_wheel && !condition.is_needed) continue;  // the rig has loaded one wheel only
+    if (is_of_one_wheel && !condition.is_needed) continue;  // the rig loads only one wheel
     // Each post moves independently, so that they move in every mode and at all frequencies.
     const bool is_post = name.starts_with("post_");
     DrawnNumbers heights(seed_of(name));

@@ -23,7 +23,7 @@ constexpr double kNear = 1.5e-3;
 constexpr double kAlong = 1e10;
 /// Speed of rotation of a locked wheel, relative to rolling: (F.1) needs a flow, however slow.
 constexpr double kLocked = 1e-6;
-constexpr int kMostCorrections = 40;
+constexpr int kMostCorrections = 15;
 /// Longest corrections of the spin, relative: a tire that slides as a whole tells no slope. And
 /// farthest that height, m, and spin, relative, may go on one linear tire.
 constexpr double kMostTurn = 0.02, kMostSpin = 0.1, kMostSink = 2e-3;
@@ -116,7 +116,9 @@ Result<LinearRoller::Attempt> LinearRoller::stand(const RollingCase& of, GripSta
   if (!condense_for(body)) return Failure{"the tangent of the tread is not positive definite"};
   body.set_force_scale(load_);
   const RollingGrip grip(body.lines(), of.friction, kAlong);
-  auto found = fe_tire::roll(body, grip, q_, listed(states, body.points()));
+  const RollingContactOptions limits = {
+      .most_passes = 50, .most_iterations = 15, .most_returns = 6};
+  auto found = fe_tire::roll(body, grip, q_, listed(states, body.points()), limits);
   if (!found) return found.failure();
   passes_ += found->passes;
   put_back(*found, body.points(), states);
