@@ -123,7 +123,7 @@ Result<LinearRoller::Attempt> LinearRoller::stand(const RollingCase& of, GripSta
       .most_passes = 50, .most_iterations = 15, .most_returns = 6};
   auto found = fe_tire::roll(body, grip, q_, listed(states, body.points()), limits);
   if (!found) {
-    spent_ += 2 * limits.most_passes;  // of both starts, at least
+    spent_ += 2 * limits.most_passes;  // both starts, at least
     return found.failure();
   }
   passes_ += found->passes;
