@@ -111,14 +111,14 @@ std::vector<RollingRow> read_rows(const Node& root) {
 }
 
 /// Reads the states of a table. A table without a slip is one of a free wheel; one without a speed
-/// or a pressure takes those of the test.
+/// or a pressure takes those of the test, which replace the table's where the test states them.
 std::vector<RollingRow> rows_of(const Node& root, const formats::CsvTable& table) {
   const auto has = [&](const char* name) { return !values_of(table, name).empty(); };
-  const bool has_kappa = has("kappa"), has_speed = has("Vx"), has_pressure = has("p");
+  const bool has_kappa = has("kappa");
+  const bool has_speed = has("Vx") && !root.has("speed");
+  const bool has_pressure = has("p") && !root.has("pressure");
   for (const char* key : {"load", "kappa", "alpha", "camber", "turn_slip"})
     if (root.has(key)) root.reject(key, "stands beside states, whose table has it: expected one");
-  if (has_speed && root.has("speed"))
-    root.reject("speed", "stands beside states, whose table has a column Vx: expected one of both");
   const double speed = has_speed ? 0.0 : root.quantity("speed", "m/s", Range::between(1e-3, 150.0));
   std::vector<RollingRow> rows;
   for (const magic_formula::State& state : slip_states(table, {}).states) {

@@ -105,6 +105,9 @@ bool LinearRoller::condense_for(TreadBody& body) {
 
 /// Solves the contact at a height and a spin.
 Result<LinearRoller::Attempt> LinearRoller::stand(const RollingCase& of, GripState& states) {
+  if (is_spent())
+    return Failure{
+        fmt::format("no steady state after {} sets of sticking and sliding points", spent_)};
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
   Attempt attempt;
   attempt.body =
@@ -119,8 +122,12 @@ Result<LinearRoller::Attempt> LinearRoller::stand(const RollingCase& of, GripSta
   const RollingContactOptions limits = {
       .most_passes = 50, .most_iterations = 15, .most_returns = 6};
   auto found = fe_tire::roll(body, grip, q_, listed(states, body.points()), limits);
-  if (!found) return found.failure();
+  if (!found) {
+    spent_ += 2 * limits.most_passes;  // both starts, at least
+    return found.failure();
+  }
   passes_ += found->passes;
+  spent_ += found->passes + 1;
   put_back(*found, body.points(), states);
   q_ = found->q;
   attempt.contact = *std::move(found);

@@ -83,9 +83,9 @@ TEST_F(RollingTireB, HasNeitherDragNorMomentWithoutFriction) {
   EXPECT_NEAR(state->forces.drive, 0.0, 1e-6 * load_ * state->of.height);
 }
 
-// With the energy E*(h, Omega^2) of the tire at the height h, Fz = -dE*/dh and dE*/d(Omega^2) = -T,
-// where T = w_0 u + u W u/2 is what (W.1) adds to the kinetic energy. So dFz/d(Omega^2) = dT/dh, and
-// T is that of tires which stand (Maxwell's relation).
+// With the energy E*(h, Omega^2) of the tire at the height h, Fz = -dE*/dh and dE*/d(Omega^2) =
+// -T, where T = w_0 u + u W u/2 is what (W.1) adds to the kinetic energy. So dFz/d(Omega^2) =
+// dT/dh, and T is that of tires which stand (Maxwell's relation).
 TEST_F(RollingTireB, GainsLoadBySpinAsTheKineticEnergyOfStandingTiresSays) {
   const Ring ring(tire_.mesh(), ElementKind::solid_shell);
   const RingElements elements(ring, tire_.materials());
