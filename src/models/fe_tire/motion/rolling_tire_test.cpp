@@ -11,7 +11,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kPressure = 2.6e5, kSpeed = 20.0, kDeflection = 0.02;
+constexpr double kInflation = 2.6e5, kSpeed = 20.0, kDeflection = 0.02;
 
 TireDescription few_columns() {
   TireDescription tire = reference_tire_b();
@@ -24,7 +24,7 @@ TireDescription few_columns() {
 /// load found there.
 class RollingTireB : public testing::Test {
  protected:
-  RollingTireB() : tire_(few_columns()), rolling_(tire_), inflated_(*tire_.inflate(kPressure)) {
+  RollingTireB() : tire_(few_columns()), rolling_(tire_), inflated_(*tire_.inflate(kInflation)) {
     start_ = rolling_.start(standing(kDeflection));
     load_ = start_.forces.force.z();
   }
