@@ -167,22 +167,26 @@ TEST_F(MeasurementDoubts, AnAssumedEncodingIsARowOfTheLedger) {
 }
 
 TEST_F(MeasurementDoubts, StepsAreUsersOfTheChannelsThatTheyRead) {
-  const auto users = [&](const std::string& names, const std::string& lines) {
-    const Measurement run = read(sweep(names, 1.0), lines);
+  const auto users = [&](const std::string& table, const std::string& lines) {
+    const Measurement run = read(table, lines);
     std::string all;
     const std::vector<Ledger> ledgers = run.ledgers();
     for (const LedgerRow& row : ledgers.front().rows)
       for (const std::string& user : row.used_by) all += row.written + " by " + user + ";";
     return all;
   };
-  EXPECT_NE(users(kNames, "low_pass = \"2 Hz\"").find("time by low_pass;"), std::string::npos);
-  EXPECT_NE(users(kNames, "sweep = {SA = \"rising\"}").find("time by sweep;"), std::string::npos);
+  const std::string plain = sweep(kNames, 1.0);
+  EXPECT_NE(users(plain, "low_pass = \"2 Hz\"").find("time by low_pass;"), std::string::npos);
+  EXPECT_NE(users(plain, "sweep = {SA = \"rising\"}").find("time by sweep;"), std::string::npos);
   const std::string zero = "zero = {channels = [\"FY\"], at = {SA = \"0 deg +- 1 deg\"}}";
-  EXPECT_NE(users(kNames, zero).find("SA by zero;"), std::string::npos);
-  const std::string turned =
-      users("gamma [deg],loaded_radius [mm],FyH [N],MxH [N m]", "in_frame = \"W\"");
-  EXPECT_NE(turned.find("gamma by in_frame;"), std::string::npos) << turned;
-  EXPECT_NE(turned.find("loaded_radius by in_frame;"), std::string::npos) << turned;
+  EXPECT_NE(users(plain, zero).find("SA by zero;"), std::string::npos);
+  // Mx about the contact point takes Fy and Fz at the wheel center, gamma and the radius.
+  const std::string turned = users(
+      "gamma [deg],loaded_radius [mm],FyH [N],FzH [N],MxH [N m]\n2,300,-900,4000,30\n"
+      "2,301,-950,3900,31\n",
+      "in_frame = \"W\"");
+  for (const char* name : {"gamma", "loaded_radius", "FyH", "FzH"})
+    EXPECT_NE(turned.find(name + std::string(" by in_frame;")), turned.npos) << turned;
 }
 
 // 1.99 .. 2.01 deg: the direction changes with every sample.

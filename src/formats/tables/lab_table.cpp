@@ -390,7 +390,7 @@ LabTable read_mat(const std::filesystem::path& file,
       continue;
     }
     if (constants.contains(column.name) && column.assumed.empty())
-      column.assumed = "a single number, the same in all samples";
+      column.assumed = "one number for all samples";
     table.channels.add(channel);
     table.units.push_back(column.unit);
     table.columns.push_back(std::move(column));
