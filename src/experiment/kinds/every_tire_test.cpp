@@ -210,8 +210,8 @@ void expect_load_of_the_test(std::unique_ptr<Tire> tire) {
       run(*rolling, SlipSweep{.load = kLoad, .alpha_to = 0.01, .duration = 0.1, .step = 1e-3});
   ASSERT_TRUE(channels) << channels.failure().reason;
   EXPECT_NEAR((*channels)["Fz"].back(), kLoad, 1.0);
-  // The belt of a flexible ring enters the patch segment by segment, and its inertia lets the load of
-  // the road vary by some newtons.
+  // The belt of a flexible ring enters the patch segment by segment, and its inertia lets the load
+  // of the road vary by some newtons.
   EXPECT_NEAR(*rolling->road_load(), kLoad, 5.0);
 }
 
