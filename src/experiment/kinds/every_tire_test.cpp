@@ -8,6 +8,7 @@
 #include <fstream>
 #include <memory>
 
+#include "base/file.h"
 #include "experiment/kinds/sparse_tir_testing.h"
 #include "experiment/language.h"
 #include "experiment/language/capabilities.h"
@@ -111,8 +112,9 @@ TEST_P(EveryTire, TheDrumIsOfOrderTwo) {
     test.run_in = 0.0;
   }
   std::vector<Channels> runs;
-  for (const double step : {2.5e-4, 1.25e-4, 6.25e-5, 3.125e-5}) {
-    test.step = step;
+  const double longest = GetParam() == "ring_tire" ? 1.25e-4 : 2.5e-4;
+  for (const double share : {1.0, 0.5, 0.25, 0.125}) {
+    test.step = share * longest;
     auto channels = run(*tire(), test);
     ASSERT_TRUE(channels) << channels.failure().reason;
     runs.push_back(std::move(*channels));
@@ -208,7 +210,9 @@ void expect_load_of_the_test(std::unique_ptr<Tire> tire) {
       run(*rolling, SlipSweep{.load = kLoad, .alpha_to = 0.01, .duration = 0.1, .step = 1e-3});
   ASSERT_TRUE(channels) << channels.failure().reason;
   EXPECT_NEAR((*channels)["Fz"].back(), kLoad, 1.0);
-  EXPECT_NEAR(*rolling->road_load(), kLoad, 2.0);
+  // The belt of a flexible ring enters the patch segment by segment, and its inertia lets the load
+  // of the road vary by some newtons.
+  EXPECT_NEAR(*rolling->road_load(), kLoad, 5.0);
 }
 
 // A rigid ring of a .tir with gravity stood under its load and the weight of its belt.
@@ -219,11 +223,11 @@ TEST_P(EveryTire, StandsAndRollsUnderTheLoadOfTheTest) {
 
 TEST(EveryTireWithWeight, AFlexibleRingWithGravityStandsUnderTheLoadOfTheTest) {
   const SpecimenKind& kind = *language().find_kind("ring_tire");
-  Document numbers = kind.read(std::filesystem::path(LATSCH_SOURCE_DIR) /
-                               "studies/ring_tires/passenger_205_55R16.toml");
-  numbers.set("belt.gravity", 9.81);
-  numbers.set("tread.blocks", 6.0);
-  const auto tire = [&] { return kind.build(numbers)->find<Rolls>()->tire(); };
+  std::string text =
+      read_text_file(LATSCH_SOURCE_DIR "/studies/ring_tires/passenger_205_55R16.toml");
+  text.insert(text.find("[belt]\n") + 7, "gravity = \"9.81 m/s^2\"\n");
+  const Document numbers = Document::parse(text, "ring.toml");
+  const auto tire = [&] { return kind.build(numbers, nullptr)->find<Rolls>()->tire(); };
   EXPECT_NEAR(weight_in_air(*tire()), 4.52276 * 9.81, 1e-3);
   expect_load_of_the_test(tire());
 }

@@ -445,9 +445,11 @@ TEST(KnownLimits, AFlexibleRingSaysThatItsBlocksDoNotResolveAShortBar) {
   expect_part(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"4 mm\"}"),
               "tread.blocks = 24 resolves it");
   EXPECT_EQ(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"10 mm\"}"), "");
-  expect_part(ring_limits("kind = \"drum_cleat\", speed = \"30 km/h\", load = \"4 kN\", "
-                          "cleat = {height = \"5 mm\", length = \"2 mm\"}"),
-              "hardly at all below two");
+  expect_part(
+      ring_limits(
+          "kind = \"drum_cleat\", speed = \"30 km/h\", load = \"4 kN\", drum_diameter = \"2.5 m\", "
+          "cleat = {height = \"5 mm\", length = \"2 mm\"}"),
+      "hardly at all below two");
 }
 
 TEST(KnownLimits, AFlexibleRingSaysThatABarAlongTheRoadMayLieBetweenItsLines) {

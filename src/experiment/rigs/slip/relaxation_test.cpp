@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -51,11 +52,9 @@ std::vector<std::string> notes_of(const std::string& keys) {
 }
 
 bool lags(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes)
-    if (note.find("relaxation length of 0.7") != std::string::npos ||
-        note.find("relaxation length of 0.9") != std::string::npos)
-      return true;
-  return false;
+  return std::ranges::any_of(notes, [](const std::string& note) {
+    return note.find("relaxation length of") != std::string::npos;
+  });
 }
 
 // The sweep at the defaults moved the tire farther than ten radii, the only condition until then.
