@@ -110,8 +110,8 @@ bool is_same(const Reading& a, const Reading& b) {
   return true;
 }
 
-/// True if all channels that both files have are the same and the changed file lacks a channel of
-/// the good one.
+/// True if the changed file lacks a channel of the unchanged file, and all channels that both files
+/// contain are equal.
 bool is_rest(const Reading& good, const Reading& read) {
   bool one_is_gone = false;
   for (const auto& [name, values] : good.numbers) {

@@ -128,7 +128,8 @@ void noisy(Table& table, const Problems& on) {
   reach(table, "noise, residual trust region, tau 1e-3 @10", trust.tau_1e3[0], 0.88);
   reach(table, "noise, residual trust region, tau 1e-3 @100", trust.tau_1e3[2], 0.96);
   note(table, "noise, residual trust region", trust);
-  // Three draws of the noise leave the share to chance: one run of 159 is .006.
+  // Each draw of the noise changes the share of solved runs by chance; one run of the 159 runs is a
+  // share of 0.006.
   note(table,
        "noise, residual trust region, ten other draws",
        measured(residual_trust_region(), draws_from(4, 13), on));

@@ -264,8 +264,8 @@ def quantity(value):
 
 
 def run(latsch, study):
-    """Returns the results of a run, and the errors from one further trial at its end. The study must have no journal
-    yet."""
+    """Runs a study, which must have no journal yet, and one further trial at the fitted values; returns the results
+    of the run and the errors of that trial."""
     result, seconds = answer(latsch, "run", study)
     values = {}
     for row in result["variables"]:

@@ -341,7 +341,7 @@ class Judge {
   }
 
  private:
-  // parameter that affects every result of any tire
+  // path of a parameter that affects every result of any tire
   static constexpr const char* kMoves = "pressure";
   static constexpr double kSafety = 2.0;  // factor on the largest of several observed noise values
   static constexpr double kRounding = 1e-13;  // least noise assumed, relative to the result

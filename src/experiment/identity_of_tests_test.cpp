@@ -185,7 +185,7 @@ TEST_F(IdentityOfTests, EveryKeyCounts) {
     const auto keys = declared(sample.keys);
     for (const Line& line : lines) {
       const auto key = keys.find(line.path);
-      // the content of the named file is changed in another test
+      // A separate test changes the content of the named file.
       if (key == keys.end() || !key->second.files.empty()) continue;
       if (key->second.choices.size() == 1 || line.path == "kind") continue;
       if (line.path.ends_with(".from")) continue;  // another test changes this key

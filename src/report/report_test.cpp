@@ -603,7 +603,7 @@ TEST(LinePlot, LegendsTakeTheRowsTheyNeed) {
   expect_nothing_cut(line_plot(plot));
 }
 
-// A page on which the trial with the least target is not that of the search must explain why.
+// If the trial with the least target does not come from the search, the page must explain why.
 TEST(Report, SaysWhereItsBestTrialIsNotOfTheSearch) {
   StudyReport report;
   report.title = "t";

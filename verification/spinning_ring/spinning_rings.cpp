@@ -51,7 +51,8 @@ Eigen::Vector3d crown_displacement(const FeTire& tire, const Inflated& state) {
 
 FeTire free_ring(int sectors) { return FeTire(free_ring_mesh(sectors), free_ring_materials(0.3)); }
 
-/// Computes the lowest radial angular frequency, rad/s, for one n and one sense of rotation.
+/// Computes the lowest angular frequency, rad/s, of the radial modes with wave number n and one
+/// sense of rotation.
 using Frequency = std::function<double(FeTire&, const Inflated&, int n, int sign)>;
 
 SplitErrors split_errors(int sectors, const Frequency& frequency) {

@@ -36,8 +36,8 @@ HeldOut held_out_of(const std::vector<std::string>& given);
 std::vector<std::string> windows_outside(const std::vector<std::string>& windows,
                                          const std::string& unit);
 
-/// Returns the selection as text of a study, ", select = {p = [\".. 9e4 Pa\"]}", or "" if it is
-/// empty.
+/// Returns the selection of samples as text for a study file, ", select = {p = [\".. 9e4 Pa\"]}",
+/// or "" if it is empty.
 std::string select_text(const Select& select);
 
 }  // namespace latsch::cli

@@ -140,7 +140,7 @@ std::string default_words(const TabledKey& key) {
 
 /// Returns the table rows of a section. Keys with equal descriptions share a row.
 std::string rows_of(const std::vector<TabledKey>& keys) {
-  // pairs of the keys' names and the other columns
+  // names of the keys and the contents of the other columns, as pairs
   std::vector<std::pair<std::string, std::string>> rows;
   for (const TabledKey& key : keys) {
     const std::string words =

@@ -160,7 +160,8 @@ class FittedTir(unittest.TestCase):
         self.assertRegex(text, r"speeds of the data: 11\.11 to 11\.11 m/s")
 
     def test_the_file_is_read_to_the_same_tire(self):
-        """The file is also the model of another study, which leaves the coefficients fitted here unchanged."""
+        """Tests that the fitted file can be the model of another study, which leaves the fitted coefficients
+        unchanged."""
         folder = self.study("again", self.tire())
         run = json.loads(self.latsch("run", folder / "study.toml", "--json").stdout)
         found = {v["name"]: v["value"] for v in run["result"]["variables"]}

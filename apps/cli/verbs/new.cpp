@@ -136,8 +136,9 @@ fs::path new_study(const fs::path& folder) {
   return study;
 }
 
-/// Files that are being written for a study. Unless the study turns out to be good, those that did
-/// not exist before are removed: `latsch new` leaves a study that can be read, or nothing.
+/// Files that are being written for a study. Those that did not exist before are removed unless the
+/// study can be read without an error, so that `latsch new` leaves either a readable study or
+/// nothing.
 class Unfinished {
  public:
   Unfinished(const fs::path& folder, const std::vector<std::string>& names) : folder_(folder) {
@@ -151,12 +152,13 @@ class Unfinished {
     if (is_good_) return;
     std::error_code ignored;
     for (const fs::path& file : new_files_) fs::remove_all(file, ignored);
-    if (!was_there_) fs::remove(folder_, ignored);  // only if it is empty
+    if (!was_there_) fs::remove(folder_, ignored);  // removes the folder only if it is empty
   }
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
 
-  /// Reads the study and reports the files. Throws InputError for what `latsch check` refuses.
+  /// Reads the study and prints the files that were written. Throws InputError for a study that
+  /// `latsch check` refuses.
   correlation::Study finish(const fs::path& study, const experiment::Language& language) {
     correlation::Study read = correlation::read_study(study, language);
     correlation::refuse_doubtful(correlation::all_ledgers_of(read));
@@ -300,8 +302,8 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
       (folder / "rig.toml").string());
 }
 
-/// Says how large the tire is under its pressure: the size of a designation is that of an inflated
-/// tire, but the contour is drawn to it without pressure.
+/// Prints the size of the tire at its inflation pressure. The size in a designation is that of an
+/// inflated tire, but the contour is drawn with this size without pressure.
 void say_inflated_size(const Document& tire,
                        const std::string& size,
                        const experiment::Language& language) {
@@ -310,7 +312,7 @@ void say_inflated_size(const Document& tire,
   const auto test = language.read_test(
       Document::parse("test = {kind = \"inflation\"}", "inflation").root().table("test"), {});
   const auto inflated = test->run(*kind.build(tire));
-  if (!designation || !inflated) return;  // check says why a tire does not inflate
+  if (!designation || !inflated) return;  // `latsch check` says why a tire cannot be inflated
   const double radius = (*inflated)["outer_radius"].front(),
                pressure = (*inflated)["pressure"].front(), growth = (*inflated)["growth"].front(),
                wanted = designation->outer_diameter;

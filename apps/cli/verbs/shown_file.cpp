@@ -32,9 +32,9 @@ std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
 }
 
-/// Shows the channels of a recording under the names of the file, in the units that a study reads:
-/// table and ledger come from one reading. Returns false if a study cannot read the file or leaves
-/// a column out.
+/// Shows the channels of a recording as a study reads them: under the names in the file and in the
+/// units of a study. The table and the ledger come from the same reading. Returns false if a study
+/// cannot read the file or omits a column.
 bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownFile& shown) {
   try {
     const auto measurement = correlation::read_measurement(path, axes);
@@ -48,7 +48,7 @@ bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownF
     if (channels.empty() || !is_whole) return false;
     show_channels(channels, false, shown);
     return true;
-  } catch (const InputError&) {  // the ledger says why
+  } catch (const InputError&) {  // the ledger names the error
     return false;
   }
 }

@@ -179,7 +179,8 @@ class SpacedIdentification {
   const DesignSpace& space() const { return space_; }
 
  private:
-  /// The points of one problem have equally many residuals.
+  /// Throws InputError unless this number of residuals is equal to that at the other points of the
+  /// problem.
   void expect_same_count(Eigen::Index count) {
     if (!count_) count_ = count;
     if (count != *count_)

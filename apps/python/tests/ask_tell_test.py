@@ -149,7 +149,8 @@ class AskTell(unittest.TestCase):
             optimizer = latsch.optimizer(space(), residuals=True)
             points = [optimizer.propose()[0]]
             optimizer.observe(points[0], first)
-            optimizer.observe(points[0], latsch.Failure("no equilibrium"))  # a failure has no number
+            # a failed trial has no value of the target
+            optimizer.observe(points[0], latsch.Failure("no equilibrium"))
             with self.assertRaisesRegex(latsch.InputError, "but that of the first point has .* equally many"):
                 optimizer.observe(optimizer.propose()[0], second)
         told_twice(latsch.Score(residuals=[1.0, 2.0, 3.0]), latsch.Score(residuals=[1.0, 2.0]))

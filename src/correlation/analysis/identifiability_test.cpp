@@ -71,8 +71,8 @@ TEST(Residuals, AreRelativeErrorsInUnitsOfTheirNoise) {
   EXPECT_EQ(residual_rows(s)[3].name, "20 mm");
 }
 
-// The residuals of the fit and those of the intervals are equal up to a common factor, for
-// experiments with different noise, weights and numbers of values.
+// The residuals of the fit and those with which the intervals are computed differ only by a common
+// factor, for experiments with different noise, weights and numbers of values.
 TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
   for (const bool stated : {true, false}) {
     Study s = springs_study();
@@ -105,8 +105,8 @@ TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
   }
 }
 
-// A prior of 4000 +- 400 for a, beside four values, adds one residual to fit and intervals, in the
-// same proportion.
+// A prior of 4000 +- 400 for the variable a, in addition to four measured values, adds one residual
+// to both the fit and the intervals, with the same factor as the others.
 TEST(Residuals, APriorIsAMeasurementOfTheVariable) {
   Study s = springs_study();
   std::vector<DesignVariable> variables = s.space.variables();
@@ -245,8 +245,8 @@ TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
   EXPECT_EQ(text(24.0, 26.0), "24 .. 26");
 }
 
-// One fit ended at 73.039 N/mm^2 with one SIMD kernel set and at 72.983 with another, with the
-// interval 47 .. 114. Only the first two digits are known.
+// One fit ended at 73.039 N/mm^2 on a processor with one set of SIMD instructions and at 72.983
+// N/mm^2 with another; its interval is 47 .. 114 N/mm^2. Only the first two digits are meaningful.
 TEST(Identifiability, ValuesHaveTheDigitsThatTheirIntervalLeaves) {
   const DesignSpace space({{"E", {"E"}, 10e6, 150e6, 25e6, Scale::logarithmic, "N/mm^2"},
                            {"t", {"t"}, -1.0, 1.0, 0.1},

@@ -121,8 +121,8 @@ TEST_F(SpringBands, OfALinearModelAreThoseByHand) {
     EXPECT_NEAR(bands[1].noise[i], 4.0, 1e-9);
   }
   EXPECT_TRUE(bands[1].remarks.empty());
-  // 441 N is 1 N off and lies inside. 730 N is 30 N off and lies inside the band of 40 N. The fit
-  // is exact.
+  // The simulated value 441 N differs by 1 N and lies inside its band; 730 N differs by 30 N and
+  // lies inside its band of 40 N. The values of the first experiment are fitted exactly.
   EXPECT_EQ(bands[0].inside, 3);
   EXPECT_EQ(bands[1].compared, 2);
   EXPECT_EQ(bands[1].inside, half(0.02, 3.0) > 30.0 ? 2 : 1);
@@ -323,8 +323,8 @@ TEST_F(MagicBands, AreTheSameBySlopesAndByDifferences) {
   }
 }
 
-// With derivatives in the recordings, profiles need fewer recordings: none beside the center, and
-// none to update the derivatives along the profile.
+// If the recordings contain derivatives, likelihood profiles need fewer recordings: none near the
+// center, and none to update the derivatives along the profile.
 TEST_F(MagicBands, ProfilesBySlopesAreThoseByDifferencesWithFewerRecordings) {
   const Channels truth = *simulate_all(read(kHeldOut), truth_);
   measure(truth["steady/Fy"], 60.0, 1);

@@ -182,7 +182,8 @@ TEST_F(RefitTrialsOfStudy, AStopAnywhereCostsNoTrialAndNoBit) {
   }
 }
 
-// A repeated identification needs no trial; a better trial from elsewhere starts it anew.
+// If the identification is repeated, it needs no new trial; a better trial from another search
+// makes it start again.
 TEST_F(RefitTrialsOfStudy, TheMarkHoldsUntilABetterTrialComesFromElsewhere) {
   const DesignPoint beside{{1.29, -21.5}}, better{{1.3, -22.0}};
   const Study study = two_experiments();

@@ -24,8 +24,8 @@ struct ChiSquare {
   double count = 0.0;
 };
 
-/// The psi of the used residuals (robust_loss.h) with their slopes, each divided by its deviation,
-/// and their experiments.
+/// The weighted residuals psi (robust_loss.h) of the values that count, with their derivatives,
+/// each divided by its standard deviation, and the experiments to which they belong.
 struct UsedResiduals {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;

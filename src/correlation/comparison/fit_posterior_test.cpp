@@ -173,7 +173,8 @@ TEST_F(FittedSprings, HaveTheBandOfTheFitsCovariance) {
   EXPECT_EQ(found.fits[0].excess, 1.0);
 }
 
-// The records have 1000 samples a second and last 0.5 s: nothing above 500 Hz, lines 2 Hz apart.
+// The records have 1000 samples a second and last 0.5 s, so their spectra end at 500 Hz and have a
+// line every 2 Hz.
 TEST_F(FittedSprings, AreNotComparedBeyondTheirRecords) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));

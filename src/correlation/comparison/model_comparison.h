@@ -73,8 +73,8 @@ Channels record_reference(const ModelComparisonFile& file,
                           std::size_t index,
                           const experiment::Language& language,
                           std::vector<std::string>* limits = nullptr);
-/// Returns the channels that are written and compared: time, compared channels, and those in the
-/// key `recorded`.
+/// Returns the channels that are written to files and compared: time, the compared channels, and
+/// those in the key `recorded`.
 Channels kept_of(const ModelComparisonFile& file, const Channels& all);
 /// Reads the reference from its file if it has one; otherwise simulates it.
 Channels reference_of(const ModelComparisonFile& file,

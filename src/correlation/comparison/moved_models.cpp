@@ -17,8 +17,8 @@ bool has(const Document& numbers, const std::vector<std::string>& wanted) {
   });
 }
 
-/// Multiplies a parameter, whose uncertainty the file states, by exp(`spreads` times its spread),
-/// if the model has the parameter.
+/// Multiplies a parameter, whose uncertainty the file states, by exp(`spreads` times its relative
+/// standard deviation), if the model has the parameter.
 void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
   const auto paths = numbers.paths();
   for (const std::string& path : number.paths)
@@ -32,7 +32,8 @@ MovedModel moved_along(const FitSource& source,
                        Eigen::Index axis,
                        const Document& numbers) {
   const auto u = source.study->space.to_unit(fit.point);
-  const auto room = [&](double side) {  // available part of a standard deviation, at most 1
+  // part of a standard deviation by which the parameter can be changed within its bounds, at most 1
+  const auto room = [&](double side) {
     double least = 1.0;
     for (std::size_t i = 0; i < u.size(); ++i) {
       const double step = side * fit.axes(static_cast<Eigen::Index>(i), axis);

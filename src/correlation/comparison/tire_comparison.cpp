@@ -180,7 +180,7 @@ TireRun compared_run(const ComparedTire& tire,
   return run;
 }
 
-/// Returns the root mean square over the tests for each band.
+/// Returns the root mean square of the level errors over the tests, for each frequency band.
 std::vector<double> level_errors(const TireComparison& all, std::size_t tire, std::size_t channel) {
   std::vector<double> errors;
   for (std::size_t b = 0; b < all.bands.size(); ++b) {

@@ -84,7 +84,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
     std::string name = found == stated.end() ? our_name(channel.name, channel.unit) : found->second;
     if (found == stated.end() && !taken.insert(name).second) {
       if (!columns.contains(name)) record.ambiguous[name].push_back(channel.name);
-      name = channel.name;  // another column has the name
+      name = channel.name;  // another column already has the name in the vocabulary
       if (!taken.insert(name).second) continue;
     }
     const double sign = found == stated.end() ? 1.0 : columns.at(name).sign;

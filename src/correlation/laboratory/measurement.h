@@ -127,10 +127,11 @@ class Measurement {
 
  private:
   NamedChannel named(const std::string& channel) const;
-  /// Returns what to state if a channel is missing, to follow its sentence: the columns that may be
-  /// it, or the structs of the file.
+  /// Returns a clause that says what to state in the study if a channel is missing: the columns
+  /// that may be this channel, or the structs of the file.
   std::string way_out_of_missing(const std::string& channel, const std::string& unit) const;
-  /// Returns what to do if a column is the missing channel: `say columns = {toe = "toe_left"}`.
+  /// Returns advice on what to state if a column is the missing channel: `say columns = {toe =
+  /// "toe_left"}`.
   std::string advice_for(const std::string& channel,
                          const std::string& unit,
                          const MayBe& column) const;

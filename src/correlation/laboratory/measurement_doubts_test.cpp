@@ -180,7 +180,7 @@ TEST_F(MeasurementDoubts, StepsAreUsersOfTheChannelsThatTheyRead) {
   EXPECT_NE(turned.find("loaded_radius by in_frame;"), std::string::npos) << turned;
 }
 
-// 1.99 .. 2.01 deg: the direction changes with every sample.
+// The channel varies from 1.99 to 2.01 deg, and its direction changes with every sample.
 TEST_F(MeasurementDoubts, ASweepOfAConstantChannelIsDoubted) {
   std::string table = "time [s],IA [deg],FY [N]\n";
   for (int i = 0; i < 60; ++i)

@@ -54,7 +54,7 @@ bool is_a_text(const Node& table, const std::string& key) {
     table.text(key);
     return true;
   } catch (const InputError&) {
-    return false;  // the value is a number
+    return false;  // the text is a number and no keyword
   }
 }
 

@@ -171,8 +171,8 @@ void note_encoding(const formats::LabTable& table, Ledger& ledger) {
         {"", "the text is taken as " + table.assumed_encoding, {ledger.file, 0}});
 }
 
-/// Adds the struct that was taken because it is the only one with known channels, or says that
-/// several have them.
+/// Adds a note to the ledger about the struct that was chosen because it is the only one with known
+/// channels, or about several such structs.
 void note_structs(const formats::LabTable& table, Ledger& ledger) {
   if (!table.assumed_struct.empty()) {
     LedgerRow row;

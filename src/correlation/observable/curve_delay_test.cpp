@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The delay of a recording: closed forms, and the scatter that statistics predict.
+// Tests of the fitted delay of a recording: closed forms, and the scatter that statistics predicts.
 #include "correlation/observable/curve_delay.h"
 
 #include <gtest/gtest.h>

@@ -56,7 +56,7 @@ class OwnStages : public FittedStudy {
 
   struct Told {
     std::vector<OwnStage> own;
-    double force = 0.0;  // error of the side force at the result
+    double force = 0.0;  // error of the side force at the result of the fit
     std::vector<std::string> words;
     Study as_last;
   };

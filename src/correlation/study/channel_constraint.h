@@ -26,7 +26,7 @@ struct ChannelConstraint {
   std::string of = "largest";
   std::optional<double> lower, upper;  // SI; lower == upper for an equation
   double scale = 1.0;
-  std::string unit = "1";  // unit a person reads
+  std::string unit = "1";  // unit in which the value is shown to the user
 
   bool is_equation() const { return lower && upper && *lower == *upper; }
 };

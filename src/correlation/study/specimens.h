@@ -58,7 +58,7 @@ class Specimens {
 
   /// Returns the lines that precede the tests and experiments in a printed study.
   virtual std::string describe(const Study& study) const = 0;
-  /// True if a report may evaluate points once more.
+  /// True if a report may evaluate points again.
   virtual bool may_repeat() const { return true; }
   /// Returns the least time limit that the model itself sets for a trial, s; 0: none.
   virtual double own_timeout() const { return 0.0; }
@@ -80,7 +80,7 @@ struct StudyModel {
 std::shared_ptr<const Specimens> specimens_of(const experiment::SpecimenKind& kind,
                                               bool is_stated = false);
 
-/// Reads `model` or [model]. Throws InputError.
+/// Reads the key `model` or the table [model]. Throws InputError.
 StudyModel read_model(const Node& study,
                       const std::filesystem::path& folder,
                       const experiment::Language& language);

@@ -111,8 +111,8 @@ void add_own_test(const Node& table,
   tests.push_back({table.name(), std::move(test), keys.text(), {}, true});
 }
 
-/// Returns the measurement of a load-deflection curve: a [measurement.NAME], or a file with other
-/// columns than those of such a table; nullptr for a plain table.
+/// Returns the measurement of a load-deflection curve: a table [measurement.NAME], or a file whose
+/// columns differ from those of a plain load-deflection table; nullptr for a plain table.
 std::shared_ptr<const Measurement> measured_curve(const Node& table,
                                                   const ExperimentContext& context) {
   if (auto stated = find(context.laboratory, table.text("measurement"))) return stated;

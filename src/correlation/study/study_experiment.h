@@ -44,7 +44,7 @@ struct StudyExperiment {
   int measured_modes = 0;  // number of modes that are measured, or that a twin will write
   std::shared_ptr<const Observable> observable = {};
 
-  /// Returns the number of measured values compared.
+  /// Returns the number of measured values that are compared.
   size_t values() const { return observable->values(); }
   /// Returns the source of the measured values in words: "measurement cornering", "stiffness.csv",
   /// "the study".

@@ -68,7 +68,7 @@ class SlopingPull : public PullTest {
 
 class DerivativeCheck : public testing::Test {
  protected:
-  /// Reads a study measured between the travels that the test drives.
+  /// Reads a study whose measured values lie between the travels that the test runs.
   Study read(const Pull& how, const std::string& x = "x = \"pull/travel\"\n") {
     pull_ = how;
     write_text_file(folder_ / "spring.toml",

@@ -30,7 +30,8 @@ bool evaluate_points(const Study& study,
 std::optional<std::vector<Channels>> recorded_channels(const Study& study,
                                                        const std::vector<DesignPoint>& points);
 
-/// Evaluates the points with an executor of with_predictions(study). Returns false if stopped.
+/// Evaluates the points with an executor that runs with_predictions(study). Returns false if the
+/// user stopped it.
 bool predict(const Study& study,
              const std::vector<DesignPoint>& points,
              Executor& executor,

@@ -283,8 +283,8 @@ class CarKind : public SpecimenKind {
   }
   void check(const Document& numbers) const override { CarSpecimen(numbers).check_tires(); }
   bool has_usual_numbers() const override { return true; }
-  /// Returns the notes of its suspensions and tires, also of a suspension that is a table of its
-  /// own file.
+  /// Returns notes about the suspensions and tires of the car, whether they are files of their own
+  /// or tables in the car's file.
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
     std::vector<std::string> notes;
     std::set<std::filesystem::path> told;

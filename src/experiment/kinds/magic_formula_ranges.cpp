@@ -85,7 +85,7 @@ constexpr NamedRange kRanges[] = {
     {"RVY4", -200, 200},
     {"RVY5", -4, 4},
     {"RVY6", -60, 60},
-    // Coefficients of Mx.
+    // coefficients of the overturning moment Mx
     {"QSX1", -0.1, 0.1},
     {"QSX2", -20, 20},
     {"QSX3", -4, 4},
@@ -130,7 +130,8 @@ constexpr NamedRange kRanges[] = {
     {"SSZ2", -0.2, 0.2},
     {"SSZ3", -4, 4},
     {"SSZ4", -4, 4},
-    // N/m, of the carcass in the road plane: relaxation lengths are slip stiffnesses over these
+    // stiffness of the carcass in the road plane, N/m; relaxation length = slip stiffness / this
+    // stiffness
     {"LONGITUDINAL_STIFFNESS", 3e4, 3e6},
     {"LATERAL_STIFFNESS", 2e4, 2e6},
 };

@@ -11,7 +11,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Returns the range of the values without the lowest and the highest half percent.
+/// Returns the range of the values without the lowest 0.5 % and the highest 0.5 %.
 std::pair<double, double> reach_of(std::vector<double> values, double otherwise) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.empty()) return {otherwise, otherwise};

@@ -42,7 +42,7 @@ struct IsPressed {
 struct Vibrates {
   static constexpr const char* kName = "vibrates";  // in messages
   virtual ~Vibrates() = default;
-  /// Returns the channels, with the requested derivatives as far as they are known.
+  /// Returns the modal channels, with the requested derivatives as far as they are known.
   virtual Result<Channels> vibrate(const ModalTest& test, const Asked& asked) = 0;
   /// Returns the default points at which mode shapes are recorded, m, wheel frame; none if there
   /// are no defaults.
@@ -131,7 +131,7 @@ struct HasSteadyStates {
 struct IsLoaded {
   static constexpr const char* kName = "is loaded on a K&C rig";  // in messages
   virtual ~IsLoaded() = default;
-  /// Returns the channels, with the requested derivatives as far as they are known.
+  /// Returns the channels of a K&C test, with the requested derivatives as far as they are known.
   virtual Result<Channels> load(const KcTest& test, const Asked& asked) = 0;
   /// Runs the test; `watcher` is called for every state.
   virtual Result<Channels> watch(const KcTest& test, const RigWatcher& watcher) = 0;

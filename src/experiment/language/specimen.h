@@ -119,8 +119,9 @@ class SpecimenKind {
     return std::nullopt;
   }
 
-  /// Returns the faults of a specimen in ranges 1.5 times as wide as the measured ones; if the
-  /// function is null, in ranges as wide as those of the file or usual ones.
+  /// Returns implausible behavior of a specimen in ranges 1.5 times as wide as the measured ones.
+  /// If the function that returns the measured ranges is null, uses those of the file or usual
+  /// ranges.
   virtual std::vector<FaultBeyondData> faults_beyond_data(const Document&,
                                                           const MeasuredAt& = nullptr) const {
     return {};

@@ -70,8 +70,8 @@ struct Reach {
   double from, to;  // SI
 };
 
-/// Requested derivatives: of these channels by these parameters of the specimen, given by their
-/// paths. Columns of Channel::slopes follow the order of the paths, in SI.
+/// Requested derivatives: of these channels by these parameters of the specimen, which are given by
+/// their paths. Columns of Channel::slopes are in the order of the paths, in SI units.
 struct Asked {
   std::vector<std::string> channels, paths;  // names of channels, and paths of parameters
 };
@@ -189,8 +189,8 @@ struct ReadTest {
   std::vector<std::filesystem::path> files;  // files that it reads in addition to its own
 };
 
-/// Measured values for the test of an experiment that states no [test.NAME]: the test runs at
-/// these.
+/// Measured abscissas at which the test of an experiment is run if the experiment has no
+/// [test.NAME].
 struct MeasuredAbscissa {
   std::vector<double> deflections = {}, loaded_radii = {};  // m; at most one of the two
   long modes = 0;                                           // number of measured modes

@@ -199,8 +199,8 @@ void examine_compression(const Document& document, std::vector<Finding>& found) 
   }
 }
 
-/// Judges the mass of a ring's belt by the surface that it covers: 3 kg/m^2 for a bicycle, 15 for a
-/// car, 60 for a truck.
+/// Checks the mass of a ring's belt over the area of its surface; usual values are 3 kg/m^2 for a
+/// bicycle, 15 for a car, 60 for a truck.
 void examine_belt(const Document& document, std::vector<Finding>& found) {
   const UsualMagnitude usual{
       "", "", "a belt's mass on its surface", "kg/m^2", 0.2, 1, 300, 2e3, {}};

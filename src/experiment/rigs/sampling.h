@@ -22,9 +22,9 @@ constexpr double kFootprint = 0.1;
 /// key of that frequency, to which the message gives a way out.
 void refuse_coarse_samples(const Node& test, const char* key, double highest, double sample_step);
 
-/// Returns a sentence if the samples of a tire that rolls over an obstacle at this speed, m/s, do
-/// not hold its vibrations, or if it moves by more than a footprint between two of them; else an
-/// empty text.
+/// Returns a sentence if the samples of a tire that rolls over an obstacle at this speed, m/s, are
+/// too far apart to represent its vibrations, or if the tire moves by more than the length of its
+/// contact patch between two samples; otherwise an empty text.
 std::string note_on_samples(double sample_step, double speed);
 
 }  // namespace latsch::experiment

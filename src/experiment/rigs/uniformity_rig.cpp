@@ -126,7 +126,8 @@ class Machine {
   double deflection_ = 0.0, time_ = 0.0;
 };
 
-/// Height at which the rolling tire carries the load, averaged over a turn.
+/// Returns the height of the wheel center at which the rolling tire carries the load, averaged over
+/// a turn.
 Result<double> rolling_height(Tire& tire, const UniformityTest& test) {
   const auto standing =
       height_under_load(tire, *road_of(test, 0.0), Eigen::Matrix3d::Identity(), test.load);

@@ -66,8 +66,8 @@ TEST_F(EveryTest, EveryKindCarriesItsLoadOverTheSameCleat) {
       EXPECT_EQ(channels->find(channel.name)->unit, channel.unit);
     }
     const std::vector<double>& Fz = (*channels)["Fz"];
-    // Before the cleat the force is the load, a little more as the belt grows with speed; then a
-    // peak.
+    // Before the tire reaches the cleat, the force is the load, or a little more because the belt
+    // grows with speed; the cleat then causes a peak.
     EXPECT_NEAR(Fz.front(), 4000.0, 300.0) << kind->name();
     EXPECT_GT(*std::max_element(Fz.begin(), Fz.end()), 4600.0) << kind->name();
   }
@@ -140,8 +140,8 @@ TEST_F(EveryTest, AStandingTireHasTheStiffnessOfItsFile) {
   EXPECT_NEAR((*under_load)["vertical"][0], 190000.0, 500.0);
 }
 
-// The bristles of a patch slide if it is twisted far: the twist is part of the test, as is the
-// travel.
+// If the patch is twisted by a large angle its bristles slide. The stiffness depends on the twist
+// and the travel, which are therefore keys of the test.
 TEST_F(EveryTest, StiffnessIsThatOverTheWayOfTheTest) {
   const SpecimenKind& kind = *language().find_kind("ring_tire");
   const auto found = [&](const std::string& way) {

@@ -108,7 +108,7 @@ class SlipSweepTest : public Test, public TellsLimits {
     for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
     const auto tire = specimen.find<Rolls>()->tire(sweep_.pressure);
     const auto lag = relaxation(*tire, sweep_);
-    if (!lag) return notes;  // the sweep itself has succeeded
+    if (!lag) return notes;  // the sweep itself has succeeded, so a failure here is not reported
     if (std::string text = lag_in_words(*lag, sweep_, most); !text.empty())
       notes->push_back(std::move(text));
     return notes;

@@ -12,8 +12,9 @@ namespace {
 
 const std::filesystem::path kSamples = LATSCH_SOURCE_DIR "/../shared/data/crg";
 
-/// A flat road of five rows every meter and sections at -1, 0, 1 m, with the given statements,
-/// channels of the line and their values in each row.
+/// Returns the text of a flat road with five rows at intervals of 1 m and sections at -1, 0 and 1
+/// m, with the given statements, channels of the reference line and values of these channels in
+/// each row.
 std::string crg(const std::string& statements,
                 const std::string& channels = "",
                 const std::vector<std::string>& values = {"", "", "", "", ""},
@@ -102,7 +103,8 @@ TEST(OpenCrgContradictions, PointsAndHeadingsAreComparedWithStartAndEnd) {
              "reference_line_start_y is 50, but it is 5 by channel y");
   expect_one(crg(kRows + "reference_line_start_phi = 1.5708\n", channels, xy),
              "reference_line_start_phi is 1.5708, but it is 0 by channels x and y");
-  // A straight line whose end lies elsewhere than its start, heading and length say.
+  // Test a straight line whose stated end differs from the end that follows from start, heading and
+  // length.
   expect_one(crg(kRows + "reference_line_start_phi = 0\nreference_line_end_x = 40\n"
                          "reference_line_end_y = 0\n"),
              "reference_line_end_x is 40, but it is 4 by start, heading and length");

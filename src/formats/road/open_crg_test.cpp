@@ -213,8 +213,8 @@ TEST(OpenCrg, ArcIsAnArcAndItsNormalsAreThoseOfTheSurface) {
 }
 
 TEST(OpenCrg, EveryPlaceHasAHeightAndANormalAlsoInsideATightBend) {
-  // Headings change by one radian per meter, so the center of curvature is one meter away, within
-  // the sections.
+  // The headings change by one radian per meter, so the center of curvature is one meter away from
+  // the reference line, which is within the width of the road.
   std::string text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1");
   text = text.substr(0, text.find("$$$$$$")) + "$$$$\n";
   for (int i = 0; i < 7; ++i) {

@@ -345,8 +345,8 @@ TEST(RdfFile, KerbsAsTrianglesAreTheSameKerbs) {
       const Eigen::Vector2d p =
           kerb.start + Eigen::Vector2d(s * std::cos(0.3) - 0.35 * std::sin(0.3),
                                        s * std::sin(0.3) + 0.35 * std::cos(0.3));
-      // The steep faces of this road extend over 0.01 mm along the road, and so do the slopes that
-      // end in them.
+      // In this file the steep faces of the road extend over 0.01 mm in the longitudinal direction,
+      // and so do the ends of the slopes between them.
       EXPECT_NEAR(z(file, p.x(), p.y()), exact.height(p.x(), p.y(), 0.0), 1e-5) << s;
       if (s < -0.01 || (s > 0.01 && s < 3.19) || s > 3.21) {
         EXPECT_EQ(file.road->at(p.x(), p.y(), 0).friction, exact.at(p.x(), p.y(), 0).friction);

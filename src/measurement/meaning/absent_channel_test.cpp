@@ -82,7 +82,8 @@ TEST(AbsentChannel, AListSaysHowManyItDoesNotName) {
   EXPECT_EQ(list_in_words(many, 2), "`c0` (an angle), `c1` and 7 more");
 }
 
-// tan alpha or Vy / Vx under a name that nobody knows. Numbers of one sign, or above 1.5, are none.
+// The column is tan alpha or Vy / Vx, with an unknown name. Numbers of only one sign, or above 1.5,
+// are not offered.
 TEST(AbsentChannel, APlainNumberLikeASlipMayBeTheTangentOfTheSlipAngle) {
   OtherColumn plain = column("sigma_y", "1");
   plain.is_slip_like = true;

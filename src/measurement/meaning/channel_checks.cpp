@@ -253,21 +253,23 @@ void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   }
 }
 
-/// A motion, the force along it, and the usual stiffness between the two, N/mm.
+/// A motion, the force in its direction, and the usual range of the stiffness between the two,
+/// N/mm.
 struct UsualStiffness {
   std::string_view motion, force;
   double least, most;
 };
 // The ranges are wide: the upright of a race car has 50 kN/mm along y, the hub of a comfortable car
-// 0.2 kN/mm along x. A motion in m in place of mm has a thousandth of that, below every range.
+// 0.2 kN/mm along x. If a motion in mm is read as m, the stiffness is a thousandth and lies below
+// every range.
 constexpr std::array kStiffnesses = {UsualStiffness{"dx", "Fx", 100, 2e5},
                                      UsualStiffness{"dy", "Fy", 100, 2e5},
                                      UsualStiffness{"dz", "Fz", 1, 2e4},
                                      UsualStiffness{"travel", "Fz", 1, 2e4},
                                      UsualStiffness{"deflection", "Fz", 10, 1e4}};
 
-/// Returns force over motion, N/m, by the ranges of the two; nullopt unless one clearly follows the
-/// other.
+/// Returns the stiffness, N/m, as the ratio of the range of the force to that of the motion;
+/// nullopt unless the two are clearly correlated.
 std::optional<double> stiffness_of(const Channel& motion, const Channel& force) {
   constexpr double kClearly = 0.9;  // least correlation
   constexpr std::size_t kFewest = 3;
@@ -284,8 +286,8 @@ std::optional<double> stiffness_of(const Channel& motion, const Channel& force) 
   return std::sqrt(FF / dd);
 }
 
-/// Checks that a motion is of the size that its force causes: a displacement in mm that is read as
-/// m may lie within the range of displacements.
+/// Adds a doubt if the stiffness, force over motion, is outside of its usual range. A displacement
+/// in mm that was read as m may still lie within the usual range of displacements.
 void check_stiffness(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   constexpr double kPerMm = 1e-3;  // N/mm in N/m
   for (const Channel& motion : channels.all()) {

@@ -196,7 +196,8 @@ TEST(ChannelChecks, CountGapsAndTellANegativeLoad) {
   EXPECT_NE(gaps[0].sentence.find("empty in 1 of 3 samples, first in sample 2"), std::string::npos);
 }
 
-/// A wheel that 4 kN move by `most` along each of the axes, at the ends of the sweep.
+/// Returns a motion and a force that vary along each of the axes: 4 kN cause the displacement
+/// `most`.
 Channels moved_wheel(const char* motion, const char* force, double most) {
   Channel d{motion, "m", {}}, F{force, "N", {}};
   for (int i = -4; i <= 4; ++i) {
@@ -209,11 +210,13 @@ Channels moved_wheel(const char* motion, const char* force, double most) {
   return channels;
 }
 
-// 0.02 mm, 0.11 mm and 3 mm written in a column [m]: the first two stay within 0.1 m.
+// The displacements 0.02 mm, 0.11 mm and 3 mm are in a column with the unit m; the first two
+// numbers are still below 0.1 m.
 TEST(ChannelChecks, ADisplacementInMillimetersReadAsMetersIsDoubted) {
   for (const auto& [motion, force] :
        {std::pair{"dx", "Fx"}, {"dy", "Fy"}, {"dy_L", "Fy_L"}, {"dz", "Fz"}, {"travel", "Fz"}}) {
-    const double most = motion[1] == 'z' || motion[0] == 't' ? 30.0 : 0.05;  // mm under 4 kN
+    // displacement in mm under a load of 4 kN
+    const double most = motion[1] == 'z' || motion[0] == 't' ? 30.0 : 0.05;
     EXPECT_FALSE(doubts_about(moved_wheel(motion, force, most)).empty()) << motion;
     EXPECT_TRUE(doubts_about(moved_wheel(motion, force, 1e-3 * most)).empty()) << motion;
   }

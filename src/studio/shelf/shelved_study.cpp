@@ -175,13 +175,15 @@ void ShelvedStudy::show_stage() {
       journal_fault_.empty())
     correlation::take_stage(
         correlation::with_estimated_noise(*whole_, Journal::read(whole_->run.journal)), shown);
-  // Done first, because an exception must not leave the study without a table of trials.
+  // This member is set first, because an exception in a later line must not leave the study without
+  // a table of trials.
   table_ = std::make_unique<TrialTable>(shown);
   study_ = std::make_shared<const Study>(std::move(shown));
 }
 
-/// Checks whether the journal belongs to the study, before its first trial is read and again while
-/// it belongs to another study, because points of another design space do not fit into the table.
+/// Checks whether the journal belongs to the study: before its first trial is read, and again as
+/// long as it belongs to another study. Points of another design space do not fit into the table of
+/// trials.
 void ShelvedStudy::check_journal() {
   const bool was_another = !journal_fault_.empty();
   if (!was_another && !table_->rows().empty()) return;

@@ -93,7 +93,7 @@ class ShelvedStudy {
   mutable std::mutex mutex_;
   bool is_read_ = false, ignores_runs_ = false;
   std::string error_;  // error in the study's file
-  /// reason why the journal does not belong to the study, so that none of it is shown
+  /// reason why the journal does not belong to the study, in which case none of its trials is shown
   std::string journal_fault_;
   long of_another_study_ = 0;  // number of trials in such a journal
   std::string journal_error_;  // reason why the rest of the journal cannot be read

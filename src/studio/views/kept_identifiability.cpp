@@ -48,7 +48,8 @@ struct State {
   std::shared_ptr<const correlation::Study> study;
   int edition = 0;
   std::size_t rows = 0;
-  // state of the file with the trials of profiles, which is stored beside the journal
+  // state of the file that is stored beside the journal and contains the trials of likelihood
+  // profiles
   std::string refits;
   std::string error;
   bool is_running = false;

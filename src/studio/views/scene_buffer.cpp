@@ -10,7 +10,7 @@
 namespace latsch::studio {
 namespace {
 
-/// Lists of four-byte numbers, one after the other, and the position at which each list begins.
+/// Lists of four-byte numbers stored in one buffer, and the position at which each list begins.
 class Buffer {
  public:
   template <class Number>

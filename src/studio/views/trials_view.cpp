@@ -63,7 +63,7 @@ Json convergence_view(const ShelvedStudy& study,
     const long to = stretch.to <= 0 ? total : std::clamp(stretch.to, from, std::max(from, total));
     const long most = std::clamp(stretch.most, kFewestPoints, kMostPoints);
     const long count = std::max(0L, std::min(to, total) - from + 1);
-    // Number of trials in a stretch, which is shown by three points.
+    // number of successive trials that are drawn as three points
     const long width = std::max(1L, (3 * count + most - 1) / most);
 
     std::vector<double> targets(static_cast<std::size_t>(total));

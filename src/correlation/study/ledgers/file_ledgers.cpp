@@ -162,7 +162,7 @@ class DocumentRows {
     }
     for (std::string text : texts) {
       std::error_code none;
-      if (text.starts_with("{study}/")) text.erase(0, 8);  // a script of an outside program
+      if (text.starts_with("{study}/")) text.erase(0, 8);  // script of an external program
       if (!text.empty() && fs::is_regular_file(folder_ / text, none))
         named.push_back(folder_ / text);
     }

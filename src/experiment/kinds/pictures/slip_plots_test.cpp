@@ -76,7 +76,8 @@ TEST(SlipPlots, TellAssumedFromKnownAndDataFromBeyond) {
   for (const auto& plot : slip_plots(tire)) EXPECT_FALSE(plot.data);
 }
 
-// Three coinciding lines would wrongly suggest that the effect of camber is known.
+// If camber has no effect in the model, the plot must not show three coinciding lines, which would
+// suggest that its effect is known.
 TEST(SlipPlots, ShowNothingVariedThatChangesNothing) {
   using testing::Contains;
   using testing::HasSubstr;

@@ -168,7 +168,8 @@ class AxleOnRig {
   }
 
  private:
-  /// Names the travel and the rack of a state on pads, not a load that nobody stated.
+  /// Returns a Failure that names the travel and the rack position of a state if the rig prescribes
+  /// travel, and otherwise only the number of the state.
   Failure unreached(Eigen::Index state, const std::string& reason) const {
     if (!test_.travel)
       return Failure{fmt::format("state {} of the K&C rig: {}", state + 1, reason)};

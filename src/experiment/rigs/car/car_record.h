@@ -26,7 +26,8 @@ namespace latsch::experiment {
 /// Returns the names for the four corners: "pushrod" gives "pushrod_FL" ...
 std::array<std::string, car::kCorners> of_corners(const std::string& name);
 
-/// Names and units of all channels; area, if any, comes last.
+/// Returns names and units of all channels of a car; if `with_area` is true, the area is the last
+/// one.
 std::vector<std::pair<std::string, std::string>> car_channels(bool with_area);
 
 /// Called at every sample of a run.

@@ -67,7 +67,7 @@ struct Judged {
   std::string worst;      // name of that quantity
 };
 
-/// Changes by the columns of a mesh, relative.
+/// Relative changes of the results if one column of a mesh is halved, for each column.
 struct ColumnChanges {
   /// [quantities x columns], change if each column is halved: magnitudes whose sum is the whole
   /// change.

@@ -79,8 +79,8 @@ std::vector<double> rounded(std::vector<double> columns) {
   return columns;
 }
 
-/// Meshes with a smaller expected error: with the best number of sectors and, if it may be chosen,
-/// with a few more and fewer.
+/// Returns meshes with a smaller expected error: one with the best number of sectors and, if that
+/// number is free, some with a few more and fewer sectors.
 Result<std::vector<TireDescription>> moved(const Judged& now,
                                            const ColumnChanges& changes,
                                            const std::vector<double>& fixed,
@@ -114,7 +114,7 @@ Result<std::vector<TireDescription>> moved(const Judged& now,
   return meshes;
 }
 
-/// Moves the columns toward the errors of `now` and judges the result.
+/// Moves the columns according to the errors of `now` and estimates the errors of the new mesh.
 Result<std::vector<Judged>> next_round(const Judged& now,
                                        const placement::Start& start,
                                        int modes,

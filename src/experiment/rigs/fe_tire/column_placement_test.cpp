@@ -16,7 +16,8 @@ namespace {
 using fe_tire::FeTire;
 using fe_tire::TireDescription;
 
-/// Columns of equal length, moved to the belts' ends.
+/// Returns a tire with columns of equal length, except that some were moved to the ends of the
+/// belts.
 TireDescription plain_tire() {
   TireDescription tire = fe_tire::reference_tire_b();
   tire.section.meridional = 24;

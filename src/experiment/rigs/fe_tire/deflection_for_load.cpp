@@ -42,7 +42,7 @@ TireState start_over(FeTire& tire,
   return start;
 }
 
-/// An equilibrium of the search.
+/// An equilibrium that was computed during the search for the deflection.
 struct Pressed {
   double deflection, force;
   TireState state;

@@ -30,7 +30,7 @@ struct DiscretizationSettings {
   bool loaded_thoroughly = false;
 };
 
-/// One quantity on all meshes.
+/// Values of one quantity, such as a force or a frequency, on all meshes.
 struct DiscretizationRow {
   std::string name;            // "Fz at 25 mm", "radial n=2"
   std::string unit;            // SI

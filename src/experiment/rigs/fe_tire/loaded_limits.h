@@ -19,7 +19,7 @@
 
 namespace latsch {
 
-/// A limit extrapolated from few meshes.
+/// A limit for infinitely fine meshes that is extrapolated from few meshes.
 struct RoughLimit {
   double value = 0.0;
   double section = 0.0;  // change of the value by refining the section

@@ -56,7 +56,7 @@ double reaction(const fe_tire::Standing& standing, Direction direction) {
 /// The states between which a stiffness is computed.
 struct Ends {
   TireState first, last;
-  double way;  // m or rad, between the states
+  double way;  // displacement between two states, m or rad
 };
 
 Result<Ends> moved_to_ends(FeTire& tire,

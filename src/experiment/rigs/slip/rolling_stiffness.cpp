@@ -16,7 +16,7 @@ constexpr double kFree = 2.0,
     kSettled = 2.0;
 
 struct Steady {
-  double Fx, Fy, Mz;  // W, means over a turn of the wheel
+  double Fx, Fy, Mz;  // mean force and moment over a turn of the wheel, in the frame W
 };
 
 Result<Steady> steady(Tire& tire, const RollingStiffnessTest& test, SlipSweep sweep) {

@@ -43,7 +43,7 @@ std::vector<bool> gaps_of(const std::vector<double>& times) {
   return gaps;
 }
 
-/// Solves dx/ds + x = u over the distance s from 0 to a, u linear from u0 to u1.
+/// Solves dx/ds + x = u over the distance s from 0 to a, where u changes linearly from u0 to u1.
 struct LagStep {
   double end, by_a;  // x(a), its slope in a
 };

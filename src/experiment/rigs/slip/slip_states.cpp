@@ -179,8 +179,8 @@ std::vector<Meant> meant_by(const formats::CsvTable& table) {
   return all;
 }
 
-/// Adds doubts about numbers that are probably no states, and replaces them by gaps for the other
-/// checks.
+/// Adds doubts about numbers that are probably placeholders and no states, and replaces them by
+/// gaps for the other checks.
 void note_fillers(const formats::CsvTable& table, Channels& states, Ledger& ledger) {
   Channels plain;
   for (Channel channel : states.all()) {

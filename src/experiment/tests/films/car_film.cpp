@@ -31,7 +31,7 @@ Matrix3Xd thinned(const Matrix3Xd& line) {
   return line(Eigen::all, Eigen::seq(0, line.cols() - 1, every));
 }
 
-/// Returns the circle of a tire without a belt, flattened at the road.
+/// Returns the circle that represents a tire without a belt, flattened at the road.
 Matrix3Xd circle(const WheelMotion& wheel, double radius) {
   Matrix3Xd points(3, kMostAround);
   for (int k = 0; k < kMostAround; ++k) {
