@@ -147,7 +147,7 @@ void failing(Table& table, const Problems& on) {
   const Profile whole = measured(residual_trust_region(), {{}}, on);
   const Profile some = measured(residual_trust_region(), draws(0.05), on);
   const Profile many = measured(residual_trust_region(), draws(0.2), on);
-  // The limit is three points (.030) below the share without failures.
+  // The required share is three percentage points (0.030) below the share without failures.
   reach(table, "5 % fail, tau 1e-3 @10", some.tau_1e3[0], whole.tau_1e3[0] - 0.03);
   reach(table, "5 % fail, tau 1e-3 @50", some.tau_1e3[1], whole.tau_1e3[1] - 0.03);
   reach(table, "20 % fail, tau 1e-3 @50", many.tau_1e3[1], 0.85);

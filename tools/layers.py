@@ -43,7 +43,7 @@ ROOMS = {
     "studio": ["http", "shelf", "views"],
 }
 
-# Rooms that may use less than their module.
+# Folders that may use fewer modules than the module to which they belong.
 NARROW_ROOMS = {"studio/http": ["base"]}
 
 # A model must not use another one, with these exceptions: every tire rolls on a road, the slip forces of the rigid

@@ -23,7 +23,7 @@ constexpr double kNoise[2] = {50.0, 100.0};
 constexpr double kRecord = 24.5;  // s, duration of one load case
 constexpr const char* kChannels[2] = {"Fx", "Fz"};
 
-/// Discretization of a simulated tire.
+/// Settings of the discretization of a simulated tire.
 struct Numerics {
   int nodes, blocks, lines;
 };

@@ -70,7 +70,7 @@ Solver scipy();
 
 struct Profile {
   std::vector<double> budgets;  // k
-  /// share of solved problems at tolerance 1e-3 for each budget; tau_1e5 likewise
+  /// share of problems solved to the tolerance 1e-3 for each budget; tau_1e5 likewise for 1e-5
   std::vector<double> tau_1e3;
   std::vector<double> tau_1e5;
 };

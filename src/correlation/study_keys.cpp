@@ -47,7 +47,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The stand-in for the model of the samples. It accepts any numbers.
+/// A model for the samples of studies, which accepts any numbers.
 class AnyModel : public experiment::SpecimenKind {
  public:
   explicit AnyModel(const Language& language) {

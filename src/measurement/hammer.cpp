@@ -15,8 +15,8 @@
 namespace latsch {
 namespace {
 
-/// Returns the spectrum of a window, relative to the mean level before the hit, where there is no
-/// response yet.
+/// Returns the spectrum of a window after subtracting the mean level before the hit, where there is
+/// no response yet.
 numerics::Spectrum spectrum(std::span<const double> x, int first, int length, int before) {
   std::vector<double> window(x.begin() + first, x.begin() + first + length);
   const double level =

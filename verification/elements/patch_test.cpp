@@ -105,7 +105,7 @@ class Patch : public testing::TestWithParam<Case> {
   }
 };
 
-/// Forces on the inner nodes, and the resultant on the face i = kElements (normal x).
+/// Forces on the inner nodes, and the resultant force on the face i = kElements, whose normal is x.
 struct Forces {
   double inside = 0.0;
   Eigen::Vector3d face = Eigen::Vector3d::Zero();

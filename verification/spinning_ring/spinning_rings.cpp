@@ -148,7 +148,8 @@ GyroRingErrors gyro_ring_errors() {
              tire, ElementKind::full_integration, state, std::abs(n), n < 0 ? -1 : 1)[0] /
                  hub -
              1.0);
-  // Radial growth, m, of the outer node at y = 0.01 m on which both programs agree.
+  // Reference value of the radial growth, m, of the outer node at y = 0.01 m, which both programs
+  // give.
   errors.growth = std::abs(-crown_displacement(tire, state).z() / 2.18728e-3 - 1.0);
   errors.standing_wave = std::abs(value_of(spinning.standing_wave(at_rest)).speed / 170.4 - 1.0);
   return errors;

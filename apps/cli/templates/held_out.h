@@ -21,7 +21,7 @@ using Select = std::map<std::string, std::vector<std::string>>;
 struct HeldOut {
   std::vector<std::filesystem::path> files;
   std::string channel;  // channel of the condition; empty: whole recordings are held out
-  /// held-out ranges of the channel's values, as the user wrote them
+  /// held-out ranges of a channel's values, as the user wrote them
   std::vector<std::string> windows;
 
   bool is_empty() const { return files.empty() && channel.empty(); }

@@ -29,7 +29,7 @@ using correlation::Measurement;
 // share noise.
 constexpr std::size_t kMostSamples = 2000;
 
-/// Returns the place of a recording, the names of its files, for error messages.
+/// Returns the names of a recording's files as a place for error messages.
 Place place_of(const Measurement& measured) {
   std::string files = measured.files().front().string();
   if (measured.files().size() > 1)

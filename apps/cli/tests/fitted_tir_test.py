@@ -137,7 +137,7 @@ class FittedTir(unittest.TestCase):
               ("Fx over kappa, by load", "Fy over alpha, by load", "Mz over alpha, by load")}
         self.assertIn("stroke-dasharray", of["Fx over kappa, by load"])
         self.assertIn("N, assumed", of["Fx over kappa, by load"])
-        # one is fitted, the other keeps the value in tire.tir
+        # One coefficient is fitted, the other keeps the value in tire.tir.
         for known in ("Fy over alpha, by load", "Mz over alpha, by load"):
             self.assertNotIn(", assumed", of[known])
             self.assertIn('class="outside"', of[known])

@@ -227,7 +227,7 @@ void show_channels(const Channels& channels, bool over_first, ShownFile& shown) 
     return over_first ? plot_unit(channel.unit, channel.values) : PlotUnit{channel.unit};
   };
   for (const Channel& channel : channels.all()) {
-    // single values are only in the table
+    // channels with a single value are only in the table
     if (&channel == over || channel.values.size() < 2) continue;
     const PlotUnit y = unit_of(channel), x = over ? unit_of(*over) : PlotUnit{};
     report::PlotLine line{"",

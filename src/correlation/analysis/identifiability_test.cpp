@@ -234,7 +234,8 @@ TEST(Identifiability, IntervalsReachToTheNumbersOfTheRefinedModel) {
   EXPECT_EQ(reported_interval(s, *read, 0).lower, shown.lower);
 }
 
-// An interval "25 .. 25" would say that nothing is open.
+// The two ends of an interval such as "25 .. 25" would not reveal its width, so more digits are
+// printed.
 TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
   const DesignSpace space({{"a", {"a"}, 10.0, 60.0, 20.0}});
   const auto share = [](double value) { return (value - 10.0) / 50.0; };
@@ -354,7 +355,7 @@ TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   const Identification& found = (*result)->identification;
   const double range = 9e3, a = 1.96 * 0.01 / std::sqrt(2.0) * 4e3 / range;
   const double at = (4e3 - 1e3) / range;
-  // Central differences of 1 % of the range do not show the curvature of k.
+  // Central differences over steps of 1 % of the range do not detect the curvature of k.
   EXPECT_NEAR(found.confidence().intervals[0].upper - at, a, 0.002 * a);
   EXPECT_NEAR(found.confidence().intervals[1].upper - at, std::sqrt(5.0) * a, 0.004 * a);
   for (const TargetProfile& profile : found.profiles()) {
@@ -382,7 +383,7 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   InlineExecutor executor(springs);
   const auto result = identify(s, s.space.initial(), Depth::intervals, executor, journal, {});
   ASSERT_TRUE(result && *result);
-  // deviation along the valley
+  // standard deviation in the direction of the valley of the objective
   EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);
 
   const auto points = prediction_points(s, **result);

@@ -87,7 +87,7 @@ void examine_deflection(const TireSize& size,
                         const std::string& name,
                         double deflection,
                         std::vector<Finding>& found) {
-  // Share of the section's height: larger deflections come close to the rim.
+  // deflection over the height of the section above which the tire comes close to its rim
   constexpr double kDeep = 0.6;
   const bool impossible = deflection > size.section_height;
   if (deflection <= kDeep * size.section_height) return;
@@ -144,8 +144,8 @@ void examine_load_deflection(const StudyExperiment& experiment,
                              std::vector<Finding>& found) {
   // allows for growth by inflation and for a tire that is softer than described
   constexpr double kGrowth = 1.1;
-  // Share of the section's height: at smaller deflections the moment of first contact decides the
-  // force.
+  // deflection over the height of the section below which the force depends mainly on when contact
+  // begins
   constexpr double kFirst = 0.03;
   if (measured.force.empty()) return;
   std::optional<formats::CsvTable> table;

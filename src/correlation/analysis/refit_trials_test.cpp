@@ -229,7 +229,7 @@ TEST_F(RefitTrialsOfStudy, ABetterTargetOnTheWayIsKeptWhole) {
   }
 }
 
-// Other weights give other residuals: trials stored for the old ones are not read.
+// Other weights give other residuals, so trials stored for the earlier weights are not read.
 TEST_F(RefitTrialsOfStudy, BelongToTheirResiduals) {
   const DesignPoint point{{1.3, -22.0}};
   ASSERT_TRUE(identified(two_experiments(), point));
@@ -268,7 +268,8 @@ TEST_F(RefitTrialsOfStudy, MayBeDeletedOrBeOfAnotherStudy) {
   }
 }
 
-// A variable that is held constant has no column in the Jacobian of the refits, reduced or not.
+// A variable that is held constant has no column in the stored Jacobian, whether this is reduced or
+// not.
 TEST_F(RefitTrialsOfStudy, AVariableThatMayNotMoveKeepsItsBits) {
   Study study = two_experiments();
   const DesignPoint point{{1.3, -22.0}};

@@ -136,12 +136,12 @@ std::optional<FittedSignal> signal_of(const Study& study,
                                 size * moves(index, static_cast<Eigen::Index>(a)));
     signal.noise += one.objective.weight * size * size / static_cast<double>(measured.size());
   }
-  // an unknown value makes the spectrum unknown
+  // if one value is unknown, the whole spectrum is unknown
   if (signal.measured.size() != measured.size()) return std::nullopt;
   return signal;
 }
 
-/// Sums over the lines of a third-octave band, over all experiments.
+/// Sums over the spectral lines of a third-octave band, for all experiments together.
 struct BandSums {
   double squares = 0.0, explained = 0.0, lines = 0.0;
 };

@@ -42,13 +42,13 @@ struct ModelRun {
   std::vector<std::vector<double>> lower, upper;        // [channel][line]; empty: no bands
   std::vector<double> coverage;  // share of lines in the first band; empty: no bands
   std::vector<double> reach;     // mean half width of the band of ln S, each channel
-  /// Means of the channels in the key `told`; NaN if the model does not record the channel.
+  /// means of the channels in the key `told`; NaN for a channel that the model does not record
   std::vector<double> told;
   /// sentences about limits that the model met, or properties that it or the test lacks
   std::vector<std::string> limits;
   double cpu = 0.0;  // s, CPU time of the model's run alone
 
-  /// Returns the mean over the channels.
+  /// Returns the mean distance over the channels in a band.
   double mean_distance(std::size_t band) const;
   double mean_decibels(std::size_t band) const;
 };

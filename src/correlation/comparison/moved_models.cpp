@@ -26,7 +26,8 @@ void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
       numbers.set(path, std::exp(spreads * number.spread) * numbers.get(path));
 }
 
-/// Moves a model by up to one deviation along a direction of a fit, to the side with more room.
+/// Moves the parameters of a model by up to one standard deviation along a direction of a fit,
+/// toward the farther bounds.
 MovedModel moved_along(const FitSource& source,
                        const FitPosterior& fit,
                        Eigen::Index axis,
@@ -42,7 +43,7 @@ MovedModel moved_along(const FitSource& source,
     }
     return least;
   };
-  // Share of a standard deviation: least step, even if a variable lies on its bound.
+  // least step as a share of a standard deviation, even if a variable lies on its bound
   constexpr double kLeast = 0.01;
   const double up = room(1.0), down = room(-1.0);
   const double step = up >= down ? std::max(up, kLeast) : -std::max(down, kLeast);

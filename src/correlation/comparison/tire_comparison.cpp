@@ -84,7 +84,8 @@ void find_heard(const ComparisonFile& file,
   }
 }
 
-/// `limits`: receives the limits that the tire met, unless it is null.
+/// Runs a tire through a test; returns the recorded channels. Sets `limits`, unless it is null, to
+/// the limits that the tire met.
 Channels run_of(const ComparedTire& tire,
                 const ComparisonTest& test,
                 std::vector<std::string>* limits) {

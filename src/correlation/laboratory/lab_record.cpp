@@ -229,7 +229,7 @@ std::vector<std::string> conventions_that_fit(const LabRecord& record) {
       if (static_cast<double>(pulls) > kMost * static_cast<double>(one.samples())) return false;
     }
     if (!Fy || !alpha) return true;
-    // about zero, not about the means: a force has the sign of its slip
+    // about zero, not about the means, because the force has the sign of the slip
     double yy = 0.0, aa = 0.0, ya = 0.0;
     for (std::size_t i = 0; i < one.samples(); ++i) {
       const double y = Fy->values[i], a = alpha->values[i];

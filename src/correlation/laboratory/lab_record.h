@@ -96,7 +96,7 @@ std::optional<TakenZero> take_zero(Channel& channel, const std::vector<bool>& ma
 /// if the frequency is impossible.
 std::string low_pass(LabRecord& record, double frequency, const Place& place);
 
-/// Keeps the samples of a mask.
+/// Keeps only the samples that a mask selects.
 void keep(LabRecord& record, const std::vector<bool>& kept);
 
 /// Returns the unit in which people expect a quantity with this SI unit: "deg" for "rad".

@@ -155,7 +155,8 @@ void read_shift(const Node& table, LabRecord& record, std::vector<std::string>& 
   words.push_back("time shifted by " + format_quantity(shift, "s"));
 }
 
-/// Keeps the samples of a mask and reports their number; throws at `key` if none is left.
+/// Keeps the samples that a mask selects and reports their number; throws InputError for `key` if
+/// none is left.
 void narrow(const Node& table,
             const std::string& key,
             const std::string& what,

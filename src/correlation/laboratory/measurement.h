@@ -36,7 +36,8 @@ class Measurement {
     std::vector<std::filesystem::path> files;
     std::string frame;
     std::vector<std::string> words;  // samples read and result of each step, a line each
-    // steps that lose information, such as "low_pass", so that a twin cannot undo them
+    // processing steps that lose information, such as "low_pass", and that a twin therefore cannot
+    // undo
     std::vector<std::string> one_way;
     std::map<std::string, MeasurementNoise> noise;
     std::map<std::string, std::string> left_out;          // columns that are no channels, and why

@@ -24,14 +24,14 @@ namespace latsch::correlation {
 
 struct Study;
 
-/// A test of a study. Its channels are called "NAME/CHANNEL"; a test without a name uses the
-/// channels' own names.
+/// A test of a study. Its channels are called "NAME/CHANNEL"; a test without a name has the plain
+/// names of the channels.
 struct StudyTest {
   std::string name;
   std::shared_ptr<const experiment::Test> test;
   std::string identity;                           // copied from experiment::ReadTest
   std::vector<std::filesystem::path> files = {};  // files the test was read from
-  /// True if the experiment of the same name states the test.
+  /// true if an experiment states the test itself; the test then has the experiment's name
   bool is_own = false;
 
   /// Returns the words by which a user finds the test in the study: "test slow", "experiment
@@ -93,7 +93,8 @@ std::vector<StudyTest> read_tests(const Node& study,
                                   const experiment::Language& language,
                                   const Laboratory& laboratory);
 
-/// Returns why specimens of a kind cannot run a test, and which kinds can; nullopt if they can.
+/// Returns a sentence that says why specimens of a kind cannot run a test, and which kinds can;
+/// nullopt if they can.
 std::optional<std::string> reason_against(const experiment::SpecimenKind& kind,
                                           const experiment::Test& test,
                                           const experiment::Language& language);

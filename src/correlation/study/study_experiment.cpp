@@ -161,7 +161,7 @@ std::shared_ptr<const Observable> read_load_deflection(const Node& table,
   return std::make_shared<ForceCurve>(table.name(), std::move(measured));
 }
 
-/// Checks that shapes are measured and recorded at the same points.
+/// Checks that mode shapes are measured and recorded at the same points.
 void check_sensors(const Node& table, const StudyTest& test, const Eigen::Matrix3Xd& points) {
   const auto* modal = test.test->settings_as<experiment::ModalTest>();
   const Eigen::Matrix3Xd recorded = modal ? modal->points : Eigen::Matrix3Xd();
@@ -238,7 +238,7 @@ std::optional<MeasurementNoise> noise_of(const StudyExperiment& experiment) {
                    ". Experiments compare its channels as y = \"cleat/...\"");
 }
 
-/// Notes in the ledger which channels of a measurement an experiment compares.
+/// Notes in the ledger of a measurement which channels an experiment compares.
 void note_uses(const Measurement& measured, const StudyExperiment& experiment) {
   const std::string by = "experiment " + experiment.name;
   constexpr std::string_view kBy = "_by_";

@@ -25,7 +25,7 @@ double own_measure(const StudyExperiment& experiment, const Comparison& comparis
 /// Returns the name of the experiment's measure: "mean", "RMS", "mean to the power 4".
 std::string measure_in_words(const StudyExperiment& experiment);
 
-/// The prior of one variable at a point.
+/// Residual of the prior of one variable at a point.
 struct PriorResidual {
   int variable = 0;       // index in the space
   double residual = 0.0;  // deviation from the expected value over the stated deviation

@@ -24,8 +24,8 @@
 
 namespace latsch::correlation {
 
-/// The result for one variable: the residual whose derivative disagrees, or the one with the
-/// largest error.
+/// Result of the check of one variable: the residual whose derivative disagrees, or the one with
+/// the largest error.
 struct CheckedSlope {
   /// name of the variable, "PKY1", and name of the residual, "side_force: steady/Fy, sample 3"
   std::string variable, row;

@@ -45,7 +45,7 @@ class TrialOwnership {
   };
   bool is_known_ = false, has_ended_ = false;
   std::vector<Stretch> stretches_;  // in the order of the rows
-  /// points that a design of the present study took from earlier trials
+  /// points that a design of experiments took from earlier trials
   std::set<std::uint64_t> taken_;
 };
 

@@ -81,8 +81,8 @@ TireSide side_of(const Document& tire) {
   return root.has("side") && root.text("side") == "right" ? TireSide::right : TireSide::left;
 }
 
-/// Throws for a table that no reader reads: it is probably misspelled, such as [aero], and would be
-/// ignored.
+/// Throws InputError for a table that no reader reads: its name is probably misspelled, and the
+/// table would be ignored.
 void refuse_unknown(const Node& car) {
   std::set<std::string> known = {"kind", "title", "gravity", "chassis", "aero", "driver"};
   for (const char* axle : kAxles)
@@ -230,7 +230,7 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   Document numbers_;
   car::CarFile file_;
   car::Tires tires_;
-  // tires by their key and side
+  // built tires by their key in the file and their side
   std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;
   std::vector<std::string> limits_across_;
   std::optional<double> section_, felt_, tread_;  // m; felt_ and tread_ are half widths

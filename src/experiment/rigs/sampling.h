@@ -13,7 +13,7 @@ namespace latsch::experiment {
 /// Least number of samples in a period of the fastest motion that drives a run. Linear
 /// interpolation between ten samples has an amplitude error of 3 %, between twelve of 2 %.
 constexpr double kSamplesOfPeriod = 12.0;
-/// Frequency, Hz, up to which a tire and the wheel on it vibrate strongly after an obstacle.
+/// frequency, Hz, up to which a tire with its wheel vibrates strongly after an obstacle
 constexpr double kTireVibrates = 100.0;
 /// Length of a footprint, m: an obstacle is below a tire for at least this distance.
 constexpr double kFootprint = 0.1;

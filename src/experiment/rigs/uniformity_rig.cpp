@@ -87,7 +87,7 @@ class Machine {
   }
 
  private:
-  /// True if the ranges of the forces are those of the turn before.
+  /// True if the ranges of the forces are equal to those of the previous turn.
   bool is_repeated(const Turn& before, const Turn& now) const {
     constexpr double kShare = 1e-3, kLeast = 2e-6;  // shares of the range and of the load
     const auto range = [](const std::vector<double>& force) {

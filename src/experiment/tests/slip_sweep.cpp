@@ -93,7 +93,7 @@ class SlipSweepTest : public Test, public TellsLimits {
     return limits_of_camber(specimen, sweep_.camber, /*rolls=*/true);
   }
 
-  /// Says if the sweep is too short for the tire to follow it.
+  /// Returns a sentence if the sweep is too short for the tire to follow it.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     double most = 0.0;  // N

@@ -74,7 +74,7 @@ class StaticStiffnessTest : public Test, public TellsLimits {
           all.push_back(std::move(assumed));
     return all;
   }
-  /// Tells what the tire's model does not describe on the cleat.
+  /// Returns sentences about what the tire's model does not describe on the cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto notes = Test::run_in_blocks(specimen, tell);

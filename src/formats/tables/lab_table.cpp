@@ -70,7 +70,7 @@ void take_stated_units(std::vector<LabColumn>& columns, const Units& units, cons
   if (!missing.empty()) throw InputError(header, missing_columns(missing, names));
 }
 
-/// Adds columns, converted to SI, with units that the caller states for those without unit.
+/// Adds columns, converted to SI; for columns without unit, uses the units that the caller states.
 void add_columns(std::vector<LabColumn> columns,
                  const Units& units,
                  const ExpectedUnit& expected,

@@ -18,7 +18,7 @@
 namespace latsch::formats {
 namespace {
 
-// bytes; more than an hour of ten channels at 1 kHz
+// largest size of a file, bytes; more than an hour of ten channels at 1 kHz
 constexpr std::size_t kLargestTydex = 512u << 20;
 constexpr std::size_t kMostChannels = 1000;
 constexpr std::size_t kNameEnd = 10, kCommentEnd = 40, kUnitEnd = 50, kField = 10;

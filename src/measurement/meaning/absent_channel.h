@@ -23,7 +23,7 @@
 
 namespace latsch {
 
-/// A column of the file from which the channel is missing.
+/// A column of the file in which a channel is missing.
 struct OtherColumn {
   std::string name;       // in the file
   std::string unit = {};  // SI unit of the values; empty: unknown

@@ -148,13 +148,13 @@ std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRang
 
 /// Checks that the loads are positive, as those of a wheel on the ground.
 std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
-  // Share of the largest load: noise about 0 while the wheel is in the air.
+  // share of the largest load; smaller loads are noise about 0 while the wheel has no contact
   constexpr double kHop = 0.02;
   constexpr double kLeast = 5.0;  // N; the load of every tire is larger
   const std::size_t all = numbers_in(channel.values);
   if (all == 0) return std::nullopt;
-  // Ratio of the mean to the largest value below which a channel holds changes of a load, not
-  // loads.
+  // ratio of the mean load to the largest load below which a channel contains changes of a load,
+  // not loads
   constexpr double kAboutZero = 0.05;
   double most = 0.0, sum = 0.0;
   for (const double value : channel.values)
@@ -185,8 +185,8 @@ std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
   return std::nullopt;
 }
 
-/// Returns the only channel with that meaning; nullptr if there is none or several (wheels of a
-/// car).
+/// Returns the only channel with this meaning; nullptr if there is none or if there are several
+/// (wheels of a car).
 const Channel* only(const Channels& channels, std::string_view meaning) {
   const Channel* found = nullptr;
   for (const Channel& channel : channels.all()) {
@@ -351,7 +351,7 @@ void check_friction(const Channels& channels, std::vector<ChannelDoubt>& doubts)
   }
 }
 
-/// Fits Fy / Fz = a alpha + b gamma + c at small slip angles: b is negative in iso.
+/// Fits Fy / Fz = a alpha + b gamma + c at small slip angles; b must be negative in iso axes.
 void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   constexpr double kLeastSpread = 0.01;  // rad; least spread of gamma
   constexpr double kClearly = 8.0;       // least ratio of b to its standard deviation

@@ -73,7 +73,7 @@ TEST(ChannelChecks, TimeRisesFromSampleToSample) {
   EXPECT_EQ(said_of_time({0.0, 0.1, 0.0, 0.1}, {2}), "");  // the second file begins anew
 }
 
-// Millimeters that were read as meters, such as the 0.113 mm by which a hub moves under 4 kN.
+// Test millimeters that were read as meters, such as the 0.113 mm by which a hub moves under 4 kN.
 TEST(ChannelChecks, DoubtDisplacementsOfAnotherUnit) {
   for (const auto& [name, usual, other] : {std::tuple{"dy", 0.02, 0.113},
                                            {"dx", 0.02, 0.2},
@@ -92,7 +92,7 @@ TEST(ChannelChecks, DoubtDisplacementsOfAnotherUnit) {
   }
 }
 
-// A single sample that was written in kilonewtons but read as newtons, or a spike.
+// Test a single sample that was written in kilonewtons but read as newtons, and a spike.
 TEST(ChannelChecks, NoForceIsMoreThanThreeTimesTheLoad) {
   const auto doubts = doubts_about(times("Fy", 20.0, 17));
   ASSERT_FALSE(doubts.empty());
@@ -116,7 +116,7 @@ TEST(ChannelChecks, CountAMinority) {
   EXPECT_NE(doubts[0].sentence.find("in 3 of 51 samples"), std::string::npos) << doubts[0].sentence;
 }
 
-// Every sign and every unit that is easily mistaken, one for each channel.
+// Test every sign and every unit that is easily mistaken, one for each channel.
 TEST(ChannelChecks, NameTheChannelOfAnotherSignOrUnit) {
   const struct {
     const char* channel;
@@ -170,7 +170,7 @@ TEST(ChannelChecks, NoticeAClockThatGoesBackward) {
   EXPECT_TRUE(doubts_about(runs).empty());
 }
 
-// The table of a K&C rig has a compliant part that moves in the direction of the force.
+// Test the table of a K&C rig: a compliant part moves in the direction of the force.
 TEST(ChannelChecks, KnowTheSignOfACompliance) {
   Channels table;
   table.add({"Fy", "N", {-1000, 0, 1000}});

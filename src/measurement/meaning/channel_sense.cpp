@@ -61,7 +61,7 @@ constexpr std::array kSenses = {
     Named{"center_z", S::along_z},
     Named{"arb_angle", S::about_y},
     Named{"arb_ratio", S::about_y},
-    // These quantities are defined without axes.
+    // These quantities do not depend on the axes.
     Named{"time", S::same},
     Named{"omega", S::same},
     Named{"wheel_speed", S::same},
@@ -109,7 +109,7 @@ constexpr std::array kSenses = {
     Named{"spring", S::same},
 };
 
-// Classical compliances: toe or camber by the load that acts.
+// Classical compliances: toe or camber over the load that causes it.
 constexpr std::array kActing = {Named{"lateral_force_", S::along_y},
                                 Named{"longitudinal_force_", S::along_x},
                                 Named{"aligning_torque_", S::about_z}};

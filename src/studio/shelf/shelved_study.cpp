@@ -110,8 +110,8 @@ bool may_be_begun(const Study& study, const std::vector<TableRow>& rows) {
   }
 }
 
-/// True if both studies have the same last stage: equal weights, estimated noise and held
-/// variables.
+/// True if both studies have the same last stage: the same weights, estimated noise and variables
+/// held constant.
 bool have_same_last_stage(const Study& a, const Study& b) {
   if (a.free != b.free || a.held_at != b.held_at) return false;
   for (std::size_t e = 0; e < a.experiments.size(); ++e) {
@@ -262,7 +262,7 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   correlation::StagesRun stages{*whole};
   try {
     if (is_begun) stages = correlation::recorded_stages(*whole, Journal::read(whole->run.journal));
-    // the journal has only a design of experiments
+    // the journal contains only a design of experiments
     found.has_ended = stages.has_ended || stages.fits.empty();
     if (stages.has_ended) {
       found.words = stages.fits.back().run.ending;

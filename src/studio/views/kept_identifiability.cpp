@@ -43,7 +43,8 @@ std::string state_of_journal(const std::string& journal) {
   return state;
 }
 
-/// The state of a study from which an answer was computed.
+/// State of a study; an answer that was computed for it stays valid as long as the state does not
+/// change.
 struct State {
   std::shared_ptr<const correlation::Study> study;
   int edition = 0;

@@ -45,7 +45,8 @@ Json row_of(const Sight& sight, std::size_t place, const Weighting& weighting) {
           {"seconds", finite(row.seconds)}};
 }
 
-/// Indices of the trials that represent one stretch: least target, greatest target, first failure.
+/// Indices of the trials that represent several successive trials: least target, greatest target,
+/// first failure.
 struct Extremes {
   std::optional<std::size_t> least, greatest, failed;
 };

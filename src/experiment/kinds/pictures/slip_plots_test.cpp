@@ -64,7 +64,7 @@ TEST(SlipPlots, TellAssumedFromKnownAndDataFromBeyond) {
     } else if (plot.description == "Fx over kappa, by load") {  // QSX1 belongs to Mx
       ++seen;
       ASSERT_TRUE(plot.data);
-      // no slip was measured, so the whole plot is shaded
+      // no slip was measured, so the whole plot is marked as outside of the data
       EXPECT_EQ(plot.data->first, plot.data->second);
       for (const auto& line : plot.lines) {
         EXPECT_TRUE(line.is_dashed);

@@ -38,7 +38,7 @@ class CarRecord {
  public:
   CarRecord(const car::Car& car, const car::CarState& start, bool with_area);
 
-  /// `time` is the time to be recorded.
+  /// Records a sample; `time` is the time that is recorded with it.
   void sample(const car::CarState& state, const car::CarInputs& inputs, double time);
   Channels channels() const;
   const std::vector<double>& values(const std::string& channel) const;

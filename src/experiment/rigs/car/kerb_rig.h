@@ -22,9 +22,9 @@ struct History {
   std::vector<double> times, values;  // s
   double at(double time) const;
   double slope(double time) const;
-  /// Integral from time 0 to `time`.
+  /// Returns the integral from time 0 to `time`.
   double area(double time) const;
-  /// Mean over an interval of time, exact for the piecewise linear history.
+  /// Returns the mean over an interval of time, which is exact for the piecewise linear history.
   double mean(double from, double to) const;
 };
 

@@ -32,8 +32,8 @@ TireDescription plain_tire() {
   }());
 }
 
-/// Largest error of growth and eight frequencies, against elements split into four in each
-/// direction.
+/// Returns the largest error of growth and eight frequencies, compared with a mesh whose elements
+/// are divided into four in each direction.
 double error_of(const TireDescription& description) {
   const auto quantities = [&](int refinement) {
     FeTire tire(build_mesh(description, refinement),

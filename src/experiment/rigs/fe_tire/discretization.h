@@ -87,7 +87,7 @@ struct MeshMeasured {
 Result<MeshMeasured> measure_mesh(const fe_tire::TireDescription& tire,
                                   const DiscretizationSettings& settings);
 
-/// `progress` is called before each mesh is computed.
+/// Computes the study of the discretization; `progress` is called before each mesh is computed.
 Result<DiscretizationStudy> study_discretization(
     const fe_tire::TireDescription& tire,
     const DiscretizationSettings& settings,

@@ -36,7 +36,7 @@ Result<Steady> steady(Tire& tire, const RollingStiffnessTest& test, SlipSweep sw
   return Steady{mean("Fx"), mean("Fy"), mean("Mz")};
 }
 
-/// Half the difference between the value and its opposite.
+/// Returns half the difference between the forces at a value and at its negative.
 template <class Sweep>
 Result<Steady> odd_part(Tire& tire, const RollingStiffnessTest& test, const Sweep& at) {
   const auto plus = steady(tire, test, at(1.0));

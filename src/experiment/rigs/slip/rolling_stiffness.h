@@ -40,7 +40,7 @@ struct Cornering {
 /// Result in N.
 Result<double> slip_stiffness(Tire& tire, const RollingStiffnessTest& test);
 Result<Cornering> cornering(Tire& tire, const RollingStiffnessTest& test);
-/// Result in N/rad.
+/// Returns the camber stiffness, N/rad.
 Result<double> camber_stiffness(Tire& tire, const RollingStiffnessTest& test);
 
 }  // namespace latsch::experiment

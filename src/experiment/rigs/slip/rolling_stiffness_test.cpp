@@ -49,8 +49,8 @@ TEST(RollingStiffness, OfAMagicFormulaIsThatOfItsCoefficients) {
   EXPECT_NEAR(*leaning, 0.8 * 4000.0, 1e-4 * 3200.0);
 }
 
-// The slopes are those of the coefficients however long the relaxation lengths are: K/c is 0.7 to
-// 4 m here.
+// The slopes are equal to those of the coefficients for any relaxation length: the ratio K/c is 0.7
+// to 4 m in this test.
 TEST(RollingStiffness, DoesNotDependOnTheRelaxationLength) {
   for (const double stiffness : {1e5, 4e4, 2.2e4}) {
     const auto tire = tire_of(sparse_tir(std::string(kLongitudinalForce) + kSideForce +

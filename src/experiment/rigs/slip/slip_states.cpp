@@ -212,7 +212,7 @@ void note_fillers(const formats::CsvTable& table, Channels& states, Ledger& ledg
   states = std::move(plain);
 }
 
-/// Reports a turn slip other than 0 that the test ignores.
+/// Reports a turn slip other than 0, which the test ignores.
 void note_no_turn_slip(const formats::CsvTable& table,
                        const Channels& states,
                        const std::string& by,
