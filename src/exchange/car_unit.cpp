@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "exchange/tire_unit.h"
 #include "experiment/language/known_limits.h"
 
 namespace latsch::exchange {
@@ -210,7 +211,26 @@ void CarUnit::take(const car::Car& car, const car::CarInputs& inputs) {
   assert(next == answers_.data() + answers_.size());
 }
 
-Status CarUnit::start(double /*time*/) {
+void CarUnit::watch(const car::Car& car, double time, double step) {
+  double mass = 0.0;
+  for (const multibody::Body& body : car.mechanism().bodies()) mass += body.mass;
+  constexpr double kGravity = 9.81;  // m/s^2
+  watch_->set_weight(kGravity * mass);
+  for (std::size_t i = 0; i < kGiven; ++i) {
+    const bool is_brake = i >= brake && i < brake + kCorners;
+    if (is_brake)
+      watch_->add_brake((*variables_)[i], given_[i]);
+    else
+      watch_->add((*variables_)[i], given_[i]);
+  }
+  const multibody::Vector6d v = state_->bodies.rates.segment<6>(6 * car.parts().chassis);
+  watch_->add_way(step * v.head<3>().norm());
+  for (const car::WheelState& wheel : state_->wheels)
+    watch_->add_deflection(wheel.tire->free_radius() - loaded_radius(wheel.motion, *road_, time),
+                           wheel.tire->free_radius());
+}
+
+Status CarUnit::start(double time) {
   check_range((*variables_)[speed], given_[speed], 0.0, kFastest);
   check_range((*variables_)[longest], given_[longest], kShortestStep, kLongestStep);
   for (const std::size_t stiffness : {along, lateral, yaw})
@@ -236,10 +256,11 @@ Status CarUnit::start(double /*time*/) {
   if (!settled) return settled.failure();
   state_ = std::move(*settled);
   take(car, now);
+  watch(car, time, 0.0);
   return {};
 }
 
-Status CarUnit::step(double /*time*/, double step) {
+Status CarUnit::step(double time, double step) {
   assert(state_ && step > 0.0);
   const double exact = step / given_[longest];
   // A communication step of 1 ms has five steps of 0.2 ms despite rounding.
@@ -258,13 +279,16 @@ Status CarUnit::step(double /*time*/, double step) {
     if (!done) return done.failure();
   }
   take(car, end);
+  watch(car, time + step, h);
   return {};
 }
 
 std::vector<std::string> CarUnit::limits_met() const {
   // tires pass their inputs on when they are destroyed
   std::optional<car::CarState>(state_).reset();
-  return experiment::limits_met(*specimen_);
+  std::vector<std::string> limits = experiment::limits_met(*specimen_);
+  for (std::string& sentence : watch_->sentences()) limits.push_back(std::move(sentence));
+  return limits;
 }
 
 }  // namespace latsch::exchange

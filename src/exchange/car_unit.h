@@ -27,6 +27,7 @@
 #include <mutex>
 #include <optional>
 
+#include "exchange/car_input_watch.h"
 #include "exchange/unit.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
@@ -66,6 +67,8 @@ class CarUnit final : public ExchangedModel {
     std::unique_ptr<car::Car> car;
   };
   car::CarInputs inputs(const car::Car& car, double since) const;
+  /// Records parameters, inputs and the deflections of the tires.
+  void watch(const car::Car& car, double time, double step);
   void take(const car::Car& car, const car::CarInputs& inputs);
 
   std::shared_ptr<experiment::Specimen> specimen_;
@@ -74,6 +77,8 @@ class CarUnit final : public ExchangedModel {
   std::shared_ptr<const std::vector<ExchangedVariable>> variables_;
   std::shared_ptr<Shared> shared_;  // created by the first start()
   std::optional<car::CarState> state_;
+  /// greatest inputs, also of copies
+  std::shared_ptr<CarInputWatch> watch_ = std::make_shared<CarInputWatch>();
   /// parameters and inputs in the order of the table of variables
   std::array<double, kGiven> given_{};
   std::array<double, kAnswers> answers_{};  // outputs

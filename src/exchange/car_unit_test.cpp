@@ -255,5 +255,40 @@ TEST(CarUnit, ACarWrittenAsOneFileIsTheSameCar) {
   for (const std::string& path : numbers.paths()) EXPECT_EQ(back.get(path), numbers.get(path));
 }
 
+TEST(CarUnit, InputsInAnotherUnitAreTold) {
+  const auto told = [](const std::string& name, double value, bool runs = true) {
+    Driven car;
+    car.set("speed", 10.0);
+    car.start();
+    car.set(name, value);
+    if (runs) {
+      const Status done = car.unit().step(0.0, 1e-4);
+      EXPECT_TRUE(done.ok()) << done.failure().reason;
+    }
+    std::string all;
+    for (const std::string& one : car.unit().limits_met()) all += one + "\n";
+    return all;
+  };
+  const auto says = [](const std::string& text, const char* part) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << ": " << text;
+  };
+  EXPECT_EQ(told("rack.travel", 0.001), "");
+  EXPECT_EQ(told("drive.RL", 300.0), "");
+  says(told("drive.RL", 3e5), "drive.RL was 3e+05 N m, beyond the");
+  says(told("load.Fz", -2e6), "load.Fz was -2e+06 N, beyond the");
+  says(told("rack.velocity", 30.0), "rack.velocity was 30 m/s, beyond the 2 m/s");
+  says(told("brake.FL", -50.0),
+       "brake.FL was -50 N m: a largest torque of a brake is not negative");
+  says(told("guide.is_given", 2.0), "guide.is_given was 2: expected 0 or 1");
+  Driven fast;
+  fast.set("speed", 60.0);
+  fast.set("step.longest", 1e-3);
+  fast.start();
+  fast.go(2);
+  std::string all;
+  for (const std::string& one : fast.unit().limits_met()) all += one + "\n";
+  says(all, "a step of the car moved it by 60 mm");
+}
+
 }  // namespace
 }  // namespace latsch::exchange

@@ -283,13 +283,14 @@ void print_failures(const correlation::FailedTrials& failures) {
 /// Writes the report. `change` says how the study's files have changed since they were read; empty:
 /// not at all.
 int write_page(const correlation::Study& study,
+               const correlation::Study& as_read,
                const Journal& journal,
                const experiment::Language& language,
                experiment::Thoroughness thoroughness,
                const std::filesystem::path& file,
                const std::string& change) {
   const correlation::Study weighted = correlation::with_estimated_noise(study, journal);
-  auto page = correlation::study_report(weighted, journal, thoroughness);
+  auto page = correlation::study_report(weighted, journal, thoroughness, &as_read);
   if (!page) {
     complain(page.failure().reason);
     return kFailed;
@@ -314,6 +315,17 @@ std::filesystem::path report_file(const correlation::Study& study) {
   return std::filesystem::path(study.run.journal).replace_extension(".html");
 }
 
+/// Returns the file of the report. Throws InputError if the study's folder may not be written.
+std::filesystem::path writable_report(const correlation::Study& study,
+                                      const std::filesystem::path& output) {
+  const auto file = output.empty() ? report_file(study) : output;
+  if (output.empty() && !may_be_written(file))
+    throw InputError({file.string(), 0},
+                     "may not be written here: latsch report " + study.file.string() +
+                         " -o FILE writes the report elsewhere");
+  return file;
+}
+
 }  // namespace
 
 int write_report(const correlation::Study& study,
@@ -321,12 +333,8 @@ int write_report(const correlation::Study& study,
                  const experiment::Language& language,
                  experiment::Thoroughness thoroughness,
                  const std::filesystem::path& output) {
-  const auto file = output.empty() ? report_file(study) : output;
-  if (output.empty() && !may_be_written(file))
-    throw InputError({file.string(), 0},
-                     "may not be written here: latsch report " + study.file.string() +
-                         " -o FILE writes the report elsewhere");
-  return write_page(study, journal, language, thoroughness, file, "");
+  const auto file = writable_report(study, output);
+  return write_page(study, study, journal, language, thoroughness, file, "");
 }
 
 int write_report_of_run(const correlation::Study& study,
@@ -336,14 +344,17 @@ int write_report_of_run(const correlation::Study& study,
                         const std::filesystem::path& output) {
   using experiment::Thoroughness;
   const auto change = correlation::change_since_read(as_read, language);
-  if (!change) return write_report(study, journal, language, Thoroughness::seconds, output);
+  if (!change) {
+    const auto file = writable_report(study, output);
+    return write_page(study, as_read, journal, language, Thoroughness::seconds, file, "");
+  }
   const std::string sentence = fmt::format(
       "The files of the study have changed while this run went on: {}. The result and "
       "the report are of the study as it was read at the beginning",
       *change);
   const auto file = output.empty() ? report_file(study) : output;
   const int exit_code =
-      write_page(study, journal, language, Thoroughness::seconds, file, sentence + ".");
+      write_page(study, as_read, journal, language, Thoroughness::seconds, file, sentence + ".");
   complain(sentence + ". Next: restore the files, or latsch run " + study.file.string() +
                " for the changed ones",
            {study.file.string(), 0});

@@ -9,6 +9,7 @@
 
 #include "base/document.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "cli/templates/placed_tire.h"
 #include "cli/templates/tire_lines.h"
 #include "experiment/rigs/fe_tire/column_placement.h"
@@ -214,6 +215,29 @@ std::string with_placed_mesh(const std::string& stretched,
 
 std::string sized_tire(std::string_view text, const std::string& size) {
   return with_placed_mesh(stretched_tire(text, size), size);
+}
+
+std::string inflated_size_in_words(const Document& tire,
+                                   const std::string& size,
+                                   const experiment::Language& language) {
+  const std::string contour = "its contour is drawn to the size without pressure";
+  const auto test = language.read_test(
+      Document::parse("test = {kind = \"inflation\"}", "inflation").root().table("test"), {});
+  const auto inflated = test->run(*language.find_kind("fe_tire")->build(tire));
+  if (!inflated) return contour;  // check says why the tire does not inflate
+  const double diameter = 2.0 * (*inflated)["outer_radius"].front();
+  const double wanted = size_of(size).outer_diameter;
+  return fmt::format(
+      "inflated to {} the tire is {:.1f} mm high (outer diameter) and {:.1f} mm wide, {:+.1f} % of "
+      "the diameter of its size, {:.1f} mm: {}, and the crown grows by {:.1f} mm. If the size is "
+      "that of the inflated tire, subtract the growth from the radii of the contour",
+      format_quantity((*inflated)["pressure"].front(), "kPa", 4),
+      1e3 * diameter,
+      1e3 * (*inflated)["section_width"].front(),
+      100.0 * (diameter / wanted - 1.0),
+      1e3 * wanted,
+      contour,
+      1e3 * (*inflated)["growth"].front());
 }
 
 std::string coarse_tire(const std::string& text) {

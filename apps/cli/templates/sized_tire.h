@@ -16,6 +16,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/document.h"
+#include "experiment/language.h"
+
 namespace latsch::cli {
 
 /// Returns the tire file `text` stretched to the size designation. Throws InputError if the text is
@@ -36,6 +39,12 @@ std::string template_of(const std::string& size);
 
 /// Returns the largest number of unknowns that the mesh of a tire of this size may have.
 int most_unknowns(const std::string& size);
+
+/// Inflates the tire and says how large it is beside its size. A designation states the size of an
+/// inflated tire, but the contour is drawn to it without pressure. It takes a second.
+std::string inflated_size_in_words(const Document& tire,
+                                   const std::string& size,
+                                   const experiment::Language& language);
 
 /// Returns the tire on a mesh of some hundred elements: a trial takes a fraction of a second, and
 /// forces and frequencies have errors of some percent.

@@ -154,7 +154,7 @@ class FittedTir(unittest.TestCase):
             self.assertAlmostEqual(float(keys[key][0]) / value, 1.0, places=12, msg=key)
             self.assertEqual(keys[key][1], "from the data")
         self.assertNotIn("CAMMIN", keys)  # with a single camber angle there is no range, and the file says so
-        self.assertRegex(text, r"\[INCLINATION_ANGLE_RANGE\]\n\$ no range from the data: they have one camber, 0 to 0 deg")
+        self.assertRegex(text, r"\[INCLINATION_ANGLE_RANGE\]\n\$ no range from the data: they have only one camber, 0 to 0 deg")
         self.assertRegex(text, r"\[LONG_SLIP_RANGE\]\n\$ no range from the data: ")
         self.assertIn("without a margin", text)
         self.assertRegex(text, r"speeds of the data: 11\.11 to 11\.11 m/s")

@@ -6,13 +6,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/file.h"
 #include "base/random.h"
 #include "base/units.h"
-#include "cli/console/answers.h"
 #include "cli/console/console.h"
 #include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
@@ -27,9 +25,7 @@
 #include "correlation/study/study.h"
 #include "correlation/study/variables.h"
 #include "correlation/target/twin.h"
-#include "experiment/language.h"
 #include "formats/tables/measurement_file.h"
-#include "models/fe_tire/description/size_designation.h"
 
 namespace latsch::cli {
 namespace {
@@ -42,7 +38,8 @@ struct NewOptions {
   // files of a tire test, names of their columns, and held-out parts
   std::vector<std::string> recordings, columns, held_out;
   std::string axes, radius;
-  // the model that is measured, or kExample; and the known flexible ring
+  // --ring-data: the model that is measured to fit a ring to it, or kExample; --known: the file of
+  // the flexible ring at which the fit begins
   std::string ring_data, known;
   bool suspension = false, car = false;
   std::vector<std::string> drum;  // recordings of a drum with a cleat
@@ -302,36 +299,6 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
       (folder / "rig.toml").string());
 }
 
-/// Prints the size of the tire at its inflation pressure. The size in a designation is that of an
-/// inflated tire, but the contour is drawn with this size without pressure.
-void say_inflated_size(const Document& tire,
-                       const std::string& size,
-                       const experiment::Language& language) {
-  const auto designation = fe_tire::parse_size(size);
-  const experiment::SpecimenKind& kind = *language.find_kind("fe_tire");
-  const auto test = language.read_test(
-      Document::parse("test = {kind = \"inflation\"}", "inflation").root().table("test"), {});
-  const auto inflated = test->run(*kind.build(tire));
-  if (!designation || !inflated) return;  // `latsch check` says why a tire cannot be inflated
-  const double radius = (*inflated)["outer_radius"].front(),
-               pressure = (*inflated)["pressure"].front(), growth = (*inflated)["growth"].front(),
-               wanted = designation->outer_diameter;
-  const std::string words = fmt::format(
-      "inflated to {} the tire is {:.1f} mm high (outer diameter) and {:.1f} mm wide, {:+.1f} % of "
-      "the diameter of its size, {:.1f} mm: its contour is drawn to the size without pressure, and "
-      "the crown grows by {:.1f} mm",
-      format_quantity(pressure, "kPa", 4),
-      2e3 * radius,
-      1e3 * (*inflated)["section_width"].front(),
-      100.0 * (2.0 * radius / wanted - 1.0),
-      1e3 * wanted,
-      1e3 * growth);
-  answer()["inflated"] = Json{{"outer_diameter_m", 2.0 * radius}, {"size_diameter_m", wanted}};
-  say("\nAssumed: {}. If the size is that of the inflated tire, subtract the growth from the radii "
-      "of its contour\n",
-      words);
-}
-
 void start_study(const NewOptions& options, const experiment::Language& language) {
   const fs::path folder = options.folder, study = new_study(folder);
   const std::string shape = tire_of(options);
@@ -341,7 +308,8 @@ void start_study(const NewOptions& options, const experiment::Language& language
   write(folder / "tire.toml", tire.text());
   write(study, text);
   write_example(study, language);
-  if (!options.size.empty()) say_inflated_size(tire, options.size, language);
+  if (!options.size.empty())
+    say("\nAssumed: {}\n", inflated_size_in_words(tire, options.size, language));
   say("\nReplace the example values of the .csv files by your measurements, then\n"
       "  latsch check {0}\n  latsch run {0}\n",
       study.string());

@@ -34,7 +34,7 @@ std::string titled(const std::string& name, const std::string& unit) {
 
 /// Shows the channels of a recording as a study reads them: under the names in the file and in the
 /// units of a study. The table and the ledger come from the same reading. Returns false if a study
-/// cannot read the file or omits a column.
+/// cannot read the file, omits a column, or finds no number in one.
 bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownFile& shown) {
   try {
     const auto measurement = correlation::read_measurement(path, axes);
@@ -45,10 +45,17 @@ bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownF
     const bool is_whole = std::none_of(ledger.rows.begin(), ledger.rows.end(), [](const auto& row) {
       return row.state == LedgerState::doubtful && row.unit.empty();
     });
-    if (channels.empty() || !is_whole) return false;
+    const bool has_texts =
+        std::any_of(channels.all().begin(), channels.all().end(), [](const Channel& channel) {
+          return std::none_of(channel.values.begin(), channel.values.end(), [](double value) {
+            return std::isfinite(value);
+          });
+        });
+    if (channels.empty() || !is_whole || has_texts) return false;
     show_channels(channels, false, shown);
     return true;
-  } catch (const InputError&) {  // the ledger names the error
+  } catch (const InputError&) {
+    // `latsch show` adds the reason when it reads the ledger (show_ledger_of).
     return false;
   }
 }

@@ -72,7 +72,7 @@ void find_heard(const ComparisonFile& file,
                 const std::vector<FrequencyBand>& bands,
                 double highest,
                 ComparedRecord& measured) {
-  // share of the power of a band above which its noise hides the tire
+  // A band is not compared if noise makes up more than this share of its measured power.
   constexpr double kMostNoise = 0.25;
   double sigma = 0.0;
   if (file.specimen && file.specimen->noise.contains(channel))
@@ -196,7 +196,8 @@ std::vector<double> level_errors(const TireComparison& all, std::size_t tire, st
   return errors;
 }
 
-/// Returns the longest sequence of adjacent bands whose errors are within the agreement.
+/// Returns the frequency range of the longest sequence of adjacent bands whose errors are at most
+/// `agreement`, dB.
 FrequencyBand followed(const std::vector<double>& errors,
                        const std::vector<FrequencyBand>& bands,
                        double agreement) {

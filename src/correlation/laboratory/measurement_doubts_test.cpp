@@ -159,6 +159,11 @@ TEST_F(MeasurementDoubts, AnAssumedEncodingIsARowOfTheLedger) {
   EXPECT_EQ(encoding_of(western).find("Shift-JIS"), std::string::npos);
   EXPECT_EQ(said(read(western, ""), "Shift-JIS"), "");
   const std::string japanese = sweep("time [s],FZ [N],\x89\xb7\x93x [deg],FY [N]", 1.0);
+  // Längskraft, Rückstellmoment: an umlaut and the letter behind it are no Japanese character.
+  const std::string german =
+      "L\xe4ngskraft [N],R\xfc"
+      "ckstellmoment [N m],Schr\xe4glaufwinkel [\xb0]\n1,2,3\n2,3,4\n";
+  EXPECT_EQ(said(read(german, ""), "Shift-JIS"), "");
   EXPECT_NE(said(read(japanese, ""), "they look like Shift-JIS"), "");
 }
 

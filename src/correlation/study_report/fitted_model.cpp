@@ -286,7 +286,7 @@ FittedModel fitted_model(const Study& study,
     return model;
   }
   model.is_fitted = true;
-  model.search_has_ended = recorded_stages(weighted, *journal).has_ended;
+  model.search_has_ended = recorded_stages(study, *journal).has_ended;
   model.numbers = at(study.model, study.space, best->point);
   provenance.header =
       fit_header(weighted, best->point, recording_at(best->point, *journal), best->target, by);

@@ -214,7 +214,8 @@ report::RunFacts run_facts(const Study& study, const Journal& journal) {
 
 Result<StudyReport> study_report(const Study& study,
                                  const Journal& journal,
-                                 experiment::Thoroughness thoroughness) {
+                                 experiment::Thoroughness thoroughness,
+                                 const Study* as_read) {
   const auto best = best_trial(study, journal);
   if (!best) return Failure{"no trial in " + study.run.journal.string() + " succeeded"};
 
@@ -257,7 +258,7 @@ Result<StudyReport> study_report(const Study& study,
       initial.channels = score.failure();
   }
   page.run = run_facts(study, journal);
-  const std::vector<Fit> fits = recorded_stages(study, journal).fits;
+  const std::vector<Fit> fits = recorded_stages(as_read ? *as_read : study, journal).fits;
   add_convergence(study, fits, page);
   page.is_of_design = !page.convergence;
   std::vector<ExperimentBand> bands;

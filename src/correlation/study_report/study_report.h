@@ -11,9 +11,12 @@
 namespace latsch::correlation {
 
 /// Fails if no trial in the journal succeeded.
+/// `as_read`: the study before its last stage changed weights and noise, from which its stages are
+/// read; nullptr: `study` itself.
 Result<report::StudyReport> study_report(
     const Study& study,
     const Journal& journal,
-    experiment::Thoroughness thoroughness = experiment::Thoroughness::seconds);
+    experiment::Thoroughness thoroughness = experiment::Thoroughness::seconds,
+    const Study* as_read = nullptr);
 
 }  // namespace latsch::correlation

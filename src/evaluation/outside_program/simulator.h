@@ -46,8 +46,9 @@ std::vector<std::string> command(const Simulator& simulator);
 /// copied.
 Evaluator evaluator(const Simulator& simulator, const DesignSpace& space);
 
-/// Returns the files of the study's folder, apart from arguments, on which the channels depend
-/// because a script among the arguments names them (named_files.h).
+/// Returns the files in the study's folder that are named in the text of a script among the
+/// arguments (named_files.h). The channels depend on them, too. The arguments themselves are not
+/// included.
 std::vector<std::filesystem::path> watched_files(const Simulator& simulator);
 
 /// Returns what the channels depend on: arguments, the content of the program, of every file named

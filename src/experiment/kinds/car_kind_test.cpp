@@ -203,7 +203,7 @@ TEST_F(CarFile, HardpointsOfNoSuspensionAreDoubtedInACarAsInTheirOwnFile) {
   const SpecimenKind& kind = *language().find_kind("car");
   EXPECT_TRUE(kind.notes(kerb / "baseline.toml").empty());
   for (const char* name : {"baseline.toml", "front_rigid.toml", "rear_rigid.toml", "slick.tir"})
-    fs::copy_file(kerb / name, folder_ / name);
+    fs::copy_file(kerb / name, folder_ / name, fs::copy_options::overwrite_existing);
   const auto change = [&](const char* name, const std::string& from, const std::string& to) {
     std::string text = read_text_file(folder_ / name);
     const auto at = text.find(from);
@@ -224,6 +224,28 @@ TEST_F(CarFile, HardpointsOfNoSuspensionAreDoubtedInACarAsInTheirOwnFile) {
   EXPECT_NE(of_tables[0].find("front_suspension: hardpoint.contact is 1000 mm beside"),
             std::string::npos)
       << of_tables[0];
+}
+
+TEST_F(CarFile, AFloorOutsideOfTheMapIsDoubted) {
+  write_slick("tire.tir", "LEFT");
+  const SpecimenKind& kind = *language().find_kind("car");
+  const auto notes = [&](const std::string& floor) {
+    std::string all;
+    const fs::path car = write_car(
+        "front_tire = \"tire.tir\"\nrear_tire = \"tire.tir\"\n[aero]\narea = \"1 m^2\"\nfloor = " +
+        floor +
+        "\nmap = [[\"10 mm\", \"20 mm\", 1, 1], [\"60 mm\", \"20 mm\", 1, 1], [\"10 mm\", \"80 "
+        "mm\", "
+        "1, 1], [\"60 mm\", \"80 mm\", 1, 1]]\n");
+    for (const std::string& note : kind.notes(car)) all += note + "\n";
+    return all;
+  };
+  EXPECT_EQ(notes("[\"40 mm\", \"50 mm\"]"), "");
+  EXPECT_NE(notes("[\"130 mm\", \"50 mm\"]")
+                .find("aero.floor is 130 mm at the front axle of the car as drawn, outside of the "
+                      "heights 10 to 60 mm"),
+            std::string::npos);
+  EXPECT_NE(notes("[\"40 mm\", \"15 mm\"]").find("15 mm at the rear axle"), std::string::npos);
 }
 
 }  // namespace

@@ -95,7 +95,8 @@ void limit_input(const LimitedInput& input,
   }
   if (!extent->varies) {
     remarks.of_sections[input.section] = fmt::format(
-        "no range from the data: they have one {}, {}; they do not determine what depends on it",
+        "no range from the data: they have only one {}, {}, and do not determine what depends on "
+        "it",
         input.words,
         span_in_words(input, *extent));
     return;

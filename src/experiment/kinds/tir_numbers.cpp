@@ -10,7 +10,7 @@
 #include "formats/tire/kept_parts.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/standstill.h"
-#include "models/magic_formula/symmetry.h"
+#include "models/magic_formula/limits/symmetry.h"
 
 namespace latsch::experiment {
 namespace {

@@ -18,8 +18,9 @@ constexpr double kTireVibrates = 100.0;
 /// Length of a footprint, m: an obstacle is below a tire for at least this distance.
 constexpr double kFootprint = 0.1;
 
-/// Throws InputError if the record has too few samples of a period of `highest`, Hz. `key` is the
-/// key of that frequency, to which the message gives a way out.
+/// Throws InputError if the record has fewer than kSamplesOfPeriod samples in a period of the
+/// frequency `highest`, Hz. `key` is the key of the test that states this frequency. The message
+/// says which frequencies and which sample_step are permissible.
 void refuse_coarse_samples(const Node& test, const char* key, double highest, double sample_step);
 
 /// Returns a sentence if the samples of a tire that rolls over an obstacle at this speed, m/s, are

@@ -111,15 +111,15 @@ std::vector<RollingRow> read_rows(const Node& root) {
   return rows;
 }
 
-/// Reads the states of a table. Without a column of slip the wheel rolls freely; without a column
-/// of speed or pressure the values of the test are used.
+/// Reads the states of a table. Without a column of slip the wheel rolls freely. The speed and the
+/// pressure of the test are used if the test states them, or if the table has no column of them.
 std::vector<RollingRow> rows_of(const Node& root, const formats::CsvTable& table) {
   const auto has = [&](const char* name) { return !values_of(table, name).empty(); };
-  const bool has_kappa = has("kappa"), has_speed = has("Vx"), has_pressure = has("p");
+  const bool has_kappa = has("kappa");
+  const bool has_speed = has("Vx") && !root.has("speed");
+  const bool has_pressure = has("p") && !root.has("pressure");
   for (const char* key : {"load", "kappa", "alpha", "camber", "turn_slip"})
     if (root.has(key)) root.reject(key, "stands beside states, whose table has it: expected one");
-  if (has_speed && root.has("speed"))
-    root.reject("speed", "stands beside states, whose table has a column Vx: expected one of both");
   const double speed = has_speed ? 0.0 : root.quantity("speed", "m/s", Range::between(1e-3, 150.0));
   std::vector<RollingRow> rows;
   for (const magic_formula::State& state : slip_states(table, {}).states) {

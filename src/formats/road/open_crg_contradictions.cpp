@@ -23,6 +23,8 @@ constexpr double kOfPoints = 5e-2;
 constexpr double kOfLength = 1e-2;  // share of the length of the reference line
 constexpr double kAngle = 1e-2;     // rad; the same value is used for slopes
 constexpr double kHeight = 1e-3;    // m
+constexpr double kMostTurns = 1.0;  // largest heading, in turns
+constexpr double kSteepest = 1.0;   // largest slope, m/m
 
 class Contradictions {
  public:
@@ -30,6 +32,7 @@ class Contradictions {
       : header_(header), records_(records), grid_(grid), rows_(grid.rows()) {}
 
   void run() {
+    doubt_sizes();
     compare_rows();
     compare_sections();
     compare_points();
@@ -40,6 +43,51 @@ class Contradictions {
  private:
   void warn(int line, const std::string& file, const std::string& text) {
     header_.warnings.push_back(fmt::format("{}:{}: {}", file, line, text));
+  }
+
+  /// Warns of headings and slopes that are probably stated in degrees or percent; the units of the
+  /// standard are rad and m/m.
+  void doubt_sizes() {
+    const double pi = std::numbers::pi;
+    for (const auto& [name, value] : header_.road) {
+      const double size = std::abs(value.number);
+      const bool is_heading = name.ends_with("_phi");
+      const bool is_slope =
+          name.starts_with("reference_line_") && (name.ends_with("_s") || name.ends_with("_b"));
+      if (is_heading && size > kMostTurns * 2.0 * pi)
+        warn(value.line,
+             value.file,
+             fmt::format("{} is {} rad, {:.3g} turns: is it in degrees?",
+                         name,
+                         format_number(value.number),
+                         size / (2.0 * pi)));
+      if (is_slope && size > kSteepest)
+        warn(value.line,
+             value.file,
+             fmt::format("{} is {} m/m, steeper than 45 deg: is it in per cent?",
+                         name,
+                         format_number(value.number)));
+      const bool is_latitude = name.ends_with("_lat"), is_longitude = name.ends_with("_lon");
+      if ((is_latitude && size > 90.0) || (is_longitude && size > 180.0))
+        warn(value.line,
+             value.file,
+             fmt::format("{} is {} deg, which no place on the globe has",
+                         name,
+                         format_number(value.number)));
+    }
+    for (const auto& [kind, name] : {std::pair{Kind::slope, "slope"}, {Kind::banking, "banking"}}) {
+      if (!has(kind)) continue;
+      double most = 0.0;
+      for (int row = 1; row < rows_; ++row) most = std::max(most, std::abs(at(kind, row)));
+      const auto& channel = header_.channels[static_cast<std::size_t>(column_of(kind))];
+      if (most > kSteepest)
+        warn(
+            channel.line,
+            header_.file,
+            fmt::format("channel {} goes up to {:.3g} m/m, steeper than 45 deg: is it in per cent?",
+                        name,
+                        most));
+    }
   }
 
   /// Warns if the value in block $ROAD_CRG differs by more than `slack` from the value `counts`,

@@ -12,9 +12,10 @@ namespace {
 
 const std::filesystem::path kSamples = LATSCH_SOURCE_DIR "/../shared/data/crg";
 
-/// Returns the text of a flat road with five rows at intervals of 1 m and sections at -1, 0 and 1
-/// m, with the given statements, channels of the reference line and values of these channels in
-/// each row.
+/// Returns the text of a flat road with five rows, 1 m apart, and long sections at v = -1, 0 and
+/// 1 m. `statements` are those of $ROAD_CRG. `channels` defines channels of the reference line, and
+/// `values` contains their values in each row. The sections are defined by their positions if
+/// `by_place` is true, otherwise by their numbers.
 std::string crg(const std::string& statements,
                 const std::string& channels = "",
                 const std::vector<std::string>& values = {"", "", "", "", ""},
@@ -103,8 +104,7 @@ TEST(OpenCrgContradictions, PointsAndHeadingsAreComparedWithStartAndEnd) {
              "reference_line_start_y is 50, but it is 5 by channel y");
   expect_one(crg(kRows + "reference_line_start_phi = 1.5708\n", channels, xy),
              "reference_line_start_phi is 1.5708, but it is 0 by channels x and y");
-  // Test a straight line whose stated end differs from the end that follows from start, heading and
-  // length.
+  // The stated end of a straight line disagrees with its start, heading and length.
   expect_one(crg(kRows + "reference_line_start_phi = 0\nreference_line_end_x = 40\n"
                          "reference_line_end_y = 0\n"),
              "reference_line_end_x is 40, but it is 4 by start, heading and length");
@@ -119,6 +119,19 @@ TEST(OpenCrgContradictions, HeightsAndBankingAreComparedWithTheirChannels) {
   expect_one(
       crg(kRows + "reference_line_start_b = -0.05\n", "D:reference line banking,m/m\n", bank),
       "reference_line_start_b is -0.05, but it is 0.05 by channel banking");
+}
+
+TEST(OpenCrgContradictions, DegreesAndPerCentAreDoubted) {
+  expect_one(crg(kRows + "reference_line_start_phi = 90\n"),
+             "reference_line_start_phi is 90 rad, 14.3 turns: is it in degrees?");
+  expect_one(crg(kRows + "reference_line_start_s = 5\n"),
+             "reference_line_start_s is 5 m/m, steeper than 45 deg");
+  expect_one(crg(kRows + "reference_line_start_b = 3\n"), "reference_line_start_b is 3 m/m");
+  expect_one(crg(kRows + "reference_line_start_lat = 148\n"), "which no place on the globe has");
+  const std::vector<std::string> slope(5, "2.5000000");
+  expect_one(crg(kRows, "D:reference line slope,m/m\n", slope), "channel slope goes up to 2.5 m/m");
+  EXPECT_TRUE(said(crg(kRows + "reference_line_start_phi = 1.5708\nreference_line_start_s = 0.1\n"))
+                  .empty());
 }
 
 TEST(OpenCrgContradictions, ModifiersAreNoContradictions) {

@@ -55,8 +55,8 @@ void expect_crg_message(const std::string& text,
   }
 }
 
-/// Compares the normal with central differences, away from the lines of the grid; h² times third
-/// derivatives, and rounding over h, are below 1e-8.
+/// Compares the normal with central differences at a point that is not on a grid line. The errors
+/// of the differences, h² times third derivatives and rounding divided by h, are below 1e-8.
 void expect_normal_of_surface(const CrgRoad& road, double x, double y) {
   constexpr double h = 1e-5;
   const road::GroundPoint ground = road.at(x, y, 0.0);
@@ -417,8 +417,8 @@ TEST(OpenCrg, StatementsThatContradictOrIdleEachOtherAreTold) {
   expect_crg_message(with_section("$ROAD_CRG_OPTS\nrefline_continuation = 2\n"),
                      "road.crg:9: ",
                      "expected 0 or 1");
-  // An offset of the reference point has an effect with and without a stated fraction, and in
-  // addition to a stated position.
+  // refpoint_u_offset and refpoint_v_offset shift the reference point, whether the file states its
+  // position (refpoint_u), its fraction of the road's length (refpoint_u_fraction) or neither.
   const auto origin = [](const std::string& modifiers) {
     return road_of(with_section("$ROAD_CRG_MODS\n" + modifiers)).point({0.0, 0.0});
   };

@@ -518,8 +518,9 @@ LabTable read_tydex(const std::filesystem::path& file,
   return table;
 }
 
-/// Counts the byte pairs that are one character in Shift-JIS (Windows code page 932), and the bytes
-/// above ASCII that belong to no such pair.
+/// Counts the byte pairs that are one character in Shift-JIS (Windows code page 932) and begin as
+/// kana and usual kanji do, with 0x81 to 0x9f, and the bytes above ASCII that belong to no pair. An
+/// umlaut of Windows-1252 with the letter behind it is a pair that begins at 0xc4 or above.
 std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
   std::size_t pairs = 0, others = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -530,7 +531,7 @@ std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
     const bool follows = second >= 0x40 && second != 0x7f && second <= 0xfc;
     const bool is_kana = first >= 0xa1 && first <= 0xdf;  // half-width, one byte each
     if (leads && follows) {
-      ++pairs;
+      pairs += first <= 0x9f;
       ++i;
     } else if (!is_kana) {
       ++others;

@@ -301,13 +301,14 @@ void check_stiffness(const Channels& channels, std::vector<ChannelDoubt>& doubts
           force && force->unit == "N" ? stiffness_of(motion, *force) : std::nullopt;
       if (!stiffness || (*stiffness * kPerMm >= usual.least && *stiffness * kPerMm <= usual.most))
         continue;
-      doubts.push_back({motion.name,
-                        fmt::format("moves by {} N/mm of {}, expected {:g} .. {:g} N/mm; {}",
-                                    format_number(*stiffness * kPerMm, 3),
-                                    force->name,
-                                    usual.least,
-                                    usual.most,
-                                    kLengths)});
+      doubts.push_back(
+          {motion.name,
+           fmt::format("has a stiffness of {} N/mm against {}, expected {:g} .. {:g} N/mm; {}",
+                       format_number(*stiffness * kPerMm, 3),
+                       force->name,
+                       usual.least,
+                       usual.most,
+                       kLengths)});
     }
   }
 }

@@ -109,7 +109,8 @@ constexpr std::array kSenses = {
     Named{"spring", S::same},
 };
 
-// Classical compliances: toe or camber over the load that causes it.
+// Beginnings of the names of classical compliances, such as lateral_force_toe, and the sense of the
+// load. A compliance is the change of toe or camber per unit of this load.
 constexpr std::array kActing = {Named{"lateral_force_", S::along_y},
                                 Named{"longitudinal_force_", S::along_x},
                                 Named{"aligning_torque_", S::about_z}};

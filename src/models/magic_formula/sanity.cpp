@@ -31,6 +31,12 @@ constexpr double kReturned = 0.5;
 constexpr double kLeastSweep = 30.0 * kDegree;
 // Largest checked slips of a tire that rolls forward.
 constexpr double kMostAlpha = 45.0 * kDegree, kMostKappa = 1.0;
+// Smallest force at large slip, as a share of its peak. A smaller one turns around.
+constexpr double kLeastLeft = 0.1;
+// Largest lever of the overturning moment, as a share of the radius.
+constexpr double kMostLever = 0.5;
+// Largest camber stiffness over the load, 1/rad.
+constexpr double kMostCamber = 6.0;
 constexpr std::size_t kNamed = 3;
 constexpr double kBar = 1e5;
 
@@ -166,6 +172,100 @@ Finding friction_falls(const Parameters& p, const Lattice& at, Answer mu, const 
         });
       }
     }
+  return found;
+}
+
+/// Checks the forces of one slip alone up to a locked wheel or kMostAlpha, whatever the data: they
+/// keep the direction that they have at small slip.
+Finding force_keeps_direction(const Parameters& p, const Lattice& at, bool lateral) {
+  constexpr int kSteps = 60;
+  const MagicFormula tire(p);
+  Finding found;
+  for (const double Fz : at.loads)
+    for (const double side : {-1.0, 1.0}) {
+      double peak = 0.0;
+      for (int i = 1; i <= kSteps; ++i) {
+        const double slip = side * (lateral ? kMostAlpha : kMostKappa) * i / kSteps;
+        const SteadyState s = tire.evaluate({Fz,
+                                             lateral ? 0.0 : slip,
+                                             lateral ? slip : 0.0,
+                                             0.0,
+                                             0.0,
+                                             at.speed,
+                                             at.nominal_pressure});
+        const double force = side * (lateral ? -s.Fy : s.Fx);
+        peak = std::max(peak, force);
+        if (!(peak > 0.0)) continue;
+        found.worsen(kLeastLeft - force / peak, [&] {
+          return fmt::format("the {} force turns around: {:.0f} % of its peak at {} and {:.0f} N",
+                             lateral ? "side" : "longitudinal",
+                             100.0 * force / peak,
+                             lateral ? fmt::format("{:.0f} deg", slip / kDegree)
+                                     : fmt::format("kappa {:.2f}", slip),
+                             Fz);
+        });
+      }
+    }
+  return found;
+}
+
+/// Checks that the trail at zero slip angle is positive, so that the side force steers back.
+Finding trail_is_positive(const Parameters& p, const Lattice& at) {
+  const MagicFormula tire(p);
+  Finding found;
+  for (const double Fz : at.loads) {
+    if (Fz < kLightest * p.FNOMIN) continue;
+    const double t = tire.evaluate({Fz, 0.0, 0.0, 0.0, 0.0, at.speed, at.nominal_pressure}).t;
+    found.worsen(-t / p.UNLOADED_RADIUS, [&] {
+      return fmt::format(
+          "the pneumatic trail is {:.3g} mm at {:.0f} N: the aligning moment has the "
+          "wrong sign",
+          1e3 * t,
+          Fz);
+    });
+  }
+  return found;
+}
+
+/// Checks the overturning moment against half of the radius as the lever of the load.
+Finding overturning_in_bounds(const Parameters& p, const Lattice& at) {
+  const MagicFormula tire(p);
+  Finding found;
+  for (const double Fz : at.loads)
+    for (const double alpha : {-at.alpha, 0.0, at.alpha}) {
+      const double lever =
+          tire.evaluate({Fz, 0.0, alpha, 0.0, 0.0, at.speed, at.nominal_pressure}).Mx / Fz;
+      found.worsen(std::abs(lever) / p.UNLOADED_RADIUS - kMostLever, [&] {
+        return fmt::format(
+            "the overturning moment is that of {:.0f} N at a lever of {:.0f} mm at "
+            "{:.1f} deg, more than half of the radius",
+            Fz,
+            1e3 * lever,
+            alpha / kDegree);
+      });
+    }
+  return found;
+}
+
+/// Checks the side force by camber at zero slip angle over load and angle.
+Finding camber_force_in_bounds(const Parameters& p, const Lattice& at) {
+  constexpr double kAngle = 1.0 * kDegree;
+  const MagicFormula tire(p);
+  const auto Fy = [&](double Fz, double gamma) {
+    return tire.evaluate({Fz, 0.0, 0.0, gamma, 0.0, at.speed, at.nominal_pressure}).Fy;
+  };
+  Finding found;
+  for (const double Fz : at.loads) {
+    const double share = std::abs(Fy(Fz, kAngle) - Fy(Fz, -kAngle)) / (2.0 * kAngle * Fz);
+    found.worsen(share - kMostCamber, [&] {
+      return fmt::format(
+          "the camber stiffness is {:.3g} of the load a radian at {:.0f} N, that of a "
+          "tire is at most some {:g}",
+          share,
+          Fz,
+          kMostCamber);
+    });
+  }
   return found;
 }
 
@@ -473,6 +573,22 @@ std::vector<Row> rows(const Parameters& p, const Lattice& at) {
     add("friction ellipse",
         [at](const Parameters& q) { return ellipse_is_convex(q, at); },
         {"RB", "RC", "RE", "RH", "RV", "PE", "PC"});
+  for (const bool lateral : {false, true})
+    if (lateral ? has_y : has_x)
+      add(
+          "force at large slip",
+          [=](const Parameters& q) { return force_keeps_direction(q, at, lateral); },
+          lateral ? std::vector<std::string_view>{"PCY", "PEY", "LEY", "LCY"}
+                  : std::vector<std::string_view>{"PCX", "PEX", "LEX", "LCX"});
+  if (has_y) {
+    add("trail", [at](const Parameters& q) { return trail_is_positive(q, at); }, {"QD", "LTR"});
+    add("overturning moment",
+        [at](const Parameters& q) { return overturning_in_bounds(q, at); },
+        {"QSX", "LMX", "LVMX"});
+    add("camber stiffness",
+        [at](const Parameters& q) { return camber_force_in_bounds(q, at); },
+        {"PKY", "PHY3", "PVY3", "PVY4", "LKYC"});
+  }
   if (has_y && at.alpha > 0.0)
     add("aligning moment",
         [at](const Parameters& q) { return moment_returns(q, at); },

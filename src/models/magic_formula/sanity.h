@@ -10,6 +10,11 @@
 //   friction over load    falls or stays: it does not rise by more than 1 % above a lower load
 //   friction ellipse      the forces of all slips are convex: in every direction at least 80 % of
 //                         their convex hull
+//   force at large slip   up to a locked wheel and 45 degrees the force of one slip keeps its
+//                         direction, with at least 10 % of its peak
+//   trail                 is positive at zero slip angle
+//   overturning moment    at most the load at a lever of half the radius
+//   camber stiffness      at most six times the load, for each radian
 //   aligning moment       falls beyond its peak, and beyond 0 it stays below half of the peak
 //   factors               of pressure and camber polynomials stay positive: no pole, no change
 //                         of sign

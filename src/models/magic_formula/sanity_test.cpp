@@ -77,6 +77,13 @@ TEST(Sanity, AFaultNamesItsRowAndTheCoefficientThatMakesIt) {
            Case{&Parameters::RBX1, 60.0, "RBX1", "friction ellipse"},
            Case{&Parameters::PPZ1, 8.0, "PPZ1", "factors"},
            Case{&Parameters::PFZ1, 9.0, "PFZ1", "factors"},
+           Case{&Parameters::PCX1, 2.9, "PCX1", "force at large slip"},
+           Case{&Parameters::PCX1, 2.3, "PCX1", "force at large slip"},
+           Case{&Parameters::PCY1, 2.9, "PCY1", "force at large slip"},
+           Case{&Parameters::QDZ1, -0.1, "QDZ1", "trail"},
+           Case{&Parameters::QDZ2, -3.0, "QDZ2", "trail"},
+           Case{&Parameters::QSX1, 3.0, "QSX1", "overturning moment"},
+           Case{&Parameters::PKY6, 30.0, "PKY6", "camber stiffness"},
            Case{&Parameters::PPY2, -9.0, "PPY2", "factors"},
            Case{&Parameters::QBZ4, -15.0, "QBZ4", "factors"},
        }) {

@@ -160,9 +160,10 @@ TEST(Standstill, ABrakedCarComesToRestWithoutChatter) {
       before = car.v;
     }
     EXPECT_LT(std::abs(car.v), 1e-4) << mode;
-    // The mass springs back once, more slowly than on the carcass alone.
+    // The mass springs back at less than 1 m/s. On the carcass's spring alone it would be faster.
     EXPECT_LT(rise, 1.0) << mode;
-    // At most two reversals per period of the 4.4 Hz of mass and carcass.
+    // The velocity changes its sign at most twice per period of the vibration of the mass on the
+    // carcass's spring. Its frequency is 4.4 Hz, so fewer than five periods pass per second.
     EXPECT_LT(turns, 2 * 10 * 5) << mode;
   }
 }

@@ -67,7 +67,8 @@ LATSCH_INLINE Matrix crosses(const Vector& a, const Vector& b) {
            {a.z * b.x, a.z * b.y, -(a.x * b.x + a.y * b.y)}}};
 }
 
-/// The transposed values of four bushings: reads 4 n successive numbers of each.
+/// Reads 4 n successive numbers of each of four bushings and transposes them: of[i] has the i-th
+/// number of all four.
 template <int n>
 struct Numbers {
   T of[4 * n];

@@ -25,7 +25,7 @@ struct CamOutline {
   /// Returns the x at which the outline touches a straight line that rises by `rise`: slope(x) =
   /// -rise.
   double touch(double rise) const {
-    // The equation is rise a/b = t^((c-1)/c) with t = xi^c/(1 - xi^c).
+    // With t = xi^c/(1 - xi^c) the condition slope(x) = -rise is rise a/b = t^((c-1)/c).
     const double t = std::pow(std::abs(rise) * a / b, c / (c - 1.0));
     return std::copysign(std::isinf(t) ? a : a * std::pow(t / (1.0 + t), 1.0 / c), rise);
   }

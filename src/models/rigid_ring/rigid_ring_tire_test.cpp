@@ -413,7 +413,8 @@ TEST(RigidRing, OverAShortWaveTheSpinFollowsTheCurvature) {
   p.FREFF = p.DREFF = 0.0;  // R_e is that of the free tire at every load
   const auto rolled = roll_over(p, SineRoad(0.004, 4.0), 16.0);
   double off = 0.0, varies = 0.0;
-  for (std::size_t i = rolled.size() * 3 / 4; i + 1 < rolled.size(); ++i) {  // start has decayed
+  // In the last quarter the vibration from the start has decayed.
+  for (std::size_t i = rolled.size() * 3 / 4; i + 1 < rolled.size(); ++i) {
     const Rolled &r = rolled[i], &before = rolled[i - 1], &after = rolled[i + 1];
     const double turning = (after.beta - before.beta) / 1e-3;
     const Vector3d along(std::cos(r.beta), 0.0, std::sin(r.beta));

@@ -52,19 +52,21 @@ constexpr std::array kOutputs = {
                     "kingpin to wheel center across the wheel, positive wheel center outboard",
                     &W::kingpin_offset},
     KinematicOutput{
-        "bump_steer", "rad/m", "toe by travel, positive toe-in in bump", &W::bump_steer},
-    KinematicOutput{
-        "bump_camber", "rad/m", "camber by travel, positive top outboard in bump", &W::bump_camber},
+        "bump_steer", "rad/m", "toe per travel, positive toe-in in bump", &W::bump_steer},
+    KinematicOutput{"bump_camber",
+                    "rad/m",
+                    "camber per travel, positive top outboard in bump",
+                    &W::bump_camber},
     KinematicOutput{"steer_by_rack",
                     "rad/m",
-                    "steer by rack, positive to the left for a rack "
+                    "steer per rack travel, positive to the left for a rack "
                     "that moves to the left",
                     &W::steer_by_rack,
                     about_z,
                     along_y},
     KinematicOutput{"camber_by_rack",
                     "rad/m",
-                    "camber by rack, positive top outboard for a rack "
+                    "camber per rack travel, positive top outboard for a rack "
                     "that moves to the left",
                     &W::camber_by_rack,
                     same,
@@ -76,7 +78,7 @@ constexpr std::array kOutputs = {
                     &W::roll_center_height},
     KinematicOutput{"roll_center_by_travel",
                     "1",
-                    "height of the wheel's own roll center by "
+                    "change of the height of the wheel's own roll center per "
                     "travel, positive upward in bump",
                     &W::roll_center_by_travel},
     KinematicOutput{"contact_x", "m", "contact point, forward", &W::contact_x, along_x},
@@ -112,7 +114,7 @@ constexpr std::array kOutputs = {
                     Group::spring},
     KinematicOutput{"motion_ratio",
                     "1",
-                    "compression of the spring by rise of the contact point, "
+                    "compression of the spring per rise of the contact point, "
                     "positive compressed in bump",
                     &W::motion_ratio,
                     same,
@@ -133,11 +135,16 @@ constexpr std::array kOutputs = {
                     about_y,
                     same,
                     Group::bar},
-    KinematicOutput{
-        "arb_ratio", "rad/m", "the same by travel", &W::arb_ratio, about_y, same, Group::bar},
+    KinematicOutput{"arb_ratio",
+                    "rad/m",
+                    "the same angle per travel",
+                    &W::arb_ratio,
+                    about_y,
+                    same,
+                    Group::bar},
     KinematicOutput{"wheel_rate",
                     "N/m",
-                    "force at the contact point by its rise against the "
+                    "force at the contact point per rise against the "
                     "chassis, tire rigid",
                     &W::wheel_rate,
                     same,

@@ -10,7 +10,7 @@
 //   caster_offset = (g - c)'f,  mechanical_trail = caster_offset cos caster                     (3)
 //   caster_trail_hub = (w - h)'f,  scrub_radius = (c - g)'l,  kingpin_offset = (w - h)'l        (4)
 //   roll_center_height = v_y / v_z c_y of the point of the upright at c                         (5)
-//   motion_ratio = -dL/dz: compression of the spring by rise of the contact point               (6)
+//   motion_ratio = -dL/dz: compression of the spring per rise of the contact point              (6)
 //   wheel_rate = k i² + F di/dz,  F = m g / i(0) + k (L(0) - L)                                 (7)
 //   ride_rate = wheel_rate c_t / (wheel_rate + c_t),  ride_frequency = √(ride_rate / m) / 2π    (8)
 //

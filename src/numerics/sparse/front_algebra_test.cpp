@@ -69,8 +69,8 @@ TEST(FrontAlgebra, IsThatOfDoublePrecision) {
       MatrixXd square = L * L.topRows(pivots).transpose() - A.cast<double>();
       square.topRows(pivots).triangularView<Eigen::StrictlyUpper>().setZero();
       // The bound on the error is (n + 1) eps |L| |L'| [Higham, Accuracy and Stability of Numerical
-      // Algorithms, theorem 10.3]; no row of L is longer than the square root of its diagonal entry
-      // of A.
+      // Algorithms, theorem 10.3]. The norm of a row of L is at most the square root of the
+      // diagonal entry of A in the same row.
       const double rounding = (pivots + 1) * 6e-8 * pivots;
       EXPECT_LT(square.cwiseAbs().maxCoeff(), rounding) << pivots << " " << below;
       MatrixXd left = update.cast<double>() + L.bottomRows(below) * L.bottomRows(below).transpose();

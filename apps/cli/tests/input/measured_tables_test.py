@@ -167,6 +167,18 @@ class KcRig(doubtful_data_test.Data):
         self.write("study.toml", study.replace(at, ""))
         self.latsch("check", "study.toml")
 
+    def test_slopes_in_other_axes_are_answered_with_the_axes_first(self):
+        self.check()
+        slopes = '[measurement.s]\nfile = "slopes.csv"\n'
+        self.write("slopes.csv", "toe_by_Mz [deg/(N m)],camber_by_Fy [deg/kN]\n" + "0.01,0.02\n" * 5)  # SAE J670e
+        self.write("study.toml", KC.format(more="", compare="") + slopes)
+        said = self.latsch("check", "study.toml")
+        self.assert_says(said, "has the signs of a right wheel", 'say axes = "sae"; or', 'toe_by_Mz = "-toe_by_Mz"',
+                         'camber_by_Fy = "-camber_by_Fy"')
+        for more in ('axes = "sae"\n', 'columns = {toe_by_Mz = "-toe_by_Mz", camber_by_Fy = "-camber_by_Fy"}\n'):
+            self.write("study.toml", KC.format(more="", compare="") + slopes + more)
+            self.assertNotIn("has the signs of", self.latsch("check", "study.toml"))
+
     def test_a_displacement_in_another_unit_is_told(self):
         # displacement in mm: the stiffness is 50 kN/mm
         rows = "".join(f"{F},{2e-5 * F:.6f}\n" for F in range(-4000, 4001, 1000))

@@ -27,7 +27,7 @@
 namespace latsch {
 
 struct ColumnPlacementSettings {
-  int unknowns = 0;  // greatest number in the mesh; 0: the present one
+  int unknowns = 0;  // largest number of unknowns; 0: as many as the present mesh has
   int modes = 20;
   int rounds = 6;               // most rounds of moving columns
   bool choose_sectors = false;  // true: chooses an even number of sectors, too

@@ -24,8 +24,10 @@ that of friction). The rubber is elastic: rolling resistance is that of friction
           {
               {"load", "Loads of the wheel, Fz."},
               {"speed",
-               "Speeds of the wheel center along the wheel's heading; centrifugal forces act. For "
-               "`states`, only if the table has no Vx."},
+               "Speeds of the wheel center along the wheel's heading; centrifugal forces act. "
+               "Beside "
+               "`states` one speed, which replaces the table's column Vx, as `pressure` replaces "
+               "p."},
               {"friction",
                "Coefficient of friction with the ground. With 0 no state may have a slip; the "
                "wheel then spins with its speed over the inflated radius less a third of the "
@@ -61,6 +63,7 @@ kappa = [-0.01, -0.05]
 )toml",
               R"toml(kind = "rolling"
 states = "states.csv"
+speed = "60 km/h"
 friction = 1.0
 )toml",
           },

@@ -114,7 +114,8 @@ class LinearTire {
   // Condensed stiffness in all directions of the nodes that the ground may reach.
   CondensedTire by_nodes_;
   std::vector<char> is_reached_;  // for every point of the tread: true if the ground may reach it
-  // First row of every node that the ground may reach; -1 for other nodes.
+  // Row of the first direction of every node that the ground may reach, in by_nodes_; -1 for other
+  // nodes.
   std::vector<int> first_row_;
   GroundTangent tangent_;  // derivative dc/dw at the last step, in all directions
   Eigen::MatrixXd S_;      // condensed stiffness for the heights

@@ -23,7 +23,7 @@ constexpr double kNear = 1.5e-3;
 constexpr double kAlong = 1e10;
 /// Speed of rotation of a locked wheel, relative to rolling: (F.1) needs a flow, however slow.
 constexpr double kLocked = 1e-6;
-constexpr int kMostCorrections = 40;
+constexpr int kMostCorrections = 15;
 /// Longest corrections of the spin, relative: a tire that slides as a whole tells no slope. And
 /// farthest that height, m, and spin, relative, may go on one linear tire.
 constexpr double kMostTurn = 0.02, kMostSpin = 0.1, kMostSink = 2e-3;
@@ -105,6 +105,9 @@ bool LinearRoller::condense_for(TreadBody& body) {
 
 /// Solves the contact at a height and a spin.
 Result<LinearRoller::Attempt> LinearRoller::stand(const RollingCase& of, GripState& states) {
+  if (is_spent())
+    return Failure{
+        fmt::format("no steady state after {} sets of sticking and sliding points", spent_)};
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
   Attempt attempt;
   attempt.body =
@@ -116,9 +119,15 @@ Result<LinearRoller::Attempt> LinearRoller::stand(const RollingCase& of, GripSta
   if (!condense_for(body)) return Failure{"the tangent of the tread is not positive definite"};
   body.set_force_scale(load_);
   const RollingGrip grip(body.lines(), of.friction, kAlong);
-  auto found = fe_tire::roll(body, grip, q_, listed(states, body.points()));
-  if (!found) return found.failure();
+  const RollingContactOptions limits = {
+      .most_passes = 50, .most_iterations = 15, .most_returns = 6};
+  auto found = fe_tire::roll(body, grip, q_, listed(states, body.points()), limits);
+  if (!found) {
+    spent_ += 2 * limits.most_passes;  // both starts, at least
+    return found.failure();
+  }
   passes_ += found->passes;
+  spent_ += found->passes + 1;
   put_back(*found, body.points(), states);
   q_ = found->q;
   attempt.contact = *std::move(found);

@@ -42,6 +42,10 @@ class LinearRoller {
   bool factorize(const numerics::SymmetricMatrix& K);
   bool has_factor() const { return has_factor_; }
   void forget();
+  /// Begins a new state, whose active sets are limited in number.
+  void begin() { spent_ = 0; }
+  /// True if they are used up: no part of a path succeeds any more.
+  bool is_spent() const { return spent_ > kMostSets; }
 
   /// Solves (R.2) about the unknowns x with the forces g. `states`: of all points of the tread; the
   /// start, then those found. `load`, N: the size of the ground's forces. `enough`: accepted error
@@ -56,6 +60,7 @@ class LinearRoller {
                       int& passes);
 
  private:
+  static constexpr int kMostSets = 1500;  // limit of the work for one state; most need some 50
   struct Attempt {
     std::unique_ptr<TreadBody> body;
     RollingContactState contact;
@@ -81,7 +86,7 @@ class LinearRoller {
   Eigen::Matrix3Xd u_;     // displacements of the tread's nodes at x
   Eigen::VectorXd q_;      // last solution on rows_, a start
   double load_ = 1.0;
-  int passes_ = 0;
+  int passes_ = 0, spent_ = 0;
   Eigen::MatrixXd by_;  // derivative of the errors of load and drive with respect to what is
                         // found
 };

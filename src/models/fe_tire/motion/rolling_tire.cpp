@@ -245,6 +245,7 @@ Result<RollingState> RollingTire::roll(const RollingState& from, const RollingCa
   RollingCase end = of;
   if (of.load && !(end.height > 0.0)) end.height = start.height;
   if (of.drive && !(end.spin > 0.0)) end.spin = start.spin;
+  impl_->linear.begin();
   int iterations = 0, factors = 0, passes = 0, parts = 0;
   for (double share = 0.0, step = 1.0; share < 1.0;) {
     const double next = std::min(1.0, share + step);
@@ -255,7 +256,8 @@ Result<RollingState> RollingTire::roll(const RollingState& from, const RollingCa
     if (!found) {
       impl_->linear.forget();
       step *= 0.5;
-      if (step < kShortestPart) return not_reached(there, found.failure().reason);
+      if (step < kShortestPart || impl_->linear.is_spent())
+        return not_reached(there, found.failure().reason);
       continue;
     }
     iterations += found->iterations;

@@ -42,8 +42,9 @@ struct StandingWave {
   double speed = 0.0;   // rad/s
   double radius = 0.0;  // m, of the tire that spins at this speed
   int n = 0;            // waves around the circumference
-  int resolved = 0;     // greatest n of which a sector is at most a radian; a standing wave of more
-                        // waves depends on the sectors
+  /// Greatest n for which a sector is at most one radian of the wave. A standing wave with a
+  /// greater n depends on the number of sectors.
+  int resolved = 0;
 };
 
 class SpinningTire {

@@ -11,13 +11,14 @@
 // z = lambda Delta t,
 //   h_{k+1} = e^(-z_k) h_k + beta [phi_1 Delta S + i omega Delta t_k (phi_1 S_k + phi_2 Delta S)],
 //   phi_1 = (1 - e^(-z))/z, phi_2 = (1 - phi_1)/z;                                            (H.3)
-// around the ring b = prod e^(-z_k), and h_0 = (what (H.3) brings back starting from 0)/(1 - b).
-// Both are exact for S linear between points, stable for any step and of second order. They are
-// computed as h = beta S + g, for which (H.3) reads
+// After a full turn h must be h_0 again: with b = prod e^(-z_k), h_0 is the value that (H.3)
+// reaches after a turn from h = 0, divided by 1 - b. (H.2) and (H.3) are exact for S linear between
+// points, stable for any step and of second order. They are computed as h = beta S + g, for which
+// (H.3) reads
 //   g_{k+1} = e^(-z_k) g_k - beta a_k [phi_1 S_k + phi_2 Delta S].
-// All terms of its closure are ratios of the same order as 1 - b, so it holds without loss of
-// digits from Omega -> 0, where h is beta i omega tau/(1 + i omega tau) S (relaxed at omega = 0),
-// to Omega -> infinity, where h = beta (S - mean of S) at omega = 0.
+// The terms of g_0 are ratios of numbers of the same order as 1 - b, so no digits are lost from
+// Omega -> 0, where h is beta i omega tau/(1 + i omega tau) S (relaxed at omega = 0), to Omega ->
+// infinity, where h = beta (S - mean of S) at omega = 0.
 //
 // S must be in axes that turn with the sectors; stress in axes of the wheel would turn every sector
 // and show a loss that is not there.
@@ -50,12 +51,14 @@ class Streamline {
                            double Omega,
                            double omega,
                            const Eigen::MatrixXcd& S) const;
-  /// Returns dh_k/dS_k at points upstream held, c of (H.2) times beta, for every point.
+  /// Returns, for every point k, the derivative dh_k/dS_k in (H.2) while h and S of the points
+  /// upstream are constant. It is beta times c of the step that ends at k.
   Eigen::VectorXd local_tangent(const PronyTerm& term, double Omega) const;
 
-  /// Returns the power that the stress H loses on strains E [components x points], W over the
-  /// volume of the chain a radian: |Omega| times the integral of H : dE along the flow, by
-  /// trapezoids of H on differences of E. Shear strains are engineering strains.
+  /// Returns the power that is lost by the stress H on the strains E [components x points], in W,
+  /// divided by the volume of one radian of the streamline's material. It is |Omega| times the
+  /// integral of H : dE along the flow by the trapezoidal rule. Shear strains are engineering
+  /// strains.
   double power(double Omega, const Eigen::MatrixXd& H, const Eigen::MatrixXd& E) const;
 
  private:

@@ -2,6 +2,7 @@
 #include "models/fe_tire/motion/tread_body.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -9,6 +10,41 @@
 #include "numerics/sparse/front_algebra.h"
 
 namespace latsch::fe_tire {
+namespace {
+
+/// Relative residual of a refined solution, and most refinements. A matrix that needs more is
+/// factorized in double precision.
+constexpr double kRefined = 1e-11;
+constexpr int kMostRefinements = 6;
+
+/// Solves J x = R by a factorization in single precision, which is several times as fast, and
+/// residuals in double precision.
+bool solve_refined(const Eigen::MatrixXd& J, const Eigen::VectorXd& R, Eigen::VectorXd& x) {
+  const int n = static_cast<int>(J.rows());
+  const double scale = std::max(J.cwiseAbs().maxCoeff(), 1e-300);
+  Eigen::MatrixXf LU = (J / scale).cast<float>();
+  std::vector<int> rows(static_cast<std::size_t>(n));
+  numerics::factorize_lu(n, LU.data(), rows.data());
+  Eigen::VectorXd r = R;
+  x = Eigen::VectorXd::Zero(n);
+  for (int pass = 0; pass <= kMostRefinements; ++pass) {
+    const double size = r.cwiseAbs().maxCoeff();
+    if (size <= kRefined * R.cwiseAbs().maxCoeff()) return true;
+    if (!std::isfinite(size)) break;
+    Eigen::VectorXf step = (r / size).cast<float>();
+    numerics::solve_lu(n, LU.data(), rows.data(), step.data());
+    x += (size / scale) * step.cast<double>();
+    r = R - J * x;
+  }
+  numerics::Lu lu;
+  lu.factorize(J);
+  Eigen::MatrixXd right = R;
+  lu.solve(right);
+  x = right;
+  return x.allFinite();
+}
+
+}  // namespace
 
 TreadBody::TreadBody(const TreadSurface& tread,
                      const TreadLines& lines,
@@ -191,12 +227,7 @@ bool TreadBody::solve(const Eigen::VectorXd& q,
       for (int a = 0; a < n; ++a) column[section.columns[a]] += tangent(a, b);
     }
   }
-  numerics::Lu lu;
-  lu.factorize(J);
-  Eigen::MatrixXd right = R;
-  lu.solve(right);
-  dq = right;
-  return dq.allFinite();
+  return solve_refined(J, R, dq);
 }
 
 }  // namespace latsch::fe_tire

@@ -9,7 +9,8 @@ namespace latsch::ring_tire {
 
 namespace {
 
-/// Returns the run-out of the nodes for which the curve has the given run-out at its knots.
+/// Returns the lateral run-out of every node such that the belt's curve, a spline with the nodes
+/// as control points, has the given run-out at its knots.
 std::vector<double> lateral_rest_of(const RingParameters& ring) {
   std::vector<double> rest;
   if (ring.uniformity.lateral_runout.empty()) return rest;
@@ -94,7 +95,8 @@ WholeBand InnerForces::belt_damping_by_places(const NodeValues& q,
   return damping_by_places(belt_, nodes_, node_rates_, rim);
 }
 
-/// Knots rotated with the rim move by (z, 0, -x), and their forces rotate by the same angle.
+/// If the rim rotates by a small angle, its knots move by this angle times (z, 0, -x), and the
+/// forces at the knots rotate by the angle.
 void InnerForces::find_turned_rim(double scale, RimRows& row) {
   const double *x = knots_.row(RimRows::kX), *z = knots_.row(RimRows::kZ);
   const double *fx = of_sidewall_.row(RimRows::kX), *fz = of_sidewall_.row(RimRows::kZ);

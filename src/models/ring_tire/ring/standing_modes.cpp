@@ -105,10 +105,12 @@ Result<std::vector<StandingMode>> standing_modes(const RingTire& tire, int count
   const RingTire::Linearized small = tire.linearized();
   CyclicBandFactor factor(N);
   if (!factor.factorize(small.stiffness))
-    return Failure{"the ring does not stand stably: its stiffness is not positive definite"};
+    return Failure{"the standing ring is not stable: its stiffness is not positive definite"};
   SectionBending section = tire.section();
   if (section.on() && !section.border(factor, small.section_border, small.section_stiffness, 1.0))
-    return Failure{"the ring's bent sections do not stand stably"};
+    return Failure{
+        "the standing ring is not stable with bent sections: its stiffness is not positive "
+        "definite"};
   const Eigen::Vector4d mass = tire.knot_mass();
   const auto pairs = lowest(factor, section, small.mass, N, count);
   if (!pairs.converged) return Failure{"the modes of the standing ring were not found"};

@@ -32,9 +32,11 @@ struct SegmentStations {
 
 struct BlockLines {
   int count;
-  const double *height, *y;       // one for each line
-  const double* rise = nullptr;   // m, of a bent section: two a line, at the segment's ends
-  const double* share = nullptr;  // share of the second rise at each station
+  const double *height, *y;  // one for each line
+  /// Rise of the lines above `height` because the section is bent or has run-out, m. Each line has
+  /// two successive values, at the beginning and at the end of the segment. Null: no rise.
+  const double* rise = nullptr;
+  const double* share = nullptr;  // weight of the second of these values at each station, 0 to 1
 };
 
 /// State of the blocks of a segment at the beginning of a step.
@@ -50,9 +52,11 @@ struct BlockMemory {
 struct BlockResults {
   double* F[3];     // tangential force on the tire
   double* Fn;       // normal force
-  double* gripped;  // tangential force over that of a sticking tip
+  double* gripped;  // tangential force, divided by that of a sticking tip
   double* share;    // share of the block's cell on the road
-  double* slope;   // dF_n/dδ over that of a cell barely pressed; null for linear rubber: the share
+  /// dF_n/dδ, divided by that of a cell that just touches the road. Null for linear rubber, for
+  /// which this ratio is the share.
+  double* slope;
   double* tip[3];  // on the road if the block touches
 };
 
@@ -72,7 +76,7 @@ struct BlockGround {
 
 struct BlockLaw {
   double normal, tangential, damping_time, step;
-  double by_force;  // pressure on the rubber over F_n
+  double by_force;  // pressure on the rubber divided by F_n
   double bottom;    // m, b of (37); 0: linear rubber
   const FrictionLaw* friction;
 };

@@ -72,7 +72,8 @@ LATSCH_INLINE BeltStation section(const SegmentStations& at,
                 own * az - nu_a * t.z - psi * n.z}};
 }
 
-// H is that of a line, or of eight stations of a line if the section is bent.
+// Returns T = p + H G + y A, one coordinate of eight tips. The height H of the line is one number,
+// or eight numbers for the eight stations if the section is bent.
 template <class Height>
 LATSCH_INLINE Lanes
 at_line(const Lanes& p, const Lanes& G, const Lanes& A, const Height& H, double y) {
@@ -85,8 +86,8 @@ LATSCH_INLINE Lanes3 at_line(const BeltStation& s, const Height& H, double y) {
           at_line(s.p.z, s.G.z, s.A.z, H, y)};
 }
 
-/// The belt at eight stations at the beginning of the step, known if not all of their blocks
-/// touched then.
+/// The belt at eight stations at the beginning of the step. It is only stored where not all of
+/// their blocks touched the road at that time.
 struct BeltBefore {
   bool entering;
   BeltStation place, rate;

@@ -297,8 +297,9 @@ class RingTreadContact {
   double bottom_;  // m, b of (37); 0: linear rubber
   FrictionLaw law_;
   std::vector<double> line_y_, line_height_;
-  std::vector<double> weights_;       // for position and its derivative by s: eight columns
-  std::vector<double> pair_weights_;  // for pairs of nodes: tread_stiffness.cpp, forty a station
+  std::vector<double> weights_;  // for position and its derivative by s: eight columns
+  // Weights for pairs of nodes, forty at each station: tread_stiffness.cpp.
+  std::vector<double> pair_weights_;
   // Half of the increase of the position's weights along a block's cell: four columns.
   std::vector<double> halves_;
   std::vector<double> lift_;
@@ -306,9 +307,10 @@ class RingTreadContact {
   std::vector<Eigen::Vector3d> line_shapes_;  // q_i at the lines
   std::vector<double> runout_;                // m, of the tread at the nodes; empty: none
   double highest_runout_ = 0.0;
-  bool bends_ = false;                     // sections bend
-  std::vector<double> section_rise_;       // two a line of a segment; empty: neither bent nor
-                                           // run-out
+  bool bends_ = false;  // sections bend
+  // BlockLines::rise of all segments, one after the other; empty if sections neither bend nor have
+  // run-out.
+  std::vector<double> section_rise_;
   std::shared_ptr<const TreadTips> tips_;  // at the last commit; null: no block touched
   std::shared_ptr<TreadTips> spare_;       // an earlier one, reused if nobody else holds it
   std::vector<double> none_;               // zeros, for a segment that was not near the road

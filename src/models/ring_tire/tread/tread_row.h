@@ -13,7 +13,7 @@ namespace latsch::ring_tire {
 /// Cells [begin, end) of a line, and their borders from begin to end.
 struct CellRow {
   int begin, end;
-  const double *x, *y;  // m, of tips; read eight at a time
+  const double *x, *y;  // coordinates of the blocks' tips, m; read eight at a time
   const double *border_x, *border_y, *border_height;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/magic_formula/symmetry.h"
+#include "models/magic_formula/limits/symmetry.h"
 
 #include <gtest/gtest.h>
 

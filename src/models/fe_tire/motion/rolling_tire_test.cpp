@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/motion/rolling_tire.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models/fe_tire/description/reference_tires.h"
+#include "models/fe_tire/motion/spin.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+constexpr double kInflation = 2.6e5, kSpeed = 20.0, kDeflection = 0.02;
+
+TireDescription few_columns() {
+  TireDescription tire = reference_tire_b();
+  tire.element = ElementKind::solid_shell;
+  tire.section.meridional = 13;
+  return tire;
+}
+
+/// Tire B with few columns, standing at a deflection and, with friction 1, rolling freely under the
+/// load found there.
+class RollingTireB : public testing::Test {
+ protected:
+  RollingTireB() : tire_(few_columns()), rolling_(tire_), inflated_(*tire_.inflate(kInflation)) {
+    start_ = rolling_.start(standing(kDeflection));
+    load_ = start_.forces.force.z();
+  }
+
+  TireState standing(double deflection) {
+    return tire_
+        .advance(tire_.over(inflated_, {}, FeTire::Poses::any),
+                 {FeTire::below(inflated_, deflection)})
+        ->back();
+  }
+  RollingCase frictionless(double spin) const {
+    RollingCase of;
+    of.speed = kSpeed;
+    of.height = start_.of.height;
+    of.spin = spin;
+    of.friction.at_rest = 0.0;
+    return of;
+  }
+  RollingState free_wheel() {
+    RollingCase of;
+    of.speed = kSpeed;
+    of.spin = kSpeed / 0.312;
+    of.load = load_;
+    of.drive = 0.0;
+    return *rolling_.roll(start_, of);
+  }
+  /// The case of a free wheel's neighbor with these slips.
+  RollingCase slipping(const RollingState& free, double kappa, double alpha) const {
+    RollingCase of = free.of;
+    of.drive.reset();
+    of.slip_angle = alpha;
+    of.speed = kSpeed / std::cos(alpha);
+    of.spin = (1.0 + kappa) * free.of.spin;
+    return of;
+  }
+
+  FeTire tire_;
+  RollingTire rolling_;
+  Inflated inflated_;
+  RollingState start_;
+  double load_ = 0.0;
+};
+
+TEST_F(RollingTireB, RollsSlowlyWithoutFrictionAsItStands) {
+  const auto state = rolling_.roll(start_, frictionless(1e-3));
+  ASSERT_TRUE(state) << state.failure().reason;
+  EXPECT_NEAR(state->forces.force.z(), load_, 1e-6 * load_);
+  EXPECT_LT((state->u - start_.u).cwiseAbs().maxCoeff(), 1e-7);
+}
+
+TEST_F(RollingTireB, HasNeitherDragNorMomentWithoutFriction) {
+  const auto state = rolling_.roll(start_, frictionless(kSpeed / 0.312));
+  ASSERT_TRUE(state) << state.failure().reason;
+  EXPECT_NEAR(state->forces.force.x(), 0.0, 1e-6 * load_);
+  EXPECT_NEAR(state->forces.moment.y(), 0.0, 1e-6 * load_ * state->of.height);
+  EXPECT_NEAR(state->forces.drive, 0.0, 1e-6 * load_ * state->of.height);
+}
+
+// With the energy E*(h, Omega^2) of the tire at the height h, Fz = -dE*/dh and dE*/d(Omega^2) =
+// -T, where T = w_0 u + u W u/2 is what (W.1) adds to the kinetic energy. So dFz/d(Omega^2) =
+// dT/dh, and T is that of tires which stand (Maxwell's relation).
+TEST_F(RollingTireB, GainsLoadBySpinAsTheKineticEnergyOfStandingTiresSays) {
+  const Ring ring(tire_.mesh(), ElementKind::solid_shell);
+  const RingElements elements(ring, tire_.materials());
+  const RingUnknowns whole(ring, RingSymmetry::none, {});
+  const Eigen::VectorXd w_0 = flow_forces(whole, elements, 0.0 * start_.u);
+  const auto T = [&](double deflection) {
+    const Eigen::Matrix3Xd u = standing(deflection).u;
+    return 0.5 * whole.compress(u).dot(w_0 + flow_forces(whole, elements, u));
+  };
+  const double step = 2e-4,
+               by_height = -(T(kDeflection + step) - T(kDeflection - step)) / (2 * step);
+  const double spin = 15.0;
+  const auto state = rolling_.roll(start_, frictionless(spin));
+  ASSERT_TRUE(state) << state.failure().reason;
+  const double gain = (state->forces.force.z() - load_) / (spin * spin);
+  EXPECT_GT(gain, 0.0);
+  EXPECT_NEAR(gain, by_height, 0.02 * by_height);
+}
+
+TEST_F(RollingTireB, RollsFreelyUnderItsLoad) {
+  const RollingState free = free_wheel();
+  EXPECT_NEAR(free.forces.force.z(), load_, 1e-6 * load_);
+  EXPECT_NEAR(free.forces.drive, 0.0, 1e-6 * load_ * free.of.height);
+  EXPECT_LT(std::abs(free.forces.force.x()),
+            1e-3 * load_);  // friction's alone: the tire is elastic
+  EXPECT_GE(free.forces.friction_power, 0.0);
+  // The effective radius lies between the loaded and the inflated one.
+  const double R_e = kSpeed / free.of.spin;
+  EXPECT_GT(R_e, free.loaded_radius());
+  EXPECT_LT(R_e, inflated_.radius);
+}
+
+TEST_F(RollingTireB, SideForceAndAligningMomentTurnWithTheSlipAngle) {
+  // Tire B's section and smeared cords are mirrored at its middle plane.
+  const RollingState free = free_wheel();
+  const auto left = rolling_.roll(free, slipping(free, 0.0, 0.01));
+  const auto right = rolling_.roll(free, slipping(free, 0.0, -0.01));
+  ASSERT_TRUE(left && right);
+  const RollingForces &a = left->forces, &b = right->forces;
+  EXPECT_LT(a.force.y(), -0.2 * load_);
+  EXPECT_GT(a.moment.z(), 0.0);  // turns the wheel back toward its velocity
+  EXPECT_NEAR(a.force.y(), -b.force.y(), 1e-5 * load_);
+  EXPECT_NEAR(a.force.x(), b.force.x(), 1e-5 * load_);
+  EXPECT_NEAR(a.moment.z(), -b.moment.z(), 1e-5 * load_ * free.of.height);
+}
+
+TEST_F(RollingTireB, ASteadyStateDoesNotDependOnThePath) {
+  const RollingState free = free_wheel();
+  const auto at_once = rolling_.roll(free, slipping(free, 0.0, 0.04));
+  ASSERT_TRUE(at_once) << at_once.failure().reason;
+  const auto braked = rolling_.roll(free, slipping(free, -0.03, 0.0));
+  ASSERT_TRUE(braked) << braked.failure().reason;
+  const auto around = rolling_.roll(*braked, slipping(free, 0.0, 0.04));
+  ASSERT_TRUE(around) << around.failure().reason;
+  EXPECT_LT((at_once->forces.force - around->forces.force).norm(), 1e-4 * load_);
+}
+
+TEST_F(RollingTireB, ALockedWheelSlidesAsAWhole) {
+  const RollingState free = free_wheel();
+  const auto state = rolling_.roll(free, slipping(free, -1.0, 0.0));
+  ASSERT_TRUE(state) << state.failure().reason;
+  const RollingForces& at = state->forces;
+  EXPECT_NEAR(at.force.x(), -at.force.z(), 1e-6 * load_);
+  EXPECT_NEAR(at.friction_power, kSpeed * load_, 1e-4 * kSpeed * load_);
+}
+
+TEST_F(RollingTireB, SaysWhatIsOutOfRange) {
+  RollingCase of = frictionless(10.0);
+  of.speed = 0.0;
+  EXPECT_NE(rolling_.roll(start_, of).failure().reason.find("above 0"), std::string::npos);
+  of = frictionless(-10.0);
+  EXPECT_NE(rolling_.roll(start_, of).failure().reason.find("forward"), std::string::npos);
+  of = frictionless(10.0);
+  of.drive = 50.0;
+  EXPECT_NE(rolling_.roll(start_, of).failure().reason.find("torque"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace latsch::fe_tire
