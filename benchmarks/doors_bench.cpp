@@ -110,8 +110,8 @@ bool is_same(const Reading& a, const Reading& b) {
   return true;
 }
 
-/// True if all channels that both files have are the same and the changed file lacks a channel of
-/// the good one.
+/// True if the changed file lacks a channel of the unchanged file, and all channels that both files
+/// contain are equal.
 bool is_rest(const Reading& good, const Reading& read) {
   bool one_is_gone = false;
   for (const auto& [name, values] : good.numbers) {
@@ -122,8 +122,8 @@ bool is_rest(const Reading& good, const Reading& read) {
   return one_is_gone;
 }
 
-/// True if the reader reports something that it does not report for the good file, or mentions the
-/// changed name.
+/// True if the reader reports something that it does not report for the unchanged file, or mentions
+/// the changed name.
 bool tells(const Mutant& mutant, const Reading& good, const Reading& read) {
   const std::set<std::string> usual(good.told.begin(), good.told.end());
   for (const std::string& sentence : read.told)
@@ -149,7 +149,7 @@ class Doors {
   void go_through(const fs::path& file, const std::vector<Mutant>& mutants, Reader reader) {
     const fs::path copy = folder_ / ("changed" + file.extension().string());
     write_text_file(copy, read_text_file(file));
-    // all versions have one file name, because messages contain it
+    // all versions of the file have the same name, because messages contain the name
     const Reading good = reader(copy);
     ++counts.files;
     for (const Mutant& mutant : mutants) {
@@ -193,7 +193,7 @@ class Doors {
   ScratchFolder folder_;
 };
 
-/// Returns the good files: the measured tables of the repository, one for each header, and its
+/// Returns the unchanged files: the measured tables of the repository, one for each header, and its
 /// tires.
 std::vector<fs::path> good_files() {
   const fs::path tree = LATSCH_SOURCE_DIR;
@@ -228,7 +228,7 @@ int run(const Options& options) {
       continue;
     }
     auto table = table_text(text);
-    // mode shapes are read together with their modes
+    // mode shapes are read together with the modes, so a table of shapes is not read alone
     if (!table || table->names.front() == "mode") continue;
     constexpr std::size_t kMostRows = 200;
     if (table->rows.size() > kMostRows) table->rows.resize(kMostRows);

@@ -379,7 +379,7 @@ void damaged_journal(Table& table, int damages) {
             fmt::format("{}", dishonest),
             "0",
             dishonest == 0);
-  // A flipped bit damages one row, so it may cost one trial at most.
+  // A flipped bit damages one row of the journal, so it may cost one trial at most.
   table.row("trials that a bit flip costs, at most",
             fmt::format("{}", most_lost),
             "<= 1",

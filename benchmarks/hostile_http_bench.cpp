@@ -68,7 +68,7 @@ int serve() {
   return 0;
 }
 
-/// Counts and judges all replies of the server.
+/// Counts the replies of the server by their status and checks them.
 struct Seen {
   long replies = 0;
   long with_secrets = 0;

@@ -52,7 +52,8 @@ std::string program() {
   return (fs::read_symlink("/proc/self/exe").parent_path() / "latsch").string();
 }
 
-/// Result of a command of the program: its JSON output, its progress output, its duration.
+/// Result of a command of the program `latsch`: its JSON output, its progress output and its
+/// duration.
 struct Done {
   nlohmann::json answer;
   std::string progress;

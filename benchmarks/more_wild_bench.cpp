@@ -128,7 +128,8 @@ void noisy(Table& table, const Problems& on) {
   reach(table, "noise, residual trust region, tau 1e-3 @10", trust.tau_1e3[0], 0.88);
   reach(table, "noise, residual trust region, tau 1e-3 @100", trust.tau_1e3[2], 0.96);
   note(table, "noise, residual trust region", trust);
-  // Three draws of the noise leave the share to chance: one run of 159 is .006.
+  // Each draw of the noise changes the share of solved runs by chance; one run of the 159 runs is a
+  // share of 0.006.
   note(table,
        "noise, residual trust region, ten other draws",
        measured(residual_trust_region(), draws_from(4, 13), on));
@@ -146,7 +147,7 @@ void failing(Table& table, const Problems& on) {
   const Profile whole = measured(residual_trust_region(), {{}}, on);
   const Profile some = measured(residual_trust_region(), draws(0.05), on);
   const Profile many = measured(residual_trust_region(), draws(0.2), on);
-  // The limit is three points (.030) below the share without failures.
+  // The required share is three percentage points (0.030) below the share without failures.
   reach(table, "5 % fail, tau 1e-3 @10", some.tau_1e3[0], whole.tau_1e3[0] - 0.03);
   reach(table, "5 % fail, tau 1e-3 @50", some.tau_1e3[1], whole.tau_1e3[1] - 0.03);
   reach(table, "20 % fail, tau 1e-3 @50", many.tau_1e3[1], 0.85);

@@ -31,7 +31,7 @@ struct Family {
 };
 
 /// Returns the families of problems, each with five variants; in a smoke run only the first
-/// problems.
+/// families.
 std::vector<Family> families(const Options& options) {
   const int variants = options.size(5, 1);
   std::vector<Family> all = {{"moved", {}}, {"rotated", {}}, {"scaled", {}}};

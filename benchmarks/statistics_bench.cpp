@@ -340,8 +340,8 @@ void twin_row(Table& table, int twins) {
                  counts(held),
                  ">= 90",
                  least >= 90);
-  // PCY1 and PEY1 have similar effects on the curve: only the profile shows how far both may change
-  // together, so the linear intervals are shown and not judged.
+  // PCY1 and PEY1 have similar effects on the curve. Only the likelihood profile shows how far both
+  // may change together, so the linear intervals are shown but not judged.
   table.note("  the linear intervals of the same fits", counts(held_by_linear));
 }
 

@@ -32,7 +32,7 @@ constexpr int kStarts = 20;
 constexpr int kGssStarts = 3;          // GSS uses only the first of the random starts
 constexpr int kMostEvaluations = 300;  // limit for each start
 constexpr int kReach = 60;             // limit of the median, in evaluations without a Jacobian
-constexpr double kTarget = 5e-3;       // value of the objective at which a start counts as solved
+constexpr double kTarget = 5e-3;  // value of the objective below which a start counts as solved
 constexpr double kModulusError = 0.01;
 
 /// Number of random starts, and the largest number of evaluations for each.

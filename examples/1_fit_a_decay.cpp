@@ -32,7 +32,7 @@ int main() {
     if (r.squaredNorm() < least) least = r.squaredNorm(), best = p;
     optimizer.observe(p, Score{r.squaredNorm(), {r.begin(), r.end()}});
   };
-  // tries points all over the design space first
+  // evaluate points that are spread over the whole design space first
   for (const DesignPoint& p : sobol(space, 16).points) evaluate(p);
   while (!optimizer.converged()) evaluate(optimizer.propose(1)[0]);  // for 8 workers: propose(8)
 

@@ -25,7 +25,8 @@ using namespace latsch::experiment;
 
 namespace {
 
-/// The specimen: F = k x + d v. It is its own capability, because no other specimen can be pulled.
+/// The specimen, a spring with a damper: F = k x + d v. It is a capability of its own, because no
+/// other specimen can be pulled.
 struct Spring : Specimen {
   static constexpr const char* kName = "is pulled";
   Spring(double stiffness, double damping) : k(stiffness), d(damping) {}

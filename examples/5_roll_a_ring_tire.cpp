@@ -42,7 +42,7 @@ int main(int argc, char** argv) try {
   std::printf("at rest: Fz = %.0f N\n", rest->force.z());
 
   motion.velocity.x() = kSpeed;
-  // rad/s, close to that of free rolling
+  // rad/s, close to the angular velocity of free rolling
   motion.spin_rate = kSpeed / (tire.free_radius() - kDeflection / 3.0);
   for (int i = 1; i <= 200; ++i) {
     const double time = i * kStep;

@@ -43,7 +43,7 @@ ROOMS = {
     "studio": ["http", "shelf", "views"],
 }
 
-# Rooms that may use less than their module.
+# Folders that may use fewer modules than the module to which they belong.
 NARROW_ROOMS = {"studio/http": ["base"]}
 
 # A model must not use another one, with these exceptions: every tire rolls on a road, the slip forces of the rigid
@@ -72,7 +72,7 @@ WRITING = re.compile(r"\b(ofstream|fopen|rename)\b(?!\))")
 
 
 def model_of(path):
-    """The model to which a path belongs: src/models/fe_tire/... -> fe_tire."""
+    """Returns the model to which a path belongs: "fe_tire" for src/models/fe_tire/..."""
     return path.parts[1] if path.parts[0] == "models" and len(path.parts) > 2 else None
 
 
@@ -207,7 +207,8 @@ OUTCOMES_THEMSELVES = "base/result.h"
 
 
 def other_outcomes(text):
-    """(line, advice) for each outcome of a simulation that is neither a Result nor a Status."""
+    """Returns (line, advice) for each function that returns the outcome of a simulation in another type than Result
+    or Status."""
     return sorted((text.count("\n", 0, match.start()) + 1, advice)
                   for pattern, advice in OTHER_OUTCOMES.items() for match in pattern.finditer(text))
 
@@ -233,7 +234,8 @@ def camel_case(name):
 
 
 def is_named_by(stem, header_stem, header):
-    """True if the header of that stem and text says that STEM.cpp implements a part of it."""
+    """True if the text of a header says that the source file STEM.cpp implements a part of it; `header_stem` is the
+    header's name without extension."""
     return (stem.startswith(header_stem + "_")
             or re.search(rf"\b(?:\w+_)?{stem}\(|\bk{camel_case(stem)}Test\b|\b{stem}\.cpp\b", header) is not None)
 

@@ -44,7 +44,8 @@ def comment_of(line, mark):
 
 
 def without_texts(text, suffix):
-    """Returns a file's text with the multi-line strings of Python blanked, because # begins no comment in them."""
+    """Returns a file's text in which multi-line strings of Python are replaced by blanks, because # begins no comment
+    in them."""
     if suffix != ".py":
         return text
     return re.sub(r'"""(?:.|\n)*?"""', lambda match: re.sub(r"[^\n]", " ", match[0]), text)

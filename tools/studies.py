@@ -219,7 +219,7 @@ def trial(latsch, study, values):
 
 
 def trial_there(latsch, study, entry):
-    """Runs one trial at the values in expected.toml."""
+    """Runs one trial at the values of the variables in expected.toml and returns its results."""
     return trial(latsch, study, {name: quantity(value) for name, value in entry["values"].items()})
 
 
@@ -245,7 +245,7 @@ def numbers_of(value, name=""):
 
 
 def results(latsch, folder, entry):
-    """Returns those numbers of a command's output that the entry keeps."""
+    """Returns those numbers of a command's JSON output that the entry in expected.toml contains."""
     for study in entry.get("after", []):
         if not (folder / study).with_suffix(".latsch").exists():  # a second run would continue the first
             answer(latsch, "run", folder / study)
@@ -264,8 +264,8 @@ def quantity(value):
 
 
 def run(latsch, study):
-    """Returns the results of a run, and the errors from one further trial at its end. The study must have no journal
-    yet."""
+    """Runs a study, which must have no journal yet, and one further trial at the fitted values; returns the results
+    of the run and the errors of that trial."""
     result, seconds = answer(latsch, "run", study)
     values = {}
     for row in result["variables"]:
@@ -405,7 +405,7 @@ def errors_of(entry):
 
 
 def results_of(entry):
-    """Returns tables of results. The last word of a result's name is its column, the words before it are its row."""
+    """Returns tables of results. The last word of a result's name is its column; the words before are its row."""
     rows = {}
     for name, value in entry["results"].items():
         row, column = name.rsplit(".", 1) if "." in name else ("", name)

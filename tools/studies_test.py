@@ -76,7 +76,7 @@ class Studies(unittest.TestCase):
         self.asked(studies.renew, [], False)
 
     def asked(self, command, *words):
-        """Exit code and what was printed."""
+        """Runs a command; returns its exit code and the printed text."""
         out = io.StringIO()
         with contextlib.redirect_stdout(out):
             code = command(self.latsch, *words)

@@ -81,7 +81,7 @@ class Thorough(unittest.TestCase):
         self.assertIn("1 groups of files, 0 of them unchanged", said)
         self.assertIn("1 groups of files, 1 of them unchanged", self.tidy()[1])
         self.write(SUSPICIOUS)
-        for _ in range(2):  # a fault is reported again by a second run
+        for _ in range(2):  # a second run must report the fault again
             code, said = self.tidy()
             self.assertEqual(code, 1, said)
             self.assertIn("bugprone-sizeof-expression", said)

@@ -29,7 +29,7 @@ std::string description(const experiment::Language& language) {
       fmt::join(models, ", "));
 }
 
-/// A verb, and the capability that at least one model of the program needs for the verb to be
+/// A verb with the capability that at least one model of the program must have for the verb to be
 /// offered.
 struct OfferedVerb {
   void (*add)(CommandLine& app, Program& program);

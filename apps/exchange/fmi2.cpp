@@ -13,8 +13,8 @@ struct Fmu {
   std::unique_ptr<Instance> instance;
 };
 
-/// Escapes a message. FMI 2.0 passes it as a printf format in which # begins a value reference
-/// [2.1.5].
+/// Escapes a message for FMI 2.0, which passes messages as printf formats in which # begins a value
+/// reference [2.1.5].
 std::string as_format(const std::string& message) {
   std::string result;
   for (const char c : message) {
@@ -55,7 +55,7 @@ Text fmi2GetTypesPlatform() { return "default"; }
 Text fmi2GetVersion() { return "2.0"; }
 
 Status fmi2SetDebugLogging(Component component, int, std::size_t, const Text[]) {
-  return component ? ok : error;  // errors are always logged, and there are no other categories
+  return component ? ok : error;  // errors are always logged, and no other categories exist
 }
 
 Component fmi2Instantiate(

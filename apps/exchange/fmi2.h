@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The functions of FMI 2.0 for co-simulation, as other programs call them [Functional Mock-up
-// Interface 2.0.5, 2.1 and 4.2]: names, arguments and values of the standard, declared anew.
+// Interface 2.0.5, 2.1 and 4.2]: names, arguments and values of the standard, declared again in
+// this header.
 //
-// Boolean is int, 0 or 1. Functions for features that our units lack (integers, texts, derivatives,
-// states as bytes) exist and return `error`. Functions that only model exchange needs do not exist:
-// importers of co-simulation units do not look for them.
+// Boolean is int, 0 or 1. Functions for features that Latsch's units lack (integers, texts,
+// derivatives, serialized states) exist and return `error`. Functions that only model exchange
+// needs do not exist: importers of co-simulation units do not look for them.
 #pragma once
 
 #include <cstddef>

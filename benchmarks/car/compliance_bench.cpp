@@ -39,7 +39,8 @@ constexpr int kFitted = 100;        // number of cars that the rows of fit error
 constexpr double kClose = 0.05;
 constexpr int kFewestClose = 14;  // least number of K&C values, out of sixteen, that must be close
 
-/// One K&C value of one car, either fitted or held out of the fit.
+/// One K&C value (kinematics and compliance) of one car, which is either fitted or held out of the
+/// fit.
 struct Number {
   double error = 0.0;  // error of the fit relative to the car's value
   bool inside = false;

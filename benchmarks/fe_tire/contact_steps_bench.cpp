@@ -81,7 +81,8 @@ void compare(Table& table,
 
 }  // namespace
 
-/// Returns the tire itself, or in a smoke run a copy on a mesh that CalculiX solves in a second.
+/// Returns the tire itself; in a smoke run, returns a copy with a mesh for which CalculiX needs a
+/// second.
 TireDescription on_mesh(TireDescription tire, const Options& options) {
   tire.section.meridional = options.size(tire.section.meridional, 13);
   tire.section.sectors = options.size(tire.section.sectors, 24);

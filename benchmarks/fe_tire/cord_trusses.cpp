@@ -23,7 +23,7 @@ constexpr double kMm = 1e3;              // per meter
 constexpr double kMm2 = 1e6;             // per m^2
 constexpr double kMPa = 1e-6;            // per Pa
 constexpr double kTonnesPerMm3 = 1e-12;  // per kg/m^3
-// least sine of the cord angle that is supported, except for hoops at 0
+// least sine of the cord angle for which trusses can be placed, except for hoops, whose angle is 0
 constexpr double kSteep = 0.05;
 
 /// Signs of xi, eta, zeta at the corners (mesh.h).
@@ -76,7 +76,7 @@ Course course(const Corners& X, const Place& p, double angle) {
   Eigen::Vector3d circle(-x.z(), 0.0, x.x());
   circle = (circle - n * n.dot(circle)).normalized();
   const Eigen::Vector3d cord = std::cos(angle) * circle + std::sin(angle) * n.cross(circle);
-  // cord = a along_xi + b along_eta.
+  // Find a and b such that the cord direction is a along_xi + b along_eta.
   Eigen::Matrix<double, 3, 2> facet;
   facet << along_xi, along_eta;
   const Eigen::Matrix2d metric = facet.transpose() * facet;

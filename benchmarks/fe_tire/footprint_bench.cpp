@@ -34,7 +34,8 @@ namespace {
 using namespace fe_tire;
 
 constexpr double kEarly = 2.5e-3;  // m, deflection up to which errors count as early
-// Deflection, m, from which a patch is as long as an element of the tire's own mesh.
+// deflection, m, above which the contact patch is at least as long as an element of the tire's own
+// mesh
 constexpr double kFirst = 1e-3;
 // Residual tolerance for the reference mesh: sums over its many elements have more rounding error
 // than the default allows.

@@ -76,7 +76,7 @@ Spun spun(const TireDescription& tire, int around) {
               {.element = tire.element});
   const Inflated at_rest = value_of(fine.inflate(tire.pressure));
   SpinningTire spinning(fine);
-  // m/s, below the speed at which standing waves begin for soft treads on fine sectors
+  // m/s; below the speed at which standing waves begin on tires with soft treads and narrow sectors
   constexpr double kSpeed = 15.0;
   const Inflated state = value_of(spinning.inflate(at_rest, kSpeed / at_rest.radius));
   const StandingWave wave = value_of(spinning.standing_wave(at_rest));

@@ -217,7 +217,7 @@ struct Exact {
 };
 
 Exact exact(const Document& numbers, const Case& of, const Branch& branch) {
-  // number of further modes computed, because one of them may become lower than others
+  // number of modes computed in addition, because one of them may become lower than others
   constexpr int kSpare = 2;
   const TireDescription description = read_tire(numbers.root());
   FeTire tire = exact_tire(description);
@@ -270,7 +270,7 @@ class Judge {
         branch_(free_loads(numbers, of).second),
         at_(exact(numbers, of, branch_)) {
     for (int i = 0; i < kLoads + kModes; ++i) noise_[i] = kRounding * std::abs(value(i));
-    // relative change of a parameter that leaves only the noise of the trials
+    // relative change of a parameter that is so small that only the noise of the trials remains
     constexpr double kNothing = 1e-8;
     for (const double by : {kNothing, 2.0 * kNothing, 3.0 * kNothing}) {
       const Exact below = at(kMoves, -by), above = at(kMoves, by);
@@ -297,7 +297,7 @@ class Judge {
   Slopes slopes(const std::string& path) const {
     constexpr int kHalvings = 9, kFewest = 4;
     constexpr double kWidest = 6.4e-2;  // largest step, as a share of the parameter
-    // ends of the further steps, relative to the step range of the fits
+    // ends of the range of further steps, relative to the range of steps that the fits use
     constexpr double kBeyond = 1.5, kTooShort = 1.0 / 30.0;
     std::vector<std::vector<StepValues>> steps(kLoads + kModes);
     Slopes found(steps.size());
@@ -341,7 +341,7 @@ class Judge {
   }
 
  private:
-  // parameter that affects every result of any tire
+  // path of a parameter that affects every result of any tire
   static constexpr const char* kMoves = "pressure";
   static constexpr double kSafety = 2.0;  // factor on the largest of several observed noise values
   static constexpr double kRounding = 1e-13;  // least noise assumed, relative to the result

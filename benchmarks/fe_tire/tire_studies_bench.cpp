@@ -50,15 +50,15 @@ using Json = nlohmann::json;
 
 using Settings = std::map<std::string, std::string>;  // initial values by variable
 
-// value of the objective below which a fit counts as converged: 1 % of error, root mean square
+// value of the objective below which a fit counts as converged: an RMS error of 1 %
 constexpr double kLevel = 1e-4;
 constexpr double kSame = 0.02;  // relative distance up to which two fits end at one point
 constexpr double kExcluded = 0.99,
                  // Confidence levels from which a profile counts as a single point, or as a valley.
     kNotExcluded = 0.95;
-// Least factor between the length of an interval without modes and of one with modes.
+// least ratio of the length of an interval without modes to that of one with modes
 constexpr double kWider = 4.0;
-// least factor by which the error of tire A falls [Hempel & Oertel 2016: 15 to 7.4 %]
+// least factor by which the error of tire A decreases; in [Hempel & Oertel 2016] from 15 % to 7.4 %
 constexpr double kFall = 2.0;
 
 // Relative tolerance of the moduli, on the shipped mesh and on one refined twofold. The mesh of the
@@ -134,7 +134,7 @@ class Studies {
     return write_beside(study, "refined", text);
   }
 
-  /// Gives the tire a coarse mesh.
+  /// Gives a tire file a coarse mesh.
   void coarsen(const std::string& tire) const {
     write_text_file(at(tire), with_coarse_mesh(read_text_file(at(tire))));
   }

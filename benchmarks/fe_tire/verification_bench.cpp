@@ -45,7 +45,7 @@ namespace {
 
 using namespace fe_tire;
 
-// Largest relative error of the default element with 1.5 times the unknowns of the paper.
+// largest relative error of the default element on a mesh with 1.5 times the unknowns of the paper
 constexpr double kReach = 0.01;
 constexpr double kTravel = 0.025;         // m, deflection of the shipped tires
 constexpr double kRaceTravel = 0.015;     // m

@@ -23,7 +23,7 @@ constexpr double kNoise[2] = {50.0, 100.0};
 constexpr double kRecord = 24.5;  // s, duration of one load case
 constexpr const char* kChannels[2] = {"Fx", "Fz"};
 
-/// Discretization of a simulated tire.
+/// Settings of the discretization of a simulated tire.
 struct Numerics {
   int nodes, blocks, lines;
 };
@@ -69,7 +69,8 @@ constexpr Number kNumbers[12] = {{"sidewall.radial.stiffness", 1.12, 1.5},
                                  {"tread.shore_a", 0.95, 1.15},
                                  {"tread.damping_time", 1.30, 2.0}};
 
-/// A load case of studies/cleat_fit, with the time step and the number of passages of the model.
+/// A load case of studies/cleat_fit, with the time step and the number of simulated passages over
+/// the cleat.
 struct Case {
   std::string name;
   bool fitted;

@@ -23,11 +23,11 @@ struct Fit {
 /// Returns studies/NAME/study.toml.
 correlation::Study study_of_folder(const std::string& name);
 
-/// Returns the study in a temporary folder, its tires on a coarse mesh if one is given, with
-/// measurements computed by the present model. On a coarse mesh the modes are measured with their
-/// shapes and paired by shape, not by label: a label names the larger of two parts of a shape, so
-/// it may change near the true values, and the mode with that label would then have an error of 100
-/// %.
+/// Returns the study, copied to a temporary folder, with measurements computed by the present
+/// model. If `mesh` is given, its tires have this coarse mesh. On a coarse mesh modes are measured
+/// with their shapes and paired by shape, not by label: a label names the larger of two parts of a
+/// shape, so it may change near the true values, and the mode with that label would then have an
+/// error of 100 %.
 correlation::Study fresh_twin(const std::string& name,
                               const std::optional<CoarseMesh>& mesh = std::nullopt);
 

@@ -20,7 +20,7 @@ namespace latsch::benchmarks {
 inline constexpr int kMostBudget = 50;  // multiple of n + 1
 inline constexpr int kBudgets[] = {5, 10, 20, 50};
 
-/// Evaluates points for a solver, one after the other, and records them.
+/// Evaluates points for a solver, one after the other, and records the points and their values.
 class Recorded {
  public:
   explicit Recorded(const identification_set::DisturbedProblem& problem) : problem_(problem) {}

@@ -188,7 +188,7 @@ void note(Table& table, const std::string& solver, const Profile& profile) {
 }
 
 void reach(Table& table, const std::string& what, double share, double at_least) {
-  // Shares and their required values are rounded to three digits before they are compared.
+  // Shares and their required values are rounded to three decimals before they are compared.
   table.full_row(what,
                  fmt::format("{:.3f}", share),
                  fmt::format(">= {:.3f}", at_least),

@@ -61,8 +61,8 @@ using Solver = std::function<void(Observed&, int most_evaluations)>;
 Solver residual_trust_region();
 /// Returns GSS with the options, but with the step lengths that the problems prescribe.
 Solver gss(GssOptions options = {});
-/// Returns the NLopt solver with this number in nlopt_algorithm. A failed point gets the value
-/// 1e300, which makes methods that build a model of the function useless.
+/// Returns the NLopt solver with this number in the enumeration nlopt_algorithm. A point that
+/// failed gets the value 1e300; methods that fit a model to the function then cannot be used.
 Solver nlopt(int algorithm);
 /// Returns SciPy's least_squares with its own finite differences, in variables that are measured
 /// from the start in units of the first step.
@@ -70,7 +70,7 @@ Solver scipy();
 
 struct Profile {
   std::vector<double> budgets;  // k
-  /// share of solved problems at tolerance 1e-3 for each budget; tau_1e5 likewise
+  /// share of problems solved to the tolerance 1e-3 for each budget; tau_1e5 likewise for 1e-5
   std::vector<double> tau_1e3;
   std::vector<double> tau_1e5;
 };

@@ -43,8 +43,8 @@ std::string utf16(const std::string& text) {
   return wide;
 }
 
-/// A unit, another unit of the same quantity, and the divisor that converts a number to the other
-/// unit.
+/// A unit, another unit of the same quantity, and the divisor that converts a number from the first
+/// to the second.
 struct Other {
   const char *unit, *other;
   double divisor;

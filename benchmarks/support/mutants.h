@@ -29,7 +29,7 @@ struct Mutant {
 /// The lines of a table of separated values: comments, one line of names with units, numbers.
 struct TableText {
   std::vector<std::string> comments;
-  /// for example "Fz" and "N"; a column without unit has an empty text
+  /// names and units of the columns, such as "Fz" and "N"; the unit is empty if a column has none
   std::vector<std::string> names, units;
   std::vector<std::vector<std::string>> rows;
 

@@ -19,10 +19,10 @@
 
 namespace latsch::benchmarks {
 
-/// An option of a benchmark in addition to --smoke and --help.
+/// An option of a benchmark, in addition to --smoke and --help.
 struct Option {
   std::string name;  // "--draws"; a name without dashes is positional: "SEED"
-  /// name of the option's value, "N"; empty: a flag. A positional option does not use it.
+  /// name of the option's value, such as "N"; empty for a flag, and not used by a positional option
   std::string value;
   std::string help;
 };

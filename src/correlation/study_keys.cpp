@@ -47,7 +47,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The stand-in for the model of the samples. It accepts any numbers.
+/// A model for the samples of studies, which accepts any numbers.
 class AnyModel : public experiment::SpecimenKind {
  public:
   explicit AnyModel(const Language& language) {
@@ -204,7 +204,8 @@ void leave_out_samples(const Language& all,
   }
 }
 
-/// The sections of a study in the order of the reference, with those of tests at their place.
+/// Returns the sections of a study in the order of the reference; the sections of tests are in the
+/// place where the reference has them.
 std::vector<const KeySection*> sections_of(const Language& language) {
   std::vector<const KeySection*> sections = {
       &study_keys(), &model_keys(), &named_test_keys(), &simulator_keys()};

@@ -37,7 +37,8 @@ using RoadCall = void(const double* time,
 
 class CalledRoad final : public road::Road {
  public:
-  /// The arguments are the addresses that DTYRE received, so they are valid only during that call.
+  /// The arguments are the addresses that DTYRE received, so this object is valid only during that
+  /// call of DTYRE.
   CalledRoad(RoadCall* road,
              const int* idtyre,
              const int* idroad,

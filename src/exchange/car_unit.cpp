@@ -263,7 +263,7 @@ Status CarUnit::start(double time) {
 Status CarUnit::step(double time, double step) {
   assert(state_ && step > 0.0);
   const double exact = step / given_[longest];
-  // 1 ms has five steps of 0.2 ms despite rounding.
+  // A communication step of 1 ms has five steps of 0.2 ms despite rounding.
   const double steps = std::max(1.0, std::ceil(exact * (1.0 - 1e-9)));
   const double h = step / steps;
   const std::lock_guard lock(shared_->turn);

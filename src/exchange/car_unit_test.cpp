@@ -73,7 +73,7 @@ TEST(CarUnit, StandsOnItsTiresWithItsWeightAndWhatIsPutOnIt) {
   Driven car;
   car.start();
   EXPECT_NEAR(car.sum("Fz"), kMass * kGravity, 5e-5 * kMass * kGravity);
-  // The drawn height minus the deflection of the tires.
+  // The height of the chassis is its drawn height minus the deflection of the tires.
   EXPECT_NEAR(car.get("chassis.z"), 0.28, 0.02);
   EXPECT_NEAR(car.get("chassis.az"), 0.0, 1e-2);
   const double height = car.get("chassis.z");

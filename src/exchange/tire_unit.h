@@ -56,7 +56,7 @@ class TireUnit final : public ExchangedModel {
   WheelMotion motion() const;
 
  private:
-  /// The largest values that the unit and its copies have received.
+  /// Largest values that a unit and its copies have received.
   struct Greatest {
     double speed = 0.0, way = 0.0, deflection = 0.0;  // m/s; m in a step; m
     std::string pressure = {};  // sentence about an unusual pressure; else empty

@@ -75,7 +75,8 @@ TEST(TireUnit, RefusesAPressureThatNoTireHas) {
     }
 }
 
-/// Returns all sentences of limits_met() after one step with these values.
+/// Returns all sentences of limits_met() after one step with these values of height, speed and
+/// step.
 std::string told_after(double height, double speed, double step) {
   const auto unit = unit_with("magic_formula", "FZMAX = 9000");
   set_by_name(*unit, "wheel.z", height);

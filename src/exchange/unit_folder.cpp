@@ -110,7 +110,7 @@ UnitFiles unit_files(const experiment::SpecimenKind& kind,
                      const Document& numbers,
                      const fs::path& road,
                      const std::string& model_text) {
-  // throws for a wrong file; the message then refers to the original file
+  // throws for an invalid file; the message then refers to the original file
   unit_of(kind, numbers, road);
   UnitFiles files;
   const std::string model = kModel + fs::path(numbers.file()).extension().string();

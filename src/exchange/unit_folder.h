@@ -40,7 +40,7 @@ UnitFiles unit_files(const experiment::SpecimenKind& kind,
                      const std::filesystem::path& road = {},
                      const std::string& model_text = "");
 
-/// Returns the token of these files, "{...}", which unit.toml states.
+/// Returns the token "{...}" that identifies these files; unit.toml contains it.
 std::string token_of(const UnitFiles& files);
 
 struct UnitFromFolder {

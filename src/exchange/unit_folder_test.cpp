@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 const fs::path kTire =
     fs::path(LATSCH_SOURCE_DIR) / "studies/tire_model_comparison/magic_formula.tir";
 
-// An OpenCRG grid of two cross sections with two heights each: 0.1 m at the start, level across.
+// An OpenCRG grid of two cross sections with two heights each. The heights are 0.1 m at the start;
+// the road is level in the lateral direction.
 constexpr const char* kSurface =
     "$ROAD_CRG\nreference_line_increment = 1\n$\n$KD_DEFINITION\n#:LRFI\n"
     "D:long section at v = -1,m\nD:long section at v = 1,m\n$\n$$$$\n"

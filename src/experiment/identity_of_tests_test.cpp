@@ -38,7 +38,7 @@ std::vector<TestSample> test_samples() {
   return samples;
 }
 
-/// Changed values for keys that have neither numbers nor choices.
+/// Replacement texts for keys whose values are neither numbers nor choices.
 const std::map<std::string, std::string>& other_texts() {
   static const std::map<std::string, std::string> others = {
       {"frame", "[\"H\"]"}, {"measures", "[\"slip\"]"}, {"directions", "[\"vertical\"]"}};
@@ -46,7 +46,7 @@ const std::map<std::string, std::string>& other_texts() {
 }
 
 /// Returns the content of a file with one number changed; "" for a file that only refers to the
-/// next one.
+/// next file.
 std::string other_content(const SampleFile& file) {
   static const std::map<std::string, std::pair<std::string, std::string>> changes = {
       {"states.csv", {"-4", "-4.1"}},
@@ -185,7 +185,7 @@ TEST_F(IdentityOfTests, EveryKeyCounts) {
     const auto keys = declared(sample.keys);
     for (const Line& line : lines) {
       const auto key = keys.find(line.path);
-      // the content of the named file is changed in another test
+      // A separate test changes the content of the named file.
       if (key == keys.end() || !key->second.files.empty()) continue;
       if (key->second.choices.size() == 1 || line.path == "kind") continue;
       if (line.path.ends_with(".from")) continue;  // another test changes this key
@@ -250,8 +250,8 @@ TEST_F(IdentityOfTests, EveryMeasuredConditionCounts) {
       const auto with_from = [&](const std::string& name) {
         return with(lines_of(sample.keys), path, "{from = \"measurement." + name + "\"}");
       };
-      // Number of samples: that of the other stated conditions (two), or enough for a signal that
-      // is analyzed.
+      // Number of samples: equal to that of the other stated conditions (two), or enough for a
+      // signal that is analyzed.
       int samples = 12;
       for (const int other : {2, 300})
         if (!identity(with_from("rig"), 1.0, samples)) samples = other;

@@ -30,7 +30,7 @@ std::map<std::string, DeclaredKey> keys_of_test(const Language& language,
                                                 const std::string& sample,
                                                 const std::filesystem::path& folder);
 
-/// Adds the keys of all these tests and of roads to a table that has their sections.
+/// Adds the keys of all these tests and of roads to a table that contains their sections.
 void add_keys_of_tests(const Language& language,
                        const std::filesystem::path& folder,
                        KeyTable& table);

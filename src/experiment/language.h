@@ -53,7 +53,8 @@ struct Language {
       const std::function<void(const Channels&)>& tell) const;
 };
 
-/// The language of the shipped program; other programs may have another one.
+/// Returns the language (the models and tests) of the shipped program; other programs may have
+/// another one.
 const Language& language();
 
 /// True if specimens of this kind have one of these capabilities, or can run the test.

@@ -65,7 +65,7 @@ WheelSlip to_iso(const WheelSlip& slip, AxisConvention from) {
 
 Wrench in_frame(
     const Wrench& wrench, AxisFrame from, AxisFrame to, double gamma, double loaded_radius) {
-  // rotates the axes of frame C into those of frame H
+  // rotation of the axes of frame C into those of frame H
   const Eigen::AngleAxisd lean(gamma, Vector3d::UnitX());
   const Vector3d to_contact = lean * Vector3d(0.0, 0.0, -loaded_radius);
   Wrench in_H = wrench;

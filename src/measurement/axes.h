@@ -60,7 +60,7 @@ AxisConvention axis_convention_of(std::string_view name);
 /// Returns the names by which users choose a frame: "W", "H", "C".
 const std::vector<std::string>& axis_frame_names();
 std::string name_of(AxisFrame frame);
-/// Returns the frame with one of these names.
+/// Returns the axis frame with the given name.
 AxisFrame axis_frame_of(std::string_view name);
 
 struct Wrench {

@@ -29,7 +29,7 @@ TEST(Axes, ForcesAndMomentsAreTheComponentsOfOneArrowInSpace) {
   const Vector3d force(1, 2, 3), moment(4, 5, 6);  // components forward, left, up
   for (const AxisConvention convention : kAll) {
     Wrench written{axes_of(convention) * force, axes_of(convention) * moment};
-    // Adapted SAE keeps the load positive.
+    // In the convention "adapted SAE" the load is positive.
     if (convention == AxisConvention::adapted_sae) written.force.z() *= -1;
     EXPECT_EQ(to_iso(written, convention), (Wrench{force, moment}));
     EXPECT_EQ(to_iso(to_iso(written, convention), convention), written);

@@ -124,7 +124,7 @@ DrumRecord drum_record(Channels channels, const std::string& time_channel, std::
   for (const Channel& channel : channels.all()) check_values(channel, t.size(), source);
   const double step = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
   expect_rising(t, source);
-  // This is checked first, because after a gap every later sample would seem to be late.
+  // Gaps are searched first, because after a gap every later sample would seem to be late.
   expect_no_gap(t, source);
   expect_uniform(t, step, source);
   DrumRecord record;

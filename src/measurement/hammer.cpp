@@ -15,8 +15,8 @@
 namespace latsch {
 namespace {
 
-/// Returns the spectrum of a window, relative to the mean level before the hit, where there is no
-/// response yet.
+/// Returns the spectrum of a window after subtracting the mean level before the hit, where there is
+/// no response yet.
 numerics::Spectrum spectrum(std::span<const double> x, int first, int length, int before) {
   std::vector<double> window(x.begin() + first, x.begin() + first + length);
   const double level =
@@ -38,7 +38,8 @@ std::vector<int> find_hits(std::span<const double> hammer,
   if (hardest == 0.0) throw InputError("the hammer's channel is constant: no hit is in it");
   const int before = numerics::sample_count(settings.before, rate),
             length = numerics::sample_count(settings.window, rate);
-  // Number of samples after which a value above the threshold is another hit.
+  // number of samples after the beginning of a hit within which a value above the threshold belongs
+  // to the same hit
   const int contact = std::max(1, before);
   std::vector<int> all;
   for (int i = 0, last = -length; i < static_cast<int>(hammer.size()); ++i) {

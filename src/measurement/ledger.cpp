@@ -39,7 +39,7 @@ std::string word_for_rows(const std::string& file) {
   return "column";
 }
 
-/// True if the only row of the ledger is the file itself, as for a script or an input file of a
+/// True if the only row of the ledger is the whole file, as for a script or an input file of a
 /// program.
 bool is_taken_whole(const Ledger& ledger) {
   const std::string name = ledger.file.substr(ledger.file.find_last_of('/') + 1);

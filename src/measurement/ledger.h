@@ -66,7 +66,7 @@ struct Ledger {
   /// Returns the row that became the given channel or parameter; nullptr if there is none.
   LedgerRow* find_taken(const std::string& name);
   const LedgerRow* find_taken(const std::string& name) const;
-  /// Marks a row as used by `by`; a repeated name counts once.
+  /// Marks a row as used by `by`; a name that is already recorded is not added again.
   static void use(LedgerRow& row, const std::string& by);
 };
 
@@ -74,7 +74,7 @@ struct Ledger {
 /// 220 kPa". `what` is the singular word for a row of the file.
 std::string in_one_line(const Ledger& ledger, const std::string& what = "column");
 
-/// The table that `latsch show` prints: its column heads, then a line for each row.
+/// Returns the column heads of the table that `latsch show` prints.
 std::vector<std::string> ledger_heads();
 std::vector<std::string> ledger_cells(const LedgerRow& row);
 

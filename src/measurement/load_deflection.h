@@ -31,8 +31,9 @@ struct LoadDeflectionCurve {
 /// or positions that neither all rise nor all fall.
 std::optional<MeasurementFault> find_fault(const LoadDeflectionCurve& curve);
 
-/// Returns the statement of a study that leaves the faulty rows out, to follow the fault: a window
-/// above 0 for a first row without deflection, one direction for a loop; empty for other faults.
+/// Returns a clause that says which statement of a study excludes the faulty rows, to follow the
+/// description of the fault: a window above 0 if the first row has no deflection, one direction of
+/// motion for a hysteresis loop. Empty for other faults.
 std::string way_out_of(const LoadDeflectionCurve& curve, const MeasurementFault& fault);
 
 }  // namespace latsch

@@ -16,7 +16,8 @@ namespace {
 
 // Least autocorrelation at a period; noise alone reaches 4 / sqrt(samples).
 constexpr double kLeastStrength = 0.25;
-// Share of the highest peak that all earlier peaks of a comb of equidistant peaks must reach.
+// share of the highest peak of the autocorrelation that all earlier peaks at equal distances must
+// reach
 constexpr double kComb = 0.8;
 
 double mean(std::span<const double> x) {
@@ -111,7 +112,8 @@ std::vector<double> what_is_aligned(std::span<const double> x,
   return {x.begin(), x.end()};
 }
 
-/// Aligns all passages of x once with the reference; `first` is the start of the first passage.
+/// Aligns all passages of the signal x once with the reference; `first` is the start of the first
+/// passage.
 Passages aligned(std::span<const double> x,
                  const std::vector<double>& reference,
                  double first,

@@ -38,7 +38,8 @@ struct PassageSettings {
   /// the frequencies of the tire's response, correlated noise would shift the maximum. 0: no
   /// filter.
   double align_below = 250.0;
-  /// Share of a period; largest shift relative to one period after the passage before.
+  /// largest shift of a passage from the position one period after the previous passage, as a share
+  /// of the period
   double most_shift = 0.1;
   /// Least normalized cross-correlation with the reference; passages below it are left out.
   double least_likeness = 0.5;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHysteresis = 0.25;  // share of the signal's range
 constexpr std::size_t kFewestPulses = 3;
-// least number of samples between two pulses: with fewer a pulse may be missed
+// least number of samples between two pulses; with fewer samples a pulse may be missed
 constexpr double kFewestSamples = 4.0;
 
 /// Distance, in pitches, that the surface has traveled since the first pulse.

@@ -20,7 +20,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr int kFewestLines = 8;
 
-/// One frequency of the fit: the compared values and their unit.
+/// One frequency of the fit: the compared value and its weight.
 struct Line {
   double omega;
   Complex H;

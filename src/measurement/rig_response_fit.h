@@ -29,7 +29,7 @@ struct FittedResponse {
   /// Standard deviations of A/f^2, f (rad/s), zeta and c by linear theory.
   double sigma_gain = 0.0, sigma_f = 0.0, sigma_zeta = 0.0, sigma_c = 0.0;
   double delay = 0.0;  // s, delay of the real run relative to the dummy run; second fit only
-  /// root mean square over the frequencies, of |H| or of the signal (in its unit)
+  /// root mean square over the frequencies, of |H| or of the signal (in the signal's unit)
   double residual = 0.0;
   bool converged = false;
 };

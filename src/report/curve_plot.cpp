@@ -13,7 +13,7 @@
 namespace latsch::report {
 namespace {
 
-// Largest number of dots drawn: a channel may have millions of samples.
+// largest number of points of a curve that are drawn as dots
 constexpr std::size_t kDots = 200;
 constexpr std::size_t kCorners = 2000;  // largest number of corners of a line; more are not visible
 constexpr double kKeyRow = 18.0;        // px, height of a row of the legend
@@ -70,7 +70,8 @@ std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, typeset_unit(unit));
 }
 
-/// Returns the levels of the curve's pieces in their order; pieces of one level have one color.
+/// Returns the names of the levels of the curve's pieces, in order; pieces of the same level have
+/// the same color.
 std::vector<std::string> levels_of(const MeasuredCurve& curve) {
   std::vector<std::string> levels;
   for (const MeasuredCurve::Piece& piece : curve.pieces)

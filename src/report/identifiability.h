@@ -18,8 +18,8 @@ struct ProfileCurve {
   bool logarithmic = false;
   std::vector<double> x;           // SI, ascending
   std::vector<std::string> shown;  // text for each x: "73 N/mm^2"
-  /// S minus its minimum, over the threshold of the interval: the interval ends where the rise is
-  /// 1.
+  /// Rise of the objective S above its minimum, over the threshold of the interval; the interval
+  /// ends where the rise is 1.
   std::vector<double> rise;
   double found = 0.0;    // SI
   std::string verdict;   // "identifiable"

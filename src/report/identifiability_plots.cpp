@@ -12,7 +12,7 @@
 namespace latsch::report {
 namespace {
 
-// share of the range; smaller deviations are drawn at this value
+// share of the range; smaller standard deviations are drawn at this value
 constexpr double kLeastDeviation = 1e-6;
 // highest rise shown, in thresholds; beyond it the curve leaves the frame
 constexpr double kHighestRise = 8.0;

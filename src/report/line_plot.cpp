@@ -17,7 +17,8 @@ constexpr std::size_t kLineCorners = 1500;
 constexpr double kLeft = 86.0, kTop = 34.0, kRight = 14.0, kBottom = 46.0;  // pixels
 constexpr double kLegendRow = 18.0, kDot = 1.4;
 
-/// Returns the left ends of the names in the legend, which has as many rows as they need.
+/// Returns the positions at which the names in the legend begin; the legend has as many rows as
+/// necessary.
 std::vector<Point> legend_places(const std::vector<PlotLine>& lines, double width) {
   constexpr double kLetter = 6.6, kGap = 44.0;  // pixels
   std::vector<Point> places;
@@ -43,7 +44,7 @@ PlotLine thinned(const PlotLine& line) {
   for (std::size_t s = 0; s < stretches; ++s) {
     const std::size_t first = s * count / stretches, end = (s + 1) * count / stretches;
     std::size_t low = first, high = first;
-    // A NaN is chosen only if the stretch has no other value.
+    // A NaN is chosen only if this part of the line has no other value.
     for (std::size_t k = first; k < end; ++k) {
       if (std::isnan(line.y[low]) || line.y[k] < line.y[low]) low = k;
       if (std::isnan(line.y[high]) || line.y[k] > line.y[high]) high = k;

@@ -11,7 +11,7 @@ namespace latsch::report {
 
 struct PlotLine {
   std::string name;  // name in the legend; empty: no entry
-  /// In the units of the plot; values that are not finite are left out.
+  /// values in the units of the plot; values that are not finite are omitted
   std::vector<double> x, y;
   int color = 0;               // index of the line's color, see category() in color_map.h
   std::vector<double> spread;  // half width of a band around y; may be empty

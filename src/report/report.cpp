@@ -37,8 +37,8 @@ double mean_error(const std::vector<double>& measured, const std::vector<double>
   return sum / static_cast<double>(std::max<size_t>(1, count));
 }
 
-/// Returns the error of an experiment in its own measure, as its row states it: "RMS error 3 %";
-/// empty if there is no row.
+/// Returns the error of an experiment in its own measure in words, such as "RMS error 3 %"; empty
+/// if the report has no row for the experiment.
 std::string error_of(const StudyReport& report, const std::string& name, const char* between) {
   for (const ExperimentRow& row : report.experiments)
     if (row.name == name)

@@ -49,7 +49,7 @@ struct ExperimentRow {
   double error = 0.0;
   std::optional<double> initial_error = {};  // `error` at the initial values of the variables
   std::string measure = "mean";              // name of the measure: "mean", "RMS"
-  /// value that corresponds to 100 %, if it is the same for all values: "4000 N"
+  /// value that corresponds to an error of 100 %, if it is the same for all values: "4000 N"
   std::string whole = "";
   /// The least error that an earlier stage of the fit reached, and the name of that stage; empty if
   /// there is none.
@@ -90,7 +90,7 @@ struct MeasuredCurve {
   std::string experiment;
   std::string conditions;  // conditions of the test in words, such as "over response/time"
   bool fitted = true;
-  /// for example "time"; x_name empty: the abscissa is the sample number
+  /// names of the axes, such as "time"; if x_name is empty, the abscissa is the sample number
   std::string x_name, y_name;
   std::string x_unit = "1", y_unit = "1";
   std::vector<double> x_measured, y_measured;
@@ -258,7 +258,7 @@ struct StudyReport {
   double target = 0.0;                 // target at the fitted values of the variables
   std::optional<double> initial_target;
   std::vector<LinePlot> slip_plots;  // force over slip of the fitted tire
-  /// For example "mean square of the errors, its root 2.45 %"; may be empty.
+  /// Target in words, such as "mean square of the errors, its root 2.45 %"; may be empty.
   std::string target_in_words;
   /// formula of the target in one line, "1/2 (mean |df| + mean |dF|)"; may be empty
   std::string target_definition;

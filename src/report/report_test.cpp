@@ -215,7 +215,7 @@ TEST(Report, FlagsAVariableAtItsBound) {
   EXPECT_EQ(at_bound(v), AtBound::lower);
 }
 
-// includes values that a failed or unusual trial may leave behind
+// the numbers include values that a failed or unusual trial may leave
 TEST(Report, IsDrawnFromAnyNumbers) {
   const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
   const std::vector<double> odd = {0.0, -0.0, nan, inf, -inf, 1e-300, 1e300, -5.0, 3.0};
@@ -603,7 +603,7 @@ TEST(LinePlot, LegendsTakeTheRowsTheyNeed) {
   expect_nothing_cut(line_plot(plot));
 }
 
-// A page on which the trial with the least target is not that of the search must explain why.
+// If the trial with the least target does not come from the search, the page must explain why.
 TEST(Report, SaysWhereItsBestTrialIsNotOfTheSearch) {
   StudyReport report;
   report.title = "t";

@@ -252,7 +252,7 @@ void draw_frame(Svg& svg,
   svg.line({left, bottom}, {right, bottom}, "class=\"axis\"");
   if (!x_title.empty())
     svg.text({0.5 * (left + right), bottom + 36}, x_title, TextAnchor::middle, "title");
-  // a title is not cut off at the left edge
+  // the margin is so wide that no title is cut off at the left edge
   const double beside = std::max(kAscent, left - 16 - widest);
   if (!y_title.empty()) svg.vertical_text({beside, 0.5 * (top + bottom)}, y_title);
 }
@@ -309,7 +309,8 @@ void draw_band(Svg& svg,
 std::vector<double> with_band(const std::vector<double>& values,
                               const std::vector<double>& lower,
                               const std::vector<double>& upper) {
-  // Largest widening of the axis by a band, as a share of the range of the values.
+  // largest part of an axis that a band may take in addition to the range of the values, as a share
+  // of that range
   constexpr double kBeyond = 0.5;
   std::vector<double> all;
   for (const double value : values) {

@@ -18,7 +18,7 @@ enum class TextAnchor { start, middle, end };
 /// An SVG picture under construction. Lengths are in CSS pixels; y points downward.
 class Svg {
  public:
-  /// Screen readers read the description.
+  /// Creates an empty picture; screen readers read its description.
   Svg(double width, double height, std::string_view description);
 
   /// Draw shapes. `attributes` is inserted as it stands, for example `class="ink"` or

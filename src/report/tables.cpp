@@ -11,7 +11,7 @@
 namespace latsch::report {
 namespace {
 
-// Share of the range: a value nearer to a bound than this counts as at the bound.
+// share of a variable's range; a value closer to a bound counts as at the bound
 constexpr double kBoundShare = 0.005;
 
 double share_of_range(const Variable& v, double value) {

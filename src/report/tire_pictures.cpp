@@ -150,7 +150,7 @@ Eigen::AlignedBox2d cell_of(const std::vector<fe_tire::ContactPatch::Point>& poi
       if (away[axis] > 0.0) ahead = std::min(ahead, away[axis]);
       if (away[axis] < 0.0) behind = std::min(behind, -away[axis]);
     }
-    // a point farther away than this is no neighbor
+    // a point at a larger distance is no neighbor
     const double largest = 3.0 * std::sqrt(points[i].area);
     const double nearest = std::min({ahead, behind, largest / 3.0});
     cell.min()[axis] = here[axis] - 0.5 * (behind < largest ? behind : nearest);

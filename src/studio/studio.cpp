@@ -12,7 +12,8 @@
 namespace latsch::studio {
 namespace {
 
-// trials; beyond this number the page requests its range again
+// largest number of trials in one event; if there are more, the page requests its range of trials
+// again
 constexpr long kMostInOneEvent = 200;
 
 /// The query parameters of a request.
@@ -257,7 +258,7 @@ class Studio::Impl {
     return {{"started", true}};
   }
 
-  /// Publishes changes to the clients; the watching thread calls this function.
+  /// Publishes the changes of a study to the clients; the watching thread calls this function.
   void tell(const std::string& id, const ShelvedStudy::Changes& changes) {
     if (changes.of_study || changes.of_state || id.empty()) publish_("", "home", "{}");
     if (id.empty()) return;
@@ -319,7 +320,7 @@ class Studio::Impl {
   const experiment::Language& language_;
   Publish publish_;
   StudyRuns runs_;
-  // for each study, what clients know; used by the watching thread only
+  // state of each study that the clients know; used by the watching thread only
   std::map<std::string, Told> told_;
   Shelf shelf_;  // declared last, so that its thread ends before the members that the thread uses
 };

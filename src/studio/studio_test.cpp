@@ -32,8 +32,8 @@ measurement = "aligning.csv"
 weight = 0.5
 )";
 
-  /// Returns a study that is fitted without derivatives, because with them the fit would already
-  /// give intervals.
+  /// Returns a study that is fitted without derivatives, because a fit with derivatives would
+  /// already give intervals.
   correlation::Study two() {
     std::string text = "Mz [N*m]\n";
     for (int i = -12; i <= 12; ++i) text += std::to_string(2.5 * i) + "\n";

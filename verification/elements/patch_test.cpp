@@ -105,7 +105,7 @@ class Patch : public testing::TestWithParam<Case> {
   }
 };
 
-/// Forces on the inner nodes, and the resultant on the face i = kElements (normal x).
+/// Forces on the inner nodes, and the resultant force on the face i = kElements, whose normal is x.
 struct Forces {
   double inside = 0.0;
   Eigen::Vector3d face = Eigen::Vector3d::Zero();
@@ -130,8 +130,8 @@ TEST_P(Patch, UniformDeformationIsAnEquilibriumOfUniformStress) {
   const Eigen::Matrix3d P = first_piola(kF);
   const Forces forces = sort(model, f);
   EXPECT_LT(forces.inside, 1e-10 * P.norm() * kSize * kSize);
-  // The sum of f x X over all nodes, the virial, is the volume integral of the stress P [virtual
-  // work of a uniform gradient].
+  // The virial, the sum of f x X over all nodes with force f and position X, is equal to the volume
+  // integral of the stress P [virtual work of a uniform gradient].
   Eigen::Matrix3d virial = Eigen::Matrix3d::Zero();
   for (int a = 0; a < model.grid().nodes(); ++a)
     virial += f.segment<3>(3 * a) * model.X().col(a).transpose();

@@ -23,7 +23,8 @@ namespace {
 constexpr int kLayers = 40;
 constexpr double kHalfAngle = std::numbers::pi / 180.0;
 
-/// Returns the pressure over mu at which the inner surface has the radius a.
+/// Returns the internal pressure over the shear modulus mu at which the inner surface of a hollow
+/// sphere or cylinder has the radius `a`.
 double pressure_of(bool sphere, double a, ElementKind kind) {
   const Grid grid{1, 1, kLayers};
   const auto ray = [&](int i, int j) {

@@ -135,7 +135,7 @@ TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
     expect_same(*state, inputs);
     highest = std::max(highest, (*car)->vertical_forces(*state)[0]);
   }
-  EXPECT_GT(highest, 1.2 * at_rest);  // the cleat raised the force
+  EXPECT_GT(highest, 1.2 * at_rest);  // the cleat has increased the force
 }
 
 TEST_P(CarOf, GoesBackToAStateAndOnToTheSameBitsAlsoInAnotherInstance) {

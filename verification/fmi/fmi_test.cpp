@@ -95,7 +95,7 @@ Answer answer_of(const HubForces& hub) {
       hub.force.x(), hub.force.y(), hub.force.z(), hub.moment.x(), hub.moment.y(), hub.moment.z()};
 }
 
-/// The tire without FMI, called directly.
+/// A tire that is called directly, without FMI.
 struct Direct {
   explicit Direct(const std::string& model)
       : specimen([&] {

@@ -71,7 +71,7 @@ namespace {
 
 using Log = std::vector<std::pair<CallStatus, std::string>>;
 
-/// Formats a message as importing programs do: the message is a printf format.
+/// Formats a message as importing programs do, which use the message as a printf format.
 void log2(void* environment, fmi2::Text, fmi2::Status status, fmi2::Text, fmi2::Text format, ...) {
   char text[4096];
   std::va_list arguments;

@@ -20,7 +20,7 @@ namespace latsch::exchange {
 /// Unpacks a ZIP file into the folder.
 void unpack(const std::string& bytes, const std::filesystem::path& folder);
 
-/// The loaded shared library of a package.
+/// The shared library of a package, loaded into this process.
 class Binary {
  public:
   explicit Binary(const std::filesystem::path& file);
@@ -39,7 +39,7 @@ class Binary {
   void* handle_ = nullptr;
 };
 
-/// An unpacked package.
+/// A package whose files have been unpacked.
 struct Package {
   /// Makes and unpacks the package of a model's file in `studies`. `road` is the text of a road's
   /// .toml; empty: the package has no road.

@@ -253,7 +253,7 @@ class LinearCar:
         return np.array([S[2, 1] - S[1, 2], S[0, 2] - S[2, 0], S[1, 0] - S[0, 1]]) / 2
 
     def response(self, frequency, signs):
-        """Returns the transfer functions of all sensors, N/m and 1/s^2, for posts that move with these signs."""
+        """Returns the transfer functions of all sensors, N/m and 1/s^2, for posts that move with the given signs."""
         w = 2 * np.pi * frequency
         D = self.K + 1j * w * self.C - w**2 * self.M
         tire = np.array([corner.kt + 1j * w * corner.ct for corner in self.corners])

@@ -97,7 +97,7 @@ Vector ring_of_masses(const Vector& x) {
   return values;
 }
 
-/// Displacement of a cart that sticks and slips (Dahl's friction) on a spring.
+/// Displacement of a cart on a spring, which sticks and slips because of Dahl's friction.
 Vector dahl(const Vector& x) {
   const auto states = integrate(
       [&](double t, const Vector& y) {
@@ -167,7 +167,8 @@ Vector brush(const Vector& x) {
   return values;
 }
 
-/// Response of two resonances to a short impact at two speeds; the speed couples the resonances.
+/// Response of two coupled resonances to a short impact at two speeds; the coupling depends on the
+/// speed.
 Vector blow(const Vector& x) {
   Vector values;
   for (const double speed : {1.0, 2.2}) {

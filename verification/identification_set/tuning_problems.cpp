@@ -43,7 +43,7 @@ Vector chain(const Vector& k) {
 
 /// Displacements of body and wheel of a quarter-car model over a bump.
 Vector quarter_car(const Vector& x) {
-  // k, c, kt over the mass of the body; mu: mass ratio
+  // k, c and kt are divided by the mass of the body; mu is the mass ratio
   const double k = x[0], c = x[1], kt = x[2], mu = x[3];
   const auto states = integrate(
       [&](double t, const Vector& y) {
@@ -326,7 +326,7 @@ std::vector<Problem> written_down() {
   all.push_back(fitted("cooling of a slab",
                        {{"a", 0.02, 2, 0.1, 0.4}, {"Bi", 0.1, 30, 10, 1.5}, {"T", 0.2, 3, 2, 1.0}},
                        curve(grid(0.02, 4, 30), [](double t, const Vector& x) {
-                         // zeta is a root of zeta tan(zeta) = Bi; three roots are used
+                         // zeta is a root of zeta tan(zeta) = Bi; the first three roots are used
                          double zeta = 0.7, sum = 0.0;
                          for (int k = 0; k < 3; ++k) {
                            double low = k * std::numbers::pi, high = low + 0.5 * std::numbers::pi;

@@ -27,7 +27,8 @@ struct Problem {
   double least;        // f_L
   std::function<Vector(const Vector&)> residuals;
   Vector steps = {};  // first step of every variable; empty: start_step for all
-  /// rows of n derivatives, one for each residual; empty: not known
+  /// derivatives of the residuals, n for each residual, one residual after the other; empty: not
+  /// known
   std::function<Vector(const Vector&)> jacobian = {};
 
   int n() const { return static_cast<int>(start.size()); }

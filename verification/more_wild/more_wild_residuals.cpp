@@ -184,7 +184,7 @@ template <class T>
 std::vector<T> chebyquad(const std::vector<T>& x, int m) {
   std::vector<T> r(m, 0.0);
   for (const T& x_j : x) {
-    // Chebyshev polynomials on [0, 1]: the one before and the present one
+    // Chebyshev polynomials on [0, 1]: the previous one and the present one
     T before = 1.0, now = 2.0 * x_j - 1.0;
     for (int i = 1; i <= m; ++i) {
       r[i - 1] += now / size(x);
@@ -193,7 +193,7 @@ std::vector<T> chebyquad(const std::vector<T>& x, int m) {
       now = next;
     }
   }
-  // subtracts the integrals of the even polynomials
+  // subtracts the integrals of the polynomials of even degree
   for (int i = 2; i <= m; i += 2) r[i - 1] += 1.0 / (square(i) - 1.0);
   return r;
 }

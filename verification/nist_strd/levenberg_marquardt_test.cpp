@@ -39,10 +39,10 @@ Score score_at(const Problem& problem, const std::vector<double>& x) {
   return {problem.value(x), problem.residuals(x), problem.jacobian(x)};
 }
 
-/// Returns options whose first trust region lets every variable change by its own value, as in
-/// SciPy.
+/// Returns options with a first trust region in which every variable may change by its own value,
+/// as in SciPy.
 LevenbergMarquardtOptions options_of(const Problem& problem) {
-  // a step in problem.steps is a tenth of the start value
+  // problem.steps holds steps of a tenth of the start value
   const double steps = problem.steps.empty() ? 1.0 : 10.0;
   return {.initial_step = steps / more_wild::kBoxWidth, .step_tolerance = 1e-13};
 }
@@ -103,7 +103,7 @@ std::vector<Problem> all_problems() {
   return all;
 }
 
-/// Problems in which descent from the start leads to another minimum, or to infinity.
+/// Names of problems for which descent from the start leads to another minimum, or to infinity.
 const std::set<std::string> kElsewhere{
     "BoxBOD, start 1", "Bard (3, 15) x 10", "Chebyquad (10, 10)", "Osborne 2 (11, 65) x 10"};
 

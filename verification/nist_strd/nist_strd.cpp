@@ -20,7 +20,7 @@ using Vector = std::vector<double>;
 using more_wild::Dual;
 using std::atan, std::cos, std::exp, std::expm1, std::pow, std::sin;
 
-/// A model function, for plain numbers and for dual numbers.
+/// A model function that can be evaluated with plain numbers and with dual numbers.
 struct Model {
   using Value = double (*)(const Vector& x, const Vector& b);
   using Slope = Dual (*)(const Vector& x, const std::vector<Dual>& b);

@@ -208,7 +208,7 @@ def deck(tire, angle, ply_thickness, size):
     p = number(tire["pressure"])
     text += ["*STEP,NLGEOM,INC=100", "*STATIC", "0.25,1.0", "*DLOAD", f"INNER,P1,{p:.10g}",
              "*NODE PRINT,NSET=CROWN,FREQUENCY=100", "U", "*END STEP"]
-    # In such a step CalculiX counts the load stiffness of a pressure twice, so the pressure is halved.
+    # In a perturbation step CalculiX counts the load stiffness of a pressure twice, so the pressure is halved.
     text += ["*STEP,PERTURBATION", "*FREQUENCY,STORAGE=YES", f"{MODES},", "*DLOAD,OP=NEW",
              f"INNER,P1,{p / 2:.10g}",
              f"*SELECT CYCLIC SYMMETRY MODES,NMIN=0,NMAX={HARMONICS}", "*END STEP"]

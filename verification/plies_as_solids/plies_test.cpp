@@ -38,8 +38,8 @@ std::map<std::string, double> figures(double angle_deg) {
 
 class PliesAsSolids : public testing::TestWithParam<double> {};
 
-// The tolerance is 2 %, because the thickness of the reference's plies, 0.4 mm, alone changes the
-// growth by 2 % at 22 degrees.
+// The tolerance is 2 %. The reference has plies with a thickness of 0.4 mm, which alone changes the
+// growth by 2 % at a cord angle of 22 degrees.
 TEST_P(PliesAsSolids, GrowthAndTheModesOfWaveNumbersZeroAndOneAgreeWithinTwoPercent) {
   TireDescription tire = read_tire(Document::read(kFolder / "tire.toml").root());
   for (int belt : {1, 2}) {

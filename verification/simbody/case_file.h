@@ -62,7 +62,7 @@ struct CaseFile {
 /// Throws InputError if the file cannot be read.
 CaseFile read_case_file(const std::filesystem::path& file);
 
-/// Returns the loads of this case, together with those of all cases and with gravity.
+/// Returns the loads of this load case, those common to all load cases, and gravity.
 std::vector<multibody::Load> loads_of(const CaseFile& file, const LoadCase& load_case);
 
 /// Returns the joints together with those that statics needs: the springs of held_in_statics, and

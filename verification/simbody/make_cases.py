@@ -122,7 +122,7 @@ def corner(points, of=""):
 
 
 def random_loads(count):
-    """These loads have the size of the others and random directions."""
+    """Returns loads with the magnitudes of the other load cases and with random directions."""
     draw = random.Random(20)
     each = lambda reach: [float(f"{draw.uniform(-reach, reach):.6g}") for _ in range(3)]
     return [(f"random {i}", each(4e3), each(150.0)) for i in range(1, count + 1)]

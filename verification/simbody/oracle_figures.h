@@ -10,7 +10,7 @@
 
 namespace latsch::verification {
 
-/// A table of texts with a header.
+/// A table of texts with a header line.
 struct Figures {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;

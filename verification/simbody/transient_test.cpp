@@ -14,8 +14,8 @@
 namespace latsch::verification {
 namespace {
 
-// The present run uses a thousand times the tolerance of the committed run and differs from it by
-// 20 nm.
+// The present run has a tolerance a thousand times as large as the stored run, and its result
+// differs by 20 nm.
 TEST(SimbodyTransient, CommittedRunIsWhatItGivesToday) {
   const std::string folder = LATSCH_SIMBODY_CASES;
   const auto today = figures_of_oracle("transient '" + folder + "/car_21_bodies.json' 1e-6");

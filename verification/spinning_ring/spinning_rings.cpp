@@ -51,7 +51,8 @@ Eigen::Vector3d crown_displacement(const FeTire& tire, const Inflated& state) {
 
 FeTire free_ring(int sectors) { return FeTire(free_ring_mesh(sectors), free_ring_materials(0.3)); }
 
-/// Computes the lowest radial angular frequency, rad/s, for one n and one sense of rotation.
+/// Computes the lowest angular frequency, rad/s, of the radial modes with wave number n and one
+/// sense of rotation.
 using Frequency = std::function<double(FeTire&, const Inflated&, int n, int sign)>;
 
 SplitErrors split_errors(int sectors, const Frequency& frequency) {
@@ -147,7 +148,8 @@ GyroRingErrors gyro_ring_errors() {
              tire, ElementKind::full_integration, state, std::abs(n), n < 0 ? -1 : 1)[0] /
                  hub -
              1.0);
-  // Radial growth, m, of the outer node at y = 0.01 m on which both programs agree.
+  // Reference value of the radial growth, m, of the outer node at y = 0.01 m, which both programs
+  // give.
   errors.growth = std::abs(-crown_displacement(tire, state).z() / 2.18728e-3 - 1.0);
   errors.standing_wave = std::abs(value_of(spinning.standing_wave(at_rest)).speed / 170.4 - 1.0);
   return errors;

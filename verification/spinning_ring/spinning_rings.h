@@ -53,7 +53,7 @@ struct SplitErrors {
   double split = 0.0, product = 0.0;
 };
 SplitErrors bryan_errors(int sectors);
-/// Returns the same errors for frequencies by (W.1).
+/// Returns the same errors for frequencies that were computed by equation (W.1).
 SplitErrors bryan_errors_by_flow(int sectors);
 
 }  // namespace latsch::verification

@@ -210,8 +210,8 @@ bool CommandLine::give_text(const CLI::ParseError& request) {
 
 bool CommandLine::run(int argc, char** argv) {
   std::vector<std::string> words = words_of(argc, argv);
-  // If the parser does not understand the line, the answer still has the requested form: JSON or
-  // text.
+  // If the command line cannot be parsed, the error is still printed in the requested form: as JSON
+  // or as text.
   CommonOptions asked;
   asked.json = contains(words, "--json");
   const std::string first = words.empty() || words[0] == "--json" ? "" : words[0];

@@ -27,7 +27,7 @@ class Option {
   Option& required();
   Option& between(int least, int most);
   Option& one_of(const std::vector<std::string>& values);
-  /// If the option is given without a value, it has this one.
+  /// Sets the value that the option has if it is given without a value.
   Option& or_alone(const std::string& value);
   Option& capture_default_str();  // --help shows the default value
 
@@ -42,7 +42,7 @@ class Verb {
 
   Option add_option(const std::string& name, std::string& value, const std::string& help);
   Option add_option(const std::string& name, int& value, const std::string& help);
-  /// The option may be given more than once.
+  /// Adds an option that may be given more than once.
   Option add_option(const std::string& name,
                     std::vector<std::string>& values,
                     const std::string& help);

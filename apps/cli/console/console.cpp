@@ -65,7 +65,8 @@ Json note(const std::string& sentence, const Place& place) {
 }
 
 void to_standard_error(const std::string& sentence) {
-  // The sentence already begins with the program's name, as in "latsch run: ..." about arguments.
+  // The sentence already begins with the name of the program, such as "latsch run: ..." for an
+  // invalid argument.
   const bool named = sentence.starts_with("latsch ");
   const std::string line = (named ? "" : "latsch: ") + sentence + "\n";
   std::fflush(stdout);  // keeps the order if both streams go to one file
@@ -139,7 +140,7 @@ int close_console(int exit_code) {
   c.head["exit_code"] = exit_code;
   c.head["status"] = status_of(exit_code);
   if (!c.result.empty()) c.head["result"] = c.result;
-  // for names that are not valid UTF-8
+  // replaces invalid bytes of names that are not valid UTF-8
   const auto replace = nlohmann::detail::error_handler_t::replace;
   const std::string text = c.head.dump(2, ' ', false, replace) + "\n";
   std::fwrite(text.data(), 1, text.size(), c.answers);

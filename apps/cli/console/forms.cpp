@@ -16,7 +16,7 @@ bool has_effect(const Form& form, const std::string& option) {
   return contains(form.chosen_by, option) || contains(form.takes, option);
 }
 
-/// Returns those given options that choose the form.
+/// Returns those of the given options that choose the form of the verb.
 std::vector<std::string> choosers(const Form& form, const std::vector<std::string>& given) {
   std::vector<std::string> names;
   for (const std::string& name : given)

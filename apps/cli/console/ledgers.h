@@ -28,7 +28,7 @@ std::size_t say_ledgers(const std::vector<Ledger>& ledgers,
                         LinesTo to,
                         const std::string& title = "");
 
-/// Returns the name of a ledger's file, with its folder if another of them has the same name.
+/// Returns the file name of a ledger, with its folder if another ledger has the same file name.
 std::string name_among(const Ledger& ledger, const std::vector<Ledger>& all);
 
 /// Returns the ledgers of a model, of a test, of the files that the test names and of those that

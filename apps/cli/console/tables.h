@@ -16,7 +16,7 @@ namespace latsch::cli {
 /// Returns a value (SI) as text in the unit of its variable, such as "22.3 N/mm^2".
 std::string shown(const DesignVariable& variable, double value);
 
-/// Width of the first column: the longest name, at least 16 letters.
+/// Returns the width of the first column: the length of the longest name, at least 16 letters.
 template <class Named>
 int name_width(const std::vector<Named>& all) {
   std::size_t width = 16;

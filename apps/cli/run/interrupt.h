@@ -7,7 +7,7 @@
 
 namespace latsch::cli {
 
-/// Catches signals from now on.
+/// Catches interrupt signals from this call on.
 void catch_interrupts();
 /// True if a signal has arrived since catch_interrupts().
 bool interrupted();

@@ -38,8 +38,8 @@ ServedStudies::ServedStudies(const ServeOptions& options, const experiment::Lang
   studio::ServerOptions server;
   server.listen = options.listen;
   server.port = static_cast<std::uint16_t>(options.port);
-  // Most threads wait for one that computes; with so many of them a few slow views do not block the
-  // others.
+  // Most threads only wait for another one that computes; with this number of threads a few slow
+  // views do not block the others.
   server.threads = 12;
   server.assets = studio::web_assets();
   server.report = [](std::string_view what) { warn("a request failed: " + std::string(what)); };

@@ -338,7 +338,8 @@ class DrumPassage {
                                       fmt::join(frames_, "\", \"")));
   }
 
-  /// Returns the name of a channel of the test: "Fz", or with its frame if the record has several.
+  /// Returns the name of a channel of the test, such as "Fz"; the axis frame is part of the name if
+  /// the record has channels in several frames.
   std::string in_test(std::size_t i, const std::string& ours) const {
     if (frames_.size() < 2) return ours;
     const auto known = recognized(channel(i));

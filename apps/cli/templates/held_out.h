@@ -21,7 +21,7 @@ using Select = std::map<std::string, std::vector<std::string>>;
 struct HeldOut {
   std::vector<std::filesystem::path> files;
   std::string channel;  // channel of the condition; empty: whole recordings are held out
-  /// held-out ranges of the channel's values, as the user wrote them
+  /// held-out ranges of a channel's values, as the user wrote them
   std::vector<std::string> windows;
 
   bool is_empty() const { return files.empty() && channel.empty(); }
@@ -36,8 +36,8 @@ HeldOut held_out_of(const std::vector<std::string>& given);
 std::vector<std::string> windows_outside(const std::vector<std::string>& windows,
                                          const std::string& unit);
 
-/// Returns the selection as text of a study, ", select = {p = [\".. 9e4 Pa\"]}", or "" if it is
-/// empty.
+/// Returns the selection of samples as text for a study file, ", select = {p = [\".. 9e4 Pa\"]}",
+/// or "" if it is empty.
 std::string select_text(const Select& select);
 
 }  // namespace latsch::cli

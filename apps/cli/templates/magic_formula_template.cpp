@@ -29,7 +29,7 @@ using correlation::Measurement;
 // share noise.
 constexpr std::size_t kMostSamples = 2000;
 
-/// Returns the place of a recording, the names of its files, for error messages.
+/// Returns the names of a recording's files as a place for error messages.
 Place place_of(const Measurement& measured) {
   std::string files = measured.files().front().string();
   if (measured.files().size() > 1)
@@ -207,8 +207,8 @@ std::string measurement_keys(const TireTestFiles& test,
 /// file name in messages about keys that are made from command line options
 constexpr const char* kNoFile = "recordings";
 
-/// Returns a message about a key of the measurement as one about the option that stated it:
-/// "--column alpha is ..." for "measurement.all.columns.alpha is ...".
+/// Converts a message about a key of the measurement to one about the command line option from
+/// which the key was made: "measurement.all.columns.alpha is ..." becomes "--column alpha is ...".
 std::string of_option(std::string message, const std::vector<fs::path>& files) {
   constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
       {"columns.", "--column "},

@@ -16,7 +16,7 @@ using correlation::Measurement;
 // Number of samples on each side from which a time derivative is computed.
 constexpr std::size_t kReach = 2;
 constexpr std::size_t kFewest = 30;  // least number of samples with small slip
-// rad, or 1 for longitudinal slip; largest value of the other slip
+// rad, or 1 for longitudinal slip: largest value of the slip that is not swept
 constexpr double kNoOtherSlip = 0.02;
 // share of the median load; at smaller loads the wheel counts as lifted
 constexpr double kLightest = 0.5;
@@ -77,7 +77,8 @@ Rows rows_of(const Measurement& measured,
 /// Returns the columns of those regressors that vary, each normalized to length 1; `scale` receives
 /// the lengths before normalization.
 Eigen::MatrixXd columns_of(const Rows& rows, Eigen::VectorXd& scale) {
-  // Least variation of the load (root mean square over its median) or of the camber (rad).
+  // Least variation above which a condition varies: of the load, root mean square over median, or
+  // of the camber, rad.
   constexpr double kVaries = 0.02;
   const Eigen::Index n = std::ssize(rows.y);
   Eigen::MatrixXd X(n, kAll);
@@ -134,7 +135,8 @@ std::optional<RecordedLag> recorded_lag(const Measurement& measured,
   const double slope = b[0] / scale[0], lag = b[1] / scale[1];
   RecordedLag found;
   found.sigma = -lag / slope;
-  // sigma = -b1/b0. The vector `by` holds the derivatives of sigma by b0 and b1, for its variance.
+  // The relaxation length is sigma = -b1/b0. The vector `by` holds its derivatives by b0 and b1,
+  // from which its variance is computed.
   Eigen::VectorXd by = Eigen::VectorXd::Zero(columns);
   by[0] = -found.sigma / slope / scale[0];
   by[1] = -1.0 / slope / scale[1];

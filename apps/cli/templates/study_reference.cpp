@@ -106,7 +106,7 @@ std::string form_words(const KeyForm& form, bool has_one_unit, const std::string
   return "";
 }
 
-/// True if all forms that are numbers have the same unit.
+/// True if all forms of a key that are numbers have the same unit.
 bool has_one_unit(const TabledKey& key) {
   std::vector<std::string> units;
   for (const KeyForm& form : key.forms)
@@ -140,7 +140,7 @@ std::string default_words(const TabledKey& key) {
 
 /// Returns the table rows of a section. Keys with equal descriptions share a row.
 std::string rows_of(const std::vector<TabledKey>& keys) {
-  // pairs of the keys' names and the other columns
+  // names of the keys and the contents of the other columns, as pairs
   std::vector<std::pair<std::string, std::string>> rows;
   for (const TabledKey& key : keys) {
     const std::string words =
@@ -216,8 +216,7 @@ Json key_json(const TabledKey& key) {
                {"forms", Json::array()}};
   for (const KeyForm& form : key.forms) {
     json["forms"].push_back(form_json(form));
-    // the choices in the form are those of an example, so the description of the range replaces
-    // them
+    // the choices in the form are those of a sample, so the description of the range replaces them
     if (!key.words.range.empty()) json["forms"].back().erase("choices");
   }
   if (!key.words.range.empty()) json["range"] = key.words.range;

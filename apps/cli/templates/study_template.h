@@ -25,7 +25,7 @@ struct StarterVariable {
   std::vector<std::string> paths;
   double initial = 0.0;  // Pa; the geometric mean of these parameters in the tire
   /// ratio of the true value, with which the example's measurements are computed, to the initial
-  /// value
+  /// value of the variable
   double example = 0.0;
 };
 

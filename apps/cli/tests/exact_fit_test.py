@@ -159,8 +159,9 @@ class ExactFit(unittest.TestCase):
                     self.assertAlmostEqual(other / one, 1.0, delta=1 / 6, msg=f"{loss}, {off}")
 
     def test_a_wrong_value_at_the_end_of_a_curve_leaves_the_intervals_closed(self):
-        """With Huber's loss the wrong value pulls the fit by its leverage, which is largest at the end of the curve, and
-        takes a second value beyond the corner. The intervals are wider for it, contain the truth and come from the data."""
+        """With Huber's loss a wrong value at the end of the curve, where its leverage is largest, moves the fit so
+        much that a second value lies beyond the threshold of the loss as well. The intervals become wider, contain
+        the truth and are computed from the data."""
         words, answer = self.fit({"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)},
                                  measured=lambda t: exponential(t) + (3.0 if t == 0 else 0),
                                  more='loss = "huber"\nloss_scale = "1 %"\nscale = "2.5 N"')

@@ -137,7 +137,7 @@ class FittedTir(unittest.TestCase):
               ("Fx over kappa, by load", "Fy over alpha, by load", "Mz over alpha, by load")}
         self.assertIn("stroke-dasharray", of["Fx over kappa, by load"])
         self.assertIn("N, assumed", of["Fx over kappa, by load"])
-        # one is fitted, the other keeps the value in tire.tir
+        # One coefficient is fitted, the other keeps the value in tire.tir.
         for known in ("Fy over alpha, by load", "Mz over alpha, by load"):
             self.assertNotIn(", assumed", of[known])
             self.assertIn('class="outside"', of[known])
@@ -160,7 +160,8 @@ class FittedTir(unittest.TestCase):
         self.assertRegex(text, r"speeds of the data: 11\.11 to 11\.11 m/s")
 
     def test_the_file_is_read_to_the_same_tire(self):
-        """The file is also the model of another study, which leaves the coefficients fitted here unchanged."""
+        """Tests that the fitted file can be the model of another study, which leaves the fitted coefficients
+        unchanged."""
         folder = self.study("again", self.tire())
         run = json.loads(self.latsch("run", folder / "study.toml", "--json").stdout)
         found = {v["name"]: v["value"] for v in run["result"]["variables"]}

@@ -92,7 +92,7 @@ class Kc(unittest.TestCase):
     def test_at_the_wheel_center_a_side_force_does_not_tilt_it_by_its_height(self):
         patch = self.rows('{kind = "kc", Fy = "100 N"}')[0]
         center = self.rows('{kind = "kc", Fy = "100 N", at = "wheel_center"}')[0]
-        # Fy acts 235 mm higher
+        # The force Fy acts 235 mm higher and the moment Mx compensates for it.
         moved = self.rows('{kind = "kc", Fy = "100 N", Mx = "-23.5 N m", at = "contact_patch"}')[0]
         self.assertNotAlmostEqual(patch["camber"], center["camber"], delta=1e-6)
         for angle in ("camber", "toe", "caster"):

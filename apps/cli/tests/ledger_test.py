@@ -230,7 +230,7 @@ class Ledger(unittest.TestCase):
         self.assertIn('"tread_center"', text)
         text = self.latsch("check", self.study(GOOD, 'columns = {alpha = "SA", SA = "IA"}'), code=WRONG_INPUT)
         self.assertIn("the same channel", text)
-        # A column with a name of the user's own that the study uses is in order.
+        # A column whose name the user chose, and which the study uses, causes no doubt.
         own = 'columns = {warm = "TSTC"}\n[measurement.m.select]\nwarm = "20 degC .. 90 degC"'
         self.assertIn("Everything is in order", self.latsch("check", self.study(GOOD, own)))
 

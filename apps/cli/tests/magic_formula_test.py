@@ -67,7 +67,7 @@ intervals = false
 
 
 def sweep(most, count):
-    """Returns a sweep up and down, as on a rig: both ends occur twice."""
+    """Returns the values of a sweep up and down, as on a rig; both extreme values occur twice."""
     return [most * math.sin(2 * math.pi * i / count) for i in range(count)]
 
 

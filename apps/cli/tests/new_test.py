@@ -130,8 +130,8 @@ class New(unittest.TestCase):
         self.latsch("test", study.parent / "corner.toml", '{kind = "kinematics", from = "-30 mm", to = "30 mm", points = 5}')
         self.assertIn("exists already", self.latsch("new", self.folder / "corner", "--suspension", code=WRONG_INPUT))
 
-    # The units are N/mm and kN s/m. A noise of 3 N is small compared with the forces of a sweep, so the fit finds the
-    # values of the recording.
+    # The units of the recording are N/mm and kN s/m. Its noise of 3 N is small compared with the forces, so the fit
+    # finds the values with which it was computed.
     def test_a_car_is_found_at_once_and_drives(self):
         self.latsch("new", self.folder / "car", "--car")
         study = self.folder / "car" / "study.toml"
@@ -144,7 +144,8 @@ class New(unittest.TestCase):
         self.latsch("new", self.folder / "both", "--car", "--suspension", code=WRONG_INPUT)
 
     def test_the_size_of_the_inflated_tire_is_said(self):
-        """A passenger tire hardly grows, the soft race tire by three per cent; both are those of the test of inflation."""
+        """Inflation changes the diameter of a passenger tire by less than 1 %, that of the soft race tire by
+        about 3 %. The printed size is equal to that of the test "inflation"."""
         for size, grows in (("20.5x7.0-13", (2.0, 5.0)), ("205/55R16", (-1.0, 1.0))):
             folder = self.folder / re.sub(r"\W", "_", size)
             said = self.latsch("new", folder, "--size", size)

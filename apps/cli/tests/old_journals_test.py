@@ -33,7 +33,7 @@ class OldJournals(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.scratch)
 
     def study_with(self, journal):
-        """Copies the study together with that journal."""
+        """Copies the study together with the given journal."""
         self.folder = self.scratch / f"{journal.parent.name}_{journal.stem}"
         shutil.copytree(journal.parent, self.folder)
         self.journal = self.folder / "study.latsch"

@@ -15,7 +15,7 @@ from cli_testing import DONE, LATSCH
 
 STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
 IN_OPEN = 0x20
-# Endings of files that are no input: results of earlier runs and files that a run writes.
+# Endings of file names that are no input: results of earlier runs and files that a run writes.
 NO_INPUT = (".journal", ".journal-wal", ".journal-shm", ".db", ".html", ".log", ".lock")
 
 

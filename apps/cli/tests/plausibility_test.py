@@ -58,7 +58,7 @@ class Magnitudes(Coarse):
         forces = self.folder / "stiffness.csv"
         forces.write_text("deflection [cm], force [N]\n6, 9000\n12, 21000\n")
         self.said(forces, "12, 21000", "deflection is 120 mm", "deeper than the section", code=WRONG_INPUT)
-        # The impossible value follows one that is nearly plausible.
+        # The impossible value follows one that is almost plausible.
         forces.write_text("deflection [cm], force [N]\n7, 9000\n12, 21000\n")
         self.said(forces, "12, 21000", "deflection is 120 mm", "deeper than the section", code=WRONG_INPUT)
         forces.write_text("deflection [mm], force [N]\n70, 15000\n")

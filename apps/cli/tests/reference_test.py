@@ -65,7 +65,8 @@ class Reference(unittest.TestCase):
         self.assertNotRegex(PAGE.read_text(), r"\bk[A-Z][a-z]{2,}\w*|any_model|\w+_keys\b|std::|\w+\.h\b")
 
     def test_units_of_examples_are_those_of_their_keys(self):
-        """The scale of an x that is a time is a time; "10 %" is allowed only if x has no unit."""
+        """Tests that the unit of a scale is a time if x is a time, and that "10 %" is allowed only if x has no unit.
+        """
         rows = [line for line in PAGE.read_text().splitlines() if line.startswith("| `x_scale`")]
         self.assertEqual(len(rows), 1)
         self.assertIn('"10 ms" over time', rows[0])

@@ -57,7 +57,8 @@ def tangent(t):
 
 
 def lagged_tangents(sigma, count):
-    """Integrates sigma dy/dt + V y = V tan alpha from y = tan alpha."""
+    """Integrates the differential equation sigma dy/dt + V y = V tan alpha of the lagging slip y, from the steady
+    state y = tan alpha."""
     def rate(t, y):
         return SPEED / sigma * (tangent(t) - y)
 

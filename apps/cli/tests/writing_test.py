@@ -41,7 +41,7 @@ class Writing(unittest.TestCase):
         return run.stdout + run.stderr
 
     def texts(self):
-        """Yields for every verb the options that write a file."""
+        """Returns the options of every verb that write a file."""
         for number, verb in enumerate(self.verbs):
             file = self.folder / f"plain{number}"
             self.latsch(*verb, file)

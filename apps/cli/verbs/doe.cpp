@@ -46,7 +46,7 @@ StudyDesign design_of(const Study& study, int levels) {
                    " has no [doe]; add one with levels = 5, or use --levels 5");
 }
 
-// Objectives of successful trials, by the bits of their points.
+// Target of each successful trial, by the bits of its point.
 using Targets = std::map<std::string, double>;
 
 Targets targets_of(const Study& study, const Journal& journal) {

@@ -133,8 +133,9 @@ fs::path new_study(const fs::path& folder) {
   return study;
 }
 
-/// Files that are being written for a study. Unless the study turns out to be good, those that did
-/// not exist before are removed: `latsch new` leaves a study that can be read, or nothing.
+/// Files that are being written for a study. Those that did not exist before are removed unless the
+/// study can be read without an error, so that `latsch new` leaves either a readable study or
+/// nothing.
 class Unfinished {
  public:
   Unfinished(const fs::path& folder, const std::vector<std::string>& names) : folder_(folder) {
@@ -148,12 +149,13 @@ class Unfinished {
     if (is_good_) return;
     std::error_code ignored;
     for (const fs::path& file : new_files_) fs::remove_all(file, ignored);
-    if (!was_there_) fs::remove(folder_, ignored);  // only if it is empty
+    if (!was_there_) fs::remove(folder_, ignored);  // removes the folder only if it is empty
   }
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
 
-  /// Reads the study and reports the files. Throws InputError for what `latsch check` refuses.
+  /// Reads the study and prints the files that were written. Throws InputError for a study that
+  /// `latsch check` refuses.
   correlation::Study finish(const fs::path& study, const experiment::Language& language) {
     correlation::Study read = correlation::read_study(study, language);
     correlation::refuse_doubtful(correlation::all_ledgers_of(read));

@@ -14,7 +14,7 @@ constexpr double kDeg = 180.0 / std::numbers::pi;
 struct Reading {
   const char *si, *unit;
   double factor;
-  // Range of the largest magnitude, SI, in which the unit is suitable.
+  // Range of the largest magnitude, in SI, for which the unit is suitable.
   double from = 0.0, below = 1e300;
 };
 constexpr std::array<Reading, 9> kReadings = {{{"m", "mm", 1e3, 0.0, 1.0},

@@ -26,7 +26,7 @@ struct RoadOptions {
   std::string road, points, output, time, triangles;
 };
 
-/// The requested points that lie beyond the data of a road.
+/// The requested points that lie outside of the data of a road.
 struct Beyond {
   std::size_t count = 0, without_road = 0;
   std::string first;  // the first such point, and the part of the data that ends before it

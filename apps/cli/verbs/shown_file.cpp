@@ -32,9 +32,9 @@ std::string titled(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
 }
 
-/// Shows the channels of a recording under the names of the file, in the units that a study reads:
-/// table and ledger come from one reading. Returns false if a study cannot read the file, leaves a
-/// column out, or finds no number in one.
+/// Shows the channels of a recording as a study reads them: under the names in the file and in the
+/// units of a study. The table and the ledger come from the same reading. Returns false if a study
+/// cannot read the file, omits a column, or finds no number in one.
 bool show_as_read(const std::filesystem::path& path, AxisConvention axes, ShownFile& shown) {
   try {
     const auto measurement = correlation::read_measurement(path, axes);
@@ -234,7 +234,7 @@ void show_channels(const Channels& channels, bool over_first, ShownFile& shown) 
     return over_first ? plot_unit(channel.unit, channel.values) : PlotUnit{channel.unit};
   };
   for (const Channel& channel : channels.all()) {
-    // single values are only in the table
+    // channels with a single value are only in the table
     if (&channel == over || channel.values.size() < 2) continue;
     const PlotUnit y = unit_of(channel), x = over ? unit_of(*over) : PlotUnit{};
     report::PlotLine line{"",

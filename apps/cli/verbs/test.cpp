@@ -166,8 +166,8 @@ struct Unsuccessful {
   Failure failure;
 };
 
-/// Runs the test and writes its channels. Blocks of samples are written one by one, so a recording
-/// of any length needs the same memory.
+/// Runs the test and writes its channels. Samples are written in blocks, so the memory that is
+/// needed does not depend on the length of the recording.
 int run_and_give(const TestOptions& options,
                  const experiment::Language& language,
                  const ModelSource& model,

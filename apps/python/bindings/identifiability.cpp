@@ -73,7 +73,7 @@ RobustLoss robust_loss(const std::string& name, const std::optional<double>& sca
   return {name == "huber" ? Loss::huber : Loss::cauchy, *scale};
 }
 
-/// Applies the robust loss to residuals and Jacobian, and states it in the traits.
+/// Applies a robust loss to residuals and Jacobian, and records it in the traits of the problem.
 void limit(RobustLoss loss, ResidualTraits& traits, Linearization& linear) {
   if (loss.loss == Loss::squares) return;
   for (Eigen::Index k = 0; k < linear.r.size(); ++k) {
@@ -179,7 +179,8 @@ class SpacedIdentification {
   const DesignSpace& space() const { return space_; }
 
  private:
-  /// The points of one problem have equally many residuals.
+  /// Throws InputError unless this number of residuals is equal to that at the other points of the
+  /// problem.
   void expect_same_count(Eigen::Index count) {
     if (!count_) count_ = count;
     if (count != *count_)

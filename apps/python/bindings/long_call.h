@@ -19,7 +19,7 @@
 
 namespace latsch::python {
 
-/// Thrown within a call when it notices that nobody waits for it any more.
+/// Thrown within a call as soon as it notices that no caller waits for its result any more.
 struct Abandoned {};
 
 class Abandonment {

@@ -57,7 +57,8 @@ class AskTell {
     std::size_t residuals, constraints, equations;
   };
 
-  /// A method compares the outcomes of points entry by entry.
+  /// Throws InputError unless an outcome has as many entries as that of the first point: the method
+  /// compares the outcomes of points entry by entry.
   void expect_same_counts(const Score& score) {
     const Counts now{score.residuals.size(), score.constraints.size(), score.equations.size()};
     if (!first_) first_ = now;

@@ -204,8 +204,9 @@ Score scored(const SharedStudy& study, const DesignPoint& at, const py::object& 
   return *found;
 }
 
-/// Reads a point of a study. A value that is not finite is an InputError, one outside of its bounds
-/// a Python warning: the model may be asked there, but no search would.
+/// Reads a design point of a study. A value that is not finite causes an InputError. A value
+/// outside of its bounds only causes a Python warning: the model can be evaluated there, but a
+/// search never does so.
 DesignPoint point_of(const Study& study, const Array& at) {
   const DesignPoint read = point(at, study.space.size());
   for (int i = 0; i < study.space.size(); ++i) {

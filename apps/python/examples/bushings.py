@@ -18,7 +18,8 @@ bushings = [path for path in model.paths() if path.startswith("bushing.") and mo
 recording = latsch.test(model, side_force, slopes=bushings)
 print(f"{model.describe()}\ntoe at {recording['Fy'][0]:.0f} N: {np.degrees(recording['toe'][0]):+.4f} deg")
 
-# d toe / d ln k: the effect of a relative change of a stiffness k, so that stiffnesses of any size can be compared.
+# The derivative of toe by ln k, for a stiffness k, is the effect of a relative change of k, so stiffnesses of any
+# size can be compared.
 felt = {path: slope * model[path] for path, slope in zip(bushings, recording.slopes["toe"][0])}
 for path in sorted(felt, key=lambda path: -abs(felt[path]))[:5]:
     print(f"{path:28} {np.degrees(felt[path]) / 100:+.2e} deg a percent")

@@ -28,7 +28,8 @@ def search(pool, look_ahead):
         for point in plan:
             if point.tobytes() not in begun:
                 begun[point.tobytes()] = pool.submit(evaluate, point)
-        # Only the outcome of the first point is observed, so the points evaluated ahead affect only the time.
+        # Only the outcome of the first point is used. Points that are evaluated in advance affect only the computing
+        # time.
         outcome = begun[plan[0].tobytes()].result()
         optimizer.observe(plan[0], outcome)
         steps.append((plan[0].tolist(), getattr(outcome, "value", math.inf)))

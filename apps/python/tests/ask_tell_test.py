@@ -29,7 +29,7 @@ def space(**changed):
 
 
 def search(optimizer, evaluate, look_ahead=1, most=5000):
-    """Runs the optimizer; returns the observed points in their order, and the best of them."""
+    """Runs the optimizer; returns the observed points in the order in which they were observed, and the best point."""
     path = []
     while not optimizer.converged and len(path) < most:
         point = optimizer.propose(look_ahead)[0]
@@ -42,7 +42,7 @@ def search(optimizer, evaluate, look_ahead=1, most=5000):
 class AskTell(unittest.TestCase):
     def test_least_squares_end_where_scipys_do(self):
         found = scipy.optimize.least_squares(residuals, [1, 2, 0], jac=jacobian, xtol=1e-15, ftol=1e-15, gtol=1e-15).x
-        # tolerances for a step length of 1e-6 and of 1e-3
+        # tolerances of the result for a step length of 1e-6 and of 1e-3
         for with_jacobian, tolerance in ((True, 1e-5), (False, 2e-3)):
             optimizer = latsch.optimizer(space(), residuals=True, jacobian=with_jacobian)
             self.assertEqual(optimizer.method, "levenberg_marquardt" if with_jacobian else "residual_trust_region")
@@ -76,7 +76,7 @@ class AskTell(unittest.TestCase):
         box = latsch.DesignSpace([latsch.Variable("a"), latsch.Variable("b", initial=0.2)], [sum_at_most])
         path, best = search(latsch.optimizer(box, "gss"), lambda x: (x[0] - 1) ** 2 + (x[1] - 1) ** 2)
         self.assertTrue(np.all(path @ [1, 2] <= 1.2 + 1e-12))
-        # the point of the constraint's line nearest to (1, 1)
+        # the point nearest to (1, 1) on the line that the constraint allows
         np.testing.assert_allclose(best, [0.64, 0.28], atol=0.01)
 
         circle = latsch.DesignSpace([latsch.Variable("a", initial=0.3), latsch.Variable("b", initial=0.3)])
@@ -149,7 +149,8 @@ class AskTell(unittest.TestCase):
             optimizer = latsch.optimizer(space(), residuals=True)
             points = [optimizer.propose()[0]]
             optimizer.observe(points[0], first)
-            optimizer.observe(points[0], latsch.Failure("no equilibrium"))  # a failure has no number
+            # a failed trial has no value of the target
+            optimizer.observe(points[0], latsch.Failure("no equilibrium"))
             with self.assertRaisesRegex(latsch.InputError, "but that of the first point has .* equally many"):
                 optimizer.observe(optimizer.propose()[0], second)
         told_twice(latsch.Score(residuals=[1.0, 2.0, 3.0]), latsch.Score(residuals=[1.0, 2.0]))

@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 
 class Meanwhile:
-    """Counts in another thread how often that thread ran during another computation."""
+    """Counts, in another thread, how often this other thread could run during a computation."""
 
     def __enter__(self):
         self.turns, self._goes_on = 0, True

@@ -25,7 +25,8 @@ def psi_of(loss, x, c):
 
 
 def common_covariance(loss, x, X, c):
-    """Returns the covariance by Huber's (6.5) in section 7.6: K^2 sum psi^2 / (N - n) / mean(psi')^2 (X'X)^-1."""
+    """Returns the covariance matrix according to equation (6.5) in section 7.6 of Huber's book: K^2 sum psi^2 / (N -
+    n) / mean(psi')^2 (X'X)^-1."""
     psi, slope = psi_of(loss, x, c)
     N, n = X.shape
     factor = 1 + n / N * slope.var() / slope.mean() ** 2

@@ -25,7 +25,7 @@ from python_testing import LATSCH, ROOT  # noqa: E402
 LONG = '[optimizer]\nmethod = "genetic"\npopulation = 40\ngenerations = 15\nstep_tolerance = 1e-9\n[run]\nintervals = false\n'
 
 
-# An outside program that fails for a > 0.6.
+# Source text of an external program that fails for a > 0.6.
 PROGRAM = """
 import sys
 a = float(open("a.txt").read().split("=")[1])

@@ -17,7 +17,7 @@ using Targets = std::map<std::string, double>;  // target of each point, keyed b
 
 constexpr double kLeastShare = 0.9;  // least share of a design's points that must have a target
 constexpr int kMostSampledLevels = 41;
-// limit on scattered points: the search for neighbors costs the square of their number
+// limit for points without a grid: the time to find neighbors grows with the square of their number
 constexpr int kMostScattered = 10'000;
 
 Targets targets_of(const std::vector<RatedTrial>& trials) {

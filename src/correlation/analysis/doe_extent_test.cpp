@@ -24,7 +24,7 @@ std::vector<RatedTrial> trials_of(const DesignSpace& space, Target target) {
   return trials;
 }
 
-// All points on a diagonal of the grid fulfill a + 2 log10(b) = 4.
+// All points on one diagonal of the grid fulfill a + 2 log10(b) = 4.
 TEST(DoeExtent, AValleyReachesThroughTheRangeOfBothVariables) {
   const DesignSpace space = two_variables();
   const auto trials = trials_of(space, [](double a, double b) { return std::abs(a + 2 * b - 4); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The target function over two variables, cut out of a full factorial grid in the journal.
+// Values of the target over two variables, taken from a full factorial design in the journal.
 #pragma once
 
 #include <vector>

@@ -28,7 +28,7 @@ Study doe_study() {
           {}};
 }
 
-/// The target is least at a = 2, b = 10, c = 1.
+/// Returns the target, which is least at a = 2, b = 10, c = 1.
 double target_at(const DesignPoint& p) {
   return std::abs(p.values[0] - 2.0) + std::abs(std::log10(p.values[1]) - 1.0) + 1.0 - p.values[2];
 }

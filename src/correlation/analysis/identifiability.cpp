@@ -31,7 +31,7 @@ double value_at(const DesignSpace& space, int variable, double u) {
 class Forecast {
  public:
   RunProgress of(RunProgress progress, double share) {
-    // Share of the work: before this share is done, no forecast of the number of trials is made.
+    // share of the work before which no forecast of the number of trials is made
     constexpr double kTellsSomething = 0.03;
     known_ = progress.known;
     const auto total = std::lround(static_cast<double>(known_) / std::max(share, kTellsSomething));
@@ -251,7 +251,7 @@ std::optional<Result<Identifiability>> identify(const Study& study,
                                                 const RunOptions& options) {
   RunOptions enough = options;
   enough.max_steps = kMostIdentificationTrials;
-  // a trial may fail at the end of a profile
+  // at the end of a profile a trial may fail, which must not end the run
   enough.on_failure.then = FailurePolicy::Then::proceed;
   const Objective residuals = residual_objective(study);
   Forecast forecast;
@@ -435,7 +435,7 @@ namespace {
 
 /// Returns the bound that holds the variable in words; "" if none does.
 std::string held_text(const Study& study, const Identifiability& what, int variable) {
-  // distance from a bound that counts as at the bound, share of the range
+  // distance from a bound, as a share of the range, within which a value counts as at the bound
   constexpr double kThere = 1e-6;
   const auto i = static_cast<size_t>(variable);
   const Bound held = what.identification.confidence().held[i];

@@ -21,7 +21,8 @@ enum class Depth {
   /// Computes the intervals at the given point. A search that did not reach its end is not
   /// continued, because that could cost far more trials than the search itself.
   at_the_point,
-  intervals,  // Moves to a better point if one is found by the analysis.
+  /// Determines the intervals. If the analysis finds a better point, it is continued there.
+  intervals,
   profiles
 };
 
@@ -102,7 +103,8 @@ std::string shift_text(const Study& study, const Identifiability& what, int vari
 /// down".
 std::string direction_text(const DesignSpace& space, const Eigen::VectorXd& direction);
 
-/// Returns the interval of a profile and the values beyond which the model fails.
+/// Returns a text that states the interval of a profile and the values of the variable beyond which
+/// the model fails.
 std::string profile_text(const DesignSpace& space, const TargetProfile& profile);
 
 }  // namespace latsch::correlation

@@ -71,8 +71,8 @@ TEST(Residuals, AreRelativeErrorsInUnitsOfTheirNoise) {
   EXPECT_EQ(residual_rows(s)[3].name, "20 mm");
 }
 
-// The residuals of the fit and those of the intervals are equal up to a common factor, for
-// experiments with different noise, weights and numbers of values.
+// The residuals of the fit and those with which the intervals are computed differ only by a common
+// factor, for experiments with different noise, weights and numbers of values.
 TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
   for (const bool stated : {true, false}) {
     Study s = springs_study();
@@ -105,8 +105,8 @@ TEST(Residuals, OfTheFitAndOfTheIntervalsAreInProportion) {
   }
 }
 
-// A prior of 4000 +- 400 for a, beside four values, adds one residual to fit and intervals, in the
-// same proportion.
+// A prior of 4000 +- 400 for the variable a, in addition to four measured values, adds one residual
+// to both the fit and the intervals, with the same factor as the others.
 TEST(Residuals, APriorIsAMeasurementOfTheVariable) {
   Study s = springs_study();
   std::vector<DesignVariable> variables = s.space.variables();
@@ -234,7 +234,8 @@ TEST(Identifiability, IntervalsReachToTheNumbersOfTheRefinedModel) {
   EXPECT_EQ(reported_interval(s, *read, 0).lower, shown.lower);
 }
 
-// An interval "25 .. 25" would say that nothing is open.
+// The two ends of an interval such as "25 .. 25" would not reveal its width, so more digits are
+// printed.
 TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
   const DesignSpace space({{"a", {"a"}, 10.0, 60.0, 20.0}});
   const auto share = [](double value) { return (value - 10.0) / 50.0; };
@@ -245,8 +246,8 @@ TEST(Identifiability, TheEndsOfANarrowIntervalDiffer) {
   EXPECT_EQ(text(24.0, 26.0), "24 .. 26");
 }
 
-// One fit ended at 73.039 N/mm^2 with one SIMD kernel set and at 72.983 with another, with the
-// interval 47 .. 114. Only the first two digits are known.
+// One fit ended at 73.039 N/mm^2 on a processor with one set of SIMD instructions and at 72.983
+// N/mm^2 with another; its interval is 47 .. 114 N/mm^2. Only the first two digits are meaningful.
 TEST(Identifiability, ValuesHaveTheDigitsThatTheirIntervalLeaves) {
   const DesignSpace space({{"E", {"E"}, 10e6, 150e6, 25e6, Scale::logarithmic, "N/mm^2"},
                            {"t", {"t"}, -1.0, 1.0, 0.1},
@@ -354,7 +355,7 @@ TEST(Identifiability, OfAStudyFindsTheIntervalsAndReadsThemBackFromTheJournal) {
   const Identification& found = (*result)->identification;
   const double range = 9e3, a = 1.96 * 0.01 / std::sqrt(2.0) * 4e3 / range;
   const double at = (4e3 - 1e3) / range;
-  // Central differences of 1 % of the range do not show the curvature of k.
+  // Central differences over steps of 1 % of the range do not detect the curvature of k.
   EXPECT_NEAR(found.confidence().intervals[0].upper - at, a, 0.002 * a);
   EXPECT_NEAR(found.confidence().intervals[1].upper - at, std::sqrt(5.0) * a, 0.004 * a);
   for (const TargetProfile& profile : found.profiles()) {
@@ -382,7 +383,7 @@ TEST(Identifiability, RanksTheExperimentThatRepairsTheValleyFirst) {
   InlineExecutor executor(springs);
   const auto result = identify(s, s.space.initial(), Depth::intervals, executor, journal, {});
   ASSERT_TRUE(result && *result);
-  // deviation along the valley
+  // standard deviation in the direction of the valley of the objective
   EXPECT_GT((*result)->identification.confidence().deviation(1), 1.0);
 
   const auto points = prediction_points(s, **result);

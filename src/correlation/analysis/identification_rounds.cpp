@@ -67,7 +67,7 @@ class InRounds : public Optimizer {
   std::vector<Result<Evaluated>> seen_;  // outcomes of this round
 };
 
-/// Leaves out every experiment in turn, without the residuals that the identification does not use.
+/// Omits each experiment in turn, except for residuals that the identification does not use.
 class UsedRows {
  public:
   UsedRows(CrossValidation& validation, const std::vector<Eigen::Index>& rows)
@@ -86,7 +86,7 @@ class UsedRows {
   const std::vector<Eigen::Index>& rows_;
 };
 
-/// Leaves out every experiment in turn, with reduced rows (reduced_rows.h).
+/// Omits each experiment in turn, using the reduced rows of the trials (reduced_rows.h).
 bool cross_validate_reduced(const IdentificationTrials& trials,
                             Identifiability& result,
                             const std::vector<int>& group,

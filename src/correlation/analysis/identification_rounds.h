@@ -25,7 +25,7 @@ using Share = std::function<double()>;
 /// the journal of the study.
 using Drive = std::function<bool(Optimizer&, RefitTrials* refits, const Share& share)>;
 
-/// Returns a function that only reads stored trials.
+/// Returns a function that reads stored trials but runs none.
 Drive reading(const Study& study, const Journal& journal);
 
 /// The trials of one identification and the means to run them.

@@ -17,11 +17,12 @@
 namespace latsch::correlation {
 
 struct MeasurementGain {
-  /// For example "modes once more", "stiffness at 20 mm once more", "footprint".
+  /// Name of the measurement, such as "modes once more", "stiffness at 20 mm once more",
+  /// "footprint".
   std::string measurement;
   double shrinkage = 1.0;  // factor by which the volume of the confidence region shrinks
   int helps = 0;           // index of the variable whose deviation falls by the largest factor
-  /// Standard deviation of that variable without and with the measurement, in units of its range.
+  /// Standard deviation of a variable without and with the measurement, as a share of its range.
   double before = 0.0, after = 0.0;
 };
 

@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t kMostValues = 20;
 constexpr double kUsualNoise = 0.01;  // relative noise assumed for a value that states none
 constexpr double kMissed = 3.0;       // multiple of the noise above which a value is missed
-// Share of the noise: a variable with a smaller effect over its whole range counts as having none.
+// share of the noise; a variable whose effect over its whole range is smaller counts as having no
+// effect
 constexpr double kNothing = 0.1;
 
 /// A compared value with its difference d from the measurement and the derivatives dd/du.

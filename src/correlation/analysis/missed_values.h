@@ -30,7 +30,8 @@ struct MissedValue {
   double effect = 0.0;  // change of the error over that variable's whole range
   /// True if the variable alone can correct the value within its bounds.
   bool within_bounds = true;
-  /// The other fitted value whose error grows most, with its error after the correction.
+  /// The other fitted value whose error increases most by the correction, with its error after the
+  /// correction.
   std::optional<Error> payer = {};
 
   std::string in_words(const DesignSpace& space) const;

@@ -95,7 +95,8 @@ TEST_F(MissedValues, BeyondTheBoundsOfTheVariableAreToldSo) {
                                "tenth of its range, and cannot correct it within its bounds"});
 }
 
-// The force of spring a alone does not depend on b, so b can be corrected without any other error.
+// The force of spring a alone does not depend on b, so b can be corrected without increasing any
+// other error.
 TEST_F(MissedValues, CanBeMendedForNothing) {
   measure({20.0, 40.0}, {40.0, 80.0});
   const auto found = missed_values(study_, at({{4e3, 2e3}}));
@@ -120,7 +121,7 @@ TEST_F(MissedValues, OfPredictionsAreToldAsSoonAsTheyAreSimulated) {
   EXPECT_EQ(found[0].missed.name, "press, 10 mm");
   EXPECT_NEAR(found[0].missed.error, 200.0 / 9.0 / 30.0 - 1.0, 1e-9);
   EXPECT_EQ(found[0].variable, 0);
-  // the differences are one-sided
+  // the derivatives come from one-sided differences
   EXPECT_NEAR(found[0].effect, 0.01 / 30.0 * 25.0 / 81.0 * 9e3, 0.02);
   ASSERT_TRUE(found[0].payer);
   EXPECT_EQ(found[0].payer->name.substr(0, 5), "alone");

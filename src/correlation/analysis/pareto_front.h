@@ -28,7 +28,7 @@ struct ParetoFront {
   std::vector<ParetoTrial> others = {};
   ParetoTrial best = {};  // trial with the least target by the weights of the study
   std::vector<std::string> best_values = {};  // one text for each variable, such as "73 N/mm^2"
-  /// Reason why that trial is not the best point of the study (search/search_standing.h); empty if
+  /// Reason why the trial is not the best point of the study (search/search_standing.h); empty if
   /// it is.
   std::string no_best = {};
 };

@@ -88,7 +88,7 @@ void examine_deflection(const TireSize& size,
                         const std::string& name,
                         double deflection,
                         std::vector<Finding>& found) {
-  // Share of the section's height: larger deflections come close to the rim.
+  // deflection over the height of the section above which the tire comes close to its rim
   constexpr double kDeep = 0.6;
   const bool impossible = deflection > size.section_height;
   if (deflection <= kDeep * size.section_height) return;
@@ -145,8 +145,8 @@ void examine_load_deflection(const StudyExperiment& experiment,
                              std::vector<Finding>& found) {
   // allows for growth by inflation and for a tire that is softer than described
   constexpr double kGrowth = 1.1;
-  // Share of the section's height: at smaller deflections the moment of first contact decides the
-  // force.
+  // deflection over the height of the section below which the force depends mainly on when contact
+  // begins
   constexpr double kFirst = 0.03;
   if (measured.force.empty()) return;
   std::optional<formats::CsvTable> table;
@@ -312,7 +312,8 @@ void examine_sides(const Study& study, const Document& file, std::vector<Finding
   }
 }
 
-/// Finds statements that leave a variable or a number without effect, or the values without weight.
+/// Finds statements that leave a variable or a number without effect on the target, or a measured
+/// value without weight.
 void examine_statements(const Study& study, const Document& file, std::vector<Finding>& found) {
   const auto add = [&](const Place& place, std::string text) {
     found.push_back({place, std::move(text), false});
@@ -366,7 +367,8 @@ void examine_statements(const Study& study, const Document& file, std::vector<Fi
                     study.space.size()));
 }
 
-/// True for a test of a K&C rig, which prescribes loads and records changes from rest.
+/// True for a test of a K&C rig that prescribes loads and records changes relative to the unloaded
+/// state.
 bool records_changes(const experiment::Test& test) {
   bool has_load = false, has_motion = false;
   for (const experiment::ChannelInfo& channel : test.channels()) {
@@ -378,8 +380,8 @@ bool records_changes(const experiment::Test& test) {
   return has_load && has_motion;
 }
 
-/// Finds angles and displacements of a K&C table that are not 0 without load, while those of the
-/// test are.
+/// Finds angles and displacements of a K&C table that are not 0 without load, although the test
+/// computes changes relative to the unloaded state.
 void examine_rest(const Study& study, const Document& file, std::vector<Finding>& found) {
   std::map<std::string, std::pair<std::shared_ptr<const Measurement>, std::vector<std::string>>> of;
   for (const StudyExperiment& experiment : study.experiments) {
@@ -436,7 +438,8 @@ std::vector<Finding> implausible(const Study& study) {
   const Document file = Document::read(study.file);
   const experiment::SpecimenKind* kind = study.specimens->kind();
   if (kind) append(experiment::findings_of_model(*kind, study.model, study.model_file), found);
-  // Only a model of our own says which quantity a number is; settings of a run are known.
+  // Unusual numbers are found only in Latsch's own models, in which the quantity of each number is
+  // known; settings of a run are known in any case.
   append(experiment::unusual_numbers(file,
                                      "",
                                      [&](const std::string& path) {

@@ -168,8 +168,8 @@ std::vector<double> noise_of(const Study& study,
     }
     return deviations;
   }
-  // A relative noise of 1 gives the weight of each compared value; together they have one common
-  // spread.
+  // With a relative noise of 1 the weight of each compared value is known; all values together
+  // determine one common spread.
   const MeasurementNoise whole{.relative = 1.0};
   const auto compared = experiment.observable->deviations(whole, experiment.objective);
   auto deviations = experiment.observable->deviations(whole, plain);

@@ -81,7 +81,8 @@ use = "predict"
 )" + more);
     return read_study(folder_ / "study.toml", experiment::spring_language());
   }
-  /// Simulates the predicted experiments at and beside the best point, as latsch identify does.
+  /// Simulates the predicted experiments at the best point and at points near it, as `latsch
+  /// identify` does.
   static void predict_beside(const Study& study, const Identifiability& what) {
     InlineExecutor executor(evaluator(with_predictions(study)));
     ASSERT_TRUE(predict(study, prediction_points(study, what), executor, {}));
@@ -121,8 +122,8 @@ TEST_F(SpringBands, OfALinearModelAreThoseByHand) {
     EXPECT_NEAR(bands[1].noise[i], 4.0, 1e-9);
   }
   EXPECT_TRUE(bands[1].remarks.empty());
-  // 441 N is 1 N off and lies inside. 730 N is 30 N off and lies inside the band of 40 N. The fit
-  // is exact.
+  // The simulated value 441 N differs by 1 N and lies inside its band; 730 N differs by 30 N and
+  // lies inside its band of 40 N. The values of the first experiment are fitted exactly.
   EXPECT_EQ(bands[0].inside, 3);
   EXPECT_EQ(bands[1].compared, 2);
   EXPECT_EQ(bands[1].inside, half(0.02, 3.0) > 30.0 ? 2 : 1);
@@ -130,7 +131,7 @@ TEST_F(SpringBands, OfALinearModelAreThoseByHand) {
   EXPECT_EQ(inside_text(bands[0]), "3 of 3 measured values");
 }
 
-// The band of a value of 2 mm is 0.2 mm, shown in the unit of its measurement.
+// The band of a value of 2 mm is 0.2 mm wide and is shown in the unit of the value's measurement.
 TEST(WidestBand, IsToldInTheUnitOfItsMeasurement) {
   class Lengths : public Observable {
    public:
@@ -164,8 +165,8 @@ TEST(WidestBand, IsToldInTheUnitOfItsMeasurement) {
   EXPECT_EQ(widest_text(experiment, band), "+- 0.0002 m (10 %), dz");
 }
 
-// The trials are at most two for each variable, one more, and those of the ranking; bands need no
-// further trial.
+// The identification needs at most two trials for each variable, one more, and those of the ranking
+// of measurements; the bands need no further trial.
 TEST_F(SpringBands, CostNoTrial) {
   const Study study = read("900 N s/m");
   const Identifiability what = identified(study, Depth::intervals);
@@ -192,7 +193,7 @@ TEST_F(SpringBands, AreOneSidedWhereAVariableIsHeldAtItsBound) {
   EXPECT_NE(band.remarks[0].find("damping is held at its bound"), std::string::npos);
 }
 
-// The force is measured at one travel only: k x + c v is known there, and nothing at another speed.
+// The force is measured at one speed only: k x + c v is known at this speed and not at any other.
 TEST_F(SpringBands, SayWhatTheDataLeaveOpen) {
   write("slow.toml", "kind = \"pull\"\nspeed = \"0.4 m/s\"\ntravels = [\"5 mm\"]\n");
   write("slow.csv", "travel [m],force [N]\n0.005,220\n");
@@ -223,8 +224,8 @@ TEST_F(SpringBands, CountAPriorAsTheIntervalsDo) {
   predict_beside(study, what);
   const ExperimentBand band = bands_of(study, what)[1];
   EXPECT_TRUE(band.remarks.empty());
-  // The derivatives of y = k x + c v' with k = (F - c v) / 5 mm are  dy/dc = v' - v x / 5 mm, dy/dF
-  // = x / 5 mm.
+  // The derivatives of y = k x + c v' with k = (F - c v) / 5 mm are dy/dc = v' - v x / 5 mm and
+  // dy/dF = x / 5 mm.
   const double half = kNormal * std::hypot(10.0 * (1.2 - 0.4 * 0.8), 3.0 * 0.8);
   EXPECT_NEAR(band.upper[0] - band.computed[0], half, 1e-3);
 }
@@ -316,15 +317,15 @@ TEST_F(MagicBands, AreTheSameBySlopesAndByDifferences) {
     for (std::size_t i = 0; i < slopes[e].upper.size(); ++i) {
       const double half = slopes[e].upper[i] - slopes[e].computed[i];
       EXPECT_GE(half, 0.0);  // 0 without slip
-      // Differences over a hundredth of the range contain an effect of the curvature.
+      // Differences over a hundredth of the range contain an error due to the curvature.
       EXPECT_NEAR(differences[e].upper[i] - differences[e].computed[i], half, 0.05 * half)
           << e << ", " << i;
     }
   }
 }
 
-// With derivatives in the recordings, profiles need fewer recordings: none beside the center, and
-// none to update the derivatives along the profile.
+// If the recordings contain derivatives, likelihood profiles need fewer recordings: none near the
+// center, and none to update the derivatives along the profile.
 TEST_F(MagicBands, ProfilesBySlopesAreThoseByDifferencesWithFewerRecordings) {
   const Channels truth = *simulate_all(read(kHeldOut), truth_);
   measure(truth["steady/Fy"], 60.0, 1);

@@ -182,7 +182,8 @@ TEST_F(RefitTrialsOfStudy, AStopAnywhereCostsNoTrialAndNoBit) {
   }
 }
 
-// A repeated identification needs no trial; a better trial from elsewhere starts it anew.
+// If the identification is repeated, it needs no new trial; a better trial from another search
+// makes it start again.
 TEST_F(RefitTrialsOfStudy, TheMarkHoldsUntilABetterTrialComesFromElsewhere) {
   const DesignPoint beside{{1.29, -21.5}}, better{{1.3, -22.0}};
   const Study study = two_experiments();
@@ -228,7 +229,7 @@ TEST_F(RefitTrialsOfStudy, ABetterTargetOnTheWayIsKeptWhole) {
   }
 }
 
-// Other weights give other residuals: trials stored for the old ones are not read.
+// Other weights give other residuals, so trials stored for the earlier weights are not read.
 TEST_F(RefitTrialsOfStudy, BelongToTheirResiduals) {
   const DesignPoint point{{1.3, -22.0}};
   ASSERT_TRUE(identified(two_experiments(), point));
@@ -267,7 +268,8 @@ TEST_F(RefitTrialsOfStudy, MayBeDeletedOrBeOfAnotherStudy) {
   }
 }
 
-// A variable that is held constant has no column in the Jacobian of the refits, reduced or not.
+// A variable that is held constant has no column in the stored Jacobian, whether this is reduced or
+// not.
 TEST_F(RefitTrialsOfStudy, AVariableThatMayNotMoveKeepsItsBits) {
   Study study = two_experiments();
   const DesignPoint point{{1.3, -22.0}};

@@ -27,7 +27,8 @@ std::string identity_text(const Study& study, const DesignPoint& point) {
   return text + point.bits();
 }
 
-/// Returns the sentences known for `of`, or finds and keeps them. The last few are kept.
+/// Returns the sentences that were kept for the point `of`. If there are none, finds them and keeps
+/// them; only the most recent few are kept.
 template <class Find>
 std::vector<std::string> known_or(const std::string& of, const Find& find) {
   constexpr std::size_t kKept = 8;
@@ -45,7 +46,7 @@ std::vector<std::string> known_or(const std::string& of, const Find& find) {
   return sentences;
 }
 
-/// Adds the limits that a test tells without a run.
+/// Adds the limits that a test can state without a simulation.
 void add_told(const StudyTest& test, experiment::Specimen& specimen, LimitsByName& limits) {
   if (const auto* tells = dynamic_cast<const experiment::TellsLimits*>(test.test.get()))
     for (const std::string& limit : tells->limits(specimen)) limits.add(limit, test.in_words());

@@ -16,10 +16,10 @@ namespace latsch::correlation {
 std::vector<std::string> limits_of_tests(const Study& study);
 
 /// Runs the fitted and predicted tests once more at a point whose trial succeeded. Returns a
-/// sentence for each limit of limits_of_tests() and for each limit that the model met in one of
-/// these tests: ranges of its file that it left, a tire off the road, a pressure without effect. A
-/// test of a model that knows no limits is not run. The sentences of the last points are kept:
-/// terminal, page and report run the tests once.
+/// sentence for each limit of limits_of_tests() and for each limit that the model reached in one of
+/// these tests: a validity range of its file that was left, a tire that left the road, a pressure
+/// without effect. Tests of a model that knows no limits are not run. The sentences of the most
+/// recent points are kept, so that terminal, page and report run the tests only once.
 std::vector<std::string> limits_met_at(const Study& study, const DesignPoint& point);
 
 }  // namespace latsch::correlation

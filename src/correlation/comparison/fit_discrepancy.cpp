@@ -24,8 +24,8 @@ struct ChiSquare {
   double count = 0.0;
 };
 
-/// The psi of the used residuals (robust_loss.h) with their slopes, each divided by its deviation,
-/// and their experiments.
+/// The weighted residuals psi (robust_loss.h) of the values that count, with their derivatives,
+/// each divided by its standard deviation, and the experiments to which they belong.
 struct UsedResiduals {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;
@@ -136,12 +136,12 @@ std::optional<FittedSignal> signal_of(const Study& study,
                                 size * moves(index, static_cast<Eigen::Index>(a)));
     signal.noise += one.objective.weight * size * size / static_cast<double>(measured.size());
   }
-  // an unknown value makes the spectrum unknown
+  // if one value is unknown, the whole spectrum is unknown
   if (signal.measured.size() != measured.size()) return std::nullopt;
   return signal;
 }
 
-/// Sums over the lines of a third-octave band, over all experiments.
+/// Sums over the spectral lines of a third-octave band, for all experiments together.
 struct BandSums {
   double squares = 0.0, explained = 0.0, lines = 0.0;
 };

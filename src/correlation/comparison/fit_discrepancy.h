@@ -31,7 +31,8 @@
 
 namespace latsch::correlation {
 
-/// Discrepancy of ln S over frequency. It is empty if no experiment determines it.
+/// Discrepancy of the logarithm of the spectral density S over frequency. It is empty if no
+/// experiment determines it.
 struct SpectralDiscrepancy {
   std::vector<double> frequency;  // Hz, centers of the bands, rising
   std::vector<double> deviation;  // delta, standard deviation of ln S

@@ -92,7 +92,7 @@ exponent = 2
   const SpectralDiscrepancy missed =
       spectral_discrepancy(found.study, found.what, exactly_there, kShakenLength);
   ASSERT_EQ(missed.frequency.size(), missed.deviation.size());
-  // Only the lines of the tones and their neighbors, 2 Hz apart, count.
+  // Only the spectral lines of the tones and the neighboring lines, 2 Hz away, count.
   const auto gain_at = [&](double center) {
     for (std::size_t k = 0; k < gains.size(); ++k)
       if (std::abs(std::log2(kShakenTones[k] / center)) < 1.0 / 6.0) return gains[k];

@@ -53,8 +53,8 @@ Eigen::MatrixXd axes_of(const Identifiability& what, double held_out) {
     axes.conservativeResize(axis.size(), axes.cols() + 1);
     axes.rightCols(1) = axis;
   };
-  // Share of the rise that ends an interval: the remaining distance of a search is added only if it
-  // is larger.
+  // share of the rise that ends an interval; the distance that a search has not covered is added
+  // only if it is larger
   constexpr double kWorthwhile = 0.1;
   if (c.left_to_gain > kWorthwhile * c.threshold()) add(c.free.axes * c.free.left);
   for (int i = 0; i < u.size(); ++i)

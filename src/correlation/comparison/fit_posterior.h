@@ -43,7 +43,8 @@ struct FitPosterior {
   DesignPoint point;     // best trial of the fit
   Eigen::MatrixXd axes;  // n x k, columns in the unit cube
   double excess = 1.0;  // ratio of the residuals to their stated noise; the axes already contain it
-  /// Ratio of held-out errors to what noise and variables explain; the axes already contain it.
+  /// Ratio of the errors of held-out values to those that noise and variables explain; the axes
+  /// already contain it.
   double held_out = 1.0;
   SpectralDiscrepancy discrepancy;
   std::vector<std::string> remarks;  // remarks about the fit's own intervals

@@ -173,7 +173,8 @@ TEST_F(FittedSprings, HaveTheBandOfTheFitsCovariance) {
   EXPECT_EQ(found.fits[0].excess, 1.0);
 }
 
-// The records have 1000 samples a second and last 0.5 s: nothing above 500 Hz, lines 2 Hz apart.
+// The records have 1000 samples a second and last 0.5 s, so their spectra end at 500 Hz and have a
+// line every 2 Hz.
 TEST_F(FittedSprings, AreNotComparedBeyondTheirRecords) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));
@@ -198,7 +199,8 @@ TEST_F(FittedSprings, AreNotComparedBeyondTheirRecords) {
   EXPECT_TRUE(has(reason([](auto& file) { file.noise["foo"] = 5.0; }), "reference.noise.foo"));
 }
 
-// The band from samples is equal: a quantile of 400 draws is known to about 5 % of the half width.
+// The band that is computed from samples is equal: a quantile of 400 draws is known to about 5 % of
+// the half width.
 TEST_F(FittedSprings, HaveTheSameBandBySamples) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));
@@ -217,7 +219,7 @@ TEST_F(FittedSprings, HaveTheSameBandBySamples) {
 // 0.5 N by that ratio.
 TEST_F(FittedSprings, HaveABandAsWideAsTheFitIsBad) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
-  // The error is orthogonal to 1 and to the travels, so no k and c can reproduce it.
+  // The error is orthogonal to a constant and to the travels, so no k and c can reproduce it.
   const std::array<double, 3> off = {4.0, -7.0, 3.0};
   auto forces = exact_forces(kStiffness, kDamping);
   for (std::size_t i = 0; i < 3; ++i) forces[i] += 0.25 * off[i];
@@ -300,7 +302,7 @@ TEST_F(FittedSprings, SayWhatTheirBandContains) {
             std::string::npos);
 }
 
-// A covariance found for another test does not apply to this model.
+// A covariance that was determined for another test does not apply to this model.
 TEST_F(FittedSprings, OfAStudyThatWasEditedSinceAreRefused) {
   write("specimen.toml", spring_file(kStiffness, kDamping));
   fit(exact_forces(kStiffness, kDamping));

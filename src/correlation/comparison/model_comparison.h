@@ -42,13 +42,13 @@ struct ModelRun {
   std::vector<std::vector<double>> lower, upper;        // [channel][line]; empty: no bands
   std::vector<double> coverage;  // share of lines in the first band; empty: no bands
   std::vector<double> reach;     // mean half width of the band of ln S, each channel
-  /// Means of the channels in the key `told`; NaN if the model does not record the channel.
+  /// means of the channels in the key `told`; NaN for a channel that the model does not record
   std::vector<double> told;
   /// sentences about limits that the model met, or properties that it or the test lacks
   std::vector<std::string> limits;
   double cpu = 0.0;  // s, CPU time of the model's run alone
 
-  /// Returns the mean over the channels.
+  /// Returns the mean distance over the channels in a band.
   double mean_distance(std::size_t band) const;
   double mean_decibels(std::size_t band) const;
 };
@@ -73,8 +73,8 @@ Channels record_reference(const ModelComparisonFile& file,
                           std::size_t index,
                           const experiment::Language& language,
                           std::vector<std::string>* limits = nullptr);
-/// Returns the channels that are written and compared: time, compared channels, and those in the
-/// key `recorded`.
+/// Returns the channels that are written to files and compared: time, the compared channels, and
+/// those in the key `recorded`.
 Channels kept_of(const ModelComparisonFile& file, const Channels& all);
 /// Reads the reference from its file if it has one; otherwise simulates it.
 Channels reference_of(const ModelComparisonFile& file,

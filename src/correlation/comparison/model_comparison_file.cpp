@@ -51,7 +51,7 @@ void read_reference(const Node& table,
                          : channel.starts_with("line") ? "m"
                                                        : "N";
       file.noise[channel] = noise->quantity(channel, unit, Range::not_negative());
-      // The noise of a recorded channel is that of written measurements.
+      // The noise of a recorded channel is that of the measurements that are written.
       const bool used = std::ranges::count(file.channels, channel) > 0 ||
                         std::ranges::count(file.recorded, channel) > 0;
       if (!file.recordings.empty() && !used)

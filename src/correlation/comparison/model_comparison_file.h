@@ -134,7 +134,7 @@ struct ModelComparisonFile {
   std::vector<ComparedCase> cases;
   std::vector<ComparedModel> models;
   std::vector<std::string> factors;  // two factors, or none
-  /// indices of models, by level of first and second factor
+  /// indices of the models in a factorial design, by the levels of the first and second factor
   std::array<std::array<std::size_t, 2>, 2> factorial_models{};
   std::vector<Uncertainty> uncertainties;
   std::vector<FitSource> fits;

@@ -13,7 +13,7 @@ namespace latsch::correlation {
 std::string model_comparison_page(const ModelComparisonFile& file,
                                   const ModelComparison& comparison);
 
-/// Returns a text that states the contents of the bands, and what they omit.
+/// Returns a text that says what the bands contain and what they omit.
 std::string bands_in_words(const ModelComparisonFile& file);
 
 /// Returns the results in words, one sentence each.

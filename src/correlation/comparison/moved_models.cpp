@@ -17,8 +17,8 @@ bool has(const Document& numbers, const std::vector<std::string>& wanted) {
   });
 }
 
-/// Multiplies a parameter, whose uncertainty the file states, by exp(`spreads` times its spread),
-/// if the model has the parameter.
+/// Multiplies a parameter, whose uncertainty the file states, by exp(`spreads` times its relative
+/// standard deviation), if the model has the parameter.
 void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
   const auto paths = numbers.paths();
   for (const std::string& path : number.paths)
@@ -26,13 +26,15 @@ void move_typed(const Uncertainty& number, double spreads, Document& numbers) {
       numbers.set(path, std::exp(spreads * number.spread) * numbers.get(path));
 }
 
-/// Moves a model by up to one deviation along a direction of a fit, to the side with more room.
+/// Moves the parameters of a model by up to one standard deviation along a direction of a fit,
+/// toward the farther bounds.
 MovedModel moved_along(const FitSource& source,
                        const FitPosterior& fit,
                        Eigen::Index axis,
                        const Document& numbers) {
   const auto u = source.study->space.to_unit(fit.point);
-  const auto room = [&](double side) {  // available part of a standard deviation, at most 1
+  // part of a standard deviation by which the parameter can be changed within its bounds, at most 1
+  const auto room = [&](double side) {
     double least = 1.0;
     for (std::size_t i = 0; i < u.size(); ++i) {
       const double step = side * fit.axes(static_cast<Eigen::Index>(i), axis);
@@ -41,7 +43,7 @@ MovedModel moved_along(const FitSource& source,
     }
     return least;
   };
-  // Share of a standard deviation: least step, even if a variable lies on its bound.
+  // least step as a share of a standard deviation, even if a variable lies on its bound
   constexpr double kLeast = 0.01;
   const double up = room(1.0), down = room(-1.0);
   const double step = up >= down ? std::max(up, kLeast) : -std::max(down, kLeast);

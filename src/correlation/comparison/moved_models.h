@@ -11,7 +11,7 @@
 
 namespace latsch::correlation {
 
-/// A model with moved numbers.
+/// A model whose parameters were moved.
 struct MovedModel {
   Document numbers;
   double count = 1.0;  // factor to a full standard deviation: bounds may allow only a part of one

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Test support: springs with dampers (spring_testing.h) that can be shaken as well as pulled.
+// Test support: springs with dampers (spring_testing.h) that are shaken in addition to being
+// pulled.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,7 +17,8 @@ inline constexpr double kShakenRate = 1000.0, kShakenLength = 0.5;          // H
 inline constexpr std::array<double, 5> kShakenTones = {4, 10, 20, 40, 80};  // Hz
 inline constexpr double kShakenAmplitude = 1e-3;                            // m, each tone
 
-/// Test kind = "shake": sums sines that fill whole lines of a half-second spectrum.
+/// Test kind = "shake": the motion is a sum of sines whose frequencies are lines of the spectrum of
+/// half a second.
 class ShakeTest : public experiment::Test {
  public:
   std::string in_words() const override { return "shaken"; }

@@ -27,7 +27,7 @@ double quantile(std::vector<double> values, double p) {
   return values[i] + (at - static_cast<double>(i)) * (values[i + 1] - values[i]);
 }
 
-/// Half widths of the band of the logarithm of a line, downward and upward.
+/// Half widths of the band around the logarithm of a spectral line, downward and upward.
 struct LogReach {
   double down = 0.0, up = 0.0;  // >= 0
 };
@@ -51,7 +51,8 @@ LogReach reach_of(const ModelComparisonFile& file,
           std::max(0.0, std::log(quantile(values, 0.5 + 0.5 * file.level) / S))};
 }
 
-/// Returns the variance of the logarithm that the fits' own spectra leave unexplained.
+/// Returns the variance of the logarithm of the spectrum that the spectra of the fits leave
+/// unexplained.
 double unexplained(const ComparedModel& model, const std::vector<FitPosterior>& fits, double f) {
   double sum = 0.0;
   for (const std::size_t k : model.fits) sum += std::pow(fits[k].discrepancy.at(f), 2);
@@ -61,7 +62,7 @@ double unexplained(const ComparedModel& model, const std::vector<FitPosterior>& 
 /// True if a measured line lies in the band widened by noise.
 bool holds(
     double measured, double S, double lower, double upper, const LineNoise& noise, double z) {
-  // ratio of the relative change of M to that of S
+  // relative change of M over that of S
   const double M = S + noise.density, share = S / M;
   const double off = std::log(measured / M);
   const double down = std::hypot(share * std::log(S / lower), noise.log_quantile(S, -z));

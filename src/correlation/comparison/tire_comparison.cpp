@@ -84,7 +84,8 @@ void find_heard(const ComparisonFile& file,
   }
 }
 
-/// `limits`: receives the limits that the tire met, unless it is null.
+/// Runs a tire through a test; returns the recorded channels. Sets `limits`, unless it is null, to
+/// the limits that the tire met.
 Channels run_of(const ComparedTire& tire,
                 const ComparisonTest& test,
                 std::vector<std::string>* limits) {
@@ -180,7 +181,7 @@ TireRun compared_run(const ComparedTire& tire,
   return run;
 }
 
-/// Returns the root mean square over the tests for each band.
+/// Returns the root mean square of the level errors over the tests, for each frequency band.
 std::vector<double> level_errors(const TireComparison& all, std::size_t tire, std::size_t channel) {
   std::vector<double> errors;
   for (std::size_t b = 0; b < all.bands.size(); ++b) {

@@ -50,9 +50,9 @@ struct TestComparison {
 /// Errors of one tire over all tests.
 struct TireSummary {
   std::vector<double> time_error, psd_error;  // means over the tests, one for each channel
-  /// dB, [channel][band]; NaN if noise hides the tire in all tests.
+  /// errors of the levels, dB, [channel][band]; NaN if noise hides the tire in all tests
   std::vector<std::vector<double>> level_error;
-  /// Hz, for each channel the range that the tire reproduces; from 0 to 0: no band
+  /// for each channel the frequency range, Hz, that the tire reproduces; from 0 to 0: none
   std::vector<FrequencyBand> follows;
   double cpu_over_time = 0.0;  // mean
 };

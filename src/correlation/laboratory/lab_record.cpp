@@ -84,7 +84,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
     std::string name = found == stated.end() ? our_name(channel.name, channel.unit) : found->second;
     if (found == stated.end() && !taken.insert(name).second) {
       if (!columns.contains(name)) record.ambiguous[name].push_back(channel.name);
-      name = channel.name;  // another column has the name
+      name = channel.name;  // another column already has the name in the vocabulary
       if (!taken.insert(name).second) continue;
     }
     const double sign = found == stated.end() ? 1.0 : columns.at(name).sign;
@@ -229,7 +229,7 @@ std::vector<std::string> conventions_that_fit(const LabRecord& record) {
       if (static_cast<double>(pulls) > kMost * static_cast<double>(one.samples())) return false;
     }
     if (!Fy || !alpha) return true;
-    // about zero, not about the means: a force has the sign of its slip
+    // about zero, not about the means, because the force has the sign of the slip
     double yy = 0.0, aa = 0.0, ya = 0.0;
     for (std::size_t i = 0; i < one.samples(); ++i) {
       const double y = Fy->values[i], a = alpha->values[i];

@@ -34,7 +34,7 @@ struct StatedColumn {
 struct SuspectSamples {
   std::string channel;          // Latsch's name
   std::string number;           // with the unit in the file: "-9999 N"
-  std::string reason;           // to follow the number
+  std::string reason;           // reason in words, which follows the number in a message
   std::vector<double> samples;  // their numbers, from 1 over all files
   bool is_certain = false;
 };
@@ -67,9 +67,9 @@ struct LabRecord {
   Channels table() const;
 };
 
-/// Joins files one after the other; channels that one of them lacks are left out. `columns` maps
-/// our name to the files' column. `part` is the struct of the files that has the channels, or
-/// empty.
+/// Joins files one after the other; channels that one of them lacks are omitted. `columns` maps
+/// Latsch's names of channels to columns of the files. `part` is the struct of the files that
+/// contains the channels, or empty.
 LabRecord join_files(const std::vector<std::filesystem::path>& files,
                      const std::map<std::string, StatedColumn>& columns,
                      const std::string& part,
@@ -87,15 +87,16 @@ struct TakenZero {
   double mean = 0.0;
   std::size_t samples = 0;
 };
-/// Subtracts the channel's mean over the samples of a mask. Returns nothing if all of them are
-/// gaps, or the mask has none.
+/// Subtracts from a channel its mean over the samples of a mask. Returns nothing if the mask has no
+/// samples or all of them are gaps.
 std::optional<TakenZero> take_zero(Channel& channel, const std::vector<bool>& mask);
 
-/// Filters all channels except time. Gaps, and stretches too short for the filter, are left
-/// unfiltered. Throws InputError at `place` if there is no time or the frequency is not possible.
+/// Applies a low-pass filter to all channels except time. Gaps, and parts of a channel too short
+/// for the filter, are not filtered. Throws InputError at `place` if there is no channel of time or
+/// if the frequency is impossible.
 std::string low_pass(LabRecord& record, double frequency, const Place& place);
 
-/// Keeps the samples of a mask.
+/// Keeps only the samples that a mask selects.
 void keep(LabRecord& record, const std::vector<bool>& kept);
 
 /// Returns the unit in which people expect a quantity with this SI unit: "deg" for "rad".

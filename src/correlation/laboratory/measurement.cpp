@@ -155,7 +155,8 @@ void read_shift(const Node& table, LabRecord& record, std::vector<std::string>& 
   words.push_back("time shifted by " + format_quantity(shift, "s"));
 }
 
-/// Keeps the samples of a mask and reports their number; throws at `key` if none is left.
+/// Keeps the samples that a mask selects and reports their number; throws InputError for `key` if
+/// none is left.
 void narrow(const Node& table,
             const std::string& key,
             const std::string& what,
@@ -183,13 +184,15 @@ void narrow(const Node& table,
   words.push_back(fmt::format("{} {}: {} of {} samples", key, what, count(kept), count(before)));
 }
 
-/// Doubts a sweep whose direction changes every few samples: the channel is constant but for noise.
+/// Adds a doubt about a sweep whose direction changes every few samples: such a channel is constant
+/// except for noise.
 void doubt_sweep(const std::vector<int>& directions,
                  const Channel& channel,
                  const Place& place,
                  LabRecord& record) {
-  constexpr double kFewest = 4.0;  // samples between turning points; larger: coarse sweeps are
-                                   // doubted
+  // least number of samples between turning points; with a larger value coarse sweeps would be
+  // doubted
+  constexpr double kFewest = 4.0;
   double changes = 0.0, samples = 0.0;
   int last = 0;
   for (const int direction : directions) {
@@ -454,7 +457,7 @@ std::string Measurement::other_dimension(const std::string& found,
                 : "",
         hint);
   }
-  std::vector<std::string> others;  // columns that are not recognized as another channel
+  std::vector<std::string> others;  // columns that are not recognized as any other channel
   for (const Channel& other : told_.channels.all()) {
     const StatedColumn& theirs = told_.written.at(other.name);
     const bool is_other = recognized(theirs.column) && !same_channel(theirs.column, found);

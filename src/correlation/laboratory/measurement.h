@@ -36,7 +36,8 @@ class Measurement {
     std::vector<std::filesystem::path> files;
     std::string frame;
     std::vector<std::string> words;  // samples read and result of each step, a line each
-    // steps that lose information, such as "low_pass", so that a twin cannot undo them
+    // processing steps that lose information, such as "low_pass", and that a twin therefore cannot
+    // undo
     std::vector<std::string> one_way;
     std::map<std::string, MeasurementNoise> noise;
     std::map<std::string, std::string> left_out;          // columns that are no channels, and why
@@ -127,10 +128,11 @@ class Measurement {
 
  private:
   NamedChannel named(const std::string& channel) const;
-  /// Returns what to state if a channel is missing, to follow its sentence: the columns that may be
-  /// it, or the structs of the file.
+  /// Returns a clause that says what to state in the study if a channel is missing: the columns
+  /// that may be this channel, or the structs of the file.
   std::string way_out_of_missing(const std::string& channel, const std::string& unit) const;
-  /// Returns what to do if a column is the missing channel: `say columns = {toe = "toe_left"}`.
+  /// Returns advice on what to state if a column is the missing channel: `say columns = {toe =
+  /// "toe_left"}`.
   std::string advice_for(const std::string& channel,
                          const std::string& unit,
                          const MayBe& column) const;

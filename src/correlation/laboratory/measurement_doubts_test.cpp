@@ -72,7 +72,8 @@ TEST_F(MeasurementDoubts, AMinusBeforeANameIsApplied) {
     EXPECT_NE(said(turned, "begins with a minus, which is applied: alpha is minus"), "") << title;
     EXPECT_EQ(said(turned, "same sign"), "") << title;
   }
-  // A user for whom the minus is only a dash states the column in `columns`.
+  // Test a file in which a minus before a name is only a dash: the user then states the column in
+  // `columns`.
   const Measurement dash =
       read(sweep("time [s],FZ [N],-SA [deg],FY [N]", 1.0), "columns = {alpha = \"-SA\"}");
   EXPECT_EQ(dash.values("alpha", "rad"), plain.values("alpha", "rad"));
@@ -85,7 +86,7 @@ TEST_F(MeasurementDoubts, AFillerIsAnErrorOnceSomethingUsesItsChannel) {
   run.note_use("Fy", "experiment fy");
   const std::string error = said(run, "-9999 N in 3 of 60 samples (lines 22 to 24)");
   EXPECT_NE(error.find("error: "), error.npos) << error;
-  // The window of the message leaves out exactly these rows.
+  // The window that the message proposes excludes exactly these rows.
   const std::size_t begin = error.find("Fy = \"");
   ASSERT_NE(begin, error.npos) << error;
   const std::string window = error.substr(begin, error.find('"', begin + 6) + 1 - begin);
@@ -189,7 +190,7 @@ TEST_F(MeasurementDoubts, StepsAreUsersOfTheChannelsThatTheyRead) {
     EXPECT_NE(turned.find(name + std::string(" by in_frame;")), turned.npos) << turned;
 }
 
-// 1.99 .. 2.01 deg: the direction changes with every sample.
+// The channel varies from 1.99 to 2.01 deg, and its direction changes with every sample.
 TEST_F(MeasurementDoubts, ASweepOfAConstantChannelIsDoubted) {
   std::string table = "time [s],IA [deg],FY [N]\n";
   for (int i = 0; i < 60; ++i)

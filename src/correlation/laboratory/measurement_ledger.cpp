@@ -62,9 +62,11 @@ std::vector<std::string> Measurement::columns_like(const std::string& channel,
 
 namespace {
 
-constexpr std::size_t kMostNamed = 12;  // columns that may be a missing channel, in one message
+// largest number of columns in a message that may be a missing channel
+constexpr std::size_t kMostNamed = 12;
 
-/// Returns the name in the vocabulary, without frame and wheel.
+/// Returns the name of a channel in the vocabulary of channels, without the suffixes of frame and
+/// wheel.
 std::string meaning_of(const std::string& channel) {
   const auto known = recognized(channel);
   return known && !known->keeps_name ? std::string(known->meaning->name) : channel;
@@ -77,7 +79,7 @@ Ledger& ledger_of_file(std::vector<Ledger>& ledgers, const std::string& file) {
   return ledgers.front();
 }
 
-/// True for numbers of both signs that are all below 1.5, as the slip of a tire is.
+/// True if the numbers have both signs and magnitudes below 1.5, like the slip of a tire.
 bool is_slip_like(const std::vector<double>& values) {
   constexpr double kMostSlip = 1.5;
   double low = 0.0, high = 0.0;

@@ -54,7 +54,7 @@ bool is_a_text(const Node& table, const std::string& key) {
     table.text(key);
     return true;
   } catch (const InputError&) {
-    return false;  // the value is a number
+    return false;  // the text is a number and no keyword
   }
 }
 
@@ -85,7 +85,8 @@ std::optional<MeasurementNoise> read_noise(const Node& table,
   const std::string text = table.text(key);
   size_t from = 0;
   while (true) {
-    // A sum has spaces around its sign, which distinguishes it from an exponent, "1e+2 N".
+    // A sum is recognized by the spaces around its sign; the sign of an exponent, "1e+2 N", has
+    // none.
     const size_t plus = text.find(" + ", from);
     add_part(
         table, text.substr(from, plus == std::string::npos ? plus : plus - from), unit, key, noise);

@@ -34,7 +34,7 @@ constexpr const char* kRun =
 class LabMeasurement : public testing::Test {
  protected:
   LabMeasurement() { write_text_file(folder_ / "run.dat", kRun); }
-  /// Reads [measurement.run] with these lines.
+  /// Reads a table [measurement.run] with these additional lines.
   Measurement read(const std::string& lines) {
     write_text_file(folder_ / "study.toml", "[measurement.run]\nfile = \"run.dat\"\n" + lines);
     const Document document = Document::read(folder_ / "study.toml");
@@ -62,7 +62,7 @@ class LabMeasurement : public testing::Test {
 TEST_F(LabMeasurement, HasOurNamesAxesAndUnits) {
   const Measurement run = read("axes = \"sae\"\n");
   EXPECT_EQ(run.samples(), 8u);
-  // SAE reverses y and with it alpha
+  // in SAE axes y, and therefore alpha, has the opposite sign
   EXPECT_NEAR(run.values("alpha", "rad")[0], 2 * kDegree, 1e-15);
   EXPECT_EQ(run.values("Fy", "N")[0], -205.0);
   EXPECT_EQ(run.values("Fz", "N")[3], 1500.0);
@@ -151,7 +151,8 @@ TEST_F(LabMeasurement, IsFilteredWithoutDelay) {
   const auto& Fy = run.values("Fy", "N");
   const auto& Fz = run.values("Fz", "N");
   const auto& Fx = run.values("Fx", "N");
-  // The bilinear transform warps the frequencies, so |H|^2 = 1 / (1 + w^4) holds for warped ones.
+  // The bilinear transform changes the frequencies, so |H|^2 = 1 / (1 + w^4) holds at the changed
+  // frequencies.
   const double beyond =
       1.0 /
       (1.0 + std::pow(std::tan(0.1 * std::numbers::pi) / std::tan(0.05 * std::numbers::pi), 4));
@@ -255,7 +256,7 @@ TEST_F(LabMeasurement, RefusesWhatItDoesNotUnderstand) {
 
 const std::filesystem::path kSharedData = LATSCH_SOURCE_DIR "/../shared/data";
 
-// The counts come from an independent script of ten lines.
+// The expected numbers were counted by an independent script of ten lines.
 TEST_F(LabMeasurement, OfARealRunIsWhatAScriptCounts) {
   const auto file = kSharedData / "measured/ttc_hoosier_43075_cornering_10Hz.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file << " beside the project";

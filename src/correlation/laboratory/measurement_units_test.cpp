@@ -60,7 +60,8 @@ TEST_F(MeasurementUnits, NumbersAndLabelsOfACsvAgree) {
   EXPECT_NEAR(moment.values("omega", "rad/s")[0], 2 * std::numbers::pi, 1e-14);
 }
 
-// A German spreadsheet has degree signs, decimal commas and CRLF.
+// Test a file of a German spreadsheet program, with degree signs, decimal commas and CRLF line
+// ends.
 TEST_F(MeasurementUnits, OfASpreadsheetWithDegreeSignsAreRead) {
   for (const std::string degree : {"\xc2\xb0", "\xb0"}) {
     const Measurement run =
@@ -117,7 +118,8 @@ TEST_F(MeasurementUnits, AColumnIsOneChannel) {
             std::string::npos);
 }
 
-// A known name has a dimension; another dimension, or an unknown unit, is an error at the unit.
+// A known name requires a dimension; a unit of another dimension, or an unknown unit, is an error
+// at the unit.
 TEST_F(MeasurementUnits, OfKnownChannelsAreChecked) {
   EXPECT_NE(complaint("run.csv", "time [s],FZ [kg]\n0,1\n")
                 .find("run.csv:1: column \"FZ\" is in \"kg\", expected a force"),

@@ -22,14 +22,15 @@ double largest_magnitude(const std::vector<double>& values) {
   return largest;
 }
 
-/// Doubts a zero that is no offset of a sensor: a large part of the measured values, or the mean of
-/// a few samples.
+/// Adds a doubt about a subtracted mean that is probably no zero offset of a sensor: it is a large
+/// part of the measured values, or the mean of only a few samples.
 void doubt_zero(const TakenZero& taken,
                 const Channel& channel,
                 double largest,
                 const Place& place,
                 LabRecord& record) {
-  constexpr double kMostOffset = 0.2;  // share of the largest value
+  // largest offset that is not doubted; share of the largest value
+  constexpr double kMostOffset = 0.2;
   constexpr std::size_t kFewestSamples = 5;
   std::string why;
   if (std::abs(taken.mean) > kMostOffset * largest)
@@ -51,7 +52,7 @@ void doubt_zero(const TakenZero& taken,
        place});
 }
 
-/// Clears the mask at the samples outside of the window that a key of the table states.
+/// Removes from a mask the samples outside of the window that a key of the table states.
 void stay_within(const Node& table,
                  const std::string& key,
                  LabRecord& record,
@@ -89,7 +90,7 @@ void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& w
   if (at)
     for (const std::string& key : at->keys()) stay_within(*at, key, record, mask);
   if (!at || zero->has("time")) {
-    (void)zero->text("time");  // is required without `at`
+    (void)zero->text("time");  // the key is required if there is no table `at`
     if (record.time().empty()) zero->reject("time", "needs a channel time, and there is none");
     stay_within(*zero, "time", record, mask);
   }
@@ -110,7 +111,9 @@ void read_zero(const Node& table, LabRecord& record, std::vector<std::string>& w
                                 format_quantity(taken->mean, channel->unit, 4),
                                 taken->samples));
     const bool is_motion = channel->unit == "rad" || channel->unit == "m";
-    if (!at || !is_motion)  // a motion is often recorded as it is, and its value at rest stated
+    // Recordings often contain motions as absolute values, whose large values at rest are to be
+    // subtracted.
+    if (!at || !is_motion)
       doubt_zero(*taken, *channel, largest, zero->place(at ? "at" : "time"), record);
   }
 }

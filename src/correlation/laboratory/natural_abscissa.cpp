@@ -23,10 +23,12 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kVaries = 0.05;
 // Share of a condition's range: a gap of this size separates two levels.
 constexpr double kApart = 0.15;
-// share of the range: a gap of this size also separates two levels if
+// Share of a condition's range: a gap of this size also separates two levels, provided that it is
+// kDistinct times as large as the gaps within the levels and that each level has at least kFilled
+// samples on average.
 constexpr double kNear = 0.05;
-constexpr double kDistinct = 3.0;   // it is so many times as large as the gaps within the levels,
-constexpr std::size_t kFilled = 4;  // and if each level has so many samples on average
+constexpr double kDistinct = 3.0;
+constexpr std::size_t kFilled = 4;
 // Samples per level below which values form no levels: for example a load that rises with the
 // travel of a rig is a result, not a condition.
 constexpr std::size_t kSparse = 2;
@@ -105,18 +107,20 @@ std::vector<int> levels_of(const std::vector<double>& values, double usual_range
   return levels;
 }
 
-/// Returns the candidate that was swept; nullptr if none varies. It covers the most of its usual
-/// range; among candidates that cover a similar share it has the most levels, because a channel
-/// with few levels is a condition, as camber of 0, 2, 4 and 6 deg is beside a sweep of slip.
+/// Returns the candidate that was swept; nullptr if no candidate varies. This is the one that
+/// covers the largest share of its usual range. If several candidates cover similar shares, it is
+/// the one with the most levels, because a channel with few levels is a condition: camber of 0, 2,
+/// 4 and 6 deg during a sweep of slip, for example.
 template <std::size_t N>
 const Usual* swept(const std::array<Usual, N>& candidates,
                    const Measurement& measurement,
                    const std::string& y) {
-  constexpr double kSimilar = 1.0 / 3.0;  // share of the largest share
+  // two shares are similar if one is at least this part of the other
+  constexpr double kSimilar = 1.0 / 3.0;
   struct Candidate {
     const Usual* channel;
-    double share;  // range, relative to the usual range
-    int levels;    // more than a condition has if it has no levels
+    double share;  // range over the usual range
+    int levels;    // number of levels; for a continuous channel more than any condition has
   };
   std::vector<Candidate> all;
   double most = kVaries;

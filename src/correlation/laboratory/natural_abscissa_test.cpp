@@ -69,7 +69,8 @@ TEST_F(Abscissas, AGroupIsNamedByItsLevelAndNotByItsOwnScatter) {
   EXPECT_EQ(levels, (std::set<std::string>{"Fz 1020 N", "Fz 3020 N"}));
 }
 
-// The camber covers a larger share of its usual range than the slip, but has four levels.
+// The camber covers a larger share of its usual range than the slip does, but it has only four
+// levels.
 TEST_F(Abscissas, AChannelOfFewLevelsIsNoSweep) {
   std::string table = "Fz [N],alpha [deg],kappa,gamma [deg],Fy [N],Fx [N]\n", braked = table;
   for (const double gamma : {0.0, 2.0, 4.0, 6.0})

@@ -51,7 +51,7 @@ class ReaderHints : public testing::Test {
     }
     return "nothing";
   }
-  /// `columns = {...}` of a message, to the last letter.
+  /// Returns the text `columns = {...}` that a message proposes.
   static std::string columns_of(const std::string& message) {
     const std::size_t begin = message.find("columns = {");
     EXPECT_NE(begin, message.npos) << message;
@@ -87,7 +87,7 @@ TEST_F(ReaderHints, AColumnWithoutUnitIsMendedInTheStudy) {
   for (const Unitless& one : kUnitless) {
     SCOPED_TRACE(one.written);
     write_text_file(folder_ / "run.csv", fmt::format("{},other [N]\n2,1\n2,1\n", one.written));
-    // The study states a column already, and the proposal must keep them.
+    // The study already states a column, which the proposal must contain as well.
     const std::string stated = "columns = {spare = \"other\"}";
     const Measurement before = read("run.csv", stated);
     const std::string message = complaint([&] { (void)before.values(one.channel, one.si); });
@@ -135,7 +135,7 @@ TEST_F(ReaderHints, AColumnWithoutUnitIsMendedInItsFile) {
       write(mended);
       const Measurement after = read_measurement(folder_ / kind.file);
       EXPECT_NEAR(after.values(one.channel, one.si).at(0), one.first, 1e-12 * one.first) << mended;
-      // The opposite case: a table of the study.
+      // Test the opposite case, in which the table belongs to the study.
       write(head);
       EXPECT_NEAR(read(kind.file, columns_of(message)).values(one.channel, one.si).at(0),
                   one.first,
@@ -174,7 +174,7 @@ TEST_F(ReaderHints, LoadsBelowZeroAreTurnedByTheColumnOrByTheAxes) {
   const std::string axes = "axes = \"" + between(sentence, "axes = \"", "\"") + "\"";
   EXPECT_EQ(read("run.csv", axes).values("Fz", "N").at(0), 1000.0);
   EXPECT_FALSE(says(read("run.csv", axes), "below 0"));
-  // With stated axes the sign of the column must be changed, in addition to the axes.
+  // If the axes are stated, the sign of the column must be changed as well.
   const std::string stated = "axes = \"iso\"\ncolumns = {Fx = \"FX\"}\n";
   const std::string complained = complaint([&] {
     const Measurement iso = read("run.csv", stated);

@@ -29,7 +29,7 @@ bool depends_on_axes(const std::string& channel) {
                                sign_to_iso(senses, AxisConvention::adapted_sae) < 0.0);
 }
 
-/// Calls the action for the rows of all files that became this channel.
+/// Calls a function for the rows of all files whose columns became this channel.
 template <class Action>
 void for_rows_of(LabRecord& record, const std::string& channel, const Action& action) {
   const Channel* found = record.find(channel);
@@ -56,7 +56,8 @@ void name_meaning(LedgerRow& row) {
 void note_dimension(LedgerRow& row) {
   constexpr std::array<std::string_view, 4> kLetters = {"P", "p", "V", "v"};
   std::string expected = dimension_of_name(row.written);
-  // A single letter with a unit may mean anything; without a unit it is most likely Latsch's name.
+  // A single letter with a unit can mean anything; without a unit it is most likely one of Latsch's
+  // own names.
   if (row.unit_written.empty() &&
       std::find(kLetters.begin(), kLetters.end(), row.written) != kLetters.end())
     expected = recognized(row.written)->meaning->unit;
@@ -171,8 +172,8 @@ void note_encoding(const formats::LabTable& table, Ledger& ledger) {
         {"", "the text is taken as " + table.assumed_encoding, {ledger.file, 0}});
 }
 
-/// Adds the struct that was taken because it is the only one with known channels, or says that
-/// several have them.
+/// Adds a note to the ledger about the struct that was chosen because it is the only one with known
+/// channels, or about several such structs.
 void note_structs(const formats::LabTable& table, Ledger& ledger) {
   if (!table.assumed_struct.empty()) {
     LedgerRow row;
@@ -312,7 +313,7 @@ std::string ambiguity(const LabRecord& record, const std::string& channel) {
 
 namespace {
 
-/// Returns those samples of a suspect number that are still selected.
+/// Returns the samples that have a suspect number and are still selected.
 std::vector<std::size_t> samples_left(const LabRecord& record, const SuspectSamples& suspect) {
   std::vector<std::size_t> left;
   for (const double number : suspect.samples) {

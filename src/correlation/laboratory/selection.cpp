@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Returns a number with its unit or, if it has none, with the unit of the other end.
+/// Returns a number at one end of a window with its unit or, if it has no unit, with that of the
+/// other end.
 std::optional<Quantity> quantity_of(std::string_view text,
                                     std::string_view other,
                                     const Unit& expected) {

@@ -24,7 +24,7 @@ struct Window {
 std::pair<std::optional<Window>, std::string> parse_window(const std::string& text,
                                                            const std::string& unit);
 
-/// Samples first .. end - 1.
+/// The successive samples first .. end - 1.
 struct Stretch {
   std::size_t first, end;
 };

@@ -62,9 +62,9 @@ std::string words_beside_sae(const std::string& channel) {
 
 namespace {
 
-/// Returns the table `columns` that turns the other lateral channels in place of one: the mirror
-/// image of a record whose signs agree agrees as well. Empty if it does not, or if there is no
-/// other lateral channel.
+/// Returns the table `columns` that changes the signs of all other lateral channels instead of that
+/// of one: if the signs of a record agree, those of its mirror image agree as well. Returns an
+/// empty text if they do not, or if there is no other lateral channel.
 std::string mirror_of(const LabRecord& record, const Channels& channels, const std::string& name) {
   Channels mirrored = channels;
   auto stated = record.stated;

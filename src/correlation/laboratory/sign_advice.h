@@ -20,7 +20,7 @@ namespace latsch::correlation {
 /// none are stated. The list is empty if the signs already agree or if no statement helps.
 std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are_stated);
 
-/// Returns the table `columns` with which a channel has the other sign.
+/// Returns the table `columns` that changes the sign of a channel.
 std::string turned(const LabRecord& record, const std::string& channel);
 
 }  // namespace latsch::correlation

@@ -38,7 +38,8 @@ void expect_stated_share(const Node& table,
   std::string expected = "\"" + number + " %\"";
   if (unit != "1") expected += " or \"" + number + " " + unit + "\"";
   const std::string percent = format_number(100.0 * share) + " %";
-  // A noise, which may also have a unit, is never larger than the value itself.
+  // A share above 1 may be meant as a share without unit if it is no noise; a noise is never larger
+  // than the value itself.
   if (unit == "1") expected += ", or \"" + percent + "\" if that is meant";
   table.reject(key,
                "is " + number + " without a unit, which is " + percent + "; expected " + expected);

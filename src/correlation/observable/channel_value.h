@@ -9,7 +9,7 @@
 
 namespace latsch::correlation {
 
-/// Returns "largest", "smallest", "mean", "first", "last".
+/// Returns the names of the reductions: "largest", "smallest", "mean", "first", "last".
 const std::vector<std::string>& names_of_values();
 
 /// Returns the value with one of the given names. The channel must have values.

@@ -24,13 +24,13 @@
 
 namespace latsch::correlation {
 
-/// Relative distances of frequencies.
+/// Relative distances of frequencies below which two modes count as close.
 struct CloseModes {
   double alike = 0.01;  // below: names are not trusted
   double apart = 0.02;  // above: names are trusted
 };
 
-/// Frequency compared with a measured mode.
+/// Frequency of a simulated mode, compared with that of a measured mode.
 struct ComparedFrequency {
   int measured = 0;            // index of the measured mode
   double frequency = 0.0;      // Hz

@@ -20,7 +20,7 @@ namespace latsch::correlation {
 
 struct ComparedKind {
   std::string name;        // kind = "curve" in a study
-  bool needs_measurement;  // false: the experiment may state the measured values itself
+  bool needs_measurement;  // false: the experiment may contain the measured values itself
   /// Reads the keys of the experiment's table. `measurement` is nullptr if the table has none.
   /// Throws InputError naming the place.
   std::shared_ptr<const Observable> (*read)(const Node& table,

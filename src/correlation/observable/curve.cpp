@@ -395,8 +395,8 @@ std::vector<std::filesystem::path> Curve::write(const Channels& trial,
 
 namespace {
 
-/// Draws the band, which is known at the measured abscissas (ascending), around all samples of the
-/// curve between them.
+/// Draws a band around all samples of a curve; the band is known only at the measured abscissas,
+/// which are in ascending order.
 void draw_around_samples(const report::Band& band,
                          const std::vector<double>& x,
                          const std::vector<double>& computed,

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kUniform = 0.1;  // share of a step by which times may deviate from uniform
 constexpr long kFewestSamples = 8;
-// least mean square, so that the level of a band without power is a number
+// least mean square, which keeps the level in dB finite for a band without power
 constexpr double kWeakest = 1e-30;
 
 const std::vector<std::string> kNames{"values", "about_mean", "psd", "band_levels", "path"};

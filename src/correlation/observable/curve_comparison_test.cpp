@@ -109,7 +109,8 @@ TEST_F(ComparedCurves, DensitiesCountNeitherOffsetNorPhase) {
   EXPECT_NEAR(twice.residuals[5], -3.0 / std::sqrt(16.0), 1e-9);
 }
 
-// Twice the amplitude is 6.02 dB in the bands with power: 0.602 of the 10 dB scale.
+// Twice the amplitude gives 6.02 dB more in the bands with power, which is 0.602 of the scale of 10
+// dB.
 TEST_F(ComparedCurves, LevelsCountRatios) {
   measure([](double t) { return sine(t) + 0.01 * std::sin(kTwoPi * 25.0 * t); });
   const auto s =

@@ -13,7 +13,7 @@ constexpr int kCoarsest = 20;    // steps of the grid at least
 // largest number of grid steps; a finer grid takes longer and finds no better delay
 constexpr int kFinest = 2000;
 constexpr int kMostDelaySteps = 30;  // Gauss-Newton steps; two or three are usual
-// share of a simulated step; a smaller range is only rounding of the times
+// share of a simulated time step; a smaller range is only rounding of the times
 constexpr double kRoom = 1e-3;
 constexpr double kSettled = 1e-12;  // share of the range; a smaller step ends the search
 

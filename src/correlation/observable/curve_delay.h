@@ -26,7 +26,7 @@
 
 namespace latsch::correlation {
 
-/// Delay of one trial.
+/// Delay of the simulation relative to the measurement in one trial.
 struct FittedDelay {
   double value = 0.0;  // s; positive: recorded later than simulated
   /// The sum a'a, 1/s^2, for differences in units of their scale. The standard deviation of the

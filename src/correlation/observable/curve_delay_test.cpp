@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The delay of a recording: closed forms, and the scatter that statistics predict.
+// Tests of the fitted delay of a recording: closed forms, and the scatter that statistics predicts.
 #include "correlation/observable/curve_delay.h"
 
 #include <gtest/gtest.h>
@@ -123,7 +123,7 @@ TEST_F(Delays, NoneIsFittedUnlessAskedFor) {
 }
 
 TEST_F(Delays, TheEndOfTheRangeIsTold) {
-  // a quarter of the record: beyond the limit of a tenth
+  // a quarter of the record, which exceeds the limit of a tenth
   measure([](double t) { return hit(t - 0.25); });
   const Comparison found = compared(study(kFree), simulated(hit));
   EXPECT_TRUE(found.delay->at_end);
@@ -155,7 +155,7 @@ TEST_F(Delays, ItsScatterIsWhatItsStiffnessSays) {
     sum += std::pow(found.delay->value - kTrue, 2.0);
     promised += std::pow(kNoise / 2.0, 2.0) / found.delay->stiffness;  // the scale is 2 N
   }
-  // three standard deviations of a variance estimated from 300 draws
+  // three standard deviations of a variance that is estimated from 300 draws
   EXPECT_NEAR(sum / promised, 1.0, 0.25);
 }
 

@@ -30,7 +30,8 @@ TEST(SubspaceMac, DoesNotSeeTheArbitraryPhaseOfADegeneratePair) {
   A << 1, 0, 0, 1, 0, 0;
   B << std::cos(0.3), -std::sin(0.3), std::sin(0.3), std::cos(0.3), 0, 0;
   EXPECT_NEAR(mac(A, B), 1.0, kRoundOfShapes);
-  // cos^2 0.3; compared vector by vector, the pair looks wrong
+  // the MAC is cos^2 0.3 if the two modes of a pair are compared one by one, which looks like a
+  // mismatch
   EXPECT_LT(mac(A.col(0), B.col(0)), 0.92);
 }
 

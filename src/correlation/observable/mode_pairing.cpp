@@ -101,7 +101,7 @@ ModePairing pair_modes(const std::vector<ModeRecord>& measured_modes,
 
   ModePairing pairing;
   pairing.is_by_shape = have_shapes(measured) && have_shapes(simulated);
-  // Modes in one group of equal frequency are all alike, so their order pairs them already.
+  // Modes of equal frequency in one group are all alike, so their order already pairs them.
   if (pairing.is_by_shape) pairing.close = {settings.same_frequency, 2.0 * settings.same_frequency};
   const Eigen::MatrixXd likeness =
       likeness_matrix(measured, simulated, pairing.is_by_shape, settings.same_frequency);

@@ -33,7 +33,8 @@ struct PairingSettings {
 struct ModePair {
   int measured = 0;   // index into the measured modes
   int simulated = 0;  // index into the simulated modes
-  /// subspace MAC; 1 for an equal label, 0 for a mode that may have lost its name by mixing
+  /// subspace MAC; otherwise 1 for an equal label, 0 for a mode that may have lost its label by
+  /// mixing
   double likeness = 0.0;
 };
 

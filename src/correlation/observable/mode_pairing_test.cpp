@@ -121,7 +121,7 @@ TEST(CompareModes, FrequenciesAreContinuousThroughACrossingOfOneN) {
                                          labeled(81.7, 2, ModeType::radial)};
   constexpr double kStep = 1e-4;  // step of p; it changes a frequency by at most 4 kStep
   constexpr double kMost =
-      // includes three further such steps while names become reliable, over 1 %
+      // includes three further such steps, over 1 %, while labels become reliable
       15.0 * kStep / 81.0;
   for (const double k : {0.0, 1e-6, 0.05, 0.15, 0.35}) {
     for (const double other : {0.0, 0.1}) {

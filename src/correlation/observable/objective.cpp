@@ -11,7 +11,7 @@
 namespace latsch::correlation {
 namespace {
 
-/// Sets mean and maximum of |errors|.
+/// Sets mean and maximum of the magnitudes of the errors.
 void summarize_errors(Comparison& comparison) {
   double sum = 0.0;
   for (double error : comparison.errors) {
@@ -68,7 +68,8 @@ Comparison compare_forces(const std::vector<double>& measured,
     const double root = std::sqrt(std::max(0.0, forces[j]));
     comparison.differences.push_back(of_root ? relative(std::sqrt(measured[j]), root)
                                              : comparison.errors.back());
-    // At zero force the root has no derivative. It is set to 0, as for a tire that has lifted off.
+    // At zero force the root of the force has no derivative. It is set to 0, as for a tire without
+    // contact.
     const double by_force = !of_root     ? -1.0 / measured[j]
                             : root > 0.0 ? -0.5 / (std::sqrt(measured[j]) * root)
                                          : 0.0;

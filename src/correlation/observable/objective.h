@@ -39,7 +39,8 @@ struct ObjectiveSettings {
   double weight = 1.0;                  // >= 0
   double exponent = 1.0;                // k > 0
   Compared compared = Compared::force;  // used by load-deflection experiments
-  /// df| of a mode without a partner; used by modal experiments.
+  /// Error |df| that counts for a measured mode without a simulated partner; used by modal
+  /// experiments.
   double missing_mode = 1.0;
   PairingSettings pairing;  // used by modal experiments
 };

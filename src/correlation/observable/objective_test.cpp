@@ -16,7 +16,7 @@ ModeRecord mode(double frequency, int n, ModeType type, char phase = ' ') {
   return {frequency, n, type, phase, {}};
 }
 
-/// Returns (3) for one mode and one force with these errors.
+/// Returns the target (3) for one mode and one force with these relative errors.
 double target_of_errors(double frequency, double force) {
   const Comparison modes = compare_modes({mode(100.0, 0, ModeType::lateral)},
                                          {mode(100.0 * (1.0 - frequency), 0, ModeType::lateral)});

@@ -56,7 +56,8 @@ struct MeasurementFiles {
 struct ComparedValues {
   std::string kind;      // "load_deflection", "modes", "curve", "values": the name in a study
   std::string compared;  // "force", "PSD of response/z"
-  /// For example "over response/time"; empty if the conditions of the test describe the abscissa.
+  /// Abscissa in words, such as "over response/time"; empty if the conditions of the test describe
+  /// it.
   std::string over = "";
   /// Value that counts as an error of 100 %, if it is the same for all values: "10 mm"; otherwise
   /// empty.
@@ -100,11 +101,13 @@ class Observable {
   virtual std::vector<double> deviations(const MeasurementNoise& noise,
                                          const ObjectiveSettings& settings) const;
 
-  /// Fails if the channels leave nothing to compare. A mode without a partner is no failure.
+  /// Compares the channels with the measurement. Fails if nothing can be compared. A mode without a
+  /// partner is no failure.
   virtual Result<Comparison> compare(const Channels& trial,
                                      const ObjectiveSettings& settings) const = 0;
 
-  /// Writes the measurement that a laboratory would have made of such a trial. Returns the files.
+  /// Writes the file of a measurement in which the values of a trial replace the measured values.
+  /// Returns the files.
   virtual std::vector<std::filesystem::path> write(const Channels& trial,
                                                    const MeasurementFiles& files) const = 0;
 

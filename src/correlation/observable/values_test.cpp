@@ -59,8 +59,8 @@ TEST(Values, OneOfSeveralIsTakenByItsName) {
   EXPECT_FALSE(plain->compare(Channels(), {}));
 }
 
-/// The codes are those of mode_record.h: lateral n=0, radial n=2, lateral n=1 a and s, a lower
-/// radial n=2.
+/// Returns modal channels. The codes are those of mode_record.h: lateral n=0, radial n=2, lateral
+/// n=1 a and s, a lower radial n=2.
 Channels vibrations() {
   Channels channels;
   channels.add({"air/frequency", "Hz", {41.0, 95.0, 50.0, 51.0, 48.0}});
@@ -88,7 +88,7 @@ TEST(Values, OfModesAreTakenByTheirNames) {
   EXPECT_NEAR(damping->compare(vibrations(), {})->errors[0], -0.2, 1e-12);
 }
 
-// A missing mode counts as in mode_set.h: as an error of 100 % without derivatives.
+// A missing mode counts as an error of 100 % without derivatives, as in mode_set.h.
 TEST(Values, OfAModeThatIsNotThereAreMissing) {
   const auto named = values_of(
       "channel = \"air/frequency\"\nmodes = [\"radial n=3\", \"radial n=2\"]\n"

@@ -91,7 +91,8 @@ std::vector<RimPair> averages(const std::vector<FitPassages>& cases,
 }
 
 RigResponse start_of(const RigFile& rig, const std::optional<HammerResult>& hammer) {
-  // A response stated by hand is the rig's response, with or without a hammer test that refines it.
+  // A response that the rig file states is used as the response of the rig, with or without a
+  // hammer test.
   const RigResponse of_rig = hammer ? hammer->fit.response : *rig.compensation->start;
   const auto back = inverse(of_rig);
   if (!back) {

@@ -16,8 +16,8 @@ namespace {
 constexpr double kSameTurn = 0.02;     // relative difference of stated and found circumference
 constexpr double kSameHit = 0.8;       // strength of a shorter period over that of the found one
 constexpr double kShortestHit = 0.05;  // s, least time between two hits
-// m of road between two samples; a hit lasts as long as the footprint, so a larger distance misses
-// it
+// largest distance of the road, m, between two samples; the footprint is this long, so a larger
+// distance misses hits
 constexpr double kLongestSample = 0.1;
 constexpr double kMostLeftOut = 0.5;  // share of the passages
 

@@ -135,8 +135,8 @@ Ledger ledger_of_recording(const RigFile& rig,
   return ledger;
 }
 
-/// Returns the channels that are as long as the time, and the requested ones. A MAT file may
-/// contain others.
+/// Returns the channels that have as many samples as the time, and the requested ones. A MAT file
+/// may contain others.
 DrumRecord read_record(const RigFile& rig,
                        const std::filesystem::path& file,
                        const std::vector<std::string>& needed,

@@ -60,7 +60,7 @@ struct CaseRow {
   numerics::Density real_density, before_density, after_density;
 };
 
-/// Standard deviations over resampled hits; 0 if there was no resampling.
+/// Standard deviations determined by resampling the hits; 0 if there was no resampling.
 struct ResponseDeviation {
   double gain = 0.0, f = 0.0, zeta = 0.0, c = 0.0;
 };

@@ -11,12 +11,13 @@
 
 namespace latsch::correlation {
 
-/// Writes into the folder, which is created if missing. Returns the files in the order written.
+/// Writes the tables into the folder, which is created if necessary. Returns the files in the order
+/// in which they were written.
 std::vector<std::filesystem::path> write_rig_tables(const RigFile& rig,
                                                     const RigResults& results,
                                                     const std::filesystem::path& folder);
 
-/// Returns the file name part for a run at a speed: "c_dummy_60kph".
+/// Returns the part of a file name for a run at a speed: "c_dummy_60kph".
 std::string plateau_name(const std::string& run, double speed);
 
 }  // namespace latsch::correlation

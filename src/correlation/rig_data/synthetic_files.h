@@ -38,7 +38,7 @@ struct SyntheticTruth {
   double hammer_noise = 2.0;       // standard deviation, N
 };
 
-/// Reads [truth] for the runs of these names, all at these speeds.
+/// Reads the table [truth] for runs with these names, each at all of these speeds.
 SyntheticTruth read_truth(const Node& table,
                           const std::vector<std::string>& runs,
                           const std::vector<double>& speeds);

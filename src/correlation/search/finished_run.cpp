@@ -10,8 +10,8 @@ namespace {
 
 constexpr const char* kFinished = "finished";
 
-/// Returns a text of everything, beyond the identity of the journal, on which the result of the
-/// study depends.
+/// Returns a text that contains everything on which the result of a study depends, except for the
+/// identity of the journal.
 std::string key_of(const Study& study) {
   return fmt::format("{}/{}/{} ",
                      study.search_key,

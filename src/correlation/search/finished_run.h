@@ -12,7 +12,8 @@
 
 namespace latsch::correlation {
 
-/// Marks that a run has finished. Its intervals began at `begin`.
+/// Marks in the journal that a run has finished, with the point `begin` at which its intervals
+/// began.
 void mark_finished(const Study& study, const DesignPoint& begin, Journal& journal);
 
 /// Returns the point at which the intervals of the finished run began, if the study has not changed

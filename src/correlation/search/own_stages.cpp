@@ -13,7 +13,8 @@
 namespace latsch::correlation {
 namespace {
 
-// multiple of the error at the end of the own stage, above which an error counts as worse
+// ratio of an error to the error at the end of the experiment's own stage, above which the error
+// counts as worse
 constexpr double kWorse = 1.05;
 // share of 100 %; smaller differences are rounding of a finished search
 constexpr double kNegligible = 1e-6;

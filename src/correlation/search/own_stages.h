@@ -37,7 +37,8 @@ void add_stage_end(const Study& study,
                    const Channels& recording,
                    std::vector<OwnStage>& own);
 
-/// True if an error is worse than that of the own stage by the rule at the head of this file.
+/// True if an error has become worse than that of the experiment's own stage, by the rule at the
+/// head of this file.
 bool is_spoiled(const StudyExperiment& experiment, const OwnStage& own, double error);
 
 /// Returns a sentence such as "Fy has an RMS of 3.60 %, 2.10 % at the end of its own stage

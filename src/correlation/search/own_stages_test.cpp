@@ -38,7 +38,7 @@ class OwnStages : public FittedStudy {
     write("arm.csv", formats::csv_text(moment));
   }
 
-  /// Returns the text after the head; `keys` are stated in both experiments.
+  /// Returns the text of the study after its head; `keys` are keys that both experiments state.
   static std::string more(const std::string& keys, int exponent) {
     return keys +
            "[experiment.arm]\nkind = \"curve\"\ny = \"steady/Mz\"\nmeasurement = \"arm.csv\"\n" +
@@ -56,7 +56,7 @@ class OwnStages : public FittedStudy {
 
   struct Told {
     std::vector<OwnStage> own;
-    double force = 0.0;  // error of the side force at the result
+    double force = 0.0;  // error of the side force at the result of the fit
     std::vector<std::string> words;
     Study as_last;
   };
@@ -112,15 +112,15 @@ TEST_F(OwnStages, StatedNoiseThatIsNotExceededIsNoFault) {
 TEST_F(OwnStages, ALastStageMayNameItsExperimentsAndVariables) {
   const Told told =
       told_by(study_of("", "[stage.last]\nfree = [\"trail\"]\nexperiments = [\"arm\"]\n"));
-  // no variable that changes the side force is free
+  // no variable that is free changes the side force
   EXPECT_NEAR(told.force, told.own[0].error, 1e-12);
   EXPECT_TRUE(told.words.empty());
   EXPECT_EQ(told.as_last.experiments[0].objective.weight, 0.0);
   EXPECT_EQ(told.as_last.free, std::vector<int>{2});
 }
 
-// An experiment that is not fitted in the last stage gets worse through the variables that are free
-// there.
+// An experiment that is not fitted in the last stage may become worse because of the variables that
+// are free in that stage.
 TEST_F(OwnStages, WhatDoesNotCountInTheLastStageIsToldToo) {
   const Told told = told_by(study_of("", "[stage.last]\nexperiments = [\"arm\"]\n"));
   EXPECT_GT(told.force, 1.5 * told.own[0].error);

@@ -20,8 +20,8 @@ struct StageRun {
   int number = 0;                    // counted from 0
   bool is_last = true;               // false: another stage follows
   bool next_shares_journal = false;  // true if the next stage adds its trials to the same journal
-  /// the study with the model, start, variables, experiments, noise, optimizer, and journal of the
-  /// stage
+  /// the study as it is during the stage, with its model, start, variables, experiments, noise,
+  /// optimizer and journal
   Study study;
 };
 

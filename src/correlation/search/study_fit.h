@@ -20,7 +20,7 @@ namespace latsch::correlation {
 struct Fit {
   Run run;  // every step with its score, the best one, and the reason of the end
   std::optional<std::string> hopeless;  // reason why no point can succeed
-  /// one for each experiment, from the earlier stages; set by run_stages()
+  /// one entry for each experiment, with its least error in earlier stages; set by run_stages()
   std::vector<OwnStage> own = {};
 };
 

@@ -70,7 +70,8 @@ measurement = "measured.csv"
     return read_study(folder_ / name, experiment::language());
   }
 
-  /// Runs all stages to their end, or stops as if killed after a number of trials.
+  /// Runs all stages to their end, or stops after a number of trials, as if the run had been
+  /// killed.
   std::vector<Fit> fit_all(const Study& study, int workers = 1, long killed_after = 1'000'000) {
     std::vector<Fit> fits;
     std::optional<Journal> journal;

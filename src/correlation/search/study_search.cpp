@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kMark = "start";
 constexpr int kModels = 2;  // number of quadratic models that the points passed to a run determine
-// limit on points: the search for neighbors costs the square of their number
+// limit for the number of points: the time to find neighbors grows with its square
 constexpr int kMostScattered = 5000;
 
 /// Numbers of trials and marks in a journal when a search began.
@@ -127,7 +127,7 @@ std::vector<DesignPoint> starts_in_design(const Study& study, const std::vector<
   return starts_in_journal(study, known);  // too many points of the design have failed
 }
 
-/// Passes the points near the start and the start itself to the optimizer, and no others.
+/// Passes to the optimizer only the start and the points near it.
 void tell(Optimizer& optimizer,
           const DesignSpace& space,
           const std::vector<Known>& known,

@@ -185,7 +185,7 @@ measurement = "low.csv"
       return f.a <= trial.a && f.b <= trial.b;
     }));
   }
-  // Weights select a point on the front but do not change the front.
+  // Weights select a point on the front but do not change the front itself.
   const Study light = read("weight = 50\n" + other + "[doe]\nlevels = 7\n");
   const ParetoFront tilted = pareto_front(light, journal, "light", "heavy");
   EXPECT_EQ(tilted.front.size(), equal.front.size());

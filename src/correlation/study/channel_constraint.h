@@ -26,7 +26,7 @@ struct ChannelConstraint {
   std::string of = "largest";
   std::optional<double> lower, upper;  // SI; lower == upper for an equation
   double scale = 1.0;
-  std::string unit = "1";  // unit a person reads
+  std::string unit = "1";  // unit in which the value is shown to the user
 
   bool is_equation() const { return lower && upper && *lower == *upper; }
 };
@@ -39,10 +39,12 @@ ChannelConstraint read_channel_constraint(const Node& table,
 /// Reads bounds on one value of a channel, without a scale.
 ChannelConstraint read_channel_range(const Node& table, const std::vector<KnownChannel>& known);
 
-/// Returns the constrained number. Fails if the trial left no such channel or an empty one.
+/// Returns the number that is constrained. Fails if the trial has no such channel or if the channel
+/// is empty.
 Result<double> value_of(const ChannelConstraint& constraint, const Channels& channels);
 
-/// Adds the constraint's c or h to the score. Returns a Failure if the trial left no such number.
+/// Adds the value c or h of the constraint to the score. Returns a Failure if the trial has no such
+/// number.
 Status apply(const ChannelConstraint& constraint, const Channels& channels, Score& score);
 
 /// Returns "4 kN <= largest stiffness/force".

@@ -232,7 +232,7 @@ TEST_F(MeasuredStudy, ATestOfAStudyAloneIsRefusedElsewhere) {
   EXPECT_NE(found.find("which only a test of a study can name"), std::string::npos) << found;
 }
 
-// The spring has 20 N/mm, and no damping in a slow pull.
+// The spring has a stiffness of 20 N/mm and, when it is pulled slowly, no damping force.
 TEST_F(MeasuredStudy, ValuesMayBeMeasuredToo) {
   write_text_file(folder_ / "spring.toml",
                   "kind = \"spring\"\nstiffness = \"20 N/mm\"\ndamping = \"0 N s/m\"\n");
@@ -264,7 +264,8 @@ measurement = "pulled.csv"
             (std::vector<std::string>{"0.04", "0.1"}));
 }
 
-// If two tests write the same column of a file, one of the two could not be found again by a fit.
+// If two tests write the same column of a file, the second overwrites the first, so a twin refuses
+// it.
 TEST_F(MeasuredStudy, ATwinRefusesAColumnThatTwoTestsFill) {
   write_text_file(folder_ / "spring.toml",
                   "kind = \"spring\"\nstiffness = \"20 N/mm\"\ndamping = \"5 N s/m\"\n");
@@ -369,7 +370,7 @@ TEST_F(MeasuredStudy, NeverLeavesOutASlipAngleSilently) {
       "nothing");
   found = complaint([&] { read(from, "{from = \"measurement.cornering\", without = [\"Fz\"]}"); });
   EXPECT_NE(found.find("without"), std::string::npos) << found;
-  // this name resembles no channel, so it is only a warning
+  // this name is not similar to that of any channel, so it only causes a warning
   edit_record("SA [deg]", "channel 7 [deg]");
   const Study study = read();
   const auto doubts = ledgers_of(study).front().doubts;

@@ -85,7 +85,7 @@ class RefinedStudy : public testing::Test {
   ScratchFolder folder_;
 };
 
-// The force is 10 N/mm travel + damping speed.
+// The force is 10 N/mm times travel plus damping times speed.
 TEST_F(RefinedStudy, HasOtherNumbersAndTestsBesideTheVariables) {
   const Study study = read(kPulledStudy +
                            "[refined]\nmodel.damping = \"200 N s/m\"\n"

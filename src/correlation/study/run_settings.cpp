@@ -14,10 +14,11 @@ namespace {
 
 constexpr long kMostWorkers = 1024;
 constexpr long kMostRetries = 100;
-// after this many halvings two numbers are adjacent in double precision
+// after this many halvings of an interval two numbers are adjacent in double precision
 constexpr long kMostHalvings = 52;
 constexpr double kMostStraggler = 1e6;  // multiple of the median
-// points for each worker; all of them are computed at every step
+// largest number of points for each worker that are proposed in advance; all of them are computed
+// at every step
 constexpr long kMostLookAhead = 1000;
 constexpr double kLeastMemory = 16e6;  // bytes; with less a worker does not start
 

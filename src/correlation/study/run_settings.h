@@ -26,7 +26,7 @@ struct RunSettings {
   FailurePolicy on_failure;
   bool intervals = true;  // computed after a fit
   std::filesystem::path journal;
-  /// Multiple of the median time above which a trial is a straggler; 0: no trial is.
+  /// ratio to the median time above which a trial counts as a straggler; 0: none does
   double straggler_factor = RunOptions{}.straggler_factor;
   int look_ahead = RunOptions{}.look_ahead;
 };

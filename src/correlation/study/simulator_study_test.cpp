@@ -123,7 +123,7 @@ TEST_F(SimulatorStudy, TheJournalOfAnotherProgramIsNotReused) {
   EXPECT_FALSE(difference(before, identity(read())));
 }
 
-// A script may be anywhere; only its content matters.
+// The script may be in any folder; only its content matters.
 TEST_F(SimulatorStudy, AProgramThatChangedMakesAnotherIdentityAndSaysWhichFileItIs) {
   const StudyIdentity before = identity(read());
   write("program.sh", "read k < in.txt; printf 't [s],z [mm]\\n0,0\\n2,%s\\n' $k > out.csv");

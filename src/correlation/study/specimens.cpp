@@ -53,7 +53,8 @@ class ModelSpecimens : public Specimens {
       for (const Follower& follower : variable.followers)
         varied += fmt::format("  {} times: {}\n", follower.factor, fmt::join(follower.paths, ", "));
     }
-    if (is_stated_) varied += "kind: " + kind_.name() + "\n";  // the version also contains the kind
+    // the version also contains the kind of the model
+    if (is_stated_) varied += "kind: " + kind_.name() + "\n";
     return {{kModelPart, canonical_text(study.model)},
             {"variables", varied},
             {kTestsPart, identity_of_tests(study.tests, tests_asked_for(study))},
@@ -159,8 +160,8 @@ void take_absent(const Node& table,
   measurement.note_absent({condition.channel, condition.unit, by, condition.otherwise});
 }
 
-/// Throws InputError if a force or moment was measured in another frame than the test takes it in,
-/// or at another point than the test applies it.
+/// Throws InputError if a force or moment was measured in another frame than the one in which the
+/// test prescribes it, or at another point of action.
 void expect_frame(const Node& table,
                   const experiment::MeasuredCondition& condition,
                   const std::string& channel,

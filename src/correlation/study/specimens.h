@@ -24,14 +24,14 @@ namespace latsch::correlation {
 
 struct Study;
 
-/// A test of a study. Its channels are called "NAME/CHANNEL"; a test without a name uses the
-/// channels' own names.
+/// A test of a study. Its channels are called "NAME/CHANNEL"; a test without a name has the plain
+/// names of the channels.
 struct StudyTest {
   std::string name;
   std::shared_ptr<const experiment::Test> test;
   std::string identity;                           // copied from experiment::ReadTest
   std::vector<std::filesystem::path> files = {};  // files the test was read from
-  /// True if the experiment of the same name states the test.
+  /// true if an experiment states the test itself; the test then has the experiment's name
   bool is_own = false;
 
   /// Returns the words by which a user finds the test in the study: "test slow", "experiment
@@ -58,7 +58,7 @@ class Specimens {
 
   /// Returns the lines that precede the tests and experiments in a printed study.
   virtual std::string describe(const Study& study) const = 0;
-  /// True if a report may evaluate points once more.
+  /// True if a report may evaluate points again.
   virtual bool may_repeat() const { return true; }
   /// Returns the least time limit that the model itself sets for a trial, s; 0: none.
   virtual double own_timeout() const { return 0.0; }
@@ -80,7 +80,7 @@ struct StudyModel {
 std::shared_ptr<const Specimens> specimens_of(const experiment::SpecimenKind& kind,
                                               bool is_stated = false);
 
-/// Reads `model` or [model]. Throws InputError.
+/// Reads the key `model` or the table [model]. Throws InputError.
 StudyModel read_model(const Node& study,
                       const std::filesystem::path& folder,
                       const experiment::Language& language);
@@ -93,7 +93,8 @@ std::vector<StudyTest> read_tests(const Node& study,
                                   const experiment::Language& language,
                                   const Laboratory& laboratory);
 
-/// Returns why specimens of a kind cannot run a test, and which kinds can; nullopt if they can.
+/// Returns a sentence that says why specimens of a kind cannot run a test, and which kinds can;
+/// nullopt if they can.
 std::optional<std::string> reason_against(const experiment::SpecimenKind& kind,
                                           const experiment::Test& test,
                                           const experiment::Language& language);

@@ -41,7 +41,7 @@ class SpringKind : public SpecimenKind {
   }
 };
 
-/// A test kind = "pull": travels = ["1 mm", ...] at one speed. It can hold each travel long enough
+/// A test kind = "pull": travels = ["1 mm", ...] at one speed. The test can wait at each travel, so
 /// that a run can be killed meanwhile.
 class PullTest : public Test {
  public:

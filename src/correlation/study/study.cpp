@@ -133,7 +133,8 @@ void check_noise(const Node& root, const std::vector<StudyExperiment>& experimen
   }
 }
 
-/// Throws if there are priors but no stated noise, because priors are weighted relative to it.
+/// Throws InputError if there are priors but no stated noise, because priors are weighted relative
+/// to the noise.
 void check_priors(const Node& root,
                   const DesignSpace& space,
                   const std::vector<StudyExperiment>& experiments) {
@@ -262,8 +263,8 @@ void check_reach(const Node& root,
                            reach->to));
 }
 
-/// Checks the number of single values: as many as the channel has, or one of them, or those of
-/// modes.
+/// Checks the number of single values: all values of the channel, one of them, or one for each
+/// mode.
 void check_count(const Node& root,
                  const std::vector<StudyTest>& tests,
                  const StudyExperiment& experiment,
@@ -289,7 +290,7 @@ void check_count(const Node& root,
                   measured.values.size() == 1 ? "; of = \"largest\" takes one of several" : ""));
 }
 
-/// The model with its tests, or [simulator]; and the variables.
+/// The model with its tests or an external simulator, and the variables.
 struct WhatVaries {
   StudyModel model;
   DesignSpace space;

@@ -23,7 +23,7 @@
 
 namespace latsch::correlation {
 
-/// Start of a search; see study_start.h.
+/// Settings for the start of a search; see study_start.h.
 struct StartSettings {
   /// Start points: the initial values of the study, the best trial of a journal, or the minima of
   /// the study's design of experiments.
@@ -40,7 +40,7 @@ struct StageSettings {
   OptimizerSettings optimizer;  // method and its options in this stage
   long max_steps = 1000;        // number of steps after which the stage ends
   StartSettings start = {};     // start of the stage's search
-  /// Ratio of the width of the bounds to that of the study.
+  /// width of the bounds in this stage over their width in the study
   double bounds = 1.0;
   /// changed parameters of the model: path and value, SI
   std::vector<std::pair<std::string, double>> numbers = {};
@@ -49,7 +49,7 @@ struct StageSettings {
   std::vector<std::string> experiments = {};  // names of the fitted experiments; empty: all
 };
 
-/// Table [refined]: refinement.h.
+/// The table [refined] of a study; see refinement.h.
 struct Refinement {
   /// changed parameters of the model: path and value, SI
   std::vector<std::pair<std::string, double>> numbers;
@@ -91,7 +91,7 @@ struct Study {
   bool asks_slopes = false;  // true if trials must record slopes: study_slopes.h
   /// Text of everything on which a search depends, for the marks in the journal.
   std::string search_key = {};
-  /// The part of that text on which the targets of trials and the choice of the best one depend.
+  /// The part of search_key on which the targets of trials and the choice of the best trial depend.
   std::string target_key = {};
 };
 

@@ -24,7 +24,7 @@ struct StudyDesign {
   int points = 0;  // used by the other designs
   std::uint64_t seed = 0;
 
-  /// Returns for example "maximin Latin hypercube".
+  /// Returns the name of the design in words, such as "maximin Latin hypercube".
   std::string name() const;
 };
 

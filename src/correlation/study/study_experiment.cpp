@@ -111,8 +111,8 @@ void add_own_test(const Node& table,
   tests.push_back({table.name(), std::move(test), keys.text(), {}, true});
 }
 
-/// Returns the measurement of a load-deflection curve: a [measurement.NAME], or a file with other
-/// columns than those of such a table; nullptr for a plain table.
+/// Returns the measurement of a load-deflection curve: a table [measurement.NAME], or a file whose
+/// columns differ from those of a plain load-deflection table; nullptr for a plain table.
 std::shared_ptr<const Measurement> measured_curve(const Node& table,
                                                   const ExperimentContext& context) {
   if (auto stated = find(context.laboratory, table.text("measurement"))) return stated;
@@ -161,7 +161,7 @@ std::shared_ptr<const Observable> read_load_deflection(const Node& table,
   return std::make_shared<ForceCurve>(table.name(), std::move(measured));
 }
 
-/// Checks that shapes are measured and recorded at the same points.
+/// Checks that mode shapes are measured and recorded at the same points.
 void check_sensors(const Node& table, const StudyTest& test, const Eigen::Matrix3Xd& points) {
   const auto* modal = test.test->settings_as<experiment::ModalTest>();
   const Eigen::Matrix3Xd recorded = modal ? modal->points : Eigen::Matrix3Xd();
@@ -238,7 +238,7 @@ std::optional<MeasurementNoise> noise_of(const StudyExperiment& experiment) {
                    ". Experiments compare its channels as y = \"cleat/...\"");
 }
 
-/// Notes in the ledger which channels of a measurement an experiment compares.
+/// Notes in the ledger of a measurement which channels an experiment compares.
 void note_uses(const Measurement& measured, const StudyExperiment& experiment) {
   const std::string by = "experiment " + experiment.name;
   constexpr std::string_view kBy = "_by_";

@@ -36,15 +36,15 @@ struct StudyExperiment {
   bool noise_of_own_stage = false;
   RobustLoss loss = {};
   std::filesystem::path measurement_file;  // first file of a [measurement.NAME]; empty: none
-  /// nullptr if the observable itself has read the file
+  /// the measurement; nullptr if the observable itself has read the file
   std::shared_ptr<const Measurement> measurement = {};
-  /// The measurement that was read, stated in the study or not; its ledger is used.
+  /// The measurement that was read, whether or not the study states it; its ledger is shown.
   std::shared_ptr<const Measurement> read_from = {};
   std::filesystem::path shapes_file;  // empty: no shapes
   int measured_modes = 0;  // number of modes that are measured, or that a twin will write
   std::shared_ptr<const Observable> observable = {};
 
-  /// Returns the number of measured values compared.
+  /// Returns the number of measured values that are compared.
   size_t values() const { return observable->values(); }
   /// Returns the source of the measured values in words: "measurement cornering", "stiffness.csv",
   /// "the study".

@@ -12,7 +12,7 @@
 
 namespace latsch::correlation {
 
-/// Returns the reason, for a person, why trials record no slopes; nullopt if they do.
+/// Returns a sentence on why trials record no derivatives; nullopt if they do.
 std::optional<std::string> reason_without_slopes(const Study& study);
 
 /// True if the search uses derivatives; otherwise they would only enlarge the journal.

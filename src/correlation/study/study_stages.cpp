@@ -132,7 +132,8 @@ StageSettings read_stage(const Node& table, const Document& text, const Study& s
   return stage;
 }
 
-/// Checks that noise = "own_stage" has an earlier stage with the study's own model.
+/// Checks that an experiment with noise = "own_stage" has an earlier stage with the study's own
+/// model.
 void check_own_stages(const Node& root,
                       const Study& study,
                       const std::vector<StageSettings>& stages) {
@@ -153,8 +154,8 @@ void check_own_stages(const Node& root,
                     wanting->name + "\"] before it, or noise = \"estimated\"");
 }
 
-/// Adds the stages that estimated noise needs: one before the others, and a repetition of the last
-/// one.
+/// Adds the stages that the estimation of noise needs: one before the others, and a repetition of
+/// the last one.
 void add_rounds_of_noise(const Study& study, std::vector<StageSettings>& stages) {
   if (std::none_of(study.experiments.begin(), study.experiments.end(), [](const auto& one) {
         return one.estimates_noise && !one.noise_of_own_stage;

@@ -29,7 +29,7 @@
 
 namespace latsch::correlation {
 
-/// Reads every [stage.NAME] of a study that is otherwise complete. Throws InputError.
+/// Reads all tables [stage.NAME] of a study that is otherwise complete. Throws InputError.
 std::vector<StageSettings> read_stages(const Node& root, const Document& text, const Study& study);
 
 /// Reads changed parameters of the model, the keys below `model` in a table, by path, SI; empty if
@@ -43,8 +43,8 @@ std::vector<std::pair<std::string, double>> read_changed_numbers(const Node& tab
 /// its bounds lie around the best point of the stage before, if that is known.
 Study stage(const Study& study, int k, const std::optional<DesignPoint>& best_before = {});
 
-/// Returns all stages of a study, with the study's own bounds; for a study without stages, the
-/// study itself.
+/// Returns all stages of a study, each with the bounds of the study; for a study without stages,
+/// the study itself.
 std::vector<Study> stages_of(const Study& study);
 
 /// Returns the stage of the given name, for a worker. Throws InputError if there is none.

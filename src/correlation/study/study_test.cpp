@@ -82,7 +82,7 @@ class StudyFile : public testing::Test {
     write(name, text.replace(text.find(from), from.size(), to));
   }
   Study read() const { return read_study(folder_ / "study.toml", experiment::language()); }
-  /// Returns the text of the InputError; "" if there is none.
+  /// Returns the text of the InputError that reading the study throws; "" if it throws none.
   std::string complaint() const {
     try {
       read();

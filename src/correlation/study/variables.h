@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Connects the design variables of a study with the parameters of its model. A prior counts as one
-// more measured value, in the fit and in the intervals (optimization/problem/prior.h); it is
-// weighted relative to the noise of the experiments, which must be stated. Any number in the
-// model's file can be a variable. The keys are in correlation/study/keys/variable_keys.cpp.
+// Connects the design variables of a study with the parameters of its model.
+//
+// Any number in the model's file can be a variable. A prior of a variable counts as one more
+// measured value, in the fit and in the intervals (optimization/problem/prior.h); it is weighted
+// relative to the noise of the experiments, which must be stated. The keys are in
+// correlation/study/keys/variable_keys.cpp.
 #pragma once
 
 #include <vector>

@@ -66,7 +66,7 @@ std::string with_interval(const Study& study,
   const double below = value - unit.from_si(value_in_si(study.space, variable, interval.lower)),
                above = unit.from_si(value_in_si(study.space, variable, interval.upper)) - value;
   const double half = 0.5 * (below + above);
-  // share of the half width; an interval that is less asymmetric is written with +-
+  // largest relative difference of the two half widths at which the interval is written with +-
   constexpr double kSkew = 0.05;
   const std::string number = format_known(value, half);
   if (std::abs(above - below) <= kSkew * half)
@@ -238,8 +238,8 @@ std::map<std::string, std::string> origins_of_variables(const Study& weighted,
   return origins;
 }
 
-/// Adds that the numbers are those of the best trial so far, of a design of experiments or of a
-/// search that has not ended.
+/// Adds a remark that the numbers are those of the best trial so far, either of a design of
+/// experiments or of a search that has not ended.
 void tell_no_end(const Study& study, experiment::Provenance& provenance) {
   provenance.header.insert(provenance.header.begin() + 1,
                            "No search of this study has ended: its best trial so far need not be "

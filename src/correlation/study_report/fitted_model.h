@@ -16,7 +16,7 @@
 
 namespace latsch::correlation {
 
-/// Date and version of the program that a file states; the study does not know them.
+/// Date and program version for a file that is written; the study does not contain them.
 struct ExportedBy {
   std::string version;  // "0.1.0"
   std::string date;     // "2026-03-01"

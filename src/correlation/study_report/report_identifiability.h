@@ -17,10 +17,11 @@ report::IdentifiabilityPage identifiability_page(const Study& study,
                                                  const Identifiability& what,
                                                  const std::vector<ExperimentBand>& bands);
 
-/// Returns the minima of the evaluated design; nullopt if there is none.
+/// Returns the minima of a design of experiments that was evaluated; nullopt if there is none.
 std::optional<report::Basins> basins_of(const Study& study, const std::vector<RatedTrial>& trials);
 
-/// Returns the effects if the study's design is Morris'; empty otherwise.
+/// Returns the elementary effects if the design of the study is that of Morris; otherwise an empty
+/// list.
 std::vector<report::EffectRow> effects_of(const Study& study,
                                           const std::vector<RatedTrial>& trials);
 

@@ -27,7 +27,7 @@ namespace {
 
 using report::StudyReport;
 
-/// The channels of every experiment, predicted ones included.
+/// The channels of every experiment at a point, including those that are only predicted.
 struct Simulated {
   DesignPoint point;
   Result<Channels> channels;
@@ -223,8 +223,8 @@ Result<StudyReport> study_report(const Study& study,
     return study.specimens->may_repeat() ? Simulated{point, simulate_all(study, point)}
                                          : recorded(journal, point);
   };
-  // Trials do not depend on each other, so the initial and the best point are simulated at the same
-  // time.
+  // The initial point and the best point are simulated at the same time, because trials do not
+  // depend on each other.
   const bool beside = study.specimens->may_repeat() && study.run.workers > 1;
   auto start = std::async(beside ? std::launch::async : std::launch::deferred,
                           [&] { return simulated(study.space.initial()); });

@@ -83,7 +83,8 @@ TEST_F(StudyReportOfAFit, AValueHasTheSameDigitsWhereverItStands) {
     EXPECT_EQ(front.best_values[static_cast<std::size_t>(i)], known);
     EXPECT_NE(pareto_page(study, front).find("<td>" + known + "</td>"), std::string::npos) << known;
   }
-  // The trials of a profile, at which the variable was held, are drawn, except high ones.
+  // The trials of a profile, in which one variable is held constant, are drawn, except those with a
+  // high target.
   for (const report::ProfileCurve& profile : page->identifiability->profiles) {
     const std::string drawn = profile_plot(profile);
     for (std::size_t k = 0; k < profile.x.size(); ++k) {

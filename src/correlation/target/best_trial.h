@@ -19,7 +19,8 @@ struct RatedTrial {
   long row = -1;           // row in the journal, the first being 0; -1: not from a journal
 };
 
-/// True if a has less violation than b beyond what counts as fulfilled, or else a smaller target.
+/// True if point a violates its constraints less than point b, or if both fulfill them and a has
+/// the smaller target.
 bool is_better(const RatedTrial& a, const RatedTrial& b);
 
 /// Returns every requested trial that succeeded, with its target, recomputed from the stored

@@ -17,15 +17,15 @@ namespace latsch::correlation {
 Result<std::vector<Comparison>> compare_all(const std::vector<StudyExperiment>& experiments,
                                             const Channels& channels);
 
-/// Returns the error of a comparison without weights in the measure of its experiment, the mean
-/// |d|^k to the power 1/k, 1 = 100 %. It is the one number of an experiment that terminal, page,
-/// report and JSON show.
+/// Returns the error of a comparison without weights in the measure of its experiment, which is the
+/// mean of |d|^k to the power 1/k, with the relative differences d; 1 = 100 %. Terminal, page,
+/// report and JSON all show this number for an experiment.
 double own_measure(const StudyExperiment& experiment, const Comparison& comparison);
 
-/// Returns the name of that measure: "mean", "RMS", "mean to the power 4".
+/// Returns the name of the experiment's measure: "mean", "RMS", "mean to the power 4".
 std::string measure_in_words(const StudyExperiment& experiment);
 
-/// The prior of one variable at a point.
+/// Residual of the prior of one variable at a point.
 struct PriorResidual {
   int variable = 0;       // index in the space
   double residual = 0.0;  // deviation from the expected value over the stated deviation

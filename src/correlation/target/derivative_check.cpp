@@ -16,13 +16,13 @@ constexpr double kLength = 1e-3;  // step of the differences as a share of the r
 constexpr double kOff = 1e-5;  // allowed error as a share of the largest derivative by the variable
 constexpr double kUnsure = 10.0;  // multiple of the difference between two steps, or of a kink
 
-/// Differences of the residuals in one variable.
+/// Finite differences of the residuals by one variable.
 struct Differences {
   Eigen::VectorXd central;
   Eigen::VectorXd jump;  // forward minus backward
 };
 
-/// Evaluates residuals over the unit cube.
+/// Evaluates residuals at points that are given in coordinates of the unit cube.
 class Cube {
  public:
   explicit Cube(const Study& study)
@@ -35,7 +35,8 @@ class Cube {
     return residuals_(point, *channels);
   }
 
-  /// Returns D(h) and j(h) of one variable; `r` holds the residuals at u.
+  /// Returns the differences D(h) and the derivatives j(h) for one variable; `r` contains the
+  /// residuals at u.
   Result<Differences> differences(const Eigen::VectorXd& u,
                                   const Eigen::VectorXd& r,
                                   int variable,

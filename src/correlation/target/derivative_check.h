@@ -24,10 +24,11 @@
 
 namespace latsch::correlation {
 
-/// The result for one variable: the residual whose derivative disagrees, or the one with the
-/// largest error.
+/// Result of the check of one variable: the residual whose derivative disagrees, or the one with
+/// the largest error.
 struct CheckedSlope {
-  std::string variable, row;             // "PKY1"; "side_force: steady/Fy, sample 3"
+  /// name of the variable, "PKY1", and name of the residual, "side_force: steady/Fy, sample 3"
+  std::string variable, row;
   double slope = 0.0, difference = 0.0;  // slopes of that residual over the variable's range
   double off = 0.0;  // |slope - difference| over the largest |slope| of the variable
   bool agrees = true;

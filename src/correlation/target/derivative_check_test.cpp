@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A spring F = c x + d v with slopes that are right, dF/dc = x and dF/dd = v, or wrong.
+// Checks a spring F = c x + d v whose derivatives are either correct, dF/dc = x and dF/dd = v, or
+// wrong.
 #include "correlation/target/derivative_check.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ class SlopingPull : public PullTest {
 
 class DerivativeCheck : public testing::Test {
  protected:
-  /// Reads a study measured between the travels that the test drives.
+  /// Reads a study whose measured values lie between the travels that the test runs.
   Study read(const Pull& how, const std::string& x = "x = \"pull/travel\"\n") {
     pull_ = how;
     write_text_file(folder_ / "spring.toml",
@@ -108,12 +109,11 @@ TEST_F(DerivativeCheck, RightSlopesAgreeAlsoBesideABound) {
     EXPECT_TRUE(one.agrees) << one.variable << " " << one.off;
     EXPECT_LT(one.off, 1e-8);
   }
-  // a curve that is compared sample by sample
+  // the curve is compared sample by sample
   EXPECT_TRUE(check_slopes(read({}, ""), study.space.initial()));
 }
 
-// If a kink lies a thousandth of a step beside the point, differences over either step contain half
-// of it.
+// If a kink lies a thousandth of a step from the point, both differences contain half of it.
 TEST_F(DerivativeCheck, AKinkBesideThePointIsNoWrongSlope) {
   constexpr double kPoint = 0.05;  // bound, which is moved inward by a thousandth of the range
   for (const double at : {kPoint - 5e-5, kPoint + 5e-5}) {

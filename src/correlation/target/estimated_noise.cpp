@@ -9,7 +9,7 @@
 namespace latsch::correlation {
 namespace {
 
-// Share of 100 %; least noise, for a model that equals the measurement.
+// least noise, as a share of 100 %, for a model that reproduces the measurement exactly
 constexpr double kLeast = 1e-9;
 
 }  // namespace

@@ -28,7 +28,8 @@
 
 namespace latsch::correlation {
 
-/// True if the noise of any fitted experiment is to be estimated; then that of all experiments is.
+/// True if the noise of any fitted experiment is estimated; the noise of all experiments is then
+/// estimated.
 bool estimates_noise(const Study& study);
 
 /// True if the noise is the error that an earlier stage left in each experiment.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why trials of a journal failed: the failures of a study's trials, counted by their reason.
+// Counts the failed trials of a study in a journal by the reasons of their failures.
 //
-// A fit that lost most of its trials still ends with a best point, whose intervals and ending say
-// nothing of the lost ones. A limit of time is a special reason: other trials miss it on another
-// machine, so the result is not repeatable.
+// A fit in which most trials failed still ends with a best point, but its confidence intervals and
+// the reason why it ended do not reveal the failures. Exceeding a time limit is a special reason:
+// on another machine other trials exceed it, so the result cannot be reproduced.
 #pragma once
 
 #include <string>
@@ -22,17 +22,17 @@ struct FailedTrials {
   /// reasons of the failures, each with its number of trials; the most frequent first
   std::vector<std::pair<std::string, long>> reasons;
 
-  /// True if failures decide the result: at least half of the trials failed, or some at a limit
-  /// of time.
+  /// True if failures affect the result: at least half of the trials failed, or some exceeded a
+  /// time limit.
   bool is_doubtful() const { return failed > 0 && (2 * failed >= trials || timed_out > 0); }
 };
 
-/// Counts the failures of the journal, including recordings that have no target. A failure that is
-/// to be repeated does not count (evaluation/schedule/retried_failures.h).
+/// Counts the failed trials of a journal, including recordings without a value of the target. A
+/// failure that will be repeated is not counted (evaluation/schedule/retried_failures.h).
 FailedTrials failed_trials(const Study& study, const Journal& journal);
 
-/// Returns for example "16 of 19 trials failed: 16 because ...". At most three reasons are written
-/// out. Empty if no trial failed.
+/// Returns a sentence such as "16 of 19 trials failed: 16 because ..."; it states at most three
+/// reasons. Empty if no trial failed.
 std::string in_words(const FailedTrials& failures);
 
 }  // namespace latsch::correlation

@@ -12,14 +12,14 @@
 
 namespace latsch::correlation {
 
-/// True if there are experiments with use = "predict".
+/// True if the study has experiments with use = "predict".
 bool has_predictions(const Study& study);
 
 /// Returns the study with all its experiments fitted and the journal "study.predictions.latsch".
 Study with_predictions(const Study& study);
 
-/// Evaluates points with an executor of the study into the study's journal. Returns false if
-/// stopped.
+/// Evaluates points with an executor of the study and adds them to its journal. Returns false if
+/// the user stopped it.
 bool evaluate_points(const Study& study,
                      const std::vector<DesignPoint>& points,
                      Executor& executor,
@@ -30,7 +30,8 @@ bool evaluate_points(const Study& study,
 std::optional<std::vector<Channels>> recorded_channels(const Study& study,
                                                        const std::vector<DesignPoint>& points);
 
-/// Evaluates the points with an executor of with_predictions(study). Returns false if stopped.
+/// Evaluates the points with an executor that runs with_predictions(study). Returns false if the
+/// user stopped it.
 bool predict(const Study& study,
              const std::vector<DesignPoint>& points,
              Executor& executor,

@@ -33,7 +33,7 @@ std::optional<double> residual_sigma(const Study& study);
 /// Returns the distribution of the residuals.
 ResidualTraits residual_traits(const Study& study);
 
-/// Returns an objective with these residuals and their sum of squares as its value.
+/// Returns an objective with the residuals of the study and their sum of squares as its value.
 Objective residual_objective(const Study& study);
 
 /// Returns the difference d, before a robust loss, that corresponds to this residual of an

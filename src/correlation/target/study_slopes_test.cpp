@@ -92,7 +92,7 @@ TEST_F(StudySlopes, CountNoiseRobustLossAndPriors) {
   expect_exact(read_study(folder_ / "study.toml", experiment::language()));
 }
 
-// The true values are 1.3 and -22. Residuals vanish there, so Gauss-Newton steps converge
+// The true values are 1.3 and -22. The residuals vanish there, so Gauss-Newton steps converge
 // quadratically.
 TEST_F(StudySlopes, LetAFitEndInAFewTrials) {
   const Study study = read_squares("");

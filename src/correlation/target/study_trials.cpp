@@ -47,7 +47,7 @@ class StudyTrials {
 
   Result<Channels> run(const DesignPoint& point) {
     std::unique_ptr<experiment::Specimen> specimen;
-    try {  // the study's reader has checked each bound alone, not every combination of values
+    try {  // the reader of the study checked each bound separately, not every combination of values
       specimen = study_.specimens->at(study_, point, reuse_.take());
     } catch (const InputError& error) {
       return Failure{std::string("the model does not accept this point: ") + error.what()};

@@ -58,7 +58,7 @@ PartedTarget::Weighting PartedTarget::weighting(const std::vector<double>& weigh
     largest = std::max(largest, weights[e]);
   }
   if (!(largest > 0.0)) throw InputError("all weights are 0: at least one experiment has to count");
-  // scaled so that the sum of the weights cannot overflow
+  // the weights are scaled so that their sum cannot overflow
   for (std::size_t e = 0; e < weighted.size(); ++e)
     weighted[e].objective.weight = weights[e] / largest;
   const auto common = common_deviation(weighted);

@@ -38,7 +38,7 @@ class PartedTarget {
   /// Computes the parts of a trial. Fails if its channels leave nothing to compare.
   Result<TargetParts> parts(const DesignPoint& point, const Channels& channels) const;
 
-  /// A set of weights, one for each experiment, that turns parts into a target.
+  /// One weight for each experiment; it combines the parts of a target.
   class Weighting {
    public:
     double target(const TargetParts& parts) const;

@@ -88,7 +88,8 @@ TEST_F(PartsOfTarget, ValueResidualsAndIntervalsAgreeToRounding) {
   }
 }
 
-/// The sum of weights divides only the priors: with twice the weights, their contribution halves.
+/// Only the priors are divided by the sum of the weights: with twice the weights their contribution
+/// is half as large.
 TEST_F(PartsOfTarget, PriorsCountAgainstTheSumOfWeights) {
   const PartedTarget parted(two_experiments("", ""));
   const TargetParts priors{{0.0, 0.0}, {}, {}, 2.0};

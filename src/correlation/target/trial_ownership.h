@@ -45,7 +45,7 @@ class TrialOwnership {
   };
   bool is_known_ = false, has_ended_ = false;
   std::vector<Stretch> stretches_;  // in the order of the rows
-  /// points that a design of the present study took from earlier trials
+  /// points that a design of experiments took from earlier trials
   std::set<std::uint64_t> taken_;
 };
 
@@ -76,8 +76,8 @@ struct TrialCounts {
 /// Returns the counts in words: "7 trials, 5 succeeded and 2 failed; 3 of them were run for other
 /// measurements, weights or bounds".
 std::string in_words(const TrialCounts& counts);
-/// Returns them below a result that is one of the study as it stands: "... simulated earlier,
-/// for other measurements, ...: the search took them in place of new ones".
+/// Returns the counts in words for a line below a result of the present study: "... simulated
+/// earlier, for other measurements, ...: the search took them in place of new ones".
 std::string in_words_below_result(const TrialCounts& counts);
 
 }  // namespace latsch::correlation

@@ -26,7 +26,7 @@ bool is_within(double value,
   return (!lower || value >= *lower - room(*lower)) && (!upper || value <= *upper + room(*upper));
 }
 
-/// Recordings of the tests, and the reasons why other tests have none.
+/// Recordings of the tests, and the reasons why some tests have none.
 struct Recorded {
   Channels channels;
   std::map<std::string, std::string> failures;  // keyed by test

@@ -81,8 +81,8 @@ TireSide side_of(const Document& tire) {
   return root.has("side") && root.text("side") == "right" ? TireSide::right : TireSide::left;
 }
 
-/// Throws for a table that no reader reads: it is probably misspelled, such as [aero], and would be
-/// ignored.
+/// Throws InputError for a table that no reader reads: its name is probably misspelled, and the
+/// table would be ignored.
 void refuse_unknown(const Node& car) {
   std::set<std::string> known = {"kind", "title", "gravity", "chassis", "aero", "driver"};
   for (const char* axle : kAxles)
@@ -230,7 +230,7 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   Document numbers_;
   car::CarFile file_;
   car::Tires tires_;
-  // tires by their key and side
+  // built tires by their key in the file and their side
   std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;
   std::vector<std::string> limits_across_;
   std::optional<double> section_, felt_, tread_;  // m; felt_ and tread_ are half widths
@@ -312,8 +312,8 @@ class CarKind : public SpecimenKind {
   }
   void check(const Document& numbers) const override { CarSpecimen(numbers).check_tires(); }
   bool has_usual_numbers() const override { return true; }
-  /// Returns the notes of its suspensions and tires, also of a suspension that is a table of its
-  /// own file.
+  /// Returns notes about the suspensions and tires of the car, whether they are files of their own
+  /// or tables in the car's file.
   std::vector<std::string> notes(const std::filesystem::path& file) const override {
     std::vector<std::string> notes;
     std::set<std::filesystem::path> told;

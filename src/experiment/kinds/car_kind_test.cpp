@@ -77,7 +77,7 @@ class CarFile : public testing::Test {
   }
 
   struct Straight {
-    // Side force at the start, sum and mean of |Fy|, N; and lateral drift, m.
+    // sum of the side forces at the start and mean of |Fy|, N; lateral drift, m
     double side = 0.0, mean = 0.0, drift = 0.0;
   };
   /// Drives the car straight ahead for `lasts` seconds.

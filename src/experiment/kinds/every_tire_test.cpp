@@ -195,9 +195,10 @@ TEST_P(EveryTire, OnTheDrumTheFrameIsTheSame) {
         H["Fz"][i], std::sin(test.camber) * C["Fy"][i] + std::cos(test.camber) * C["Fz"][i], 1e-9);
 }
 
-/// Expects the road to carry the load of a test, standing and rolling, and the rig to record it.
+/// Checks that the road carries the load of a test while the tire stands and while it rolls, and
+/// that the rig records this load.
 void expect_load_of_the_test(std::unique_ptr<Tire> tire) {
-  constexpr double kLoad = 400.0;  // N; a belt weighs some tens of newtons
+  constexpr double kLoad = 400.0;  // N; the belt of a tire weighs several tens of newtons
   const auto standing = tared(tire->clone());
   ASSERT_TRUE(height_under_load(*standing, road::PlaneRoad(), Eigen::Matrix3d::Identity(), kLoad));
   EXPECT_NEAR(*standing->road_load(), kLoad, 0.01);
@@ -215,7 +216,8 @@ void expect_load_of_the_test(std::unique_ptr<Tire> tire) {
   EXPECT_NEAR(*rolling->road_load(), kLoad, 5.0);
 }
 
-// A rigid ring of a .tir with gravity stood under its load and the weight of its belt.
+// A rigid ring from a .tir file with gravity once stood on the road with the load plus the weight
+// of its belt.
 TEST_P(EveryTire, StandsAndRollsUnderTheLoadOfTheTest) {
   expect_load_of_the_test(tire());
   EXPECT_NEAR(weight_in_air(*tire()), GetParam() == "rigid_ring" ? 7.0 * 9.81 : 0.0, 1e-9);

@@ -34,7 +34,7 @@ TEST_P(RefinedTires, AnInflatedTireHoldsInEveryCircumferentialNumber) {
     FeTire tire(build_mesh(description, refinement), build_materials(description, refinement));
     const auto inflated = tire.inflate(description.pressure);
     ASSERT_TRUE(inflated) << inflated.failure().reason;
-    // This count makes the search consider all circumferential numbers.
+    // With this number of modes the search has to include all circumferential numbers.
     const auto modes = tire.modes(*inflated, kOfEach * tire.mesh().sectors);
     EXPECT_TRUE(modes) << along << " times as many columns: " << modes.failure().reason;
   }

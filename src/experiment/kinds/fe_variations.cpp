@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kStep = 1e-5;  // share of the number: tire_slopes.h
 
-/// Reference of a step: the number, or a usual value of its unit if the number is zero.
+/// Returns the reference for a step: the number itself, or a usual value of its unit if the number
+/// is zero.
 double size_of(double value, const std::string& unit) {
   if (value != 0.0) return std::abs(value);
   if (unit == "m") return 1e-3;

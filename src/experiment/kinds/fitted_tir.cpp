@@ -25,7 +25,7 @@ struct LimitedInput {
   const char *condition, *words, *section, *lower, *upper;
   const char* unit;
   double size;  // SI value of one unit
-  // SI; a smaller spread is scatter about one value. 0: the number of levels decides
+  // SI; values with a smaller spread are scatter about one value; 0: the number of levels decides
   double least_spread;
 };
 

@@ -11,9 +11,14 @@
 namespace latsch::experiment {
 
 std::vector<std::string> doubts_about_hardpoints(const Node& root) {
-  constexpr double kFarBeside = 0.5;   // share of the wheel's height over the ground
-  constexpr double kFarOutside = 1.5;  // share of that height, center to a link's end
-  constexpr double kInside = 0.25;     // share of a link's length; trailing arms lead outward a bit
+  // horizontal distance of the contact point from the wheel center over the center's height above
+  // the ground
+  constexpr double kFarBeside = 0.5;
+  // distance of a link's outer end from the wheel center over that height
+  constexpr double kFarOutside = 1.5;
+  // share of a link's length by which its inner end may be farther from the middle of the car than
+  // its outer end; trailing arms lead outward a little
+  constexpr double kInside = 0.25;
   const suspension::CornerGeometry geometry = suspension::read_corner(root).geometry;
   const Eigen::Vector3d center = geometry.linkage.wheel.center;
   const Eigen::Vector3d contact = suspension::read_point(root.table("hardpoint"), "contact");

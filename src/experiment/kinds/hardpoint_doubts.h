@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds hardpoints that hardly any suspension has, although they can be computed with.
+// Finds hardpoints that are implausible for a suspension, although the suspension can be computed
+// with them.
 #pragma once
 
 #include <string>
@@ -9,8 +10,9 @@
 
 namespace latsch::experiment {
 
-/// Returns a sentence on every such hardpoint of a suspension: exchanged ball joints or ends of a
-/// link, a contact point beside its wheel, the outer end of a link outside of the wheel.
+/// Returns a sentence for every implausible hardpoint of a suspension: exchanged ball joints,
+/// exchanged ends of a link, a contact point far beside its wheel, the outer end of a link far from
+/// its wheel.
 std::vector<std::string> doubts_about_hardpoints(const Node& root);
 
 }  // namespace latsch::experiment

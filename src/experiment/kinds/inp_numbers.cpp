@@ -16,7 +16,7 @@ using formats::InpDeck;
 using formats::InpNumber;
 
 constexpr std::size_t kLargestDeck = 256u << 20;
-// Range of densities of tire materials, kg/m^3.
+// range of the densities of tire materials, kg/m^3
 constexpr double kLightest = 300.0, kHeaviest = 2.0e4;
 
 /// Returns the 64-bit FNV-1a hash of a text. It distinguishes texts but does not protect against

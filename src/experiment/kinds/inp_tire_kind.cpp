@@ -22,7 +22,7 @@ class InpTireSpecimen : public FeTireSpecimen {
       : FeTireSpecimen(tire_of(model.tire), model.tire.pressure, numbers, varied),
         model_(std::move(model)) {}
 
-  /// Sets the numbers; returns false if they belong to another file.
+  /// Sets the numbers of the model; returns false if they belong to another file.
   bool becomes(const Document& numbers) {
     if (!take_numbers(model_, numbers)) return false;
     set(model_.tire.materials, model_.tire.pressure, numbers);

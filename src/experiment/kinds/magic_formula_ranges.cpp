@@ -12,7 +12,7 @@ struct NamedRange {
 };
 
 constexpr NamedRange kRanges[] = {
-    // Coefficients of Fx.
+    // coefficients of the longitudinal force Fx
     {"PCX1", 1.0, 2.2},
     {"PDX1", 0.5, 4.0},
     {"PDX2", -1.0, 0.5},
@@ -32,7 +32,7 @@ constexpr NamedRange kRanges[] = {
     {"PPX2", -4, 4},
     {"PPX3", -4, 4},
     {"PPX4", -8, 8},
-    // Coefficients of Fx in combined slip.
+    // coefficients of Fx in combined slip
     {"RBX1", 2, 40},
     {"RBX2", 0, 40},  // its sign does not matter
     {"RBX3", -1500, 1500},
@@ -40,7 +40,7 @@ constexpr NamedRange kRanges[] = {
     {"REX1", -5, 1},
     {"REX2", -10, 10},
     {"RHX1", -0.05, 0.05},
-    // Coefficients of Fy.
+    // coefficients of the lateral force Fy
     {"PCY1", 1.0, 2.2},
     {"PDY1", 0.5, 4.0},
     {"PDY2", -1.0, 0.5},
@@ -68,9 +68,10 @@ constexpr NamedRange kRanges[] = {
     {"PPY3", -2, 2},
     {"PPY4", -8, 8},
     {"PPY5", -8, 8},
-    // Coefficients of Fy in combined slip.
+    // coefficients of Fy in combined slip
     {"RBY1", 2, 40},
-    // its sign hardly matters, and with both signs there would be a second minimum
+    // the sign of this coefficient hardly matters, and with both signs there would be a second
+    // minimum
     {"RBY2", 0, 40},
     {"RBY3", -0.5, 0.5},
     {"RBY4", -4000, 4000},
@@ -85,7 +86,7 @@ constexpr NamedRange kRanges[] = {
     {"RVY4", -200, 200},
     {"RVY5", -4, 4},
     {"RVY6", -60, 60},
-    // Coefficients of Mx.
+    // coefficients of the overturning moment Mx
     {"QSX1", -0.1, 0.1},
     {"QSX2", -20, 20},
     {"QSX3", -4, 4},
@@ -96,7 +97,7 @@ constexpr NamedRange kRanges[] = {
     {"QSY1", 0, 0.05},
     {"QSY3", -0.05, 0.05},
     {"QSY4", -0.01, 0.01},
-    // Coefficients of Mz.
+    // coefficients of the aligning moment Mz
     {"QBZ1", 1, 40},
     {"QBZ2", -20, 20},
     {"QBZ3", -20, 20},
@@ -130,7 +131,8 @@ constexpr NamedRange kRanges[] = {
     {"SSZ2", -0.2, 0.2},
     {"SSZ3", -4, 4},
     {"SSZ4", -4, 4},
-    // N/m, of the carcass in the road plane: relaxation lengths are slip stiffnesses over these
+    // stiffness of the carcass in the road plane, N/m; relaxation length = slip stiffness / this
+    // stiffness
     {"LONGITUDINAL_STIFFNESS", 3e4, 3e6},
     {"LATERAL_STIFFNESS", 2e4, 2e6},
 };

@@ -61,7 +61,7 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }
-  /// Returns the limit that a single pair of cams follows only one line of the road.
+  /// Returns the limit of a tire with a single pair of cams: it follows only one line of the road.
   std::vector<std::string> limits_on(const Cleat& cleat) const override {
     if (std::abs(cleat.angle) < kStraightCleat || parameters_.ELLIPS_NWIDTH >= 2.0) return {};
     return {

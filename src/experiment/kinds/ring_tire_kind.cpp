@@ -66,11 +66,12 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
   }
 
  private:
-  /// Says if a bar is so narrow that blocks or lines of the tread do not resolve it; empty if they
-  /// do.
+  /// Returns a sentence if a cleat is so narrow that the blocks of the tread, or the lines of
+  /// blocks, do not resolve it; otherwise an empty text.
   std::string unresolved_by_tread(const Cleat& cleat) const {
-    constexpr double kCells = 4.0;  // blocks that a bar needs: the force has an error of some
-                                    // percent, with fewer blocks of 10 % and more
+    // least number of blocks along a cleat; the force then has an error of a few percent, with
+    // fewer blocks 10 % and more
+    constexpr double kCells = 4.0;
     const ring_tire::Tread& tread = parameters_.tread;
     const double around = 2.0 * std::numbers::pi * parameters_.belt.radius / parameters_.nodes;
     const double cell = around / tread.blocks, spacing = tread.width / tread.lines;
@@ -96,7 +97,7 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
           std::ceil(2.0 * tread.width / across));
     return "";
   }
-  /// Returns the parameters of a file with that pressure.
+  /// Returns the parameters of the tire at this inflation pressure.
   ring_tire::RingParameters parameters_at(const Inflation& pressure) const {
     if (!pressure) return parameters_;
     Document numbers = numbers_;

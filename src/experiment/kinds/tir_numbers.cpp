@@ -243,7 +243,8 @@ std::string with_parts_of(const std::filesystem::path& file, const std::string& 
   try {
     return formats::with_kept_parts(text, formats::read_tir(file));
   } catch (const InputError&) {
-    // the file has changed since its numbers were read, so its other parts cannot be kept
+    // the file has changed since its numbers were read, so the other parts of its text cannot be
+    // kept
     return text;
   }
 }

@@ -67,7 +67,8 @@ std::vector<std::string> upright_footprint(bool rolls);
 /// have no effect in Latsch (formats/tire/kept_parts.h).
 std::string tir_text_of(const Document& numbers);
 
-/// Returns the text with those parts of the file, if the file can be read.
+/// Returns the text together with the parts of the original file that have no effect, if that file
+/// can be read.
 std::string with_parts_of(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace latsch::experiment

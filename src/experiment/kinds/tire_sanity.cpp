@@ -11,7 +11,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Returns the range of the values without the lowest and the highest half percent.
+/// Returns the range of the values without the lowest 0.5 % and the highest 0.5 %.
 std::pair<double, double> reach_of(std::vector<double> values, double otherwise) {
   std::erase_if(values, [](double x) { return !std::isfinite(x); });
   if (values.empty()) return {otherwise, otherwise};
@@ -20,7 +20,8 @@ std::pair<double, double> reach_of(std::vector<double> values, double otherwise)
   return {values[tail], values[values.size() - 1 - tail]};
 }
 
-/// Returns a narrower range: the check widens a range 1.5 times, so it then covers the given one.
+/// Returns a narrower range, which becomes the given range again when the check widens it 1.5
+/// times.
 magic_formula::DataRange narrower(magic_formula::DataRange range) {
   constexpr double kWider = 1.5;  // the factor of models/magic_formula/sanity.h
   const auto narrow = [](double& from, double& to) {

@@ -42,7 +42,7 @@ struct IsPressed {
 struct Vibrates {
   static constexpr const char* kName = "vibrates";  // in messages
   virtual ~Vibrates() = default;
-  /// Returns the channels, with the requested derivatives as far as they are known.
+  /// Returns the modal channels, with the requested derivatives as far as they are known.
   virtual Result<Channels> vibrate(const ModalTest& test, const Asked& asked) = 0;
   /// Returns the default points at which mode shapes are recorded, m, wheel frame; none if there
   /// are no defaults.
@@ -58,7 +58,8 @@ using FeTireDrive = std::function<Result<Channels>(TireRig& rig, fe_tire::TireSl
 struct IsFeTire {
   static constexpr const char* kName = "is a finite-element tire";  // in messages
   virtual ~IsFeTire() = default;
-  /// `states_pressure`: true if the test states the pressure, so that the tire's own has no effect.
+  /// Runs the test. `states_pressure` is true if the test states the pressure, so that the tire's
+  /// own has no effect.
   virtual Result<Channels> drive(const FeTireDrive& drive,
                                  bool states_pressure,
                                  const Asked& asked) = 0;
@@ -118,7 +119,8 @@ struct HasSteadyStates {
                                              const magic_formula::Conventions&) const {
     return {};
   }
-  /// Returns the same sentences for a table with times, for slip_history().
+  /// Returns the limits of the model, as sentences, for a table of states with times, which
+  /// slip_history() computes.
   virtual std::vector<std::string> limits_in_history(const formats::CsvTable& /*states*/) const {
     return {};
   }
@@ -131,7 +133,7 @@ struct HasSteadyStates {
 struct IsLoaded {
   static constexpr const char* kName = "is loaded on a K&C rig";  // in messages
   virtual ~IsLoaded() = default;
-  /// Returns the channels, with the requested derivatives as far as they are known.
+  /// Returns the channels of a K&C test, with the requested derivatives as far as they are known.
   virtual Result<Channels> load(const KcTest& test, const Asked& asked) = 0;
   /// Runs the test; `watcher` is called for every state.
   virtual Result<Channels> watch(const KcTest& test, const RigWatcher& watcher) = 0;
@@ -151,7 +153,8 @@ struct Drives {
 struct HasAxles {
   static constexpr const char* kName = "is loaded on a K&C rig by its axles";  // in messages
   virtual ~HasAxles() = default;
-  /// Returns the channels, with the requested derivatives as far as they are known.
+  /// Returns the channels of a K&C test of an axle, with the requested derivatives as far as they
+  /// are known.
   virtual Result<Channels> load(const AxleKcTest& test, const Asked& asked) const = 0;
   /// Runs the test; `watcher` is called for every state.
   virtual Result<Channels> watch(const AxleKcTest& test, const RigWatcher& watcher) const = 0;
@@ -169,7 +172,7 @@ struct MovesAsLinkage {
 
 /// The specimen accepts from a test conditions that other specimens state in their own files.
 struct TakesConditions {
-  /// Name of the capability in messages.
+  /// description of this capability in messages
   static constexpr const char* kName = "takes friction and sensor points from a test";
   virtual ~TakesConditions() = default;
 };

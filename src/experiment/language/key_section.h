@@ -16,7 +16,8 @@
 
 namespace latsch::experiment {
 
-/// The meaning of a key. Several keys with one meaning are separated by ", ": "Fx, Fy, Fz".
+/// A key with the sentence that explains it. Several keys with the same explanation are separated
+/// by ", ": "Fx, Fy, Fz".
 struct KeySentence {
   /// Path below the section's table; "*" stands for a name that the user chooses and, at the end,
   /// for any path: "columns.*".

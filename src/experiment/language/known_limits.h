@@ -23,8 +23,8 @@ struct KnowsLimits {
   /// Returns a sentence for every limit that matters if the tire rolls both forward and backward;
   /// empty if none does.
   virtual std::vector<std::string> limits_backward() const { return {}; }
-  /// Returns a sentence for every limit that matters if the wheel is cambered, while it rolls or
-  /// while it stands; empty if none does.
+  /// Returns a sentence for every limit of the specimen that matters if the wheel is cambered,
+  /// while it rolls (argument true) or stands (false).
   virtual std::vector<std::string> limits_at_camber(bool /*rolls*/) const { return {}; }
   /// Returns a sentence for every limit that the specimen has met since it was built: validity
   /// ranges of its file that it left, conditions that have no effect on it.
@@ -37,7 +37,7 @@ struct KnowsLimits {
   virtual std::optional<double> tread_half_width() const { return std::nullopt; }
   /// Stores a sentence of a test about its run, unless it is empty or already stored.
   void record(const std::string& sentence);
-  /// The recorded sentences.
+  /// Returns the sentences that were recorded.
   const std::vector<std::string>& recorded() const { return recorded_; }
   /// Records a load, N, under which the specimen stood in a test.
   virtual void stood_under(double /*load*/) {}
@@ -71,8 +71,8 @@ inline std::vector<std::string> limits_of(Specimen& specimen, const std::optiona
   return knows && cleat ? knows->limits_on(*cleat) : std::vector<std::string>();
 }
 
-/// Returns the limits of a specimen at a test's camber, rad; empty if it knows none or the wheel is
-/// upright.
+/// Returns the limits of a specimen at the camber of a test, rad; empty if the wheel is upright or
+/// the specimen knows no limits.
 inline std::vector<std::string> limits_of_camber(Specimen& specimen, double camber, bool rolls) {
   const auto* knows = specimen.find<KnowsLimits>();
   return knows && camber != 0.0 ? knows->limits_at_camber(rolls) : std::vector<std::string>();

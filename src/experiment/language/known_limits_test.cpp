@@ -245,7 +245,7 @@ TEST(KnownLimits, ATireWithinItsRangesSaysNothing) {
                     "a Magic Formula touches the road at one point");
 }
 
-/// Notes of a test on a shipped flexible ring.
+/// Returns the notes of a test on a flexible ring that is shipped with Latsch.
 std::vector<std::string> told_by_ring(const std::string& file, const std::string& keys) {
   const SpecimenKind& kind = *language().find_kind("ring_tire");
   const auto test = language().read_test(
@@ -273,7 +273,7 @@ TEST(KnownLimits, ARingThatPushesACamberedWheelToTheWrongSideIsTold) {
   EXPECT_FALSE(has_part(crowned, "is negative"));
   EXPECT_FALSE(has_part(crowned, flat));
   EXPECT_FALSE(has_part(told_by_ring(ring, kRolling + ", measures = [\"slip\"]"), flat));
-  // A sibling: a slip stiffness of the wrong sign, which a fit may end with.
+  // A slip stiffness of the wrong sign, in which a fit may end, is reported likewise.
   EXPECT_TRUE(
       told_by("magic_formula", kRolling, {"PKX1 = -20"}).says("slip_stiffness is negative"));
 }
@@ -300,7 +300,7 @@ TEST(KnownLimits, ARecordThatCutsThePassageOverTheCleatIsTold) {
   EXPECT_FALSE(on_cleat("45 deg", usual).says("the tire touches the cleat"));
   EXPECT_TRUE(on_cleat("80 deg", usual).says("does not hold the beginning of the passage"));
   EXPECT_FALSE(on_cleat("80 deg", usual + ", lead = \"0.1 s\"").says("the tire touches the cleat"));
-  // A slow passage over a straight cleat is cut as well.
+  // If the speed is low, the record of a passage over a straight cleat is also too short.
   EXPECT_TRUE(on_cleat("0 deg", "speed = \"4 km/h\", duration = \"0.2 s\", run_in = \"0.05 s\"")
                   .says("the tire starts on the cleat"));
 }
@@ -316,7 +316,7 @@ TEST(KnownLimits, APressureWithoutEffectIsTold) {
 }
 
 TEST(KnownLimits, APressureAtWhichTheVerticalStiffnessVanishesIsRefused) {
-  // 1 + PFZ1 (p / NOMPRES - 1) is 0 at 0.8 bar of 2.4 bar.
+  // The factor 1 + PFZ1 (p / NOMPRES - 1) is 0 at p = 0.8 bar, with NOMPRES = 2.4 bar.
   const std::vector<std::string> pole = {"PFZ1 = 1.5", "NOMPRES = 240000", "INFLPRES = 240000"};
   for (const std::string pressure : {"0.8 bar", "0.5 bar"})
     for (const char* kind : {"magic_formula", "rigid_ring"})
@@ -336,7 +336,7 @@ TEST(KnownLimits, APressureAtWhichTheVerticalStiffnessVanishesIsRefused) {
           "kind = \"steady_states\"", "Fz [N],alpha [deg],p [kPa]", "4000,2,200\n4000,2,60\n", pole)
           .refusal,
       "s.csv:3: the tire has no vertical stiffness at 60 kPa");
-  // A sibling: the tire's own pressure.
+  // The tire's own inflation pressure is refused likewise.
   expect_part(told_by("magic_formula",
                       "kind = \"load_deflection\", deflections = [\"20 mm\"]",
                       {"PFZ1 = 1.5", "NOMPRES = 240000", "INFLPRES = 70000"})
@@ -425,7 +425,8 @@ TEST(KnownLimits, ATirDoesNotTellConicityFromPlySteer) {
   }
 }
 
-/// Returns the limits of the shipped flexible ring in a test; `latsch check` says them.
+/// Returns the limits of a flexible ring, shipped with Latsch, in a test, as `latsch check` prints
+/// them.
 std::string ring_limits(const std::string& keys) {
   const SpecimenKind& kind = *language().find_kind("ring_tire");
   const auto specimen = kind.build(
@@ -438,8 +439,8 @@ std::string ring_limits(const std::string& keys) {
   return all;
 }
 
-// Blocks of the ring are 2.4 mm apart. The force on a bar of 4 mm is 1537 N, that of a ring with
-// blocks of 0.4 mm 1763 N; the flat ground beside it carries 1533 N.
+// The blocks of the ring are 2.4 mm apart. The force on a bar 4 mm wide is 1537 N; with blocks 0.4
+// mm apart it is 1763 N. Flat ground carries 1533 N at this deflection.
 TEST(KnownLimits, AFlexibleRingSaysThatItsBlocksDoNotResolveAShortBar) {
   const std::string standing = "kind = \"static_stiffness\", deflections = [\"20 mm\"], ";
   expect_part(ring_limits(standing + "cleat = {height = \"10 mm\", length = \"4 mm\"}"),

@@ -7,7 +7,7 @@ namespace latsch::experiment {
 namespace {
 
 constexpr std::size_t kWidth = 96;  // characters of a line, mark included
-// blanks at the beginning of the second and further lines of a sentence
+// blanks at the beginning of each further line of a sentence
 constexpr const char* kFurther = "  ";
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Provenance {
   std::map<std::string, std::string> origins;
   /// The file that the study names as its model, as the study writes the name.
   std::string model_name;
-  /// The path of that file.
+  /// path of the file that the study names as its model
   std::filesystem::path model_file;
   /// Returns the values (SI) of a condition in the tests of the fitted experiments. May be null.
   MeasuredAt measured_at;

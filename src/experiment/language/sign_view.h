@@ -13,7 +13,7 @@ namespace latsch::experiment {
 
 /// Returns "iso", "sae", "adams".
 const std::vector<std::string>& sign_view_names();
-/// Returns the view with one of these names.
+/// Returns the sign convention (view) with one of these names.
 suspension::SignView sign_view(const std::string& name);
 
 /// True if a test states the positive directions of its channels.

@@ -61,11 +61,12 @@ class SpecimenKind {
  public:
   virtual ~SpecimenKind() = default;
 
-  /// Returns the name, such as "ring_tire".
+  /// Returns the name of this kind of specimen, such as "ring_tire".
   virtual std::string name() const = 0;
-  /// Returns the name for users, such as "flexible ring".
+  /// Returns the name of this kind of specimen for users, such as "flexible ring".
   virtual std::string in_words() const = 0;
-  /// Returns a description of its files, such as "a TOML file with kind = \"ring_tire\"".
+  /// Returns a description of the files of this kind, such as "a TOML file with kind =
+  /// \"ring_tire\"".
   virtual std::string file() const = 0;
   /// Version number, which is increased whenever a specimen with equal parameters gives other
   /// results than before: trials of another version are not reused.
@@ -103,12 +104,12 @@ class SpecimenKind {
                                           std::unique_ptr<Specimen> reuse = nullptr) const = 0;
   /// Throws InputError if the parameters make no specimen; computes as little as possible.
   virtual void check(const Document& numbers) const { build(numbers); }
-  /// Returns the text of a file with these numbers.
+  /// Returns the text of a model file with these numbers.
   virtual std::string text(const Document& numbers) const;
   /// Returns the same file as text(), with the origin of its numbers in comments (provenance.h).
   /// Reading it gives the same numbers.
   virtual std::string annotated_text(const Document& numbers, const Provenance& provenance) const;
-  /// The characters that begin a comment line in its files.
+  /// Returns the characters that begin a comment line in files of this kind.
   virtual std::string comment_mark() const { return "#"; }
 
   /// True if its specimens can compute derivatives of their results by the parameter at this path.
@@ -119,8 +120,9 @@ class SpecimenKind {
     return std::nullopt;
   }
 
-  /// Returns the faults of a specimen in ranges 1.5 times as wide as the measured ones; if the
-  /// function is null, in ranges as wide as those of the file or usual ones.
+  /// Returns implausible behavior of a specimen in ranges 1.5 times as wide as the measured ones.
+  /// If the function that returns the measured ranges is null, uses those of the file or usual
+  /// ranges.
   virtual std::vector<FaultBeyondData> faults_beyond_data(const Document&,
                                                           const MeasuredAt& = nullptr) const {
     return {};
@@ -134,7 +136,7 @@ class SpecimenKind {
   struct Size {
     double outer_radius = 0.0, section_height = 0.0;  // m
   };
-  /// Returns the dimensions of the specimen that these numbers make.
+  /// Returns the dimensions of a specimen with these numbers.
   virtual std::optional<Size> size(const Document& numbers) const;
   /// True if the usual magnitudes of its numbers are known, so that unusual ones can be reported.
   virtual bool has_usual_numbers() const { return false; }

@@ -57,7 +57,8 @@ struct ChannelConvergence {
 struct ChannelInfo {
   std::string name, unit;  // SI
   std::string frame = "";  // "W", "H" or "C" for a force or moment
-  /// false: it describes another channel, as the shape of a mode describes its frequency
+  /// false: the channel only describes another channel, as the shape of a mode describes its
+  /// frequency
   bool is_compared = true;
   /// The slope that this channel is, to be computed from other channels, also those of a recording.
   std::optional<Regression> regression = {};
@@ -65,13 +66,13 @@ struct ChannelInfo {
 /// Returns the description of the channel of a slope, such as "dz_by_Fz" for "dz".
 ChannelInfo slope_of(const std::string& moved, const std::string& unit, const SlopesBy& slopes);
 
-/// A range of values, SI.
+/// A range of values, in SI.
 struct Reach {
   double from, to;  // SI
 };
 
-/// Requested derivatives: of these channels by these parameters of the specimen, given by their
-/// paths. Columns of Channel::slopes follow the order of the paths, in SI.
+/// Requested derivatives: of these channels by these parameters of the specimen, which are given by
+/// their paths. Columns of Channel::slopes are in the order of the paths, in SI units.
 struct Asked {
   std::vector<std::string> channels, paths;  // names of channels, and paths of parameters
 };
@@ -107,7 +108,7 @@ class Test {
   /// states of this test; empty if the test has none.
   virtual std::vector<double> driven_at(const std::string& /*condition*/) const { return {}; }
 
-  /// Returns the rig settings if they have that type, else nullptr.
+  /// Returns the settings of the rig if they have this type, otherwise nullptr.
   template <class Settings>
   const Settings* settings_as() const {
     const auto settings = rig_settings();
@@ -124,7 +125,8 @@ class Test {
   /// Returns warnings about it, one sentence each.
   virtual Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const;
-  /// A picture of a run, for which a recording would need too many numbers.
+  /// A picture of a run, which could not be drawn from a recording without storing too many
+  /// numbers.
   struct Picture {
     std::string title, svg, caption;  // heading, the picture as SVG text, a sentence below it
   };
@@ -151,7 +153,7 @@ class Test {
   virtual std::optional<suspension::SignSense> sense(const std::string&) const {
     return std::nullopt;
   }
-  /// Returns the details in these signs.
+  /// Returns the details of a test in the signs of another convention.
   virtual Result<Details> details_in(suspension::SignView view, Specimen& specimen) const;
   /// True if run_with_slopes() returns slopes of this channel in every number in which specimens of
   /// the kind have slopes.
@@ -189,8 +191,8 @@ struct ReadTest {
   std::vector<std::filesystem::path> files;  // files that it reads in addition to its own
 };
 
-/// Measured values for the test of an experiment that states no [test.NAME]: the test runs at
-/// these.
+/// Measured abscissas at which the test of an experiment is run if the experiment has no
+/// [test.NAME].
 struct MeasuredAbscissa {
   std::vector<double> deflections = {}, loaded_radii = {};  // m; at most one of the two
   long modes = 0;                                           // number of measured modes
@@ -203,7 +205,7 @@ struct TestKind {
   std::string in_words;  // "rolls over a cleat on the drum"
   /// Names of capabilities; a specimen must have at least one of them.
   std::vector<std::string> needs;
-  /// Reads its keys except `kind`. Throws InputError naming the place.
+  /// Reads the keys of a test except `kind`. Throws InputError that names file, line and key.
   std::unique_ptr<Test> (*read)(const Node& root, const TestSource& source);
   /// Returns the descriptions and samples of its keys; nullptr: the reference has no section for
   /// it.

@@ -14,7 +14,8 @@ namespace latsch::experiment {
 std::string degrees(double angle);
 /// Returns ", camber 2 deg"; "" for no camber.
 std::string cambered(double camber);
-/// Returns forces and moments for a test that records them in these frames (rigs/hub_frame.h).
+/// Returns the channels of forces and moments for a test that records them in these frames
+/// (rigs/hub_frame.h).
 std::vector<ChannelInfo> force_channels(const std::vector<AxisFrame>& frames);
 
 }  // namespace latsch::experiment

@@ -10,10 +10,11 @@
 
 namespace latsch::experiment {
 
-/// Quantities of a car's file and of a suspension's.
+/// Returns the usual magnitudes of the numbers in files of cars and suspensions.
 const std::vector<UsualMagnitude>& usual_of_cars();
 
-/// Quantities of the tests of cars and suspensions: K&C rigs, kinematics, four posts, kerbs.
+/// Returns the usual magnitudes of the numbers in tests of cars and suspensions: K&C rigs,
+/// kinematics, four posts, kerbs.
 const std::vector<UsualMagnitude>& usual_of_car_tests();
 
 }  // namespace latsch::experiment

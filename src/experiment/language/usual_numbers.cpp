@@ -28,7 +28,7 @@ const Units kMasses{"kg", "g", "lb"};
 const Units kAreas{"mm^2", "cm^2", "m^2"};
 const Units kBeds{"MN/m^2", "kN/m^2", "N/m^2", "N/mm^2"};
 
-/// Quantities of tests and studies.
+/// Returns the usual magnitudes of the numbers in tests and studies.
 const std::vector<UsualMagnitude>& of_tests() {
   static const std::vector<UsualMagnitude> all{
       {"run", "timeout", "the time allowed to a trial", "s", 1e-12, 0.1, 1e6, 1e15, kTimes},
@@ -43,7 +43,7 @@ const std::vector<UsualMagnitude>& of_tests() {
   return all;
 }
 
-/// Quantities of a finite-element tire.
+/// Returns the usual magnitudes of the numbers of a finite-element tire.
 const std::vector<UsualMagnitude>& of_fe_tires() {
   static const std::vector<UsualMagnitude> all{
       {"rubber", "young_modulus", "a rubber's modulus", "MPa", 0.01, 0.3, 300, 5e3, kModuli},
@@ -59,7 +59,7 @@ const std::vector<UsualMagnitude>& of_fe_tires() {
   return all;
 }
 
-/// Quantities of a flexible ring.
+/// Returns the usual magnitudes of the numbers of a flexible ring.
 const std::vector<UsualMagnitude>& of_rings() {
   const auto bed = [](const char* below) {
     return UsualMagnitude{
@@ -108,7 +108,7 @@ std::string may_be_meant(const UsualMagnitude& usual, const std::string& written
   return "";
 }
 
-/// False for the first column of a profile, which is a position and no thickness.
+/// False for the first column of a profile of thicknesses, which is a position.
 bool is_meant(const UsualMagnitude& usual, const std::string& path) {
   return !std::string_view(usual.key).starts_with("thickness") || path.ends_with(".1");
 }
@@ -124,7 +124,7 @@ std::string_view within_part(std::string_view path) {
   return path;
 }
 
-/// Number of a table; nullopt if the table has no such key.
+/// Returns the number of a key in a table; nullopt if the table has no such key.
 std::optional<double> number_at(const Document& document, const std::string& path) {
   const Node root = document.root();
   const auto dot = path.rfind('.');
@@ -139,7 +139,7 @@ std::optional<double> number_at(const Document& document, const std::string& pat
   return document.get(path);
 }
 
-/// Largest thickness of the wall, m; 0 if the document describes none.
+/// Returns the largest thickness of the wall, m; 0 if the document describes none.
 double thickest_wall(const Document& document) {
   double inside = 0.0, outside = 0.0;
   for (const std::string& path : document.paths()) {
@@ -199,8 +199,8 @@ void examine_compression(const Document& document, std::vector<Finding>& found) 
   }
 }
 
-/// Judges the mass of a ring's belt by the surface that it covers: 3 kg/m^2 for a bicycle, 15 for a
-/// car, 60 for a truck.
+/// Checks the mass of a ring's belt over the area of its surface; usual values are 3 kg/m^2 for a
+/// bicycle, 15 for a car, 60 for a truck.
 void examine_belt(const Document& document, std::vector<Finding>& found) {
   const UsualMagnitude usual{
       "", "", "a belt's mass on its surface", "kg/m^2", 0.2, 1, 300, 2e3, {}};
@@ -224,7 +224,7 @@ void examine_belt(const Document& document, std::vector<Finding>& found) {
 Seen judged(const UsualMagnitude& usual, double si) {
   const double value = usual.is_signed ? std::abs(in_unit(usual, si)) : in_unit(usual, si);
   if (value == 0.0 && usual.zero_allowed) return Seen::usual;
-  // A pressure of 0 is unusual but possible: a flat tire may be intended.
+  // An inflation pressure of 0 is unusual but possible: a flat tire may be intended.
   if (value == 0.0 && std::string_view(usual.key) == "pressure") return Seen::unusual;
   if (!(value >= usual.least && value <= usual.most)) return Seen::impossible;
   return value < usual.from || value > usual.to ? Seen::unusual : Seen::usual;

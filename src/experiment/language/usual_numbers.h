@@ -44,7 +44,7 @@ struct UsualMagnitude {
 
 enum class Seen { usual, unusual, impossible };
 
-/// Judges a value in SI.
+/// Judges whether a value in SI is usual, unusual or impossible.
 Seen judged(const UsualMagnitude& usual, double si);
 /// Returns for example "a wheel load is usually 100 to 60000 N".
 std::string usual_in_words(const UsualMagnitude& usual);
@@ -62,7 +62,8 @@ Written written_at(const Document& document, const std::string& path);
 /// Returns the key a number belongs to: "deflections" of "test.a.deflections.values.2".
 std::string key_of(std::string path);
 
-/// Judges one value in SI by its range. `name` is the number's name in the sentence.
+/// Compares a value in SI with its usual range; returns a finding if it lies outside. `name` is the
+/// number's name in the sentence.
 std::optional<Finding> unusual(const UsualMagnitude& usual,
                                const Written& written,
                                const std::string& name,

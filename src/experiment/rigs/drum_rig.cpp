@@ -15,7 +15,7 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kFirstStiffness = 2.0e5;  // N/m, for a first guess of the deflection
-// Share of the radius; largest first guess of the deflection.
+// largest first guess of the deflection, as a share of the radius
 constexpr double kFirstShare = 0.25;
 constexpr double kWidestTire = 0.8;  // half width of the widest tire over its radius
 constexpr double kFastest = 200.0;   // m/s; a larger value means that the file uses another unit
@@ -52,7 +52,7 @@ double run_in_hold(const DrumTest& test, double time) {
   return left > 0.0 && left <= 1.0 ? kFirst * left * left : 0.0;
 }
 
-/// Averages records over the same times.
+/// Returns the mean of several records with the same times.
 Channels mean(const std::vector<Channels>& records) {
   if (records.size() == 1) return records.front();
   Channels mean;

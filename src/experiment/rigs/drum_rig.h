@@ -39,7 +39,7 @@ struct DrumTest {
   std::vector<AxisFrame> frames = {AxisFrame::C};
 };
 
-/// Throws InputError naming the place, also for unknown keys.
+/// Reads a drum test. Throws InputError, which names file, line and key, also for unknown keys.
 DrumTest read_drum_test(const Node& root, const MeasuredConditions& measured = {});
 
 /// Runs any tire; the tire keeps its final state.

@@ -52,8 +52,8 @@ TEST(DrumTest, AFreeWheelRollsUnderItsLoadAndFeelsTheCleatWhenItIsBelow) {
   EXPECT_NEAR(time[static_cast<std::size_t>(most - Fz.begin())], 0.0, 0.04);
 }
 
-// The geometry of the tire repeats itself after each of its 80 segments, so the passages over the
-// cleat do, too.
+// The geometry of the tire is the same after a rotation by each of its 80 segments, so the passages
+// over the cleat are the same as well.
 TEST(DrumTest, ATurnByASegmentChangesNothing) {
   constexpr double kSegment = 2.0 * M_PI / 80.0;
   DrumTest test = quick_test();
@@ -72,7 +72,8 @@ TEST(DrumTest, ATurnByASegmentChangesNothing) {
     return most;
   };
   EXPECT_LT(distance(*same), 0.1);
-  // Averaging over passages removes this dependence on the wheel's angle.
+  // At other angles of the wheel a single passage differs; averaging over passages removes this
+  // dependence.
   EXPECT_GT(distance(*other), 1.0);
 }
 

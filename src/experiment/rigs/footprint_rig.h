@@ -36,7 +36,8 @@ struct FootprintTest {
   std::optional<Elements> elements = {};  // largest ones; none: the tire's default
 };
 
-/// Throws InputError naming the place, also for unknown keys.
+/// Reads a footprint test. Throws InputError, which names file, line and key, also for unknown
+/// keys.
 FootprintTest read_footprint_test(const Node& root, const MeasuredConditions& measured = {});
 
 struct StandingFootprint {

@@ -47,7 +47,7 @@ std::vector<StandingFootprint> standing(const fe_tire::TireDescription& descript
   return footprints(tire, *states);
 }
 
-/// Total force of the elements, N.
+/// Returns the total force of the elements, N.
 double carried(const Footprint& print) {
   double sum = 0.0;
   for (const FootprintElement& at : print.elements) sum += at.pressure * at.length * at.width;

@@ -85,7 +85,7 @@ class KcRun {
     rest_ = as_vector(wheel_position(points_, upright()));
   }
 
-  /// Brings the corner to rest under the loads of a state, and records its motion.
+  /// Finds the equilibrium of the corner under the loads of a state, and records its motion.
   Status load(Eigen::Index state, const RigWatcher& watch) {
     on_.force = test_.loads.col(state).head<3>();
     on_.moment = test_.loads.col(state).tail<3>();
@@ -122,7 +122,7 @@ class KcRun {
     return stands_.poses[static_cast<std::size_t>(corner_.upright)];
   }
 
-  /// Records the slopes of the followed channels in the varied numbers, which are stiffnesses.
+  /// Records the derivatives of the observed channels by the varied numbers, which are stiffnesses.
   void record_slopes(Eigen::Index state) {
     Eigen::MatrixXd by_pose =
         Eigen::MatrixXd::Zero(6 * std::ssize(corner_.bodies), std::ssize(followed_));

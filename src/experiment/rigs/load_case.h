@@ -28,7 +28,8 @@ struct LoadDeflection {
 struct ModalTest {
   Inflation pressure = {};
   fe_tire::Ground ground = {};
-  /// Deflection from first contact, m; if neither deflection nor load is given: off the ground.
+  /// Deflection from first contact, m. If neither deflection nor load is given, the tire does not
+  /// touch the ground.
   std::optional<double> deflection = {};
   std::optional<double> load = {};  // N; the rig finds the deflection
   double camber = 0.0;              // rad, about x, top to the right

@@ -14,7 +14,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Returns the values of the only channel.
+/// Returns the values of the only channel of a table.
 std::vector<double> samples_of(const Node& table,
                                MeasuredCondition condition,
                                const MeasuredConditions& measured) {
@@ -79,7 +79,8 @@ std::vector<double> measured_values(const Node& table,
 double measured_mean(const Node& table,
                      const MeasuredCondition& condition,
                      const MeasuredConditions& measured) {
-  // Largest ratio of standard deviation to mean; rigs hold speed and load closer.
+  // largest ratio of standard deviation to mean for a condition that counts as constant; rigs keep
+  // speed and load more constant
   constexpr double kHeld = 0.05;
   const auto values = samples_of(table, condition, measured);
   const auto count = static_cast<double>(values.size());

@@ -25,13 +25,14 @@ namespace latsch::experiment {
 
 /// A condition that a test reads from a measurement of its study.
 struct MeasuredCondition {
-  std::string channel, unit;    // SI
-  bool is_needed = false;       // false: the condition is left out if it was not recorded
-  std::string frame = "";       // for a force
-  std::string otherwise = "";   // value assumed if the condition was not recorded: "0"
-  std::string ignored = "";     // why the test computes without it; empty: the test uses it
-  bool acts_at_origin = false;  // true for a force that acts at the origin of its frame: then W and
-                                // H differ even for a force
+  std::string channel, unit;   // SI
+  bool is_needed = false;      // false: the condition is left out if it was not recorded
+  std::string frame = "";      // for a force
+  std::string otherwise = "";  // value assumed if the condition was not recorded: "0"
+  std::string ignored = "";    // why the test computes without it; empty: the test uses it
+  /// true for a force that acts at the origin of its frame; such a force differs between the frames
+  /// W and H because their origins differ
+  bool acts_at_origin = false;
 };
 
 /// Returns the channels that a table such as {from = "measurement.cornering"} names. Throws

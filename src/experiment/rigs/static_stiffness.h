@@ -40,10 +40,10 @@ struct StiffnessTest {
   double step = 1e-3;    // s
 };
 
-/// Result in N/m, for the torsional test in N m/rad.
+/// Returns the stiffness, N/m; for torsion N m/rad.
 Result<double> stiffness(Tire& tire, const StiffnessTest& test);
 
-/// The whole test, with all its directions.
+/// The complete test with all its directions.
 struct StandingTest {
   std::vector<double> deflections = {};  // m, on the cleat
   std::optional<Cleat> cleat = {};

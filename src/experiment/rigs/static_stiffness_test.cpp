@@ -45,7 +45,8 @@ double load_on(ring_tire::RingTire& tire, double deflection, const std::optional
   return load ? *load : 0.0;
 }
 
-// A cleat longer than the patch and wider than the tread is equivalent to higher ground.
+// A cleat longer than the contact patch and wider than the tread is equivalent to ground at the
+// height of the cleat.
 TEST(StaticStiffness, OnACleatAllAroundIsThatOnTheGround) {
   ring_tire::RingTire tire = example_tire();
   const double flat = load_on(tire, 0.02, {});

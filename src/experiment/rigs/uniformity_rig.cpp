@@ -87,7 +87,7 @@ class Machine {
   }
 
  private:
-  /// True if the ranges of the forces are those of the turn before.
+  /// True if the ranges of the forces are equal to those of the previous turn.
   bool is_repeated(const Turn& before, const Turn& now) const {
     constexpr double kShare = 1e-3, kLeast = 2e-6;  // shares of the range and of the load
     const auto range = [](const std::vector<double>& force) {
@@ -126,7 +126,8 @@ class Machine {
   double deflection_ = 0.0, time_ = 0.0;
 };
 
-/// Height at which the rolling tire carries the load, averaged over a turn.
+/// Returns the height of the wheel center at which the rolling tire carries the load, averaged over
+/// a turn.
 Result<double> rolling_height(Tire& tire, const UniformityTest& test) {
   const auto standing =
       height_under_load(tire, *road_of(test, 0.0), Eigen::Matrix3d::Identity(), test.load);

@@ -40,7 +40,7 @@ struct UniformityTest {
   Inflation pressure = {};  // pressure of the tire; the tire's own if not given
 };
 
-/// N, peak to peak.
+/// Peak-to-peak variation of a force over a turn, N.
 struct ForceVariation {
   double all = 0.0, first = 0.0;
 };

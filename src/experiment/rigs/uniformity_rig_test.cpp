@@ -78,7 +78,8 @@ TEST(Uniformity, OfAUniformTireOnLongRelaxationIsZeroAtEverySpeed) {
   }
 }
 
-// The radial force varies by 2 a k once a turn, the lateral force by 2 l twice a turn.
+// In a tire with run-out the radial force varies by 2 a k once a turn and the lateral force by 2 l
+// twice a turn.
 TEST(Uniformity, OfASpringThatRunsOutIsItsRunOutTimesItsStiffness) {
   for (const double diameter : {0.0, 2.0}) {
     UnevenSpring tire;
@@ -103,7 +104,7 @@ TEST(Uniformity, AVariationIsThatOfItsHarmonics) {
     values.push_back(100.0 + 3.0 * wave(1, i) + 2.0 * wave(2, i) + 7.0 * wave(60, i));
   const ForceVariation found = variation_of(values, 10);
   EXPECT_NEAR(found.first, 6.0, 1e-9);
-  // 3 cos x + 2 cos 2x ranges from -2 - 9/16 at cos x = -3/8 to 5.
+  // The sum 3 cos x + 2 cos 2x ranges from -2 - 9/16, at cos x = -3/8, to 5.
   EXPECT_NEAR(found.all, 7.0 + 9.0 / 16.0, 1e-4);
   EXPECT_NEAR(variation_of(values, 1).all, 6.0, 1e-4);
 }
@@ -116,7 +117,7 @@ ring_tire::RingParameters coarse_ring() {
   return ring;
 }
 
-/// Stiffness of the standing ring, N/m.
+/// Returns the stiffness, N/m, of the ring without rotation.
 double standing_stiffness_of(const ring_tire::RingParameters& ring, double load) {
   double height[2];
   const double step = 50.0;  // N
@@ -150,8 +151,8 @@ TEST(Uniformity, OfARingThatRunsOutIsNearItsRunOutTimesItsStiffness) {
   EXPECT_LT(found->lateral.all, 1.0);
 }
 
-/// Side force in N to the left, mean over 0.2 m, of a ring that rolls straight on at a height after
-/// 2.8 m.
+/// Returns the side force, N, to the left of a ring that rolls straight ahead at a constant height,
+/// as a mean over 0.2 m after 2.8 m.
 double straight_on(const ring_tire::RingParameters& ring, double height, double way) {
   ring_tire::RingTire tire(ring);
   WheelMotion motion;

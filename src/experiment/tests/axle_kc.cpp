@@ -110,7 +110,7 @@ class AxleKc : public Test {
   std::string mode_;
 };
 
-/// Fx ... Mz, Fx_L ... Mz_L, Fx_R ... Mz_R.
+/// Returns the loads Fx ... Mz of the axle, Fx_L ... Mz_L and Fx_R ... Mz_R.
 std::vector<Prescribed> axle_loads() {
   std::vector<Prescribed> loads;
   for (const char* of : {"", "_L", "_R"})

@@ -65,8 +65,8 @@ Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
 
 namespace {
 
-/// Says that the record, or even the run, does not hold the whole passage over the cleat; empty if
-/// it does.
+/// Returns a sentence if the record, or even the simulation, does not contain the whole passage
+/// over the cleat; empty if it does.
 std::string cut_passage(Specimen& specimen, const DrumTest& test) {
   const auto* knows = specimen.find<KnowsLimits>();
   const double radius = specimen.find<Rolls>()->tire(test.pressure)->free_radius();

@@ -61,8 +61,8 @@ Result<std::vector<ChannelConvergence>> drum_convergence(const SpecimenKind& kin
   Document finer = numbers;
   const double segments = std::round(1.5 * numbers.get(kSegments));
   finer.set(kSegments, segments);
-  // Passages that hit the wheel at positions spread over a segment must do so with shorter segments
-  // too.
+  // Passages whose hits are spread over a segment must also be spread over a segment if segments
+  // are shorter.
   DrumTest closer = test;
   closer.wheel_step *= numbers.get(kSegments) / segments;
   const auto refined = run_on_drum(kind, finer, closer);

@@ -66,8 +66,8 @@ TEST_F(EveryTest, EveryKindCarriesItsLoadOverTheSameCleat) {
       EXPECT_EQ(channels->find(channel.name)->unit, channel.unit);
     }
     const std::vector<double>& Fz = (*channels)["Fz"];
-    // Before the cleat the force is the load, a little more as the belt grows with speed; then a
-    // peak.
+    // Before the tire reaches the cleat, the force is the load, or a little more because the belt
+    // grows with speed; the cleat then causes a peak.
     EXPECT_NEAR(Fz.front(), 4000.0, 300.0) << kind->name();
     EXPECT_GT(*std::max_element(Fz.begin(), Fz.end()), 4600.0) << kind->name();
   }
@@ -122,9 +122,10 @@ TEST_F(EveryTest, AStandingTireHasTheStiffnessOfItsFile) {
                      kind.read(tir),
                      *test("kind = \"static_stiffness\"\ndeflections = [\"10 mm\", \"20 mm\"]\n"));
   ASSERT_TRUE(curve) << curve.failure().reason;
-  // Q_FZ2 = 0: a straight line.
+  // With Q_FZ2 = 0 the force is a straight line.
   EXPECT_NEAR((*curve)["force"][1], 190000.0 * 0.02, 1.0);
-  // The tire touches the road in one point, so on a cleat it behaves as beside the cleat.
+  // This tire model touches the road at one point, so the force on a cleat is that beside the
+  // cleat.
   const auto on_cleat = language().run(
       kind,
       kind.read(tir),
@@ -140,8 +141,8 @@ TEST_F(EveryTest, AStandingTireHasTheStiffnessOfItsFile) {
   EXPECT_NEAR((*under_load)["vertical"][0], 190000.0, 500.0);
 }
 
-// The bristles of a patch slide if it is twisted far: the twist is part of the test, as is the
-// travel.
+// If the patch is twisted by a large angle its bristles slide. The stiffness depends on the twist
+// and the travel, which are therefore keys of the test.
 TEST_F(EveryTest, StiffnessIsThatOverTheWayOfTheTest) {
   const SpecimenKind& kind = *language().find_kind("ring_tire");
   const auto found = [&](const std::string& way) {
@@ -195,7 +196,8 @@ TEST_F(EveryTest, EveryTireHasAFootprint) {
   EXPECT_NE(without.failure().reason.find("contact patch"), std::string::npos);
 }
 
-// Off the ground the in-plane pair n = 1 has one frequency, on the ground two.
+// A free tire has the two in-plane modes n = 1 at one frequency, a tire on the ground at two
+// frequencies.
 TEST_F(EveryTest, ARingHasModesOnTheGroundAndOffIt) {
   const SpecimenKind& ring = *language().find_kind("ring_tire");
   const auto free = test("kind = \"modes\"\ncount = 8\n");
@@ -215,7 +217,8 @@ TEST_F(EveryTest, ARingHasModesOnTheGroundAndOffIt) {
   EXPECT_THROW((void)language().run(formula, formula.read(tir), *standing), InputError);
 }
 
-// The results are equal to the bit; another pressure gives another load.
+// If the test and the file state the same pressure the results are bitwise equal; another pressure
+// gives another load.
 TEST_F(EveryTest, ThePressureOfATestIsThatOfAFileWithIt) {
   const std::vector<std::string> tests = {
       "kind = \"load_deflection\"\ndeflections = [\"15 mm\"]\n",
@@ -262,7 +265,8 @@ TEST_F(EveryTest, ThePressureOfATestIsThatOfAFileWithIt) {
   }
 }
 
-// Rolling tires have friction in their own files: the error occurs before anything runs.
+// Models of rolling tires state friction in their own files, so a test that states it is refused
+// before it runs.
 TEST_F(EveryTest, AStatedConditionIsForModelsThatTakeIt) {
   const SpecimenKind &ring = *language().find_kind("ring_tire"),
                      &fe = *language().find_kind("fe_tire");
@@ -322,7 +326,7 @@ TEST_F(EveryTest, SteadyStatesAreTakenAsTheTestSays) {
   EXPECT_EQ(identity(head), identity(head + "limits = \"on\"\n"));
 }
 
-// Slopes refer to the tire with the conventions of the test.
+// The derivatives refer to the results in the signs that the test requests.
 TEST_F(EveryTest, SlopesOfSteadyStatesFollowTheConventionsOfTheTest) {
   const auto tir = write("tire.tir", kTir);
   write("states.csv", "Fz [kN],alpha [deg],gamma [deg]\n4,2,1\n4,-3,-1\n");

@@ -42,7 +42,7 @@ struct Frequencies {
 
 class FourPost : public Test {
  public:
-  /// `sweep` is the sweep that the heights follow; none: the heights were recorded.
+  /// `sweep` is the sweep that the heights follow; nullopt if the heights were recorded.
   FourPost(FourPostTest test,
            Frequencies frequencies,
            std::string words,
@@ -69,7 +69,7 @@ class FourPost : public Test {
         if (!row.taken_as.empty()) Ledger::use(row, by);
     return ledgers;
   }
-  /// `begin`: the first time of the record, s.
+  /// Records the ledgers of the files that were read; `begin` is the first time of the record, s.
   void reads(std::vector<Ledger> ledgers, double begin) {
     ledgers_ = std::move(ledgers);
     begin_ = begin;
@@ -258,8 +258,8 @@ FourPostTest recorded_posts(const Node& root,
 
 constexpr std::array<const char*, 4> kPostModes = {"heave", "pitch", "roll", "warp"};
 
-// Least number of periods of the lowest frequency in a record; with fewer the transfer function is
-// unreliable.
+// least number of periods of the lowest frequency in a record; with fewer periods the transfer
+// function is unreliable
 constexpr double kFewestPeriods = 2.0;
 
 /// Throws for frequencies that the recorded motion of the posts does not contain: a transfer
@@ -289,8 +289,8 @@ void refuse_beyond(const Node& root,
         sweep->to));
 }
 
-/// Recorded posts must contain the band that the user states; if none is stated, their band is
-/// used.
+/// If the user states a band of frequencies, the recorded heights of the posts must contain it;
+/// otherwise the band that they contain is used.
 void take_what_is_held(const Node& root, const FourPostTest& test, Frequencies& read) {
   PostSpectra& band = read.settings;
   const double line = 1.0 / band.segment;
@@ -365,7 +365,7 @@ Frequencies read_frequencies(const Node& root,
                              const PostSweep* sweep = nullptr) {
   Frequencies read{.mode = mode, .settings = {.from = from, .to = to}};
   read.are_recorded = root.flag("spectra", false);
-  // A record contains limited frequencies; a sweep states its own.
+  // A record contains a limited band of frequencies; a sweep states its band itself.
   if (!sweep) read.settings.from = std::max(from, kFewestPeriods / test.times.back());
   read.settings.moving = test.times.back();
   PostSpectra& settings = read.settings;

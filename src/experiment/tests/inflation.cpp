@@ -24,7 +24,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Dimensions of the inflated tire off the ground.
+/// A test that determines the dimensions of the inflated tire without contact.
 struct InflatedSizeTest {
   std::vector<double> pressures = {};   // Pa, gauge; none: the tire's own
   std::optional<SpinSpeed> speed = {};  // none: at rest
@@ -105,7 +105,7 @@ class InflationTest : public Test {
   }
 
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
-  /// A rotating tire has no derivatives.
+  /// Derivatives are not known for a rotating tire.
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return !test_.speed; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     const auto measured = specimen.find<IsFeTire>()->drive(

@@ -106,7 +106,8 @@ class KcTestOfCorner : public Test {
   KcTest test_;
 };
 
-/// The loads, in axes of the road at the point where they act.
+/// Returns the loads that a K&C rig may prescribe, in the axes of the road, at the point of action
+/// that `frame` states.
 std::vector<Prescribed> kc_loads(const std::string& frame) {
   std::vector<Prescribed> loads;
   for (std::size_t i = 0; i < 6; ++i)

@@ -52,7 +52,8 @@ ReadTest read(const std::string& keys, bool in_a_study = true) {
   return language().read_identified_test(document.root(), source);
 }
 
-/// The first keys refer to a measurement, the other ones contain its numbers.
+/// Compares two tests: the keys of the first refer to a measurement, and those of the second
+/// contain its numbers.
 void expect_same(const std::string& common, const std::string& taken, const std::string& typed) {
   const auto one = read(common + taken), other = read(common + typed);
   EXPECT_EQ(one.identity, other.identity);
@@ -92,7 +93,8 @@ TEST(MeasuredConditionsTest, AreTheNumbersThatWereMeasured) {
               "speed = \"10.25 m/s\"\nload = \"4 kN\"\n");
 }
 
-// The test has eight more modes than were measured, at the points of the first of them.
+// The test computes eight modes more than were measured, at the sensor points of the first measured
+// mode.
 TEST(MeasuredConditionsTest, OfModesAreTheirNumberAndSensors) {
   const std::string from = kTakes;
   expect_same("kind = \"modes\"\n",

@@ -106,7 +106,8 @@ Eigen::Matrix3Xd points_of(const std::vector<std::vector<double>>& rows) {
 
 constexpr long kMost = 200;  // modes
 
-/// Refuses conditions that a tire in motion does not have here. `key` says that it moves.
+/// Throws InputError for conditions that a tire in motion cannot have. `key` is the key that states
+/// the motion.
 void check_moving(const Node& root, const ModalTest& test, const char* key) {
   if (test.loaded())
     root.reject(key,

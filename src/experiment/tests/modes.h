@@ -33,7 +33,7 @@ class ModesTest : public Test {
   std::vector<std::string> needs() const override;
   std::shared_ptr<const Test> with_points(const Eigen::Matrix3Xd& points) const override;
   Result<Channels> run(Specimen& specimen) const override;
-  /// The identifiers of a mode and its shape have no slopes.
+  /// The identifiers of a mode and its shape have no derivatives.
   bool tells_slopes(const SpecimenKind&, const std::string& channel) const override {
     return test_.ground.mu == 0.0 && test_.camber == 0.0 && !test_.moves() && channel != "n" &&
            channel != "type" && channel != "phase" && channel != "shape";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "rolling": steady states of a finite-element tire that rolls on flat ground with friction
-// (rigs/fe_tire/rolling_rig.h).
+// The test kind = "rolling": steady states of a finite-element tire that rolls on flat ground with
+// friction (rigs/fe_tire/rolling_rig.h).
 //
 // The keys are in experiment/tests/keys/rolling_keys.cpp.
 #include <fmt/format.h>
@@ -17,9 +17,9 @@
 namespace latsch::experiment {
 namespace {
 
-/// Most states of a test: each takes seconds.
+/// Largest number of states in a test; each takes seconds to compute.
 constexpr std::size_t kMostRows = 2000;
-constexpr double kMostSlipAngle = 1.4;  // rad; beyond, a tire slides sideways as a whole
+constexpr double kMostSlipAngle = 1.4;  // rad; at larger angles the tire slides sideways as a whole
 
 class FeRollingTest : public Test {
  public:
@@ -62,10 +62,11 @@ class FeRollingTest : public Test {
 
  private:
   RollingTest test_;
-  std::optional<formats::CsvTable> table_;  // a file of states
+  std::optional<formats::CsvTable> table_;  // table of states from a file
 };
 
-/// Reads one value for all states, or one for each. Returns none if the key is missing.
+/// Reads a key that states one value for all states or one value for each. Returns nothing if the
+/// key is missing.
 struct Column {
   std::string key;
   std::vector<double> values;
@@ -110,8 +111,8 @@ std::vector<RollingRow> read_rows(const Node& root) {
   return rows;
 }
 
-/// Reads the states of a table. A table without a slip is one of a free wheel; one without a speed
-/// or a pressure takes those of the test, which replace the table's where the test states them.
+/// Reads the states of a table. Without a column of slip the wheel rolls freely. The speed and the
+/// pressure of the test are used if the test states them, or if the table has no column of them.
 std::vector<RollingRow> rows_of(const Node& root, const formats::CsvTable& table) {
   const auto has = [&](const char* name) { return !values_of(table, name).empty(); };
   const bool has_kappa = has("kappa");
@@ -145,7 +146,7 @@ std::vector<RollingRow> rows_of(const Node& root, const formats::CsvTable& table
   return rows;
 }
 
-/// Refuses slips on ground that can hold none.
+/// Throws InputError if a slip is stated on ground without friction.
 void check_friction(const Node& root, const RollingTest& test) {
   if (test.friction > 0.0) return;
   for (const RollingRow& row : test.rows)

@@ -20,9 +20,9 @@
 namespace latsch::experiment {
 namespace {
 
-// Way, m, of the longest step that is not asked for. Blocks of a flexible ring come down within
-// some steps then, and its camber stiffness is within 3 % of that in short ones; a longer step is
-// faster.
+// Default of the distance, m, that the tire rolls within a step, at most. The blocks of a flexible
+// ring then take several steps to come into contact, and its camber stiffness differs by less than
+// 3 % from that with short steps. A longer step is faster.
 constexpr double kUsualStep = 0.01;
 
 const std::vector<std::string> kMeasures = {"slip", "cornering", "camber"};

@@ -93,7 +93,7 @@ class SlipSweepTest : public Test, public TellsLimits {
     return limits_of_camber(specimen, sweep_.camber, /*rolls=*/true);
   }
 
-  /// Says if the sweep is too short for the tire to follow it.
+  /// Returns a sentence if the sweep is too short for the tire to follow it.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     double most = 0.0;  // N
@@ -108,7 +108,7 @@ class SlipSweepTest : public Test, public TellsLimits {
     for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
     const auto tire = specimen.find<Rolls>()->tire(sweep_.pressure);
     const auto lag = relaxation(*tire, sweep_);
-    if (!lag) return notes;  // the sweep itself has succeeded
+    if (!lag) return notes;  // the sweep itself has succeeded, so a failure here is not reported
     if (std::string text = lag_in_words(*lag, sweep_, most); !text.empty())
       notes->push_back(std::move(text));
     return notes;

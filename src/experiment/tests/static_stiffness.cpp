@@ -74,7 +74,7 @@ class StaticStiffnessTest : public Test, public TellsLimits {
           all.push_back(std::move(assumed));
     return all;
   }
-  /// Tells what the tire's model does not describe on the cleat.
+  /// Returns sentences about what the tire's model does not describe on the cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     const auto notes = Test::run_in_blocks(specimen, tell);
@@ -155,7 +155,8 @@ std::unique_ptr<Test> read_static_test(const Node& root, const TestSource& sourc
                 "is for stiffnesses under a load: deflections are those of an upright tire");
   if (root.has("friction"))
     test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
-  // Beyond these the patch of every tire slides, and its force over the travel is no stiffness.
+  // At a larger travel or twist the contact patch of every tire slides, and force over travel is no
+  // longer a stiffness.
   constexpr double kFarthest = 0.05, kMostTwist = 0.1;  // m, rad
   test.travel = root.quantity("travel", "m", {0.0, kFarthest, true}, test.travel);
   test.twist = root.quantity("twist", "rad", {0.0, kMostTwist, true}, test.twist);

@@ -22,10 +22,11 @@ using multibody::ForceCharacteristic;
 constexpr std::array<const char*, 6> kBusAxes = {"FX", "FY", "FZ", "TX", "TY", "TZ"};
 constexpr std::array<const char*, 6> kBusAxesInWords = {
     "x", "y", "z", "about x", "about y", "about z"};
-// Share of the largest force: a curve that deviates less from a straight line counts as straight.
+// deviation of a curve from a straight line, over the largest force, below which the curve counts
+// as straight
 constexpr double kStraight = 1e-9;
 
-/// SI values of one unit of the deflection and of the force in the rows of a curve.
+/// Factors that convert deflection and force in the rows of a curve to SI.
 struct BusScale {
   double deflection, force;
 };

@@ -71,7 +71,7 @@ TEST(CarFileDoubts, AKingpinThatLeansForwardSuggestsOtherAxes) {
   };
   EXPECT_EQ(suspension("1.47 m"), "");
   EXPECT_EQ(suspension("1.502 m"), "");  // half a degree
-  // The caster is that of 30 mm in 200 mm of height: 8.5 degrees.
+  // An offset of 30 mm over a height of 200 mm is a caster angle of 8.5 degrees.
   expect_part(suspension("1.53 m"),
               "car.toml:3 hardpoint.ubj is 0.03 m before lbj: a caster of -8.5 deg");
 }

@@ -73,7 +73,7 @@ class DeckReader {
         {"EMBEDDED ELEMENT", &DeckReader::embedded},
         {"END STEP", &DeckReader::end_step},
     };
-    // Cards that request output; they do not change the model.
+    // Keywords that only request output and do not change the model.
     static const std::set<std::string> kOutput = {"HEADING",
                                                   "NODE PRINT",
                                                   "NODE FILE",

@@ -66,7 +66,7 @@ struct InpSpring {
 };
 
 /// A number of the deck that a study may vary: a constant of a material or of a layer of rebars, an
-/// angle, the pressure. Other structs refer to it by its index in InpDeck::numbers.
+/// angle, or the pressure. Other structs refer to such a number by its index in InpDeck::numbers.
 struct InpNumber {
   std::string path;  // "material.RUBBER1.C10"
   InpQuantity quantity = InpQuantity::ratio;
@@ -74,7 +74,7 @@ struct InpNumber {
   struct Where {
     int line = 0;
     std::size_t field = 0;
-    double times = 1.0;  // factor by which this field holds a multiple of the value
+    double times = 1.0;  // factor by which this field of the deck is a multiple of the number
   };
   std::vector<Where> where;
 };

@@ -12,7 +12,8 @@
 namespace latsch::formats {
 namespace {
 
-/// An option of a card: the values with which the model is supported, and what other values mean.
+/// An option of a card with the values for which the model is supported, and the meaning of other
+/// values.
 struct Limited {
   std::vector<std::string> values;
   const char* otherwise;

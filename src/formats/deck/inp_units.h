@@ -26,7 +26,7 @@ struct InpUnits {
 /// Kind of quantity of a number in a deck.
 enum class InpQuantity { ratio, stress, compliance, density, length, area, angle };
 
-/// Returns the value of one unit of the file, in the unit of unit_of().
+/// Returns the factor that converts a number of the file to the unit that unit_of() returns.
 double factor_of(InpQuantity quantity, const InpUnits& units);
 /// Returns the unit that users see for the quantity: "Pa", "1/Pa", "deg", ...
 const char* unit_of(InpQuantity quantity);

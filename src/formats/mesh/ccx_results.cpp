@@ -61,7 +61,8 @@ CcxResults parse_ccx_results(std::string_view text, const std::string& file_name
       continue;
     }
     const auto row = numbers(line);
-    if (!row) {  // column heads may precede the first row; later any other text ends the table
+    // column headings may precede the first row; any other text after a row ends the table
+    if (!row) {
       if (rows > 0 && line.find_first_not_of(" \t\r") != std::string::npos) table = Table::none;
       continue;
     }

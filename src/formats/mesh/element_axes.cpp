@@ -87,8 +87,8 @@ class Aligner {
     stacks_.push_back(e);
   }
 
-  /// Continues to the element beyond the face in the direction `outward`, if that direction is
-  /// along zeta.
+  /// Continues from an element to its neighbor in the direction `outward`, if that direction is
+  /// along the local axis zeta.
   void spread_through(int e, LocalDirection outward) {
     for (const Face& other : faces_.at(face_key(e, outward)))
       if (other.element != e)

@@ -15,7 +15,7 @@ namespace latsch::formats {
 /// A face that is known to be an inner or an outer face of the tire.
 struct KnownFace {
   int element = 0;
-  LocalDirection outward;  // outward direction of the face
+  LocalDirection outward;  // outward normal of the face
   bool inner = false;      // false: outer face
 };
 

@@ -94,7 +94,7 @@ class CordPlacer {
         return at.cwiseAbs().maxCoeff() < 1.0 + kSameDepth;
       };
       if (!first || !second || !inside(*first) || !inside(*second)) continue;
-      // if two elements may be the host, the inner one is chosen
+      // if the cord lies between two elements, the inner one is chosen as host
       if (host >= 0 && first->z() < a.z()) continue;
       host = e;
       a = *first;

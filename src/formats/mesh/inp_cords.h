@@ -17,9 +17,9 @@
 
 namespace latsch::formats {
 
-/// Adds the layers to `placed`. The function `place` returns the position of a deck's node in the
-/// frame of the hosts. The function `line` returns the two nodes (indices) that carry a corner of a
-/// host; both are the corner itself if it is a node.
+/// Adds the layers of cords to `placed`. The function `place` returns the position of a node of the
+/// deck in the frame of the host elements. The function `line` returns the indices of the two nodes
+/// that determine a corner of a host element; both are the corner itself if it is a node.
 void place_cords(const InpDeck& deck,
                  const InpHosts& hosts,
                  const std::function<Eigen::Vector3d(int node)>& place,

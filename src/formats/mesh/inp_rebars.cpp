@@ -174,7 +174,7 @@ class Placer {
     double depth = 0.0;
     for (const int e : candidates(element, x.rowwise().mean())) {
       const auto zeta = depth_in(e, x);
-      // if two elements may be the host, the inner one is chosen
+      // if the rebar lies between two elements, the inner one is chosen as host
       if (!zeta || (host >= 0 && *zeta <= depth)) continue;
       host = e;
       depth = *zeta;

@@ -135,7 +135,7 @@ TEST(InpRebars, WhatALayerCannotBeIsRefused) {
        "\"GONE\" is not defined");
   says(complaint("*REBAR LAYER,ORIENTATION=WHEEL\nPLY0,", "*REBAR LAYER,ORIENTATION=WHEEL\nPLY0,-"),
        "expected more than 0");
-  // One node of the surface element is displaced sideways.
+  // Displace one node of the surface element sideways.
   const std::string node = deck.substr(deck.find("\n1000000,"), 12);
   says(complaint(node, "\n1000000,9"), "from side to side");
 }

@@ -439,7 +439,8 @@ class TireReader {
     }
   }
 
-  /// Divides a tire of equal sectors by the planes that the deck states for the tire on the ground.
+  /// Divides a tire with equal sectors by the planes that the deck states for the tire in contact
+  /// with the ground.
   void divide(Mesh& mesh) const {
     const std::vector<double>& planes = deck_.remarks.planes;
     if (planes.empty() || !mesh.theta.empty()) return;
@@ -568,7 +569,7 @@ class TireReader {
   std::vector<int> element_numbers_;
   std::vector<HexNodes> elements_;
   std::vector<int> solid_;
-  // for each element the index of its wall among the deck's comments; -1: none
+  // for each element, the index of its wall in the comments of the deck; -1: none
   std::vector<int> wall_;
   std::set<int> treads_;  // elements that a comment calls tread
   std::vector<KnownFace> inner_, outer_;

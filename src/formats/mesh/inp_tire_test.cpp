@@ -244,7 +244,7 @@ TEST(InpTire, ASpringThatIsNoCordIsRefusedWithItsLine) {
   EXPECT_NE(complaint(with(",NONLINEAR\n", "\n")).find("linear"), std::string::npos);
   EXPECT_NE(complaint(with("*SPRING,ELSET=CORDS0,", "*SPRING,ELSET=OTHER,")).find("no *SPRING"),
             std::string::npos);
-  // The force of the spring jumps at one point of its law.
+  // The force of the spring jumps at one point of its force-elongation curve.
   const std::size_t law = good.find('\n', good.find("NONLINEAR\n\n") + 11) + 1;
   std::string jump = good;
   jump.insert(law + (good[law] == '-' ? 1 : 0), "9");

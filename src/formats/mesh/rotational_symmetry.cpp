@@ -154,7 +154,8 @@ std::optional<Sector> cut(const RingOfNodes& ring,
   return sector;
 }
 
-/// The planes between unequal sectors: their angles, and for every node its ring and its plane.
+/// The planes between sectors of unequal width: their angles and, for every node, the ring of nodes
+/// and the plane to which it belongs.
 struct Planes {
   std::vector<double> theta;
   std::vector<int> ring, plane;

@@ -7,7 +7,7 @@
 namespace latsch::formats {
 namespace {
 
-// tolerance of the position along a line; decks have more digits
+// tolerance of the position along a line; decks state positions with more digits
 constexpr double kSamePlace = 1e-6;
 
 /// Two tied corners on one side of an element, both in one plane: the nodes of the line and the

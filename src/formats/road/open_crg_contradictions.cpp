@@ -15,15 +15,16 @@ namespace {
 using Eigen::Vector2d;
 using Kind = OpenCrgHeader::Channel::Kind;
 
-// Shares by which a repeated statement may differ: files write few digits, and tools integrate
-// differently. Larger values hide contradictions.
-constexpr double kOfSpacing = 1e-2;  // share of the spacing of sections or rows
-constexpr double kOfPoints = 5e-2;   // likewise, if points state it: OpenCRG allows 3 %
-constexpr double kOfLength = 1e-2;   // share of the length of the reference line
-constexpr double kAngle = 1e-2;      // rad, and of slopes
-constexpr double kHeight = 1e-3;     // m
-constexpr double kMostTurns = 1.0;   // largest heading in turns
-constexpr double kSteepest = 1.0;    // m/m
+// Largest differences that are accepted between two statements of the same quantity, which arise
+// because files contain few digits and programs integrate differently.
+constexpr double kOfSpacing = 1e-2;  // share of the spacing of the rows or sections
+// share of the spacing if it follows from points; OpenCRG allows 3 %
+constexpr double kOfPoints = 5e-2;
+constexpr double kOfLength = 1e-2;  // share of the length of the reference line
+constexpr double kAngle = 1e-2;     // rad; the same value is used for slopes
+constexpr double kHeight = 1e-3;    // m
+constexpr double kMostTurns = 1.0;  // largest heading, in turns
+constexpr double kSteepest = 1.0;   // largest slope, m/m
 
 class Contradictions {
  public:
@@ -44,8 +45,8 @@ class Contradictions {
     header_.warnings.push_back(fmt::format("{}:{}: {}", file, line, text));
   }
 
-  /// Warns of headings and slopes that are stated in degrees or per cent: the standard has rad and
-  /// m/m.
+  /// Warns of headings and slopes that are probably stated in degrees or percent; the units of the
+  /// standard are rad and m/m.
   void doubt_sizes() {
     const double pi = std::numbers::pi;
     for (const auto& [name, value] : header_.road) {
@@ -89,7 +90,8 @@ class Contradictions {
     }
   }
 
-  /// Warns if a statement of $ROAD_CRG differs from `counts` by more than `slack`.
+  /// Warns if the value in block $ROAD_CRG differs by more than `slack` from the value `counts`,
+  /// which is the one used.
   void compare(const char* name, double counts, double slack, const std::string& source) {
     const auto stated = header_.road.find(name);
     if (stated == header_.road.end()) return;
@@ -120,7 +122,7 @@ class Contradictions {
   bool has_road(const char* name) const { return header_.road.contains(name); }
   double road(const char* name) const { return header_.value(header_.road, name, 0.0); }
 
-  /// Value of a channel in a row; NaN if there is none.
+  /// Returns the value of a channel in a row; NaN if there is none.
   double at(Kind kind, int row) const {
     return records_.at(std::min(row, rows_ - 1), static_cast<std::size_t>(column_of(kind)));
   }
@@ -187,7 +189,8 @@ class Contradictions {
       compare("reference_line_end_y", last.y(), slack, "channel y");
       return;
     }
-    // A line with headings and a whole end is drawn to this end; the error is spread along it.
+    // If headings and the end point are both stated, the line is drawn to this end point, and the
+    // difference is spread along the line.
     const bool has_end = has_road("reference_line_end_x") && has_road("reference_line_end_y");
     const bool is_spread = has(Kind::phi) && has_end;
     const Vector2d last = is_spread ? end_by_headings() : grid_.line.back();
@@ -224,7 +227,8 @@ class Contradictions {
     return std::atan2(along.y(), along.x());
   }
 
-  /// Compares headings with those of the first and last interval, whose own turn is allowed.
+  /// Compares the stated headings with those of the first and last interval of the line. The turn
+  /// within such an interval is accepted.
   void compare_headings() {
     const bool by_points = has(Kind::x);
     if (!by_points && !has(Kind::phi)) return;
@@ -235,7 +239,7 @@ class Contradictions {
     };
     const double first = rows_ > 2 ? turn(1) : 0.0, last = rows_ > 2 ? turn(rows_ - 2) : 0.0;
     compare_angle("reference_line_start_phi", heading(1), kAngle + 2.0 * first, source);
-    if (by_points)  // otherwise compared with the rest of the end (open_crg_checks.h)
+    if (by_points)  // headings of channel phi are compared in open_crg_checks.h
       compare_angle("reference_line_end_phi", heading(rows_ - 1), kAngle + 2.0 * last, source);
     if (!by_points || !has(Kind::phi)) return;
     double most = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds statements of an OpenCRG header that contradict each other or the data [ASAM OpenCRG 1.2.0,
-// 3.4.2]. Several statements of $ROAD_CRG say again what channels, positions of sections or other
-// statements say: one of them counts, and the others are compared with it.
+// 3.4.2]. Several statements of block $ROAD_CRG repeat what channels, positions of sections or
+// other statements say. One of them is used, and the others are compared with it.
 #pragma once
 
 #include "formats/road/open_crg_header.h"
@@ -10,8 +10,8 @@
 
 namespace latsch::formats {
 
-/// Adds a warning for each such statement, with the value that counts. `grid` is the road of the
-/// header without its modifiers, which move and scale the road that was stated.
+/// Adds a warning to the header for each contradicting statement, with the value that is used.
+/// `grid` is the road of the header without the modifiers, which move and scale the road.
 void warn_of_contradictions(OpenCrgHeader& header,
                             const OpenCrgRecords& records,
                             const road::CrgGrid& grid);

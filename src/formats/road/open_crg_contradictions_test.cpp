@@ -14,8 +14,8 @@ const std::filesystem::path kSamples = LATSCH_SOURCE_DIR "/../shared/data/crg";
 
 /// Returns the text of a flat road with five rows, 1 m apart, and long sections at v = -1, 0 and
 /// 1 m. `statements` are those of $ROAD_CRG. `channels` defines channels of the reference line, and
-/// `values` has their values in each row. The sections are defined by position if `by_place`, else
-/// by number.
+/// `values` contains their values in each row. The sections are defined by their positions if
+/// `by_place` is true, otherwise by their numbers.
 std::string crg(const std::string& statements,
                 const std::string& channels = "",
                 const std::vector<std::string>& values = {"", "", "", "", ""},

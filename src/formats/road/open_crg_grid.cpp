@@ -16,7 +16,7 @@ using Kind = OpenCrgHeader::Channel::Kind;
 
 constexpr double kDefaultIncrement = 0.01;  // m, default of OpenCRG along u and v
 constexpr double kLeastSpacing = 1e-6;      // m, least value allowed by OpenCRG
-// Relative tolerance of OpenCRG for the spacing of the points of the line.
+// relative tolerance that OpenCRG allows for the spacing of the points of the reference line
 constexpr double kEvenLine = 3e-2;
 constexpr double kLargestPlace = 1e9;  // m; no road is longer, no position farther away
 constexpr double kMostRows = 1e8;
@@ -204,8 +204,8 @@ class GridBuilding {
     grid_.line[0] = begin;
     for (int i = 1; i <= last; ++i) grid_.line[i] = grid_.line[i - 1] + step * direction(phi[i]);
     if (!end) return;
-    // The backward sum differs from the forward sum by the same vector at all points: the gap at
-    // the end.
+    // The sum from the end and that from the start differ by the same vector at all points, which
+    // is the gap at the end.
     const Vector2d gap = *end - grid_.line[last];
     if (gap.norm() > 0.1 * step * last) {
       fail(
@@ -303,7 +303,7 @@ class GridBuilding {
       gaps += missing[i] ? 1 : 0;
     }
     if (gaps == 0) return 0;
-    // a row without any height takes those of the row before
+    // a row without any height takes the heights of the previous row
     std::vector<double> fallback(columns, 0.0);
     for (std::size_t row = 0; row < grid_.z.size(); row += columns) {
       fill_row(&grid_.z[row], mode == 1.0 ? &offset : nullptr, offset, fallback);

@@ -242,7 +242,8 @@ class HeaderReading {
     }
   }
 
-  /// Only tools that draw the data use a virtual channel; that of u is compared with the road.
+  /// Reads a virtual channel. Such channels serve only programs that plot the data; that of u is
+  /// kept, to be compared with the road.
   void take_virtual_channel(const std::string& text) {
     std::vector<std::string_view> parts;
     for (std::string_view rest = text; !rest.empty();) {

@@ -31,7 +31,7 @@ struct OpenCrgHeader {
     int line = 0;
   };
 
-  /// The line "U: reference line u,m,BEGIN,STEP", which states the rows once more.
+  /// The line "U: reference line u,m,BEGIN,STEP", which repeats the positions of the rows.
   struct VirtualChannel {
     double begin = 0.0, step = 0.0;  // m
     int line = 0;

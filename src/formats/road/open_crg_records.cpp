@@ -69,7 +69,8 @@ class RecordReading {
       if (text.ends_with('\r')) text.remove_suffix(1);
       if (column == 0 && trimmed(text).empty()) continue;
       const std::size_t left = records_.columns - column;
-      // A record begins on a new line; a compact record may share a line with the next record.
+      // A record begins on a new line, except that a compact record may share a line with the next
+      // one.
       std::size_t fields = std::min(kLine / width, left);
       if (!padded_) fields = (text.size() + width - 1) / width;
       if (padded_ && text.size() > fields * width &&
@@ -115,7 +116,7 @@ class RecordReading {
     if (padded_) record = (record + kLine - 1) / kLine * kLine;
     const std::size_t there =
         (bytes_.size() - std::min(header_.data_begin, bytes_.size())) / record;
-    // The last line may be padded, so only the header can say where the data end.
+    // The last line may be padded, so only the header can state where the data end.
     const std::size_t count = rows ? std::min<std::size_t>(there, *rows) : there;
     records_.rows = static_cast<int>(count);
     records_.values.reserve(count * records_.columns);

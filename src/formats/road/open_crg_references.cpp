@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kLargestCrg = 256u << 20;  // bytes
 constexpr std::size_t kMostFiles = 64;
 
-/// A section of statements and the file it comes from.
+/// A section of a file with its statements, and the file that contains it.
 struct Block {
   OpenCrgHeader::Values values;
   std::string file;

@@ -76,7 +76,7 @@ TEST(OpenCrg, GridIsBilinearBetweenTheNumbersOfTheFile) {
   EXPECT_DOUBLE_EQ(z(road, 2.5, 0.25), (0.04 + 0.09) / 2 + 0.025);
   EXPECT_DOUBLE_EQ(road.height(2.5, 0.25, 0.0), z(road, 2.5, 0.25));
   expect_normal_of_surface(road, 2.3, 0.2);
-  // beyond the edge the height of the edge continues
+  // outside of the grid the height at its edge continues
   EXPECT_DOUBLE_EQ(road.height(9.0, 3.0, 0.0), 0.21);
 }
 
@@ -213,8 +213,8 @@ TEST(OpenCrg, ArcIsAnArcAndItsNormalsAreThoseOfTheSurface) {
 }
 
 TEST(OpenCrg, EveryPlaceHasAHeightAndANormalAlsoInsideATightBend) {
-  // Headings change by one radian per meter, so the center of curvature is one meter away, within
-  // the sections.
+  // The headings change by one radian per meter, so the center of curvature is one meter away from
+  // the reference line, which is within the width of the road.
   std::string text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1");
   text = text.substr(0, text.find("$$$$$$")) + "$$$$\n";
   for (int i = 0; i < 7; ++i) {
@@ -252,7 +252,7 @@ TEST(OpenCrg, ReferenceLineWithAnEndMeetsIt) {
 TEST(OpenCrg, ClosedTrackComesRound) {
   std::string text = with("$KD_", "$ROAD_CRG_OPTS\nrefline_continuation = 1\n$\n$KD_");
   text = with("D:long section 1", "D:reference line phi,rad\nD:long section 1", text);
-  // A step is a sixtieth of the circumference of a circle with 10 m radius.
+  // The step is a sixtieth of the circumference of a circle with a radius of 10 m.
   text = with("= 1.0 !", "= 1.0471975512 !", text);
   text = text.substr(0, text.find("$$$$$$")) + "$$$$\n";
   for (int i = 0; i < 60; ++i) {  // one step is missing, so the line is not closed

@@ -73,7 +73,7 @@ const std::vector<std::string> kRoadKeys = {"MU",
                                             "CLEAT_DIRECTION",
                                             "CLEAT_STARTING_ANGLE"};
 
-/// Kind of quantity, which determines the unit of a number.
+/// Kind of a quantity, which determines the unit of a number.
 enum class Of { ratio, length, angle, time, speed };
 
 class RdfReading {

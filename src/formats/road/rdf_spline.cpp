@@ -57,7 +57,8 @@ class SplineReading {
                      "ROAD_VERTICAL is " + in_quotes(text) + ", expected '0 0 1'");
   }
 
-  /// Returns the row's own number; the common one if the row has 0 or no number.
+  /// Returns the number in a row of the table or, if the row has 0 or no number, the number common
+  /// to all rows.
   double own(const std::vector<double>& row, std::size_t column, double of_all) const {
     return column < row.size() && row[column] != 0.0 ? row[column] : of_all;
   }

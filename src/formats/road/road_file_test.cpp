@@ -41,7 +41,7 @@ void expect_road_message(const std::string& text,
                          const std::string& place,
                          const std::string& words) {
   try {
-    // The units stand after the text, so that its line numbers do not change.
+    // The section [UNITS] follows the text, so that the line numbers of the text do not change.
     rdf(text + "[UNITS]\nLENGTH='meter'\nANGLE='radian'\nTIME='second'\n");
     FAIL() << words;
   } catch (const InputError& error) {
@@ -142,8 +142,8 @@ TEST(RdfFile, DrumTurnsItsCleatsUnderTheTire) {
                                    "DIAMETER = -2500\nNUMBER_CLEATS = 1\n(TV_DATA)\n0 0\n1 "
                                    "1000\n(XZR_DATA)\n0 0 0\n0 20 10\n40 20 10\n40 0 0\n");
   EXPECT_NEAR(z(rounded, 0), 0.02, 1e-4);
-  // The corner is a quarter circle of 10 mm radius; at 45 deg it lies 10 (1 - cos 45 deg) = 2.93 mm
-  // inside.
+  // The edge is rounded with a radius of 10 mm; at 45 degrees the surface is 10 (1 - cos 45 deg) =
+  // 2.93 mm inside of the sharp edge.
   EXPECT_NEAR(z(rounded, 0.02 - 0.00293), 0.02 - 0.00293, 1.5e-4);
   EXPECT_EQ(rounded.road->at(0, 0, 0.5).velocity.x(), -0.5);
 }
@@ -345,8 +345,8 @@ TEST(RdfFile, KerbsAsTrianglesAreTheSameKerbs) {
       const Eigen::Vector2d p =
           kerb.start + Eigen::Vector2d(s * std::cos(0.3) - 0.35 * std::sin(0.3),
                                        s * std::sin(0.3) + 0.35 * std::cos(0.3));
-      // The steep faces of this road extend over 0.01 mm along the road, and so do the slopes that
-      // end in them.
+      // In this file the steep faces of the road extend over 0.01 mm in the longitudinal direction,
+      // and so do the ends of the slopes between them.
       EXPECT_NEAR(z(file, p.x(), p.y()), exact.height(p.x(), p.y(), 0.0), 1e-5) << s;
       if (s < -0.01 || (s > 0.01 && s < 3.19) || s > 3.21) {
         EXPECT_EQ(file.road->at(p.x(), p.y(), 0).friction, exact.at(p.x(), p.y(), 0).friction);
@@ -385,7 +385,7 @@ TEST(RdfSpline, APlaneThroughStraightPointsIsThatPlane) {
   for (const double x : {0.1, 1.0, 2.9, 3.1, 7.7}) EXPECT_NEAR(z(road, x, 0.9), 0.1 * x, 1e-12);
   EXPECT_EQ(road.road->at(1.0, 1.0, 0.0).friction, 1.2);   // left
   EXPECT_EQ(road.road->at(1.0, -1.0, 0.0).friction, 0.8);  // right
-  // the row's own value holds from this point on
+  // the friction stated in the row applies from this point on
   EXPECT_EQ(road.road->at(5.0, 1.0, 0.0).friction, 0.5);
 }
 

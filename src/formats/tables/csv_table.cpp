@@ -20,7 +20,8 @@ namespace latsch::formats {
 namespace {
 
 constexpr std::size_t kLargestTable = 1u << 30;  // bytes
-// Rows between two stored positions; a larger number saves memory and slows access to single rows.
+// number of rows between two stored positions; a larger number saves memory and makes access to
+// single rows slower
 constexpr int kStride = 1024;
 
 std::string called(std::string_view column) { return "column " + in_quotes(column); }

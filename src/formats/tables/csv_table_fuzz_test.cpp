@@ -62,7 +62,8 @@ TEST(CsvTableFuzz, TwentyThousandSpoiledTablesEndInNumbersOrAnInputError) {
       ASSERT_EQ(std::string(error.what()).find("spoiled.csv"), 0u) << error.what();
     }
   }
-  // A good share of the damaged tables is read, and a good share is refused.
+  // At least a quarter of the damaged tables must be refused, and a considerable share must be
+  // read.
   EXPECT_GT(rejected, kMutations / 4);
   EXPECT_LT(rejected, 19 * kMutations / 20);
 }

@@ -205,8 +205,8 @@ TEST(CsvTable, AUnitMayStandInRoundBracketsOrBehindASlash) {
   EXPECT_EQ(table.numbers("v", "m/s")[0], 10.0);
   EXPECT_EQ(table.numbers("Temp", "K")[0], 273.15);
   EXPECT_EQ(table.numbers("p", "Pa")[0], 2e5);
-  // The whole title is accepted as a name. Letters that name a frame, a side or a position are no
-  // units.
+  // A column can be requested by its whole title. Letters in brackets that name a frame, a side or
+  // a position are no units.
   EXPECT_EQ(table.numbers("Fz (kN)", "N")[0], 1000.0);
   EXPECT_EQ(table.numbers("Fy (H)", "1")[0], 7.0);
   EXPECT_EQ(table.numbers("toe (L)", "1")[0], 8.0);

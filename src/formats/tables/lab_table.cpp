@@ -70,7 +70,7 @@ void take_stated_units(std::vector<LabColumn>& columns, const Units& units, cons
   if (!missing.empty()) throw InputError(header, missing_columns(missing, names));
 }
 
-/// Adds columns, converted to SI, with units that the caller states for those without unit.
+/// Adds columns, converted to SI; for columns without unit, uses the units that the caller states.
 void add_columns(std::vector<LabColumn> columns,
                  const Units& units,
                  const ExpectedUnit& expected,
@@ -119,7 +119,7 @@ LabTable table_of(const std::filesystem::path& file) {
   return table;
 }
 
-/// Throws InputError if a part is stated of a file whose channels have no paths.
+/// Throws InputError if a part is stated for a file whose channels have no paths.
 void expect_no_part(const std::filesystem::path& file, const std::string& part) {
   if (!part.empty())
     throw InputError({file.string(), 0},
@@ -238,7 +238,8 @@ std::vector<LabColumn> header_of(const std::vector<Line>& before, bool tabs) {
     const Line& names = before[before.size() - 2];
     std::vector<LabColumn> columns =
         columns_named(fields_of(trimmed(names.text), tabs), names, tabs);
-    // The last channels may be plain numbers, whose fields in the line of units are blank.
+    // The last channels may be plain numbers without unit, for which the line of units has blank
+    // fields.
     auto units = fields_of(last.text, tabs);
     while (tabs && units.size() < columns.size()) units.emplace_back();
     while (units.size() > columns.size() && units.back().empty()) units.pop_back();
@@ -352,8 +353,8 @@ std::size_t samples_of(const MatFile::Named& vectors, const std::string& file, c
   return (first ? *first : vectors.channels.all().front()).values.size();
 }
 
-/// Returns the channels of one struct: the stated one, or the only one with known channels unless
-/// `units` names channels by their whole paths.
+/// Returns the channels of one struct of a MAT file: the stated struct, or the only one with known
+/// channels. Returns the whole file if `units` contains whole paths of channels.
 MatFile part_of(MatFile mat, const Units& units, const std::string& part, LabTable& table) {
   if (!part.empty()) return run_of(mat, part);
   const std::vector<std::string> runs = runs_in(mat);

@@ -91,7 +91,7 @@ TEST_F(LabTables, AnUnknownUnitOfADatIsNoName) {
     return std::string(name == "SA" ? "rad" : "");
   };
   EXPECT_THROW(read_lab_table(folder_ / "a.dat", {}, expected), InputError);
-  // None of the units is known, all names are usual ones.
+  // None of the units in this file is known, but all names of the columns are usual.
   EXPECT_EQ(read("b.dat", "run\nSA\tFZ\nfoo\tbaz\n1\t2\n").left_out.size(), 2u);
 }
 

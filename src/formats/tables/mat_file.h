@@ -55,10 +55,10 @@ struct MatFile {
   };
   Named named_channels(const std::map<std::string, std::string>& units = {},
                        const ExpectedUnit& expected = {}) const;
-  /// Returns the units that the file states, by the name of the channel.
+  /// Returns the units that the file states, by the names of the channels.
   std::map<std::string, std::string> written_units() const;
-  /// Returns the name under which named_channels() knows a variable: "Fz" for "Fz.data" if `units`
-  /// has a unit of the struct Fz, otherwise the variable's own.
+  /// Returns the name that a variable has in named_channels(): "Fz" for "Fz.data" if `units`
+  /// contains a unit of the struct Fz, otherwise the variable's own name.
   static std::string channel_of(const MatVariable& variable,
                                 const std::map<std::string, std::string>& units);
   Channels channels(const std::map<std::string, std::string>& units = {}) const {

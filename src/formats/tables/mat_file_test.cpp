@@ -66,7 +66,7 @@ TEST_F(MatFiles, OfSciPyComeOutAsTheyWentIn) {
     EXPECT_EQ(channels.find("run.Fy")->unit, "N");
     EXPECT_EQ(channels["c{1}"], (std::vector<double>{5.0, 6.0}));
     EXPECT_EQ(find(file, "tire")->text, "Reifen \xc3\xa4");
-    // column by column
+    // the values of the array are stored column by column
     EXPECT_EQ(find(file, "map")->values, (std::vector<double>{0, 3, 1, 4, 2, 5}));
     EXPECT_EQ(file.left_out, std::vector<std::string>{"z"});
     EXPECT_THROW(file.channels({{"FX", "N"}}), InputError);

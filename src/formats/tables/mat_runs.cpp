@@ -10,7 +10,8 @@
 namespace latsch::formats {
 namespace {
 
-/// Returns the path of the struct that has a channel, "run" of "run.Fz", and the channel's name.
+/// Splits the path of a channel into that of its struct and the channel's name: "run" and "Fz" for
+/// "run.Fz".
 std::pair<std::string, std::string> parted(const std::string& channel) {
   const std::size_t dot = channel.rfind('.');
   if (dot == channel.npos) return {"", channel};
@@ -20,8 +21,9 @@ std::pair<std::string, std::string> parted(const std::string& channel) {
 }  // namespace
 
 std::vector<std::string> runs_in(const MatFile& file) {
-  constexpr std::size_t kFewest = 2;  // known vectors, by which a struct is a recording
-  std::vector<std::pair<std::string, std::set<std::string>>> found;  // path -> known channels
+  constexpr std::size_t kFewest = 2;  // least number of known vectors in a recording
+  // names of the known channels by the path of their struct
+  std::vector<std::pair<std::string, std::set<std::string>>> found;
   const auto written = file.written_units();
   for (const MatVariable& variable : file.variables) {
     if (!variable.is_vector()) continue;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings in the structs of a MAT file, and its constants.
+// Finds recordings in the structs of a MAT file, and constants of the file.
 //
 //   run1.Fz, run1.alpha, run2.Fz ...   two recordings; "run1" is the path of the first one
-//   runs(2).Fz.data                    the second element of an array of structs, "runs(2)"
-//   P = 82.7, in kPa                   a constant: the same in all samples of the vectors
+//   runs(2).Fz.data                    the second element "runs(2)" of an array of structs
+//   P = 82.7, in kPa                   a constant: it has the same value in all samples
 #pragma once
 
 #include <map>
@@ -15,12 +15,12 @@
 
 namespace latsch::formats {
 
-/// Returns the paths of structs with at least two vectors that are known channels, in the order of
-/// the file; "" is the file itself.
+/// Returns the paths of structs that contain at least two vectors of known channels, in the order
+/// of the file; the path "" means the file itself.
 std::vector<std::string> runs_in(const MatFile& file);
 
-/// Returns the members of a struct under their names in it: "Fz" for "run1.Fz". Throws InputError
-/// if there is no such struct; the message has the structs of the file.
+/// Returns the members of a struct with their names in it: "Fz" for "run1.Fz". Throws InputError if
+/// there is no such struct; the message lists the structs of the file.
 MatFile run_of(const MatFile& file, const std::string& path);
 
 /// Turns single numbers into vectors of equal values with as many samples as the other vectors of

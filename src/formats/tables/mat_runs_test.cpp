@@ -31,7 +31,7 @@ MatFile two_runs() {
 
 TEST(MatRuns, AreTheStructsWithSeveralKnownChannels) {
   MatFile file = two_runs();
-  file.variables.push_back(vector_of("calibration.FZ", 5));  // one channel alone is no recording
+  file.variables.push_back(vector_of("calibration.FZ", 5));  // a single channel is not a recording
   EXPECT_EQ(runs_in(file), (std::vector<std::string>{"run1", "runs(2)"}));
 }
 

@@ -40,7 +40,7 @@ enum Type : std::uint32_t {
   miUTF16 = 17,
   miUTF32 = 18
 };
-/// Classes of arrays.
+/// Classes of MATLAB arrays.
 enum Class : std::uint32_t {
   mxCELL = 1,
   mxSTRUCT = 2,

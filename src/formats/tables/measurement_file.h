@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the tables that a laboratory delivers, and writes such tables from a simulation.
+// Reads tables as laboratories deliver them, and writes such tables from a simulation.
 //
-// Load-deflection, CSV: columns "deflection" (from first touch) or "loaded_radius" (wheel center to
-// ground), "force" and, if known, "spread", the standard deviation of the force. A table with other
-// names is read as any measurement (correlation/laboratory/measurement.h).
+// Load-deflection, CSV: columns "deflection" (from the first contact) or "loaded_radius" (wheel
+// center to ground), "force" and, if known, "spread", the standard deviation of the force. A table
+// with other names is read like any other measurement (correlation/laboratory/measurement.h).
 //
-// Modes, CSV: column "frequency" (also "f", "Eigenfrequenz" ...); if known "n" (also "order"),
-// "type" (torsional, lateral, radial) and "phase" (s, a), in any case; a cell may be empty. Or
-// TOML, one table for each mode:
+// Modes, CSV: column "frequency" (also "f", "Eigenfrequenz" and a few others); if known "n" (also
+// "order"), "type" (torsional, lateral, radial) and "phase" (s, a); letter case does not matter; a
+// cell may be empty. Or TOML, one table for each mode:
 //
 //   [[mode]]
 //   frequency = "43.2 Hz"
@@ -15,11 +15,12 @@
 //   type = "lateral"
 //   phase = "s"
 //
-// Shapes, CSV beside the modes: one row for each mode and sensor point, columns "mode" (1, 2 ... in
-// the order of the modes), "x" "y" "z" (undeformed tire, wheel frame) and "ux" "uy" "uz" (any
-// scale); every mode has the same points in the same order.
+// Mode shapes, CSV beside the modes: one row for each mode and sensor point, columns "mode" (1, 2
+// ... in the order of the modes), "x" "y" "z" (undeformed tire, wheel frame) and "ux" "uy" "uz"
+// (any scale); every mode has the same points in the same order.
 //
-// Units are in the header, see csv_table.h. Written tables are read back with the same bits.
+// Units are stated in the header, see csv_table.h. A table that was written and is read again has
+// bitwise equal numbers.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +34,7 @@ namespace latsch::formats {
 /// Throws InputError that names file and line for a missing column, a wrong unit, or an invalid
 /// curve.
 LoadDeflectionCurve read_load_deflection(const std::filesystem::path& file);
-/// True if a file is a CSV with no other columns than read_load_deflection() reads.
+/// True if a file is a CSV table with no columns except those that read_load_deflection() reads.
 bool is_load_deflection_table(const std::filesystem::path& file);
 
 /// Reads modes without shapes, from .toml or CSV.

@@ -99,7 +99,8 @@ Recording parse(std::shared_ptr<const MappedFile> source,
   const bool decimal_comma = fields.separator() != ',';
   const CsvHeader header = read_csv_header(fields, file);
   std::vector<Column> columns = columns_of(header, units, file);
-  // Bytes of a cell; used to estimate the number of rows, so that vectors are allocated once.
+  // estimated length of a cell, bytes, from which the number of rows is estimated so that vectors
+  // are allocated once
   constexpr std::size_t kUsualCell = 9;
   for (Column& column : columns) column.values.reserve(size / (kUsualCell * columns.size()));
   DecimalMarks marks(file);

@@ -54,7 +54,7 @@ std::string narrow_letters(std::string_view text) {
     const int code = is_long && (byte(0) & 0xf0) == 0xe0
                          ? ((byte(0) & 0x0f) << 12) | ((byte(1) & 0x3f) << 6) | (byte(2) & 0x3f)
                          : 0;
-    // these codes are in the order of ASCII
+    // these full-width characters are in the order of ASCII
     const bool is_letter = code >= 0xff01 && code <= 0xff5e;
     if (is_letter || code == 0x3000) {
       narrow += is_letter ? static_cast<char>(code - 0xff01 + '!') : ' ';
@@ -223,7 +223,7 @@ void take_stated_unit(TableColumn& column, const std::string& stated, const Plac
     column.unit = stated;
     return;
   }
-  // A unit "lb" in the file agrees with a stated "lbf" as well as "lbm".
+  // If a file has the unit "lb", the statement "lbf" agrees with it, and so does "lbm".
   const auto said = Unit::find(stated);
   const auto written = said ? find_unit(column.unit, *said) : std::nullopt;
   if (!written || !written->same_dimension(*said) || written->to_si(1.0L) != said->to_si(1.0L) ||

@@ -32,7 +32,7 @@ struct TableColumn {
   std::string assumed = {};  // the meaning that was assumed for a unit with several meanings
   UnitPlace unit_place = UnitPlace::title;
   bool is_negative = false;  // the title is minus the name: "-SA" holds minus SA
-  // The file's own scaling (TYDEX): a value in `unit` is the written number * factor + offset.
+  // Scaling that a TYDEX file states: value in `unit` = written number * factor + offset.
   double factor = 1.0, offset = 0.0;
 
   bool operator==(const TableColumn&) const = default;

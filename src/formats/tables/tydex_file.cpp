@@ -18,7 +18,7 @@
 namespace latsch::formats {
 namespace {
 
-// bytes; more than an hour of ten channels at 1 kHz
+// largest size of a file, bytes; more than an hour of ten channels at 1 kHz
 constexpr std::size_t kLargestTydex = 512u << 20;
 constexpr std::size_t kMostChannels = 1000;
 constexpr std::size_t kNameEnd = 10, kCommentEnd = 40, kUnitEnd = 50, kField = 10;
@@ -206,9 +206,9 @@ class Reading {
     file_.left_units[entry.name] = {entry.line, entry.unit};
   }
 
-  /// Returns an error such as `has unknown unit "grC"` for a name that TYDEX does not define,
-  /// because such a channel may be left out. Returns nothing if the unit is known or TYDEX defines
-  /// the name.
+  /// Returns an error text such as `has unknown unit "grC"` if TYDEX does not define the channel's
+  /// name, because such a channel may be omitted. Returns nothing if the unit is known or if TYDEX
+  /// defines the name.
   std::string fault_of_own(const std::string& name, const std::string& written) const {
     const TydexName* known = find_tydex_name(name);
     if (known && !known->si_unit.empty()) return "";
@@ -216,8 +216,8 @@ class Reading {
     return reading.unit ? "" : "has " + reading.fault;
   }
 
-  /// Returns the unit of a name. Throws InputError if the unit is missing, or if it has another
-  /// dimension than the name requires.
+  /// Returns the unit of a channel. Throws InputError if the unit is missing, or if its dimension
+  /// is not the one that the channel's name requires.
   Unit unit_of(const std::string& name, const std::string& written, bool strict) const {
     const TydexName* known = find_tydex_name(name);
     const bool told = known && !known->si_unit.empty();
@@ -239,7 +239,8 @@ class Reading {
              "), such as " + in_quotes(natural_unit(known->si_unit)));
   }
 
-  /// Reads name, comment, unit and three numbers between tabs; nullopt for any other line.
+  /// Reads name, comment, unit and three numbers that are separated by tabs; returns nullopt for
+  /// any other line.
   std::optional<TydexFile::Entry> entry_between_tabs(std::string_view line) const {
     std::vector<std::string_view> fields;
     for (line = trimmed(line); line.find('\t') != line.npos;
@@ -259,8 +260,8 @@ class Reading {
     return entry;
   }
 
-  /// Fails for a line whose last words are a unit and three numbers that do not stand in their
-  /// columns.
+  /// Fails if the last words of a line are a unit and three numbers, but are not in the columns of
+  /// the format.
   void expect_columns(const TydexFile::Entry& entry, std::string_view line) const {
     const auto words = words_of(line);
     constexpr std::size_t kFewest = 5;  // name, unit, factor, two offsets

@@ -238,7 +238,7 @@ TEST(TydexFile, LeavesOutAChannelOfItsOwnWhoseUnitIsUnknown) {
   EXPECT_NE(file.left_out.at("SENSOR_7").find("unknown unit \"grC\""), std::string::npos);
 }
 
-// A spreadsheet saves tabs in place of the columns.
+// A spreadsheet program writes tabs instead of columns of fixed width.
 TEST(TydexFile, ChannelsBetweenTabsAreRead) {
   const TydexFile file = TydexFile::parse(kHead +
                                               "**MEASURCHANNELS\n"

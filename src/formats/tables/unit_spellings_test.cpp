@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kWritten = 7.0;
 
-/// Result of reading a column: the SI unit and the value written as 7.
+/// Result of reading a column whose value is written as 7: the SI unit and the converted value.
 struct Found {
   std::string unit;
   double si = 0.0;
@@ -56,14 +56,14 @@ void expect_the_number_by_hand(const UnitSpelling& spelling,
     found = reader(spelling);
   } catch (const InputError& error) {
     const std::string words = error.what();
-    // A reader that does not know the dimension refuses a unit with two meanings.
+    // A reader that does not know the dimension of a column refuses a unit with two meanings.
     const bool needs_dimension = !knows_dimension && words.find("which may be") != words.npos;
     EXPECT_TRUE(std::isnan(spelling.factor) || needs_dimension) << words;
     EXPECT_NE(words.find(where), words.npos) << words;
     EXPECT_NE(words.find(in_quotes(spelling.written)), words.npos) << words;
     return;
   }
-  // Code that uses such a column compares its dimension with the needed one later.
+  // A column of unknown meaning is read; code that uses the column compares its dimension later.
   const bool is_refused_later =
       !knows_dimension && !Unit::of(found.unit).same_dimension(Unit::of(spelling.si));
   if (is_refused_later) return;

@@ -142,7 +142,7 @@ class TeimOrbitReader {
   void read_row(std::string_view content) {
     TeimOrbitSection& here = section();
     if (!table_open_) {
-      // A single word is no row: the equals sign of a key is probably missing.
+      // A single word is not a row of a table: the equals sign of a key is probably missing.
       const std::vector<std::string> fields = split(content);
       const bool row = content.front() == '\'' || (!fields.empty() && number_in(fields[0]));
       if (!row && block_.empty())

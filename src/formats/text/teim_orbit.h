@@ -101,9 +101,10 @@ class TeimOrbitSection {
   std::vector<std::string> blocks_;
 };
 
-/// SI values of the units in which a file is written. Using a unit that the file does not state
-/// throws, because a guessed unit would silently change every number; for formats whose default is
-/// SI the caller requests that default. Without a file all units are SI.
+/// SI values of the units in which a file is written. If code uses a unit that the file does not
+/// state, an exception is thrown, because a guessed unit would change every number without notice.
+/// For formats whose default is SI, the caller requests this default. Without a file all units are
+/// SI.
 class TeimOrbitUnits {
  public:
   enum class Missing { is_refused, is_si };

@@ -23,7 +23,8 @@ constexpr const char* kFormatsRead =
 struct KnownFitType {
   int number;
   Version version;
-  // note for the user; nullptr: the format has exactly the equations of this version
+  // note for the user; nullptr: the format has exactly the equations of this version of the Magic
+  // Formula
   const char* note;
 };
 constexpr std::array<KnownFitType, 8> kFitTypes = {{
@@ -53,7 +54,7 @@ constexpr std::array<std::pair<const char*, Version>, 12> kFormats = {{
     {"MFTYRE62", Version::mf62},
 }};
 
-/// Formats of other tire models, by the first letters and digits of their names.
+/// Formats of other tire models, given by the first letters and digits of their names.
 constexpr std::array<std::pair<const char*, const char*>, 16> kOtherModels = {{
     {"PAC89", "the Magic Formula of 1989, with coefficients A0, B0, C0 ..."},
     {"PAC94", "the Magic Formula of 1994, with coefficients A0, B0, C0 ..."},
@@ -216,7 +217,7 @@ class DialectReading {
   TirDialect result_;
 };
 
-/// Pairs of a key of PAC2002 and the name of its parameter.
+/// Keys of PAC2002, each with the name of its parameter in this program.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kSpellings = {{
     {"LKG", "LKYC"},
     {"LKYG", "LKYC"},

@@ -42,7 +42,8 @@ struct TirFile {
   magic_formula::Parameters parameters;
   std::vector<TirKey> keys;  // keys of all sections, in the order of the file
   bool pac2002 = false;      // true if PROPERTY_FILE_FORMAT is PAC2002
-  /// Factors by which a parameter has already been multiplied, by its name: {"NOMPRES", LIP}.
+  /// For each parameter, the scaling factor by which it has already been multiplied: {"NOMPRES",
+  /// LIP}.
   std::map<std::string, double, std::less<>> scales;
   /// Messages on odd, unknown or missing keys: one sentence each, with its place.
   std::vector<std::string> notes;

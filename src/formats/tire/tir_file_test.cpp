@@ -276,7 +276,7 @@ TEST(TirFile, KeysOfPac2002AreTakenByTheirOtherNames) {
   EXPECT_EQ(p.PPZ2, 0.3);
   EXPECT_EQ(p.PFZ1, 0.7);
   EXPECT_EQ(p.Q_V2, 0.04);
-  // A changed value is written with the file's own key and scale.
+  // A value that was changed is written with the key and the scale of the original file.
   Parameters changed = p;
   changed.PPZ1 = -0.25;
   changed.Q_FCX = 0.01;

@@ -355,7 +355,7 @@ class TirReader {
                                      "expected a number above 0; 1 scales nothing",
                                      field.name,
                                      found->second->value));
-      // factors of fitted tires are between 0.5 and 2; a value beyond this one is wrong
+      // scaling factors of fitted tires lie between 0.5 and 2; a value above this limit is wrong
       constexpr double kFar = 100.0;
       if (needed && (value > kFar || value < 1.0 / kFar))
         doubt(std::string(field.name),

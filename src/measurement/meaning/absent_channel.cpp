@@ -14,8 +14,7 @@
 namespace latsch {
 namespace {
 
-/// A channel that on some rigs serves as another one that is missing, although it has a meaning of
-/// its own.
+/// A channel with a meaning of its own that on some rigs replaces a missing channel.
 struct Relative {
   std::string_view missing, other, words;
   std::string_view with = {};  // a second channel that is also needed for that
@@ -60,8 +59,8 @@ bool same_letters(std::string_view a, std::string_view b) {
   });
 }
 
-/// Returns the known name in a function's name that is one word: "ALPHA" of "TANALPHA"; "" if there
-/// is none.
+/// Returns the known channel name in a one-word name of a function: "ALPHA" of "TANALPHA"; "" if
+/// there is none.
 std::string_view argument_of(std::string_view name) {
   for (const std::string_view function : kFunctions)
     if (name.size() > function.size() + 1 &&
@@ -74,7 +73,7 @@ std::string_view argument_of(std::string_view name) {
 /// Returns the channels named by words within an unknown name: alpha for "tan alpha".
 std::vector<std::string_view> channels_within(std::string_view name) {
   constexpr std::size_t kMostWords = 3;
-  // least length of such a word, because a single letter names a channel by chance
+  // least length of such a channel name, because a single letter may match by chance
   constexpr std::size_t kFewestLetters = 2;
   std::vector<std::string_view> found;
   if (const auto argument = argument_of(name); !argument.empty())

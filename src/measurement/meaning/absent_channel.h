@@ -23,14 +23,16 @@
 
 namespace latsch {
 
-/// A column of the file from which the channel is missing.
+/// A column of the file in which a channel is missing.
 struct OtherColumn {
   std::string name;       // in the file
   std::string unit = {};  // SI unit of the values; empty: unknown
   bool has_unit = false;  // false if the file and its reader know no unit
   std::string taken_as = {};
   bool is_used = false;
-  bool is_slip_like = false;  // plain numbers of both signs, all below 1.5: may be a tangent
+  /// true for numbers without a unit that have both signs and magnitudes below 1.5, so that the
+  /// channel may be a tangent
+  bool is_slip_like = false;
 };
 
 /// A column that may be a missing channel.
@@ -38,7 +40,7 @@ struct MayBe {
   std::string column;  // in the file
   std::string words;   // words that follow the name: "a steer angle"; empty: nothing more is known
   bool is_as_it_stands = true;  // false if the channel has to be computed from the column
-  bool has_its_name = false;    // the name contains that of the channel
+  bool has_its_name = false;    // true if the column's name contains that of the channel
 };
 
 /// Returns the columns that may be the missing channel `channel`, whose SI unit is `unit`: first

@@ -25,7 +25,7 @@ TEST(AbsentChannel, AnAngleOfAnotherMeaningMayBeTheSlipAngle) {
     EXPECT_EQ(offered("alpha", "rad", {column("Fz", "N"), column(name, "rad")}), name);
   EXPECT_EQ(offered("alpha", "rad", {column("camber", "rad"), column("yaw", "N")}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "gamma", true}}), "SA");
-  // the axle already has its loads
+  // the loads Fx_L belong to an axle, which has its loads already
   EXPECT_EQ(offered("Fx", "N", {{"Fx_L", "N", true, "Fx_L", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"SA", "rad", true, "alpha", true}}), "");
   EXPECT_EQ(offered("alpha", "rad", {{"yaw", "rad", true, "gamma", true}}), "");
@@ -44,7 +44,8 @@ TEST(AbsentChannel, SlipsMayBeComputed) {
   EXPECT_EQ(offered("kappa", "1", {column("NFX", "1"), column("NFY", "1")}), "");
 }
 
-// "tan alpha" has the dimension of a slip, but says which channel it belongs to.
+// The column "tan alpha" has the dimension of a slip, but its name already says to which channel it
+// belongs.
 TEST(AbsentChannel, ANameThatContainsAChannelIsOfferedForThatOneOnly) {
   const std::vector<OtherColumn> tangent = {column("tan alpha", "1")};
   EXPECT_EQ(offered("kappa", "1", tangent), "");
@@ -82,7 +83,8 @@ TEST(AbsentChannel, AListSaysHowManyItDoesNotName) {
   EXPECT_EQ(list_in_words(many, 2), "`c0` (an angle), `c1` and 7 more");
 }
 
-// tan alpha or Vy / Vx under a name that nobody knows. Numbers of one sign, or above 1.5, are none.
+// The column is tan alpha or Vy / Vx, with an unknown name. Numbers of only one sign, or above 1.5,
+// are not offered.
 TEST(AbsentChannel, APlainNumberLikeASlipMayBeTheTangentOfTheSlipAngle) {
   OtherColumn plain = column("sigma_y", "1");
   plain.is_slip_like = true;

@@ -148,13 +148,13 @@ std::optional<ChannelDoubt> out_of_range(const Channel& channel, const UsualRang
 
 /// Checks that the loads are positive, as those of a wheel on the ground.
 std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
-  // Share of the largest load: noise about 0 while the wheel is in the air.
+  // share of the largest load; smaller loads are noise about 0 while the wheel has no contact
   constexpr double kHop = 0.02;
   constexpr double kLeast = 5.0;  // N; the load of every tire is larger
   const std::size_t all = numbers_in(channel.values);
   if (all == 0) return std::nullopt;
-  // Ratio of the mean to the largest value below which a channel holds changes of a load, not
-  // loads.
+  // ratio of the mean load to the largest load below which a channel contains changes of a load,
+  // not loads
   constexpr double kAboutZero = 0.05;
   double most = 0.0, sum = 0.0;
   for (const double value : channel.values)
@@ -185,8 +185,8 @@ std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
   return std::nullopt;
 }
 
-/// Returns the only channel with that meaning; nullptr if there is none or several (wheels of a
-/// car).
+/// Returns the only channel with this meaning; nullptr if there is none or if there are several
+/// (wheels of a car).
 const Channel* only(const Channels& channels, std::string_view meaning) {
   const Channel* found = nullptr;
   for (const Channel& channel : channels.all()) {
@@ -253,21 +253,23 @@ void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   }
 }
 
-/// A motion, the force along it, and the usual stiffness between the two, N/mm.
+/// A motion, the force in its direction, and the usual range of the stiffness between the two,
+/// N/mm.
 struct UsualStiffness {
   std::string_view motion, force;
   double least, most;
 };
 // The ranges are wide: the upright of a race car has 50 kN/mm along y, the hub of a comfortable car
-// 0.2 kN/mm along x. A motion in m in place of mm has a thousandth of that, below every range.
+// 0.2 kN/mm along x. If a motion in mm is read as m, the stiffness is a thousandth and lies below
+// every range.
 constexpr std::array kStiffnesses = {UsualStiffness{"dx", "Fx", 100, 2e5},
                                      UsualStiffness{"dy", "Fy", 100, 2e5},
                                      UsualStiffness{"dz", "Fz", 1, 2e4},
                                      UsualStiffness{"travel", "Fz", 1, 2e4},
                                      UsualStiffness{"deflection", "Fz", 10, 1e4}};
 
-/// Returns force over motion, N/m, by the ranges of the two; nullopt unless one clearly follows the
-/// other.
+/// Returns the stiffness, N/m, as the ratio of the range of the force to that of the motion;
+/// nullopt unless the two are clearly correlated.
 std::optional<double> stiffness_of(const Channel& motion, const Channel& force) {
   constexpr double kClearly = 0.9;  // least correlation
   constexpr std::size_t kFewest = 3;
@@ -284,8 +286,8 @@ std::optional<double> stiffness_of(const Channel& motion, const Channel& force) 
   return std::sqrt(FF / dd);
 }
 
-/// Checks that a motion is of the size that its force causes: a displacement in mm that is read as
-/// m may lie within the range of displacements.
+/// Adds a doubt if the stiffness, force over motion, is outside of its usual range. A displacement
+/// in mm that was read as m may still lie within the usual range of displacements.
 void check_stiffness(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   constexpr double kPerMm = 1e-3;  // N/mm in N/m
   for (const Channel& motion : channels.all()) {
@@ -350,7 +352,7 @@ void check_friction(const Channels& channels, std::vector<ChannelDoubt>& doubts)
   }
 }
 
-/// Fits Fy / Fz = a alpha + b gamma + c at small slip angles: b is negative in iso.
+/// Fits Fy / Fz = a alpha + b gamma + c at small slip angles; b must be negative in iso axes.
 void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   constexpr double kLeastSpread = 0.01;  // rad; least spread of gamma
   constexpr double kClearly = 8.0;       // least ratio of b to its standard deviation

@@ -73,7 +73,7 @@ TEST(ChannelChecks, TimeRisesFromSampleToSample) {
   EXPECT_EQ(said_of_time({0.0, 0.1, 0.0, 0.1}, {2}), "");  // the second file begins anew
 }
 
-// Millimeters that were read as meters, such as the 0.113 mm by which a hub moves under 4 kN.
+// Test millimeters that were read as meters, such as the 0.113 mm by which a hub moves under 4 kN.
 TEST(ChannelChecks, DoubtDisplacementsOfAnotherUnit) {
   for (const auto& [name, usual, other] : {std::tuple{"dy", 0.02, 0.113},
                                            {"dx", 0.02, 0.2},
@@ -92,7 +92,7 @@ TEST(ChannelChecks, DoubtDisplacementsOfAnotherUnit) {
   }
 }
 
-// A single sample that was written in kilonewtons but read as newtons, or a spike.
+// Test a single sample that was written in kilonewtons but read as newtons, and a spike.
 TEST(ChannelChecks, NoForceIsMoreThanThreeTimesTheLoad) {
   const auto doubts = doubts_about(times("Fy", 20.0, 17));
   ASSERT_FALSE(doubts.empty());
@@ -116,7 +116,7 @@ TEST(ChannelChecks, CountAMinority) {
   EXPECT_NE(doubts[0].sentence.find("in 3 of 51 samples"), std::string::npos) << doubts[0].sentence;
 }
 
-// Every sign and every unit that is easily mistaken, one for each channel.
+// Test every sign and every unit that is easily mistaken, one for each channel.
 TEST(ChannelChecks, NameTheChannelOfAnotherSignOrUnit) {
   const struct {
     const char* channel;
@@ -170,7 +170,7 @@ TEST(ChannelChecks, NoticeAClockThatGoesBackward) {
   EXPECT_TRUE(doubts_about(runs).empty());
 }
 
-// The table of a K&C rig has a compliant part that moves in the direction of the force.
+// Test the table of a K&C rig: a compliant part moves in the direction of the force.
 TEST(ChannelChecks, KnowTheSignOfACompliance) {
   Channels table;
   table.add({"Fy", "N", {-1000, 0, 1000}});
@@ -196,7 +196,8 @@ TEST(ChannelChecks, CountGapsAndTellANegativeLoad) {
   EXPECT_NE(gaps[0].sentence.find("empty in 1 of 3 samples, first in sample 2"), std::string::npos);
 }
 
-/// A wheel that 4 kN move by `most` along each of the axes, at the ends of the sweep.
+/// Returns a motion and a force that vary along each of the axes: 4 kN cause the displacement
+/// `most`.
 Channels moved_wheel(const char* motion, const char* force, double most) {
   Channel d{motion, "m", {}}, F{force, "N", {}};
   for (int i = -4; i <= 4; ++i) {
@@ -209,11 +210,13 @@ Channels moved_wheel(const char* motion, const char* force, double most) {
   return channels;
 }
 
-// 0.02 mm, 0.11 mm and 3 mm written in a column [m]: the first two stay within 0.1 m.
+// The displacements 0.02 mm, 0.11 mm and 3 mm are in a column with the unit m; the first two
+// numbers are still below 0.1 m.
 TEST(ChannelChecks, ADisplacementInMillimetersReadAsMetersIsDoubted) {
   for (const auto& [motion, force] :
        {std::pair{"dx", "Fx"}, {"dy", "Fy"}, {"dy_L", "Fy_L"}, {"dz", "Fz"}, {"travel", "Fz"}}) {
-    const double most = motion[1] == 'z' || motion[0] == 't' ? 30.0 : 0.05;  // mm under 4 kN
+    // displacement in mm under a load of 4 kN
+    const double most = motion[1] == 'z' || motion[0] == 't' ? 30.0 : 0.05;
     EXPECT_FALSE(doubts_about(moved_wheel(motion, force, most)).empty()) << motion;
     EXPECT_TRUE(doubts_about(moved_wheel(motion, force, 1e-3 * most)).empty()) << motion;
   }

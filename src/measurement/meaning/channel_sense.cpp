@@ -61,7 +61,7 @@ constexpr std::array kSenses = {
     Named{"center_z", S::along_z},
     Named{"arb_angle", S::about_y},
     Named{"arb_ratio", S::about_y},
-    // These quantities are defined without axes.
+    // These quantities do not depend on the axes.
     Named{"time", S::same},
     Named{"omega", S::same},
     Named{"wheel_speed", S::same},

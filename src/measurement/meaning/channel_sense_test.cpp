@@ -59,7 +59,7 @@ TEST(ChannelSense, MomentsAndTurnsAreArrowsAboutTheAxes) {
   for (const AxisConvention convention : kConventions) {
     const Matrix3d R = turned_axes(convention).transpose();
     const Vector3d p(0.3, -0.4, 0.5), q = R * p, moved = R * turn.cross(p);
-    // θ x q = moved is solved for θ with two more points.
+    // The equation θ x q = moved is solved for θ with two further points.
     Matrix3d cross;
     cross << 0.0, q.z(), -q.y(), -q.z(), 0.0, q.x(), q.y(), -q.x(), 0.0;
     const Vector3d p2(1.0, 0.2, -0.7), q2 = R * p2, moved2 = R * turn.cross(p2);

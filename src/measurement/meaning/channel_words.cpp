@@ -51,7 +51,7 @@ constexpr std::array kMeanings = {
     ChannelMeaning{"NFY", "1", "lateral force over load"},
 };
 
-/// A spelling in lower case without blanks and signs, and its channel.
+/// A spelling of a channel's name, in lower case without blanks and signs, and the channel.
 struct Spelling {
   std::string_view written, channel;
   bool keeps_name = false;
@@ -282,7 +282,7 @@ std::string force_of(const std::string& word) {
   return name;
 }
 
-/// Recognizes a whole word from which unit and wheel have been removed.
+/// Recognizes a whole word after unit and wheel have been removed from it.
 std::optional<RecognizedName> word(std::string_view text) {
   const std::string key = folded(text);
   if (key.empty() || !is_plain_name(trimmed(text))) return std::nullopt;
@@ -415,7 +415,7 @@ std::vector<std::string> look_like(std::string_view channel,
     if (spelling.channel == channel) spellings.emplace_back(spelling.written);
   std::vector<std::pair<int, std::string>> alike;
   for (const std::string& name : names) {
-    // the name is recognized, as another channel or as one found before
+    // the name is recognized as another channel, or as one that was found before
     if (recognized(name)) continue;
     const std::string key = folded(split_brackets(name).first);
     int best = kMostEdits + 2;

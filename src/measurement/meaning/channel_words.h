@@ -40,7 +40,8 @@ struct ChannelMeaning {
   std::string_view name, unit;  // our name; SI unit
   std::string_view words;       // "slip angle"
 };
-/// Finds a meaning by our name, without frame and wheel; nullptr if the name is not known.
+/// Finds the meaning of a channel by Latsch's name, without frame and wheel; nullptr if the name is
+/// not known.
 const ChannelMeaning* find_meaning(std::string_view name);
 
 struct RecognizedName {

@@ -48,7 +48,7 @@ bool is_filler(double value) {
   return next != kFillers.end() && std::abs(*next - size) <= kRounding * size;
 }
 
-/// Range of the values that are no fillers, and how much they change from sample to sample.
+/// Range of the values that are no filler numbers, and their usual change from sample to sample.
 struct Others {
   double low = kNoLimit, high = -kNoLimit;
   double largest_step = 0.0;
@@ -110,8 +110,8 @@ bool stands_alone(const std::vector<double>& values,
   return has_neighbor;
 }
 
-/// Decides how certain it is that a known filler is no measured value. Returns false if it may well
-/// be measured.
+/// Decides how certain it is that a known filler number is not a measured value. Returns false if
+/// it may well be measured.
 bool judge(const std::vector<double>& values, const Others& others, FillerNumber& filler) {
   constexpr double kOutside = 0.1;  // share of the span of the other values
   const double size = std::abs(filler.number);
@@ -151,7 +151,7 @@ std::vector<FillerNumber> known_fillers(const std::vector<double>& values) {
   return fillers;
 }
 
-/// Examines the largest or the smallest value.
+/// Examines the largest or the smallest value of a channel.
 void judge_end(const std::vector<double>& values,
                double end,
                bool may_saturate,

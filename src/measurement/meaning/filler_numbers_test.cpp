@@ -43,7 +43,7 @@ TEST(FillerNumbers, UsualFillersAreCertainBesideOtherValues) {
 // -999 N is within the range of the channel; only the jump to it shows what it is.
 TEST(FillerNumbers, AFillerWithinTheRangeIsFoundByItsJump) {
   std::vector<double> values = sweep(2000.0);
-  // at these samples the sweep is near its largest value
+  // at these samples the sweep is close to its largest value
   for (std::size_t i = 20; i < 23; ++i) values[i] = -999.0;
   const auto found = filler_numbers(values, true);
   ASSERT_EQ(found.size(), 1u);

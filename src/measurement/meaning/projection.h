@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Projections of columns of a table, by which a motion is compared with one load while the others
-// are held (partial regression).
+// Projections of columns of a table, with which the dependence of a motion on one load is found
+// while the other loads are held constant (partial regression).
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@ inline double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-/// Removes from `values` its share along `direction`; nothing if the direction is 0.
+/// Subtracts from `values` their projection on `direction`; does nothing if the direction is the
+/// zero vector.
 inline void project_out(const std::vector<double>& direction, std::vector<double>& values) {
   const double square = dot(direction, direction);
   if (!(square > 0.0)) return;

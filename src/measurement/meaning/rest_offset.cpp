@@ -17,8 +17,9 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double kAtRest = 0.05;  // share of the largest value of a load; larger: more samples at
-                                  // rest, which the load has moved farther
+// share of the largest value of a load up to which the load counts as 0; with a larger share the
+// load would have moved the wheel in some of these samples
+constexpr double kAtRest = 0.05;
 
 double largest(const Values& values) {
   double most = 0.0;
@@ -27,13 +28,13 @@ double largest(const Values& values) {
   return most;
 }
 
-/// A channel that the rig prescribes, and the magnitude up to which it counts as 0.
+/// A channel that the rig prescribes, and the magnitude up to which its values count as 0.
 struct Driver {
   const Channel* channel;
   double rest;
 };
 
-/// Returns the channels that the rig prescribes and that are not 0 throughout.
+/// Returns the channels that the rig prescribes and that are not 0 in all samples.
 std::vector<Driver> drivers_in(const Channels& channels) {
   constexpr std::array<std::string_view, 8> kDrivers = {
       "Fx", "Fy", "Fz", "Mx", "My", "Mz", "travel", "rack"};
@@ -56,10 +57,11 @@ bool is_at_rest(const std::vector<Driver>& drivers, std::size_t i) {
   });
 }
 
-/// Returns the constant of the plane y = c + sum b_k x_k of least squares; 0 if the drivers hardly
-/// vary.
+/// Returns the constant c of the plane y = c + sum b_k x_k that is fitted by least squares to y
+/// over the drivers x_k; 0 if the drivers hardly vary.
 double constant_of_plane(const Values& y, std::vector<Values> drivers) {
-  constexpr double kLeastOwn = 0.05;  // share of the constant that no driver explains
+  // smallest share of a constant column that the drivers must leave unexplained
+  constexpr double kLeastOwn = 0.05;
   Values one(y.size(), 1.0);
   for (std::size_t k = 0; k < drivers.size(); ++k) {
     for (std::size_t j = 0; j < k; ++j) project_out(drivers[j], drivers[k]);
@@ -73,8 +75,9 @@ double constant_of_plane(const Values& y, std::vector<Values> drivers) {
 
 std::vector<RestOffset> offsets_at_rest(const Channels& channels,
                                         const std::vector<std::string>& moved) {
-  constexpr double kClearly = 0.5;  // share of the range; smaller: hysteresis and curved tables are
-                                    // taken for offsets
+  // share of the range; with a smaller share, hysteresis and the curvature of a table would be
+  // mistaken for offsets
+  constexpr double kClearly = 0.5;
   std::vector<RestOffset> offsets;
   const auto drivers = drivers_in(channels);
   if (drivers.empty()) return offsets;
@@ -108,7 +111,7 @@ std::vector<RestOffset> offsets_at_rest(const Channels& channels,
 
 std::string rest_windows(const Channels& channels) {
   constexpr int kDigits = 3;
-  constexpr double kMargin = 1.01;  // for the rounding of the text
+  constexpr double kMargin = 1.01;  // factor that allows for rounding in the text
   const auto drivers = drivers_in(channels);
   std::string text;
   for (const auto& [channel, rest] : drivers)

@@ -8,8 +8,9 @@
 namespace latsch {
 namespace {
 
-/// A K&C table with a linear toe and a curved camber over the loads Fy and Mz. `first` is the
-/// smallest |Fy| in steps of 1 kN: 0 has a sample at rest.
+/// Returns a K&C table in which toe is a linear function and camber a curved function of the loads
+/// Fy and Mz. `first` is the smallest |Fy| in steps of 1 kN; with 0 the table contains a sample at
+/// rest.
 Channels kc_rig(double toe, double camber, int first = 0) {
   Channel Fy{"Fy", "N", {}}, Mz{"Mz", "N m", {}}, angle{"toe", "rad", {}},
       lean{"camber", "rad", {}};
@@ -40,7 +41,8 @@ TEST(RestOffset, ChangesFromRestAreNone) {
   EXPECT_TRUE(offsets_at_rest(kc_rig(0.0, 0.0, 2), {"toe", "camber"}).empty());
 }
 
-// Without a sample at rest the constant of the plane is exact for a linear motion.
+// Without a sample at rest, the constant of the fitted plane is exact if the motion is linear in
+// the loads.
 TEST(RestOffset, IsFoundWithoutASampleAtRest) {
   const auto offsets = offsets_at_rest(kc_rig(4e-3, 0.0, 1), {"toe", "camber"});
   ASSERT_EQ(offsets.size(), 1u);
@@ -48,7 +50,8 @@ TEST(RestOffset, IsFoundWithoutASampleAtRest) {
   EXPECT_EQ(offsets[0].samples, 0u);
 }
 
-// A rig that only loads in one direction never passes rest: nothing is known about the constant.
+// If a rig loads the wheel in one direction only and the table contains no sample at rest, nothing
+// is known about the offset.
 TEST(RestOffset, ATableOfOneStateTellsNothing) {
   Channels channels;
   channels.add({"Fy", "N", {2000.0, 2000.0, 2000.0, 2000.0}});

@@ -59,7 +59,7 @@ double partial_correlation(Values motion, Values load, std::vector<Values> other
   return dot(motion, load) / std::sqrt(own * left);
 }
 
-/// A slope of a motion over a load whose sign is clear.
+/// The slope of a motion over a load, if its sign is clear.
 struct ClearSlope {
   std::string motion, load;  // names in the table
   double correlation = 0.0;  // +1 or -1 for a slope that is itself a column of the table
@@ -269,7 +269,7 @@ class WheelTable {
   int side_;
 };
 
-/// True if a channel shows that the wheel rolls; its loads then follow other laws.
+/// True if a channel shows that the wheel rolls, in which case the loads affect it differently.
 bool wheel_rolls(const Channels& channels) {
   for (const char* rolling : {"Vx", "omega", "alpha", "kappa"})
     if (channels.find(rolling)) return true;

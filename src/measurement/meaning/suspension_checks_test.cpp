@@ -11,7 +11,7 @@
 namespace latsch {
 namespace {
 
-/// Changed signs of the columns of a table; +1 for a column that is not listed.
+/// Signs by which the columns of a table are multiplied; +1 for a column that is not listed.
 using Flips = std::map<std::string, double>;
 
 /// Returns the table of a linear corner on a K&C rig in iso axes; `side` is +1 for a left wheel.

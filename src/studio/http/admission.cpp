@@ -142,7 +142,7 @@ std::optional<Refusal> Admission::refuse_untrusted(const Head& head) const {
 bool Admission::is_host(std::string_view host) const {
   const std::string name = lower_case(without_port(host));
   if (std::find(hosts_.begin(), hosts_.end(), name) != hosts_.end()) return true;
-  // a page with a redirected DNS name sends that name, not an address
+  // A page whose DNS name was redirected to this machine sends this name as Host, not an address.
   return is_any_address_ && is_address(name);
 }
 

@@ -29,7 +29,7 @@ namespace latsch::studio {
 /// The fields of a request that the decision uses; empty if absent.
 struct Head {
   std::string method, target;
-  int hosts = 0;  // number of header fields called Host
+  int hosts = 0;  // number of header fields named Host
   std::string host, origin, fetch_site, fetch_mode;
   std::string authorization, cookie;
   std::string content_type, accept, if_none_match;

@@ -34,7 +34,7 @@ using Moment = std::chrono::steady_clock::time_point;
 
 class Connection;
 
-/// The owner's decision about a request whose head has been read.
+/// The server's decision about a request whose header has been read.
 struct RequestVerdict {
   enum class Kind : std::uint8_t { refuse, answer, handle, follow } kind = Kind::refuse;
   Answer answer;  // set for `refuse` and `answer`

@@ -66,7 +66,8 @@ int listening_socket(const tcp::endpoint& endpoint) {
   const int fd = ::socket(endpoint.protocol().family(), SOCK_STREAM | kSocketFlags, 0);
   if (fd < 0) cannot_listen(endpoint, errno);
   const int yes = 1;
-  // A new server may use the port although closed connections of the last one linger.
+  // The new server may use the port even though closed connections of the previous server still
+  // exist.
   ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   if (::bind(fd, endpoint.data(), static_cast<socklen_t>(endpoint.size())) != 0 ||
       ::listen(fd, kBacklog) != 0) {
@@ -163,7 +164,8 @@ void Server::Impl::run() {
     try {
       io_.run();
       return;
-      // Such as no memory; the next sweep closes connections that stay open.
+      // For example, memory may be exhausted; the next search for overdue connections closes those
+      // that stay open.
     } catch (const std::exception& failure) {
       if (options_.report) options_.report(failure.what());
     }

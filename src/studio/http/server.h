@@ -61,7 +61,7 @@ struct ServerOptions {
   /// an address of this machine; "0.0.0.0" or "::" means all of its addresses
   std::string listen = "127.0.0.1";
   std::uint16_t port = 0;  // 0: any free port
-  /// Empty: 128 random bits; otherwise at least 16 characters out of A-Z a-z 0-9 - _.
+  /// access token: at least 16 characters of A-Z a-z 0-9 - _; empty: 128 random bits are used
   std::string token;
   int threads = 2;                 // number of handler threads
   std::vector<Asset> assets;       // files of the page; empty: GET / answers that there is no page

@@ -323,7 +323,7 @@ TEST(Server, WhereTooMuchIsAskedAtOnceSaysSo) {
       trusted("GET /"
               "x"));
   third.send(trusted("GET /x"));
-  // One of the two requests waits in the queue; for the other there is no room.
+  // One of two further requests waits in the queue, and there is no room for the other.
   while (!second.is_ended(10ms) && second.received().empty() && !third.is_ended(10ms) &&
          third.received().empty()) {
   }
@@ -366,7 +366,8 @@ TEST(Server, AClientThatReadsNoEventsIsEndedAndDelaysNobody) {
     client->take(client->received().size());
   }
   constexpr int kRounds = 128, kEvents = 8;
-  // sent often enough for 16 MB in all, more than the kernel buffers for a socket
+  // text of an event, sent often enough for 16 MB in total, which is more than the kernel buffers
+  // for a socket
   const std::string filling(16000, 'x');
   for (int round = 0; round < kRounds; ++round) {
     const auto start = std::chrono::steady_clock::now();

@@ -18,7 +18,7 @@ constexpr int kMostLevels = 4;
 constexpr std::size_t kMostStudies = 2000;
 constexpr auto kOften = std::chrono::milliseconds(150);
 constexpr double kSeldom = 3.0;  // s, interval between two checks of all studies
-// s, time for which a study is checked often after it was opened
+// s; time after it was opened during which a study is checked often
 constexpr double kLookedAt = 120.0;
 constexpr long kAtOnce = 2000;  // number of trials read before other studies have their turn
 

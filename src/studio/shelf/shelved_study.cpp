@@ -110,8 +110,8 @@ bool may_be_begun(const Study& study, const std::vector<TableRow>& rows) {
   }
 }
 
-/// True if both studies have the same last stage: equal weights, estimated noise and held
-/// variables.
+/// True if both studies have the same last stage: the same weights, estimated noise and variables
+/// held constant.
 bool have_same_last_stage(const Study& a, const Study& b) {
   if (a.free != b.free || a.held_at != b.held_at) return false;
   for (std::size_t e = 0; e < a.experiments.size(); ++e) {
@@ -175,13 +175,15 @@ void ShelvedStudy::show_stage() {
       journal_fault_.empty())
     correlation::take_stage(
         correlation::with_estimated_noise(*whole_, Journal::read(whole_->run.journal)), shown);
-  // Done first, because an exception must not leave the study without a table of trials.
+  // This member is set first, because an exception in a later line must not leave the study without
+  // a table of trials.
   table_ = std::make_unique<TrialTable>(shown);
   study_ = std::make_shared<const Study>(std::move(shown));
 }
 
-/// Checks whether the journal belongs to the study, before its first trial is read and again while
-/// it belongs to another study, because points of another design space do not fit into the table.
+/// Checks whether the journal belongs to the study: before its first trial is read, and again as
+/// long as it belongs to another study. Points of another design space do not fit into the table of
+/// trials.
 void ShelvedStudy::check_journal() {
   const bool was_another = !journal_fault_.empty();
   if (!was_another && !table_->rows().empty()) return;
@@ -260,7 +262,7 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
   correlation::StagesRun stages{*whole};
   try {
     if (is_begun) stages = correlation::recorded_stages(*whole, Journal::read(whole->run.journal));
-    // the journal has only a design of experiments
+    // the journal contains only a design of experiments
     found.has_ended = stages.has_ended || stages.fits.empty();
     if (stages.has_ended) {
       found.words = stages.fits.back().run.ending;

@@ -63,7 +63,7 @@ class ShelvedStudy {
     const TrialTable* table;  // nullptr: broken
     std::optional<JournalHolder> holder;
     std::filesystem::file_time_type changed;  // time of the last change of file or journal
-    /// Duration, s, of the present run since it was first seen, and number of its trials.
+    /// Time, s, since the present run was first seen, and number of trials of the run.
     double run_seconds = 0.0;
     long run_trials = 0;
     // reason why the search ended; empty: it has not ended, or this is not known
@@ -93,11 +93,11 @@ class ShelvedStudy {
   mutable std::mutex mutex_;
   bool is_read_ = false, ignores_runs_ = false;
   std::string error_;  // error in the study's file
-  /// reason why the journal does not belong to the study, so that none of it is shown
+  /// reason why the journal does not belong to the study, in which case none of its trials is shown
   std::string journal_fault_;
   long of_another_study_ = 0;  // number of trials in such a journal
   std::string journal_error_;  // reason why the rest of the journal cannot be read
-  /// time of each file when it was last read
+  /// time of last change of each file when it was read
   std::map<std::filesystem::path, std::filesystem::file_time_type> read_at_;
   std::filesystem::file_time_type changed_ = std::filesystem::file_time_type::min();
   std::shared_ptr<const correlation::Study> whole_;  // the study as written in its file

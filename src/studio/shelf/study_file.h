@@ -20,11 +20,12 @@ struct StudyText {
 };
 StudyText read_study_text(const std::filesystem::path& file);
 
-/// A text, number or flag; monostate removes the key.
+/// A text, a number or a flag as new value of a key; monostate removes the key.
 using EditedValue = std::variant<std::monostate, std::string, double, bool>;
 
 struct Edit {
-  /// Path of table names, {"variable", "sidewall"}; empty: the top level of the file.
+  /// Names of the table and the tables that contain it, such as {"variable", "sidewall"}; empty:
+  /// the top level of the file.
   std::vector<std::string> table;
   std::string key;
   EditedValue value;

@@ -14,7 +14,8 @@ nlohmann::ordered_json finite(double value);
 nlohmann::ordered_json finite(const std::optional<double>& value);
 nlohmann::ordered_json finite(const std::vector<double>& values);
 
-/// Converts SI values to `unit` and rounds them to seven digits, which is enough for a page.
+/// Converts values from SI to `unit` and rounds them to seven significant digits, which is
+/// sufficient for a page.
 nlohmann::ordered_json in_unit(double si, const std::string& unit);
 nlohmann::ordered_json in_unit(const std::vector<double>& si, const std::string& unit);
 

@@ -26,7 +26,8 @@ class KeptAnswers {
   template <class Find>
   std::shared_ptr<const Answer> get(const Question& question, Find&& find) {
     std::promise<std::shared_ptr<const Answer>> promise;
-    // Identifies this computation, because another one may replace the entry meanwhile.
+    // identifies this computation, because another computation may replace the entry in the
+    // meantime
     const auto mine = std::make_shared<int>();
     {
       std::unique_lock lock(mutex_);

@@ -43,12 +43,14 @@ std::string state_of_journal(const std::string& journal) {
   return state;
 }
 
-/// The state of a study from which an answer was computed.
+/// State of a study; an answer that was computed for it stays valid as long as the state does not
+/// change.
 struct State {
   std::shared_ptr<const correlation::Study> study;
   int edition = 0;
   std::size_t rows = 0;
-  // state of the file with the trials of profiles, which is stored beside the journal
+  // state of the file that is stored beside the journal and contains the trials of likelihood
+  // profiles
   std::string refits;
   std::string error;
   bool is_running = false;

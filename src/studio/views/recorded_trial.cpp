@@ -38,8 +38,8 @@ std::size_t place_of(const ShelvedStudy::Sight& sight, const std::string& trial)
   return static_cast<std::size_t>(number - 1);
 }
 
-/// Key of a stored answer: a study, a point of it and, if it matters, the identifiability at that
-/// time.
+/// Key of a stored answer: a study, a point of the study and, if it matters, the identifiability at
+/// that time.
 struct Known {
   std::shared_ptr<const Study> study;
   std::string point;

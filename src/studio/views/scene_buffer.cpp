@@ -10,7 +10,7 @@
 namespace latsch::studio {
 namespace {
 
-/// Lists of four-byte numbers, one after the other, and the position at which each list begins.
+/// Lists of four-byte numbers stored in one buffer, and the position at which each list begins.
 class Buffer {
  public:
   template <class Number>
@@ -19,7 +19,7 @@ class Buffer {
     Json at{{"at", bytes_.size()}, {"count", numbers.size()}};
     const auto* begin = reinterpret_cast<const char*>(numbers.data());
     bytes_.append(begin,
-                  // least significant byte first, as on x86 and ARM
+                  // the least significant byte comes first, as in memory on x86 and ARM
                   numbers.size() * sizeof(Number));
     return at;
   }

@@ -45,7 +45,8 @@ Json row_of(const Sight& sight, std::size_t place, const Weighting& weighting) {
           {"seconds", finite(row.seconds)}};
 }
 
-/// Indices of the trials that represent one stretch: least target, greatest target, first failure.
+/// Indices of the trials that represent several successive trials: least target, greatest target,
+/// first failure.
 struct Extremes {
   std::optional<std::size_t> least, greatest, failed;
 };
@@ -63,7 +64,7 @@ Json convergence_view(const ShelvedStudy& study,
     const long to = stretch.to <= 0 ? total : std::clamp(stretch.to, from, std::max(from, total));
     const long most = std::clamp(stretch.most, kFewestPoints, kMostPoints);
     const long count = std::max(0L, std::min(to, total) - from + 1);
-    // Number of trials in a stretch, which is shown by three points.
+    // number of successive trials that are drawn as three points
     const long width = std::max(1L, (3 * count + most - 1) / most);
 
     std::vector<double> targets(static_cast<std::size_t>(total));

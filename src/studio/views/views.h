@@ -28,8 +28,8 @@ Json keys_view(const experiment::Language& language);
 /// Returns a study's variables, experiments, state, best point, and failures by reason.
 Json study_view(const ShelvedStudy& study, StudyRuns& runs);
 
-/// Least allowed TrialRange::most: with fewer points a stretch could not show its least and its
-/// greatest target.
+/// Smallest allowed value of TrialRange::most. With fewer points, the smallest and the largest
+/// target of a range of trials could not be shown.
 inline constexpr long kFewestPoints = 10;
 
 /// A range of trials whose targets are requested; at most `most` points are returned, the least and

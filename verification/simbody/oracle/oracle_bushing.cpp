@@ -16,8 +16,8 @@ using namespace SimTK;
 constexpr int kRows = 12;  // number of rows; the bushings of the first half have no damping
 constexpr unsigned kSeed = 20;
 
-// Bounds of the magnitudes of random values: m, m, rad, m/s, rad/s. They exceed those of any real
-// bushing by far.
+// Bounds of the magnitudes of random values: position, m, displacement, m, rotation, rad, velocity,
+// m/s, and angular velocity, rad/s. They exceed those of any real bushing by far.
 constexpr double kPoint = 0.5, kTravel = 0.02, kTurn = 0.4, kVelocity = 2.0, kSpin = 20.0;
 
 const std::array<const char*, 17> kVectors = {"point",

@@ -60,7 +60,7 @@ RoadData road(const json& from) {
           {lateral.at(0).get<double>(), lateral.at(1).get<double>()}};
 }
 
-/// Returns the springs that hold a body in statics, at the center of mass of the body.
+/// Returns a spring, attached at the center of mass, that holds a body in a static computation.
 BushingData hold(const json& from, const std::vector<BodyData>& bodies) {
   BushingData hold{"held_in_statics",
                    "ground",

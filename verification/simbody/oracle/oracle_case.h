@@ -15,7 +15,7 @@ struct BodyData {
   std::string name;
   double mass;
   SimTK::Vec3 center;  // m, center of mass, which is the origin of the body
-  /// kg m^2, elements Ixx Iyy Izz and Ixy Ixz Iyz of the inertia tensor
+  /// moments Ixx Iyy Izz and products Ixy Ixz Iyz of inertia, kg m^2
   SimTK::Vec3 moments, products;
 };
 

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Settings and results of a run that mislead: a limit of time that no trial keeps, trials that failed without a word,
-two numbers for one experiment.
+"""Tests settings and results of a run that are misleading: a time limit that no trial can meet, trials that failed
+without any message, two different numbers for the error of one experiment.
 
-    doubted_runs_test.py PATH/TO/latsch
-"""
+  doubted_runs_test.py PATH/TO/latsch"""
 import json
 import pathlib
 import re
@@ -108,7 +107,8 @@ class DoubtedRuns(unittest.TestCase):
             self.assertIn(f"{name}  ", text)
             self.assertRegex(text, rf"\n  {name} +fitted +{measure} {100 * error:.3g} %")
             self.assertRegex(report, rf"{measure} {100 * error:.2f}"[:-1])
-        self.assertNotAlmostEqual(told["c"]["mean_error"], told["c"]["error"], delta=1e-4)  # the test can tell them apart
+        # the two measures differ in this test
+        self.assertNotAlmostEqual(told["c"]["mean_error"], told["c"]["error"], delta=1e-4)
 
 
 if __name__ == "__main__":

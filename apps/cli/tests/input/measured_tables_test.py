@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""Tables of measurements: structs and constants of MAT files, absolute angles of a K&C rig, missing columns with their way
-out, and one reading for the channels and the ledger of `latsch show`.
+"""Tests tables of measurements: structs and constants of MAT files, absolute angles of a K&C rig, messages about
+missing columns that say what to state, and `latsch show`, whose channels and ledger agree.
 
-    measured_tables_test.py PATH/TO/latsch
-"""
+  measured_tables_test.py PATH/TO/latsch"""
 import json
 import math
 import pathlib
@@ -180,7 +179,8 @@ class KcRig(doubtful_data_test.Data):
         self.assertNotIn("has the signs of", self.latsch("check", "study.toml"))
 
     def test_a_displacement_in_another_unit_is_told(self):
-        rows = "".join(f"{F},{2e-5 * F:.6f}\n" for F in range(-4000, 4001, 1000))  # mm: 50 kN/mm
+        # displacement in mm: the stiffness is 50 kN/mm
+        rows = "".join(f"{F},{2e-5 * F:.6f}\n" for F in range(-4000, 4001, 1000))
         compare = '[experiment.dy]\nkind = "curve"\nx = "A/Fy"\ny = "A/dy"\nmeasurement = "rig"\n'
         for unit, told in (("mm", False), ("m", True)):
             self.write("rig.csv", f"Fy [N],dy [{unit}],toe [deg]\n" + rows.replace("\n", ",0.01\n").replace("4000,0.08,0.01", "4000,0.08,0.02"))

@@ -31,7 +31,8 @@ class Recordings(doubtful_data_test.Data):
                          "no column is called Fy", "`pull`")
 
     def new(self, name, **signs):
-        """A cornering record in iso axes with the factors `signs` of its columns, and what `new` says of it."""
+        """Writes a cornering record in iso axes whose columns are multiplied by the factors `signs`; returns what
+        `latsch new` prints for it."""
         rows = []
         for k in range(200):
             alpha = 6 * math.sin(0.1 * k)

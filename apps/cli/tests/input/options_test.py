@@ -93,7 +93,7 @@ class Options(unittest.TestCase):
         self.refused("--axes", "show", TIR, "--axes", "sae", says=["no effect"])
         self.refused("--set", "simulate", study, "--set", "matrix=12 N/mm^2", "--set", "matrix=13 N/mm^2", says=["matrix is set twice"])
         self.refused("--set", "simulate", study, "--set", "z=5 N/mm^2", says=['no variable "z"; expected "matrix"'])
-        # a stiffness needs its unit, and no text can break the message
+        # Values of a stiffness need a unit, and no text can break the error message.
         for value in ("5 %", '5" N', "5\\", "12", "nan"):
             self.refused("matrix", "simulate", study, "--set", f"matrix={value}", says=["expected"])
         self.refused("pareto", "pareto", study, "modes", "modes", says=["against itself"])

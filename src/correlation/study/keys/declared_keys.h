@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys that reading a study declares.
+// Determines the keys of a study by reading samples and recording the keys that are read.
 #pragma once
 
 #include <filesystem>

@@ -162,7 +162,7 @@ class DocumentRows {
     }
     for (std::string text : texts) {
       std::error_code none;
-      if (text.starts_with("{study}/")) text.erase(0, 8);  // a script of an outside program
+      if (text.starts_with("{study}/")) text.erase(0, 8);  // script of an external program
       if (!text.empty() && fs::is_regular_file(folder_ / text, none))
         named.push_back(folder_ / text);
     }
@@ -174,7 +174,8 @@ class DocumentRows {
   std::map<std::string, std::string> values_;
 };
 
-/// Describes a road's file: its kind, the parts that are used, and the parts that are not.
+/// Returns the ledger of a road file: its kind, the parts that are used, and the parts that are
+/// not.
 Ledger ledger_of_road(const fs::path& file, const std::string& by) {
   const formats::RoadFile road = formats::read_road_file(file);
   Ledger ledger{file.string()};
@@ -206,7 +207,7 @@ Ledger ledger_of_road(const fs::path& file, const std::string& by) {
   return ledger;
 }
 
-/// Describes a finite-element deck: its units, and what is doubtful in it.
+/// Returns the ledger of a finite-element deck: its units, and its doubtful statements.
 Ledger ledger_of_deck(const fs::path& file, const std::string& by) {
   const formats::InpDeck deck = formats::read_inp(file);
   Ledger ledger{file.string()};
@@ -222,7 +223,7 @@ Ledger ledger_of_deck(const fs::path& file, const std::string& by) {
   return ledger;
 }
 
-/// Describes a bushing's file: how its reader interpreted each part.
+/// Returns the ledger of a bushing file: how the reader interpreted each part.
 Ledger ledger_of_bushing(const fs::path& file, const std::string& by) {
   Ledger ledger = formats::read_bus_file(file).ledger;
   for (LedgerRow& row : ledger.rows)
@@ -230,7 +231,7 @@ Ledger ledger_of_bushing(const fs::path& file, const std::string& by) {
   return ledger;
 }
 
-/// Describes a table about which only its reader is known.
+/// Returns the ledger of a table of which only the reader is known.
 Ledger ledger_of_table(const fs::path& file, const std::string& by) {
   const auto table = formats::CsvTable::read(file);
   Ledger ledger{file.string()};

@@ -15,12 +15,13 @@ namespace latsch::correlation {
 /// measurements, experiments, tests.
 std::vector<Ledger> ledgers_of(const Study& study);
 
-/// Returns the same ledgers for the parts of a study, or of a suite of checks.
+/// Returns these ledgers for parts of a study, or for a suite of checks.
 std::vector<Ledger> ledgers_of(const Laboratory& laboratory,
                                const std::vector<StudyExperiment>& experiments,
                                const std::vector<StudyTest>& tests);
 
-/// Returns those ledgers, followed by the ledgers of every other file that the study opens.
+/// Returns the ledgers of the measurements, followed by those of every other file that the study
+/// opens.
 std::vector<Ledger> all_ledgers_of(const Study& study);
 
 /// Throws InputError for the first doubt that is an error, naming file, line and column.

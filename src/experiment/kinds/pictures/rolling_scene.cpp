@@ -12,7 +12,7 @@ namespace latsch::experiment {
 namespace {
 
 constexpr int kCirclePoints = 72;
-// Share of the radius; width of the belt for the drawing if it is unknown.
+// assumed width of the belt over its radius, for a drawing, if the width is unknown
 constexpr double kWidthOfRadius = 0.6;
 
 Eigen::Matrix3Xd circle(double radius) {

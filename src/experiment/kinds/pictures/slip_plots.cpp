@@ -25,7 +25,7 @@ constexpr int kPoints = 121;
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kMostAlpha = 15.0 * kDegree, kMostKappa = 0.3;
 constexpr double kBar = 1e5;
-// Share of the nominal load, in N and N m; a smaller force or moment counts as none.
+// force or moment over the nominal load (m for moments) below which it counts as zero
 constexpr double kNothing = 1e-6;
 
 /// A test condition other than slip, with its name in the legend.

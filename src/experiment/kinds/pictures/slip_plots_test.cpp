@@ -64,7 +64,7 @@ TEST(SlipPlots, TellAssumedFromKnownAndDataFromBeyond) {
     } else if (plot.description == "Fx over kappa, by load") {  // QSX1 belongs to Mx
       ++seen;
       ASSERT_TRUE(plot.data);
-      // no slip was measured, so the whole plot is shaded
+      // no slip was measured, so the whole plot is marked as outside of the data
       EXPECT_EQ(plot.data->first, plot.data->second);
       for (const auto& line : plot.lines) {
         EXPECT_TRUE(line.is_dashed);
@@ -76,7 +76,8 @@ TEST(SlipPlots, TellAssumedFromKnownAndDataFromBeyond) {
   for (const auto& plot : slip_plots(tire)) EXPECT_FALSE(plot.data);
 }
 
-// Three coinciding lines would wrongly suggest that the effect of camber is known.
+// If camber has no effect in the model, the plot must not show three coinciding lines, which would
+// suggest that its effect is known.
 TEST(SlipPlots, ShowNothingVariedThatChangesNothing) {
   using testing::Contains;
   using testing::HasSubstr;

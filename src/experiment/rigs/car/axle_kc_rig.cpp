@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 using multibody::Matrix6d;
 using multibody::Vector6d;
 
-// N/m, N m/rad; stiffnesses that hold the chassis fixed
+// stiffnesses, N/m and N m/rad, that hold the chassis fixed
 constexpr double kHeld = 1e10, kHeldTurn = 1e9;
 constexpr double kPad = 1e9, kBar = 1e9;  // N/m
 constexpr std::array<const char*, 6> kTwistNames = {
@@ -94,7 +94,8 @@ class AxleOnRig {
         assembly_(mechanism_),
         rest_(statics_.unloaded()) {}
 
-  /// Solves the unloaded state, on pads if there are any; travel and angles are relative to it.
+  /// Solves the unloaded state, in which the wheels stand on pads if there are pads; travel and
+  /// angles are relative to this state.
   Status start() {
     auto found = statics_.solve({.drivers = drivers_}, rest_);
     if (!found) return Failure{"unloaded on the K&C rig: " + found.failure().reason};
@@ -168,7 +169,8 @@ class AxleOnRig {
   }
 
  private:
-  /// Names the travel and the rack of a state on pads, not a load that nobody stated.
+  /// Returns a Failure that names the travel and the rack position of a state if the rig prescribes
+  /// travel, and otherwise only the number of the state.
   Failure unreached(Eigen::Index state, const std::string& reason) const {
     if (!test_.travel)
       return Failure{fmt::format("state {} of the K&C rig: {}", state + 1, reason)};

@@ -31,9 +31,9 @@ struct AxleKcTest {
   bool springs_locked = false;
   bool at_wheel_center = false;
   std::vector<Channel> prescribed;  // stated loads and positions, recorded beside the motion
-  /// left and right wheel, N, N m; one column for each state
+  /// loads on the left and right wheel, N and N m; one column for each state
   Eigen::Matrix<double, 12, Eigen::Dynamic> loads;
-  /// m, of the wheel centers, imposed by pads
+  /// displacements of the wheel centers, m, that pads impose
   std::optional<std::array<std::vector<double>, 2>> travel;
   std::vector<double> rack;  // m, one value for each state
   /// Regression of slopes of the motion by a stated quantity; nullopt: no slopes.

@@ -26,7 +26,8 @@ namespace latsch::experiment {
 /// Returns the names for the four corners: "pushrod" gives "pushrod_FL" ...
 std::array<std::string, car::kCorners> of_corners(const std::string& name);
 
-/// Names and units of all channels; area, if any, comes last.
+/// Returns names and units of all channels of a car; if `with_area` is true, the area is the last
+/// one.
 std::vector<std::pair<std::string, std::string>> car_channels(bool with_area);
 
 /// Called at every sample of a run.
@@ -37,7 +38,7 @@ class CarRecord {
  public:
   CarRecord(const car::Car& car, const car::CarState& start, bool with_area);
 
-  /// `time` is the time to be recorded.
+  /// Records a sample; `time` is the time that is recorded with it.
   void sample(const car::CarState& state, const car::CarInputs& inputs, double time);
   Channels channels() const;
   const std::vector<double>& values(const std::string& channel) const;

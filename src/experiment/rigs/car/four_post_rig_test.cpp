@@ -17,7 +17,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Coherence at lines of 1/7 Hz.
+/// Returns the coherence at lines of a spectrum with a spacing of 1/7 Hz.
 std::vector<double> coherence_of_segments(const std::vector<double>& u,
                                           const std::vector<double>& y) {
   constexpr double kRate = 2500.0;
@@ -86,7 +86,8 @@ TEST_P(FourPostOfALinearCar, ItsResponsesAreThoseOfTheLinearModel) {
   EXPECT_GT(compared, 500);  // there are 204 lines and nine sensors
 }
 
-// A sweep of a file that states no settings: 0.5 to 30 Hz in 20 s, lines of 0.25 Hz.
+// A sweep without any stated settings goes from 0.5 to 30 Hz in 20 s and has lines at intervals of
+// 0.25 Hz.
 TEST_P(FourPostOfALinearCar, AtItsDefaultsItsResponsesAreRightFromTheLowestLineOn) {
   const auto runs = run_both_ways(*car_, sweep_test({.mode = GetParam()}, 1e-3));
   ASSERT_TRUE(runs) << runs.failure().reason;
@@ -146,7 +147,7 @@ TEST(FourPost, TheModesOfItsPostsDoNotMix) {
     }
 }
 
-// The identified k and c are those of the tire at any load.
+// The identified stiffness k and damping c are those of the tire at any load.
 TEST(CarLinear, ProbingASpringTireFindsItsNumbers) {
   const auto car = car::Car::make(car::race_car(true), car::spring_tires(420.0));
   ASSERT_TRUE(car);

@@ -44,7 +44,7 @@ double share_above(const FourPostTest& test, PostMode mode, double frequency) {
 }
 
 std::optional<HeldBand> held_band(const FourPostTest& test, PostMode mode, double width) {
-  // Share of the largest power; lines below it contain only leakage.
+  // share of the largest power; lines with less power contain only leakage
   constexpr double kLeast = 1e-4;
   constexpr double kStands = 1e-10;  // m; smaller motions are rounding of a table
   const std::vector<double> steps = steps_of(test, mode);

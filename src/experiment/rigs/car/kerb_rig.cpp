@@ -15,7 +15,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Index of the interval of the times that contains `time`, 0 .. n - 2.
+/// Returns the index, 0 .. n - 2, of the interval between two times that contains `time`.
 std::size_t interval_of(const std::vector<double>& times, double time) {
   const auto above = std::upper_bound(times.begin() + 1, times.end() - 1, time);
   return static_cast<std::size_t>(above - times.begin()) - 1;
@@ -137,7 +137,8 @@ class KerbRun {
   }
 
  private:
-  /// Adds mean and standard deviation from time 0 on, of each tire and of their sum.
+  /// Adds the mean and the standard deviation of the contact area, from time 0 on, for each tire
+  /// and for the sum of all tires.
   static void add_areas(Channels& channels) {
     const std::vector<double> time = channels["time"];
     const auto first =

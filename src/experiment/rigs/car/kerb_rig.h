@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A car drives straight over a kerb. It starts in equilibrium at its speed, `run_in` before the
-// front axle reaches position 0 of the road. Aerodynamic loads, or loaders that reproduce measured
-// push-rod forces, press it down; a guide keeps it on its line (models/car/car.h).
+// A car drives straight over a kerb. It starts in equilibrium at its speed, a time `run_in` before
+// the front axle reaches position 0 of the road. Aerodynamic loads, or actuators that reproduce
+// measured push-rod forces, press it down; a guide keeps it on its line (models/car/car.h).
 #pragma once
 
 #include <filesystem>
@@ -22,9 +22,9 @@ struct History {
   std::vector<double> times, values;  // s
   double at(double time) const;
   double slope(double time) const;
-  /// Integral from time 0 to `time`.
+  /// Returns the integral from time 0 to `time`.
   double area(double time) const;
-  /// Mean over an interval of time, exact for the piecewise linear history.
+  /// Returns the mean over an interval of time, which is exact for the piecewise linear history.
   double mean(double from, double to) const;
 };
 

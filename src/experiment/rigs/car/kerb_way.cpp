@@ -11,13 +11,13 @@ namespace {
 constexpr int kLines = 4;  // lines on either side of the middle, evenly spaced over the tread
 // m; a smaller difference in height is below the roughness of a road
 constexpr double kUnfelt = 2e-3;
-// m, distance of the examined positions; steeper shapes count as vertical
+// m, distance between the examined positions; a rise within a shorter distance counts as vertical
 constexpr double kAlong = 5e-3;
 constexpr double kTeeth = 16.0;  // least number of examined positions in one pitch of the kerb
 // m; a smaller difference in height is below the roughness of a road
 constexpr double kDiffers = 1e-3;
 constexpr double kTouches = 1e-6;  // m, height of a kerb; a smaller one is rounding
-// positions of a wheel; on a longer path they are farther apart
+// largest number of examined positions of a wheel; on a longer path they are farther apart
 constexpr long kMostPlaces = 400'000;
 
 /// Heights of the road below one wheel, at equidistant positions.

@@ -20,7 +20,8 @@ std::vector<std::string> notes_of_lift(const Channels& record,
 /// has samples every `sample_step`, s.
 std::vector<std::string> lifts_of(const Channels& record, double sample_step);
 
-/// Names the sensors whose coherence is below 0.9, and at how many lines.
+/// Returns sentences that name the sensors whose coherence is below 0.9, and the number of such
+/// lines.
 std::vector<std::string> notes_of_coherence(const Channels& over_frequency);
 
 }  // namespace latsch::experiment

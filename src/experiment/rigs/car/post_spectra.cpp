@@ -81,7 +81,8 @@ Response response_of(const std::vector<double>& u,
     kept.post.push_back(s.xx[i]);
     kept.density.push_back(s.yy[i]);
   }
-  // width of the fit on either side of a line, as a share of the line spacing times the segment
+  // width of the fit on both sides of a line of the spectrum, over line spacing times length of the
+  // segment
   constexpr double kHalfLine = 0.7;
   // Order and delay of the local polynomials. The response of a car lasts a second or two. A higher
   // order resolves longer responses, but must be fitted to more lines than kHalfLine allows.

@@ -67,8 +67,8 @@ void expect_slopes(const Run& run,
   }
 }
 
-// Loads are reached to 1e-5, which steps of 2 % amplify to 1e-3; points that come into contact bend
-// the stiffness curve.
+// Loads are reached with a relative accuracy of 1e-5, which differences over steps of 2 % amplify
+// to 1e-3. In addition, the stiffness curve has kinks where points come into contact.
 TEST(ChannelSlopes, OfTheVerticalStiffness) {
   const auto run = [](FeTire& tire, TireSlopes* slopes) {
     return stand(tire, kPressure, {.load = kLoad, .directions = {Direction::vertical}}, slopes);

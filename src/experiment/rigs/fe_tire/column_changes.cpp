@@ -56,7 +56,8 @@ Eigen::ArrayXd limit(const Eigen::ArrayXd& twice, const Eigen::ArrayXd& thrice) 
   return (twice == 0.0 || thrice == 0.0).select(kLeft * twice, thrice + kBeyond * (thrice - twice));
 }
 
-// Additional modes on finer meshes, because the order of neighboring modes may change.
+// number of modes that are computed in addition on finer meshes, because the order of neighboring
+// modes may change
 constexpr int kMore = 4;
 
 }  // namespace

@@ -41,10 +41,11 @@ Result<std::vector<Found>> at_once(Eigen::Index count,
   return values;
 }
 
-/// Returns the number of nodes of one station within a column.
+/// Returns the number of nodes from the inner to the outer surface of the tire, for a column of
+/// elements.
 int nodes_across(const fe_tire::Section& section, Eigen::Index column);
 
-/// Growth and frequencies by name.
+/// Growth and frequencies, each by its name.
 using Quantities = std::map<std::string, double>;
 
 /// The inflated tire on one mesh, from which the iterations on all other meshes start.
@@ -67,7 +68,7 @@ struct Judged {
   std::string worst;      // name of that quantity
 };
 
-/// Changes by the columns of a mesh, relative.
+/// Relative changes of the results if one column of a mesh is halved, for each column.
 struct ColumnChanges {
   /// [quantities x columns], change if each column is halved: magnitudes whose sum is the whole
   /// change.
@@ -87,7 +88,7 @@ Eigen::ArrayXd together(const Eigen::ArrayXd& all,
                         const Eigen::ArrayXd& around,
                         double loaded);
 
-/// Judges each of the meshes by finer ones.
+/// Estimates the errors of each of the meshes with finer meshes.
 Result<std::vector<Judged>> judge(const std::vector<fe_tire::TireDescription>& meshes,
                                   const Start& start,
                                   int modes);

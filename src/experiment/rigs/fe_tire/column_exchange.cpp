@@ -40,7 +40,7 @@ struct Seen {
   Eigen::ArrayXd error;
 };
 
-/// The limits to which meshes of one tire converge.
+/// The values to which the results of meshes of one tire converge.
 class Body {
  public:
   Body(const DiscretizationStudy& study, DiscretizationSettings settings)
@@ -221,7 +221,8 @@ TireDescription with_more_sectors(TireDescription tire, int more) {
   return tire;
 }
 
-/// Measures all of the meshes; a mesh that cannot be pressed has errors of infinity.
+/// Computes the errors of all meshes on the ground; a mesh that cannot be pressed on the ground has
+/// infinite errors.
 Result<std::vector<Seen>> see_all(const Body& body, const std::vector<TireDescription>& meshes) {
   return at_once<Seen>(std::ssize(meshes), [&](Eigen::Index i) -> Result<Seen> {
     if (auto seen = body.see(meshes[i])) return seen;
@@ -229,7 +230,7 @@ Result<std::vector<Seen>> see_all(const Body& body, const std::vector<TireDescri
   });
 }
 
-/// Returns the difference if both values are known, else 0.
+/// Returns the difference of two values if both are known, else 0.
 Eigen::ArrayXd change(const Eigen::ArrayXd& from, const Eigen::ArrayXd& to) {
   return (to.isFinite() && from.isFinite()).select(to - from, 0.0);
 }

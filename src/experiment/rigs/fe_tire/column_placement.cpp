@@ -39,7 +39,7 @@ std::vector<double> fixed_ends(const Section& section) {
   return fixed;
 }
 
-/// Integral of the density up to each end of a column.
+/// Returns the integral of the density from the start to each end of a column.
 std::vector<double> counted(const std::vector<double>& columns, const std::vector<double>& rho) {
   std::vector<double> sum = {0.0};
   for (std::size_t j = 0; j < rho.size(); ++j) {
@@ -48,14 +48,15 @@ std::vector<double> counted(const std::vector<double>& columns, const std::vecto
   return sum;
 }
 
-/// Value at x of the piecewise linear y(x).
+/// Returns the value at x of the piecewise linear function through the points (x, y).
 double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) {
   const auto next = std::upper_bound(x.begin() + 1, x.end() - 1, at);
   const auto i = next - x.begin();
   return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
-/// Columns with that density, `number` of them between two fixed positions.
+/// Returns the ends of columns with the given density, `number` of them between each two fixed
+/// positions.
 std::vector<double> placed(const std::vector<int>& number,
                            const std::vector<double>& fixed,
                            const std::vector<double>& columns,
@@ -73,14 +74,14 @@ std::vector<double> placed(const std::vector<int>& number,
   return result;
 }
 
-/// Rounds to the precision of a file.
+/// Rounds positions to the number of digits that a file contains.
 std::vector<double> rounded(std::vector<double> columns) {
   for (double& q : columns) q = std::round(q * 1e4) / 1e4;
   return columns;
 }
 
-/// Meshes with a smaller expected error: with the best number of sectors and, if it may be chosen,
-/// with a few more and fewer.
+/// Returns meshes with a smaller expected error: one with the best number of sectors and, if that
+/// number is free, some with a few more and fewer sectors.
 Result<std::vector<TireDescription>> moved(const Judged& now,
                                            const ColumnChanges& changes,
                                            const std::vector<double>& fixed,
@@ -114,7 +115,7 @@ Result<std::vector<TireDescription>> moved(const Judged& now,
   return meshes;
 }
 
-/// Moves the columns toward the errors of `now` and judges the result.
+/// Moves the columns according to the errors of `now` and estimates the errors of the new mesh.
 Result<std::vector<Judged>> next_round(const Judged& now,
                                        const placement::Start& start,
                                        int modes,
@@ -128,7 +129,8 @@ Result<std::vector<Judged>> next_round(const Judged& now,
   return placement::judge(*meshes, start, modes);
 }
 
-/// Fails if the tire cannot be pressed to that deflection, before minutes are spent on it.
+/// Fails if the tire cannot be pressed to this deflection, so that no minutes of computing are
+/// spent on it.
 Status check_stands(const TireDescription& tire, double deflection) {
   fe_tire::FeTire pressed(tire);
   const auto inflated = pressed.inflate(tire.pressure);
@@ -143,7 +145,7 @@ Status check_stands(const TireDescription& tire, double deflection) {
 Result<ColumnPlacement> place_columns(const TireDescription& tire,
                                       const ColumnPlacementSettings& settings,
                                       const std::function<void(const std::string&)>& progress) {
-  // Additional modes, because others may be among the lowest on the ground.
+  // number of modes computed in addition, because others may be among the lowest on the ground
   constexpr int kMoreLoaded = 2;
   const int modes = settings.modes + kMoreLoaded;
   const int most = settings.unknowns > 0 ? settings.unknowns : build_mesh(tire).free_dofs();

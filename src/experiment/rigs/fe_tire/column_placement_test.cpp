@@ -16,7 +16,8 @@ namespace {
 using fe_tire::FeTire;
 using fe_tire::TireDescription;
 
-/// Columns of equal length, moved to the belts' ends.
+/// Returns a tire with columns of equal length, except that some were moved to the ends of the
+/// belts.
 TireDescription plain_tire() {
   TireDescription tire = fe_tire::reference_tire_b();
   tire.section.meridional = 24;
@@ -31,8 +32,8 @@ TireDescription plain_tire() {
   }());
 }
 
-/// Largest error of growth and eight frequencies, against elements split into four in each
-/// direction.
+/// Returns the largest error of growth and eight frequencies, compared with a mesh whose elements
+/// are divided into four in each direction.
 double error_of(const TireDescription& description) {
   const auto quantities = [&](int refinement) {
     FeTire tire(build_mesh(description, refinement),

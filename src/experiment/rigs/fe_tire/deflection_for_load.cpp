@@ -30,26 +30,26 @@ GroundPose pose_at(const fe_tire::Inflated& inflated, double deflection, double 
   return pose;
 }
 
-/// Start above the ground, with camber.
+/// Returns a state of the cambered tire above the ground from which it can be pressed down.
 TireState start_over(FeTire& tire,
                      const fe_tire::Inflated& inflated,
                      const fe_tire::Ground& ground,
                      const StandingPose& standing) {
   TireState start = tire.over(inflated, ground, standing.poses);
   start.pose.camber = standing.camber;
-  // A shoulder below the crown would start in the ground.
+  // If a shoulder is lower than the crown, the tire would begin inside the ground.
   start.pose.height += inflated.radius * std::abs(std::sin(standing.camber));
   return start;
 }
 
-/// An equilibrium of the search.
+/// An equilibrium that was computed during the search for the deflection.
 struct Pressed {
   double deflection, force;
   TireState state;
 };
 
-/// Deflection at which F = c d^p through two equilibria, or through one with p a little above 1,
-/// carries Fz.
+/// Returns the deflection at which F = c d^p carries Fz. The curve goes through two equilibria, or
+/// through one with p a little above 1.
 double deflection_for(double Fz, const Pressed& last, const std::optional<Pressed>& other) {
   double p = 1.1;
   if (other && other->force > 0.0 && other->deflection > 0.0 && other->force != last.force) {
@@ -85,8 +85,8 @@ Result<TireState> load_to_force(FeTire& tire,
   for (int k = 1; k <= kFirstSteps; ++k) first.push_back(guess * k / kFirstSteps);
   auto states = press_down(tire, inflated, ground, standing, first);
   if (!states) return states.failure();
-  // The deepest state that carries less than Fz, from which every attempt continues, and the last
-  // attempt.
+  // The deepest state that carries less than Fz, from which every attempt starts, and the state of
+  // the last attempt.
   Pressed below{0.0, 0.0, start_over(tire, inflated, ground, standing)};
   std::optional<Pressed> last, before;
   for (std::size_t k = 0; k < first.size(); ++k) {

@@ -37,7 +37,7 @@ Result<MeshQuantities> unloaded_quantities(FeTire& tire,
                                            const Inflated& inflated,
                                            const DiscretizationSettings&,
                                            int count) {
-  // additional modes, by which those that are among the lowest on the ground are identified
+  // number of additional modes, among which those that are lowest on the ground are found
   constexpr int kMore = 8;
   const Result<std::vector<Mode>> modes = tire.modes(inflated, count + kMore);
   if (!modes) return modes.failure();
@@ -72,7 +72,7 @@ double* find(MeshQuantities& mesh, const std::string& name) {
   return same == mesh.end() ? nullptr : &same->second;
 }
 
-/// Renames the modes of the other meshes to those of the first one.
+/// Gives the modes of the other meshes the names that they have on the first mesh.
 void rename_as_first(std::vector<MeshQuantities>& meshes) {
   constexpr double kNear = 0.025;
   for (std::size_t m = 1; m < meshes.size(); ++m) {

@@ -30,7 +30,7 @@ struct DiscretizationSettings {
   bool loaded_thoroughly = false;
 };
 
-/// One quantity on all meshes.
+/// Values of one quantity, such as a force or a frequency, on all meshes.
 struct DiscretizationRow {
   std::string name;            // "Fz at 25 mm", "radial n=2"
   std::string unit;            // SI
@@ -87,7 +87,7 @@ struct MeshMeasured {
 Result<MeshMeasured> measure_mesh(const fe_tire::TireDescription& tire,
                                   const DiscretizationSettings& settings);
 
-/// `progress` is called before each mesh is computed.
+/// Computes the study of the discretization; `progress` is called before each mesh is computed.
 Result<DiscretizationStudy> study_discretization(
     const fe_tire::TireDescription& tire,
     const DiscretizationSettings& settings,

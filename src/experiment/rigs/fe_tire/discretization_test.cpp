@@ -15,7 +15,7 @@ const DiscretizationRow* find(const std::vector<DiscretizationRow>& rows, const 
   return nullptr;
 }
 
-// Values of v(h) = v0 + c h^2 at h = 1, 1/2, 1/3.
+// Returns the values of v(h) = v0 + c h^2 at h = 1, 1/2 and 1/3.
 std::vector<double> of_second_order(double v0, double c) {
   return {v0 + c, v0 + c / 4, v0 + c / 9};
 }

@@ -37,7 +37,7 @@ std::vector<double> density(const Judged& mesh,
   const double loaded = loaded_part(section);
   Eigen::ArrayXd rho = 1.0 / h;
   for (int repeated = 0; repeated < 200; ++repeated) {
-    // The number of unknowns stays constant, or errors would not be comparable.
+    // The number of unknowns stays constant, because otherwise errors would not be comparable.
     rho *= unknowns * cost.sum() / (rho * h * cost).sum();
     const Eigen::ArrayXd along =
         sign * (c.rowwise() * (h / rho.square()).transpose()).rowwise().sum();
@@ -47,7 +47,8 @@ std::vector<double> density(const Judged& mesh,
     const Eigen::ArrayXd wanted = worth.max(1e-6 * worth.maxCoeff()).pow(1.0 / 3.0);
     rho = (rho * wanted / wanted.mean() * rho.mean()).sqrt();
   }
-  // Neighbors get similar lengths: an element is no better than its worst neighbor.
+  // Neighboring columns get similar lengths: an element is no more accurate than its least accurate
+  // neighbor.
   std::vector<double> smooth;
   for (Eigen::Index j = 0; j < count; ++j) {
     const double before = rho[std::max<Eigen::Index>(j - 1, 0)];
@@ -104,8 +105,8 @@ class Expected {
     return sectors_ * (others_ + 6 * nodes);
   }
 
-  /// A power mean close to the largest error, which also shows improvements of all quantities but
-  /// one.
+  /// Returns a power mean that is close to the largest error but also decreases if all errors
+  /// except one decrease.
   double error(const std::vector<int>& number) const {
     constexpr double kPower = 20.0;
     Eigen::ArrayXd along = Eigen::ArrayXd::Zero(sign_.size());
@@ -130,7 +131,8 @@ class Expected {
   }
 
  private:
-  /// Makes the best of all exchanges {one more here, one fewer there}; returns false if none helps.
+  /// Makes the best exchange of one column more at one position and one fewer at another; returns
+  /// false if no exchange helps.
   bool improve(std::vector<int>& number,
                int most,
                const std::vector<std::pair<int, int>>& exchanges,

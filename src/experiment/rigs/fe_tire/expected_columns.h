@@ -10,7 +10,7 @@
 
 namespace latsch::placement {
 
-/// Columns with a smaller expected error, for a mesh with the given number of sectors.
+/// A division of the mesh into columns with a smaller expected error, for one number of sectors.
 struct Way {
   int sectors = 0;
   std::vector<double> rho;  // columns per position, constant in each column

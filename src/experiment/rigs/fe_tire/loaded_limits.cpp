@@ -9,7 +9,7 @@
 namespace latsch {
 namespace {
 
-// Error that remains after halving, as a share of the change, for second order.
+// error that remains after halving the elements over the change by halving, for second order
 constexpr double kSecondOrder = 1.0 / 3.0;
 
 RoughLimit of_few(const std::vector<double>& v) {
@@ -23,7 +23,8 @@ RoughLimit of_thorough(const std::vector<double>& v) {
   return {limit.value + through, through, 0.0, limit.uncertainty};
 }
 
-/// Label of a mode without rank and phase: both loaded modes of an unloaded one share its label.
+/// Returns the label of a mode without rank and phase, which both modes of the loaded tire share
+/// that come from one mode of the unloaded tire.
 std::string label_of(const std::string& row) {
   std::string label = row.substr(0, row.find(" #"));
   if (label.ends_with(" s") || label.ends_with(" a")) label.resize(label.size() - 2);

@@ -19,7 +19,7 @@
 
 namespace latsch {
 
-/// A limit extrapolated from few meshes.
+/// A limit for infinitely fine meshes that is extrapolated from few meshes.
 struct RoughLimit {
   double value = 0.0;
   double section = 0.0;  // change of the value by refining the section
@@ -45,7 +45,7 @@ const FewMeshes& thorough_meshes();
 /// Selects the meshes of `few_meshes` from those of `thorough_meshes`.
 std::vector<MeshQuantities> few_of_thorough(const std::vector<MeshQuantities>& meshes);
 
-/// Error of the extrapolation from few meshes for the unloaded tire, relative.
+/// Relative error of the extrapolation from few meshes, determined on the unloaded tire.
 class Missed {
  public:
   /// `limits` are rows of many meshes, `few` those of few meshes, of which only the values count.

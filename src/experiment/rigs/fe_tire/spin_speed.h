@@ -8,7 +8,7 @@
 
 namespace latsch::experiment {
 
-/// Speed of a tire that spins off the ground.
+/// Speed of rotation of a tire that does not touch the ground.
 struct SpinSpeed {
   double value = 0.0;       // rad/s about the spin axis, or m/s
   bool is_of_road = false;  // true: m/s, of a wheel that rolls on the radius of the inflated tire

@@ -17,7 +17,8 @@ using fe_tire::GroundPose;
 using fe_tire::TireState;
 
 constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection
-// Steps of the ground's displacement: several, because the contact patch slides during it.
+// number of steps in which the ground is displaced: several, because the contact patch slides
+// meanwhile
 constexpr int kSteps = 4;
 
 /// The wheel's travel in a direction is applied as the opposite displacement of the ground.
@@ -56,7 +57,7 @@ double reaction(const fe_tire::Standing& standing, Direction direction) {
 /// The states between which a stiffness is computed.
 struct Ends {
   TireState first, last;
-  double way;  // m or rad, between the states
+  double way;  // displacement between two states, m or rad
 };
 
 Result<Ends> moved_to_ends(FeTire& tire,
@@ -122,7 +123,7 @@ void require_friction(const StandingTest& test, const fe_tire::Ground& ground) {
         "friction = 0.8 or so beside longitudinal, lateral or torsional");
 }
 
-/// The standing tire and what has been recorded of it.
+/// The tire on the ground and what has been recorded of it so far.
 struct StandingRun {
   FeTire& tire;
   const StandingTest& test;
@@ -148,7 +149,7 @@ Result<TireState> pressed(StandingRun& run, double deflection) {
   return std::move(states->back());
 }
 
-/// Slopes of the force at a constant deflection from first touch.
+/// Returns the derivatives of the force at a constant deflection.
 Result<Eigen::VectorXd> slopes_of_force(const StandingRun& run, const TireState& state) {
   const auto of_inflated = run.slopes->of_inflated(run.inflated);
   const auto of_state = run.slopes->of_state(state);

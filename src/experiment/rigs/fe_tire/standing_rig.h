@@ -12,9 +12,9 @@ class TireSlopes;
 
 namespace latsch::experiment {
 
-/// Runs the finite-element tire from equilibrium to equilibrium. Throws InputError if the tire
-/// would slide away. With `slopes` returns those of all channels: upright on flat ground without
-/// friction only.
+/// Runs the finite-element tire from one equilibrium to the next. Throws InputError if the tire
+/// would slide away. If `slopes` is given, returns in it the derivatives of all channels, which are
+/// known only for an upright tire on flat ground without friction.
 Result<Channels> stand(fe_tire::FeTire& tire,
                        double own_pressure,
                        const StandingTest& test,

@@ -92,7 +92,8 @@ TEST(StandingFeTire, StiffnessesAreOfTheSizeOfATires) {
   const Channels upright = stand_under_load(
       tire,
       {Direction::vertical, Direction::longitudinal, Direction::lateral, Direction::torsional});
-  // Between half and all of the vertical stiffness, as measured on passenger tires.
+  // The stiffness is between half of the vertical stiffness and all of it, as measured on passenger
+  // tires.
   const double vertical = value(upright, "vertical");
   EXPECT_GT(value(upright, "lateral"), 0.25 * vertical);
   EXPECT_LT(value(upright, "lateral"), vertical);
@@ -105,8 +106,7 @@ TEST(StandingFeTire, StiffnessesAreOfTheSizeOfATires) {
   EXPECT_NE(value(left, "vertical"), vertical);
 }
 
-// One row of nodes is in contact, out of 40 sectors, so a bar below it is equivalent to level
-// ground.
+// Only one of 40 rows of nodes is in contact, so a bar below it is equivalent to level ground.
 TEST(StandingFeTire, APlankLongerThanThePatchIsGroundThatIsHigher) {
   FeTire tire = small_tire(120);
   const std::vector<double> deflections = {0.004, 0.012};

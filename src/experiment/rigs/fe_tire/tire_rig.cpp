@@ -24,11 +24,11 @@ using fe_tire::Inflated;
 using fe_tire::Standing;
 using fe_tire::TireState;
 
-// Stiffness, N/m, for a first guess of the deflection under a load.
+// stiffness, N/m, for the first guess of the deflection under a load
 constexpr double kTypicalStiffness = 2.0e5;
 constexpr int kEvenSteps = 5;
 
-/// Deflections, in even steps, of a path that the test does not prescribe.
+/// Returns equal steps of the deflection for a path that the test does not prescribe.
 std::vector<double> even_steps(double deflection) {
   std::vector<double> steps;
   for (int i = 1; i < kEvenSteps; ++i) steps.push_back(deflection * i / kEvenSteps);
@@ -198,7 +198,7 @@ Result<Channels> TireRig::run(const LoadDeflection& test,
   return with_slopes(*channels, all);
 }
 
-/// Slopes per unit of every number.
+/// Derivatives of the results by every number of the tire.
 struct TireRig::StandSlopes {
   Eigen::VectorXd height, deflection, force;  // m, m, N
 };
@@ -248,7 +248,7 @@ Result<Channels> TireRig::run(const ModalTest& test,
 
 namespace {
 
-/// Index of the plane nearest to an angle from the contact, rad.
+/// Returns the index of the nodal plane nearest to an angle, rad, from the contact.
 int nearest_plane(const fe_tire::Mesh& mesh, double angle) {
   int nearest = 0;
   for (int s = 1; s < mesh.sectors; ++s) {
@@ -276,7 +276,7 @@ Eigen::Matrix3Xd default_points(const fe_tire::Mesh& mesh) {
 
 namespace {
 
-/// Nodes of one sector on outer faces that no other element covers.
+/// Returns the nodes of one sector on outer faces that no other element covers.
 std::vector<int> outer_nodes(const fe_tire::Mesh& mesh) {
   const auto face = [&](const fe_tire::Element& element, int first) {
     std::array<int, 4> nodes;
@@ -293,7 +293,8 @@ std::vector<int> outer_nodes(const fe_tire::Mesh& mesh) {
   return {nodes.begin(), nodes.end()};
 }
 
-/// Distance in the plane of the spin axis, (y, r), from a point to the faces of the elements.
+/// Returns the distance from a point to the faces of the elements in the (y, r) plane through the
+/// spin axis.
 double distance_from_wall(const fe_tire::Mesh& mesh, const Eigen::Vector2d& point) {
   const auto section = [](const Eigen::Vector3d& x) {
     return Eigen::Vector2d(x.y(), std::hypot(x.x(), x.z()));

@@ -2,16 +2,17 @@
 // Virtual tire rig: runs the tests of the laboratory on the finite-element tire.
 //
 // Channels of a load-deflection test, one value for each deflection in the order of the test:
-// "deflection" m, "loaded_radius" m, "force" N, "patch_length" m, "patch_width" m, "patch_area"
-// m^2. A loaded radius larger than the radius of the inflated tire means no contact: force and
-// patch are 0. Channels of a modal test: those of mode_record.h, and for a loaded tire
-// "deflection", "loaded_radius", "force" (one value). If the tire rotates, if its rim moves or if
-// its standing-wave speed is requested: those of spinning_rig.cpp. Other tests use tire()
-// themselves.
+// "deflection" (m), "loaded_radius" (m), "force" (N), "patch_length" (m), "patch_width" (m),
+// "patch_area" (m^2). A loaded radius larger than the radius of the inflated tire means no contact:
+// force and patch are 0. Channels of a modal test: those of mode_record.h, and for a loaded tire
+// "deflection", "loaded_radius", "force" (one value each). If the tire rotates, if its rim moves or
+// if the speed of standing waves is requested, the channels are those of spinning_rig.cpp. Other
+// tests call tire() themselves.
 //
-// Every test has its own load path: a curve is pressed once through its deflections, ascending; a
-// single deflection is reached in five even steps. So its recording does not depend on other tests.
-// The inflated tire and the last path are kept: a test with exactly that path gets the same bits.
+// Every test has a load path of its own: a curve is computed by pressing the tire once through its
+// deflections in ascending order; a single deflection is reached in five equal steps. The results
+// of a test therefore do not depend on other tests. The inflated tire and the last path are kept: a
+// test with exactly that path returns bitwise equal results.
 #pragma once
 
 #include <optional>

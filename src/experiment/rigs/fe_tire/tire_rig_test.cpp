@@ -104,8 +104,8 @@ TEST(TireRig, WithoutFrictionTheWayDoesNotMatter) {
   EXPECT_NEAR((*long_way)["force"][2], force, 1e-4 * force);
 }
 
-// Resuming after an interruption and using any number of workers depend on this: a trial leaves
-// nothing behind.
+// Resuming after an interruption, and using any number of workers, require that a trial does not
+// depend on earlier trials.
 TEST(TireRig, ATrialDoesNotDependOnTheTrialsBeforeIt) {
   auto soft_description = fe_tire::reference_tire_b();
   soft_description.section.meridional = 14;
@@ -176,7 +176,8 @@ TEST(PointsOnTire, AreWithinSomeMillimetersOfTheWallAndNotInAnotherUnitOrOrder) 
   };
   EXPECT_TRUE(points_on_tire(tire.mesh(), moved(0.010)).ok());
   EXPECT_FALSE(points_on_tire(tire.mesh(), moved(0.090)).ok());
-  // Meters in place of millimeters, exchanged columns, the center of the axle.
+  // Points in meters instead of millimeters, points with exchanged columns and a point at the
+  // center of the axle are refused.
   EXPECT_FALSE(points_on_tire(tire.mesh(), 1e3 * points).ok());
   EXPECT_FALSE(points_on_tire(tire.mesh(), points({1, 0, 2}, Eigen::all)).ok());
   EXPECT_FALSE(points_on_tire(tire.mesh(), Eigen::Vector3d::Zero()).ok());
@@ -185,7 +186,7 @@ TEST(PointsOnTire, AreWithinSomeMillimetersOfTheWallAndNotInAnotherUnitOrOrder) 
   EXPECT_FALSE(run(tire, test));
 }
 
-// A point on the sidewall takes the node there, not one of the tread.
+// A point on the sidewall is assigned a node of the sidewall, not one of the tread.
 TEST(NearestSensors, TakesAnyNodeOfTheOuterSurface) {
   const FeTire tire = coarse_tire();
   for (const fe_tire::Element& element : tire.mesh().elements) {

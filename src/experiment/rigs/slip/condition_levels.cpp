@@ -20,8 +20,8 @@ using numerics::LevelResolution;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kShown = 8;  // levels named in a message
 
-/// Resolution with which a rig holds a condition: as a share of the condition's size, for camber as
-/// an angle.
+/// Accuracy with which a rig keeps a condition constant: relative to its value, for camber as an
+/// angle.
 struct Resolution {
   double kernel, swept;
 };

@@ -62,7 +62,7 @@ TEST(ConditionLevels, EvenTermsAskForSizesAndModuliForSigns) {
   EXPECT_THAT(reason_against("QDZ4", one_side), HasSubstr("order 2 in the camber"));
 }
 
-// A name that belongs to no parameter would never be reported.
+// If a coefficient's name belonged to no parameter, the coefficient would never be reported.
 TEST(ConditionLevels, EveryCoefficientOfAConditionIsAParameter) {
   int of_a_condition = 0;
   for (const auto& field : magic_formula::parameter_fields())

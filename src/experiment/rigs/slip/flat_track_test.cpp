@@ -69,7 +69,7 @@ TEST(SlipSweep, BrakingForceEndsAtFriction) {
   EXPECT_GT(Fx.back() / Fz.back(), -1.4);
 }
 
-// Only a few blocks, which just touch, support the axle.
+// Only a few blocks support the axle, and they are barely in contact.
 TEST(SlipSweep, TheAxleFollowsALoadOfOneNewton) {
   ring_tire::RingTire tire = tire_on_track();
   const SlipSweep sweep{.load = 1.0, .alpha_to = 0.02, .duration = 0.5};

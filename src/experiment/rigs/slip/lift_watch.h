@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records when a tire did not touch the road in a run that assumes contact. Off the road a tire
-// without mass has no force. A tire with a belt still has a force on the hub from the belt's
-// inertia, which is no load of the road.
+// Records when a tire does not touch the road in a simulation that assumes contact. A tire model
+// without mass then has no force. A model with a belt still exerts a force on the hub because of
+// the belt's inertia, which is no load of the road.
 #pragma once
 
 #include <memory>
@@ -28,8 +28,8 @@ class LiftLog {
   bool off_ = false;                         // in the last step
 };
 
-/// Returns the tire on a tared rig (tared_tire.h) with a log of its steps. The log has to live
-/// longer than the tire.
+/// Returns the tire on a rig whose load cell is tared (tared_tire.h), and records its steps in a
+/// log. The log must outlive the tire.
 std::unique_ptr<Tire> watched(std::unique_ptr<Tire> tire, LiftLog& log);
 
 }  // namespace latsch

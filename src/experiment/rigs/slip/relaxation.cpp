@@ -10,20 +10,23 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kSmallSlip = 2e-3, kSmallAngle = 4e-3;  // 1, rad: far below friction's limit
-constexpr double kMostLag = 0.05;  // share of the greatest force that a sweep may lag unsaid
+// slip ratio and slip angle, rad: far below the friction limit
+constexpr double kSmallSlip = 2e-3, kSmallAngle = 4e-3;
+// share of the largest force by which the force of a sweep may lag behind without a warning
+constexpr double kMostLag = 0.05;
 
 bool steers(const SlipSweep& sweep) { return sweep.alpha_from != sweep.alpha_to; }
 
-/// Returns the force, N, at each step after the slip has jumped from 0 to a small one.
+/// Returns the force, N, at each step after the slip has jumped from 0 to a small value.
 Result<std::vector<double>> step_response(Tire& tire, const SlipSweep& sweep, double sign) {
   const char* const name = steers(sweep) ? "Fy" : "Fx";
   SlipSweep jump = sweep;
   jump.frames = {AxisFrame::W};
   jump.alpha_from = jump.alpha_to = steers(sweep) ? sign * kSmallAngle : 0.0;
   jump.kappa_from = jump.kappa_to = steers(sweep) ? 0.0 : sign * kSmallSlip;
-  jump.run_in = 2.0 * sweep.step;  // the slip jumps within a step; before, the wheel rolls freely
-                                   // until it is steady
+  // the slip jumps within one step; before the jump the wheel rolls freely until its state is
+  // steady
+  jump.run_in = 2.0 * sweep.step;
   jump.duration = 4.0 * std::numbers::pi * tire.free_radius() / sweep.speed;
   jump.steady = {name};
   const auto channels = run(tire, jump);

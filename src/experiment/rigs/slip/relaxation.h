@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lag of a rolling tire behind its slip: the wheel of a flat track (flat_track.h) gets a small slip
-// or slip angle, and the force approaches its limit over the relaxation length σ,
+// The lag of a rolling tire behind its slip: the wheel of a flat track (flat_track.h) gets a small
+// slip ratio or slip angle, and the force approaches its limit over the relaxation length σ, m,
 //
-//   σ = ∫ (1 - F(x)/F(∞)) dx,  F: half the difference of the forces at the slip and its opposite
+//   σ = ∫ (1 - F(x)/F(∞)) dx
 //
-// which is the length of a force that approaches as 1 - exp(-x/σ). A sweep that changes the slip by
-// s' per meter has at each place the force of the slip s' σ before, as long as slips are small.
+// with the distance x, m, and F, half the difference of the forces at the slip and at its negative.
+// For a force proportional to 1 - exp(-x/σ) it is the length σ of this formula. In a sweep whose
+// slip changes by s' per meter, the force at any moment belongs to a slip that is smaller by s' σ,
+// as long as slips are small.
 #pragma once
 
 #include <string>
@@ -17,16 +19,18 @@
 namespace latsch::experiment {
 
 struct SlipRelaxation {
-  double length = 0.0;     // m, σ
-  double stiffness = 0.0;  // N, force over slip; for a slip angle N/rad; of either sign
+  double length = 0.0;  // m, σ
+  /// slope of force over slip ratio, N, or over slip angle, N/rad; either sign
+  double stiffness = 0.0;
 };
 
-/// Measures the relaxation at the speed, load, camber and step of a sweep: in Fy if the sweep
-/// steers, else in Fx.
+/// Measures the relaxation length at the speed, load, camber and step of a sweep, from Fy if the
+/// sweep varies the slip angle, otherwise from Fx.
 Result<SlipRelaxation> relaxation(Tire& tire, const SlipSweep& sweep);
 
-/// Says how far the forces of a sweep lag and which duration, s, would let the tire follow; empty
-/// if the lag at small slips is less than 5 % of the greatest force `most`, N, of the sweep.
+/// Returns a sentence that says how far the forces of a sweep lag behind and which duration, s,
+/// would be long enough; empty if the lag at small slips is less than 5 % of `most`, the largest
+/// force of the sweep, N.
 std::string lag_in_words(const SlipRelaxation& relaxation, const SlipSweep& sweep, double most);
 
 }  // namespace latsch::experiment

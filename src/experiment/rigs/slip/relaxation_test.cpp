@@ -16,7 +16,7 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kLongitudinal = 1.2e5, kLateral = 6e4;  // N/m, of the carcass
+constexpr double kLongitudinal = 1.2e5, kLateral = 6e4;  // stiffnesses of the carcass, N/m
 
 std::unique_ptr<Specimen> lagging_tire() {
   const ScratchFolder folder;
@@ -57,7 +57,8 @@ bool lags(const std::vector<std::string>& notes) {
   });
 }
 
-// The sweep at the defaults moved the tire farther than ten radii, the only condition until then.
+// With default settings the sweep moves the tire farther than ten radii, which was once the only
+// condition.
 TEST(Relaxation, ASweepThatLagsIsSaidAtTheDefaults) {
   const std::string sweep = "kind = \"slip_sweep\"\nload = \"4 kN\"\nspeed = \"60 km/h\"\n";
   EXPECT_TRUE(lags(notes_of(sweep + "kappa = [-0.3, 0.3]\n")));

@@ -16,7 +16,7 @@ constexpr double kFree = 2.0,
     kSettled = 2.0;
 
 struct Steady {
-  double Fx, Fy, Mz;  // W, means over a turn of the wheel
+  double Fx, Fy, Mz;  // mean force and moment over a turn of the wheel, in the frame W
 };
 
 Result<Steady> steady(Tire& tire, const RollingStiffnessTest& test, SlipSweep sweep) {
@@ -36,7 +36,7 @@ Result<Steady> steady(Tire& tire, const RollingStiffnessTest& test, SlipSweep sw
   return Steady{mean("Fx"), mean("Fy"), mean("Mz")};
 }
 
-/// Half the difference between the value and its opposite.
+/// Returns half the difference between the forces at a value and at its negative.
 template <class Sweep>
 Result<Steady> odd_part(Tire& tire, const RollingStiffnessTest& test, const Sweep& at) {
   const auto plus = steady(tire, test, at(1.0));

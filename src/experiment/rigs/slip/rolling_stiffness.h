@@ -26,7 +26,7 @@ namespace latsch::experiment {
 struct RollingStiffnessTest {
   double speed = 60.0 / 3.6;              // m/s
   double load = 4000.0;                   // N
-  double slip = 2e-3;                     // κ, to both sides
+  double slip = 2e-3;                     // slip ratio κ of the two states, positive and negative
   double angle = 0.25 * 0.0174532925199;  // rad, α
   double camber = 1.0 * 0.0174532925199;  // rad, γ
   double step = 5e-4;                     // s
@@ -40,7 +40,7 @@ struct Cornering {
 /// Result in N.
 Result<double> slip_stiffness(Tire& tire, const RollingStiffnessTest& test);
 Result<Cornering> cornering(Tire& tire, const RollingStiffnessTest& test);
-/// Result in N/rad.
+/// Returns the camber stiffness, N/rad.
 Result<double> camber_stiffness(Tire& tire, const RollingStiffnessTest& test);
 
 }  // namespace latsch::experiment

@@ -49,8 +49,8 @@ TEST(RollingStiffness, OfAMagicFormulaIsThatOfItsCoefficients) {
   EXPECT_NEAR(*leaning, 0.8 * 4000.0, 1e-4 * 3200.0);
 }
 
-// The slopes are those of the coefficients however long the relaxation lengths are: K/c is 0.7 to
-// 4 m here.
+// The slopes are equal to those of the coefficients for any relaxation length: the ratio K/c is 0.7
+// to 4 m in this test.
 TEST(RollingStiffness, DoesNotDependOnTheRelaxationLength) {
   for (const double stiffness : {1e5, 4e4, 2.2e4}) {
     const auto tire = tire_of(sparse_tir(std::string(kLongitudinalForce) + kSideForce +
@@ -94,15 +94,16 @@ TEST(RollingStiffness, OfAStiffRingIsThatOfABrush) {
   EXPECT_NEAR(steered->trail, a / 3.0, 0.015 * a);
 }
 
-/// Returns the shipped flexible ring.
+/// Returns a flexible ring that is shipped with Latsch.
 ring_tire::RingTire shipped_ring() {
   const auto file =
       std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/ring_tires/passenger_205_55R16.toml";
   return ring_tire::RingTire(ring_tire::read_ring_tire(Document::read(file).root()));
 }
 
-// Tips come down on the way that they take within a step. With the velocity at the end of the step
-// instead, camber stiffness was -1095 N/rad in steps of 0.25 ms and -1564 in steps of 1 ms.
+// The tips of the tread blocks move down along the path that they travel within a step. When the
+// velocity at the end of the step was used instead, the camber stiffness was -1095 N/rad with steps
+// of 0.25 ms and -1564 N/rad with steps of 1 ms.
 TEST(RollingStiffness, OfAFlexibleRingDoesNotDependOnTheStep) {
   ring_tire::RingTire tire = shipped_ring();
   const RollingStiffnessTest fine{.speed = 10.0, .load = 4000.0, .step = 2.5e-4},
@@ -116,8 +117,7 @@ TEST(RollingStiffness, OfAFlexibleRingDoesNotDependOnTheStep) {
   EXPECT_NEAR(*slip_coarse, *slip, 2e-3 * *slip);
 }
 
-/// Returns the mean side force, N, of a cambered ring on a road that is not level; its blocks have
-/// kernels of their own.
+/// Returns the mean side force, N, of a cambered flexible ring on a road that is not level.
 double camber_force(const road::Road& road, double step) {
   constexpr double kSpeed = 10.0, kLean = 0.0174532925199, kTime = 0.25, kMean = 0.05;  // .., s
   ring_tire::RingTire tire = shipped_ring();
@@ -143,7 +143,7 @@ TEST(RollingStiffness, CamberForceOnADrumAndOnASlopeDoesNotDependOnTheStep) {
   for (const road::Road* road :
        {static_cast<const road::Road*>(&drum), static_cast<const road::Road*>(&slope)}) {
     const double fine = camber_force(*road, 2.5e-4), coarse = camber_force(*road, 1e-3);
-    // 8 N/deg are 460 N/rad; the coarse step's error was as large.
+    // The camber force is 8 N at 1 deg (460 N/rad); the error of the coarse step was once as large.
     EXPECT_NEAR(coarse, fine, 1.0);
   }
 }

@@ -17,13 +17,13 @@ using magic_formula::MagicFormula;
 using magic_formula::State;
 using magic_formula::SteadyState;
 
-/// A slip at the samples, and its slopes by (sample, parameter).
+/// A slip at all samples, and its derivatives by (sample, parameter).
 struct Lagged {
   std::vector<double> x;
   Eigen::MatrixXd slopes;
 };
 
-/// A relaxation length at the samples, and its slopes.
+/// A relaxation length at all samples, and its derivatives.
 struct Length {
   std::vector<double> sigma;
   Eigen::MatrixXd slopes;
@@ -43,7 +43,7 @@ std::vector<bool> gaps_of(const std::vector<double>& times) {
   return gaps;
 }
 
-/// Solves dx/ds + x = u over the distance s from 0 to a, u linear from u0 to u1.
+/// Solves dx/ds + x = u over the distance s from 0 to a, where u changes linearly from u0 to u1.
 struct LagStep {
   double end, by_a;  // x(a), its slope in a
 };
@@ -199,7 +199,7 @@ Channels lagging_answers(const MagicFormula& tire,
   }
   Channels found = answers(tire, lagging);
   if (!parameters.empty()) {
-    // The slips are added, because the parameters change them.
+    // The slips are added to the variables, because they depend on the parameters.
     std::vector<std::string> variables = parameters;
     variables.insert(variables.end(), {"kappa", "alpha"});
     const auto n = static_cast<Eigen::Index>(parameters.size());

@@ -70,7 +70,7 @@ TEST(SlipLag, ARampIsFollowedBehindByARelaxationLength) {
   }
 }
 
-// A record says itself what it cannot show.
+// The ledger of a record must report gaps and samples that are too far apart.
 TEST(SlipLag, GapsAndCoarseSamplesAreTold) {
   const MagicFormula formula(lagging_tire());
   const auto ramp = [](double t) { return 0.02 * t; };

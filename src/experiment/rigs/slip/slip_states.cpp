@@ -179,8 +179,8 @@ std::vector<Meant> meant_by(const formats::CsvTable& table) {
   return all;
 }
 
-/// Adds doubts about numbers that are probably no states, and replaces them by gaps for the other
-/// checks.
+/// Adds doubts about numbers that are probably placeholders and no states, and replaces them by
+/// gaps for the other checks.
 void note_fillers(const formats::CsvTable& table, Channels& states, Ledger& ledger) {
   Channels plain;
   for (Channel channel : states.all()) {
@@ -212,7 +212,7 @@ void note_fillers(const formats::CsvTable& table, Channels& states, Ledger& ledg
   states = std::move(plain);
 }
 
-/// Reports a turn slip other than 0 that the test ignores.
+/// Reports a turn slip other than 0, which the test ignores.
 void note_no_turn_slip(const formats::CsvTable& table,
                        const Channels& states,
                        const std::string& by,

@@ -54,8 +54,8 @@ SlipStates slip_states(const formats::CsvTable& table, const magic_formula::Para
 /// straight rolling.
 std::string assumed_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
 
-/// Returns Fx Fy Fz Mx My Mz R_e R_l rho length width t Mzr mux muy omega Kxk Kya Cx Cy Cz sigma_x
-/// sigma_y, one value for each state.
+/// Returns the channels Fx Fy Fz Mx My Mz R_e R_l rho length width t Mzr mux muy omega Kxk Kya Cx
+/// Cy Cz sigma_x sigma_y, one value for each state.
 Channels answers(const std::vector<magic_formula::SteadyState>& results);
 Channels answers(const magic_formula::MagicFormula& tire,
                  const std::vector<magic_formula::State>& states);

@@ -118,7 +118,7 @@ class AxleOnRig {
         is_left_ ? s.travel : s.other_travel, is_left_ ? s.other_travel : s.travel, rack);
   }
 
-  /// Steering angles are relative to the middle position of the rack.
+  /// Sets the steering angles, which are relative to the middle position of the rack.
   Status steer(const Wheels& wheels, State& s) {
     const auto middle = move(straight_, s, 0.0);
     if (!middle) return middle.failure();

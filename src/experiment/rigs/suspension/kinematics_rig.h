@@ -44,7 +44,7 @@ struct KinematicChannel {
   std::function<double(const KinematicState&)> value;
   suspension::Sense of = suspension::Sense::same, by = suspension::Sense::same;  // sign_views.h
 };
-/// Returns the recorded channels of a test, in this order.
+/// Returns the names of the channels that a test records, in the order in which they are recorded.
 std::vector<KinematicChannel> kinematic_channels(const KinematicsTest& test);
 
 Result<Channels> run(const suspension::CornerGeometry& corner, const KinematicsTest& test);

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 using report::Scene;
 
 constexpr int kMostAround = 40;  // most points on the outline of a tire
-// Share of the radius: width of a tire whose file states none.
+// assumed width of a tire over its radius if its file states no width
 constexpr double kWidthOfRadius = 0.6;
 constexpr double kPost = 0.36;  // m, side of a post's plate
 // m, length of road shown behind the rear axle and before the front one
@@ -31,7 +31,7 @@ Matrix3Xd thinned(const Matrix3Xd& line) {
   return line(Eigen::all, Eigen::seq(0, line.cols() - 1, every));
 }
 
-/// Returns the circle of a tire without a belt, flattened at the road.
+/// Returns the circle that represents a tire without a belt, flattened at the road.
 Matrix3Xd circle(const WheelMotion& wheel, double radius) {
   Matrix3Xd points(3, kMostAround);
   for (int k = 0; k < kMostAround; ++k) {

@@ -59,7 +59,8 @@ class CarFilm {
   report::Scene::Mesh mesh_;
   std::vector<report::Scene::Arrow> arrows_;
   std::array<Ring, car::kCorners> rings_{};
-  /// First points in the mesh: one for each wheel, four for each post.
+  /// indices of the first points in the mesh: of one point for each wheel, and of four points for
+  /// each post
   std::uint32_t contacts_ = 0, posts_ = 0;
   double rear_ = 0.0, front_ = 0.0;  // m, ends of the road that is shown
   double side_ = 0.0;  // m, edge of the road that is shown, from the middle of the car

@@ -256,7 +256,7 @@ TEST(CarFilm, ShowsTheLoadsAndTheWayOfItsChannels) {
     EXPECT_EQ(step.points.cols(), film.scene.meshes.back().points.cols());
     EXPECT_EQ(std::ssize(step.field), step.points.cols());
   }
-  // The road is drawn below the car, with the kerb's crests.
+  // The road is drawn below the car and includes the crests of the kerb.
   ASSERT_EQ(film.scene.meshes.size(), 2u);
   EXPECT_EQ(film.sequence().ground, film.scene.meshes[0].name);
   EXPECT_NEAR(film.scene.meshes[0].points.row(2).maxCoeff(), 0.025, 3e-4);

@@ -58,8 +58,8 @@ std::map<int, int> LinkageDrawing::ways_to_frame() const {
 
 void LinkageDrawing::sort_joints() {
   const std::map<int, int> ways = ways_to_frame();
-  // Links of these wheels: bodies joined to their uprights, directly or through other links, but
-  // not through the frame.
+  // Find the links of these wheels: bodies that joints connect to the uprights, directly or through
+  // other links, but not through the frame.
   std::set<int> seen;
   for (const DrawnWheel& wheel : wheels_) seen.insert(wheel.upright);
   for (std::size_t before = 0; before != seen.size();) {
@@ -166,7 +166,7 @@ void LinkageDrawing::add_link(int body) {
   if (inner.empty()) return;
   const Vector3d from = middle(inner), to = outward.empty() ? from : middle(outward);
   for (const int j : inner) {
-    // The force that drives a rocker rotates it, so it is no tension in the rocker.
+    // The force that drives a rocker rotates it, so it is not the tension of a rod.
     const Force force{
         .joint = j, .is_axial = !outer.empty(), .from = on(body, at_joint(j)), .to = on(body, to)};
     const int number = static_cast<int>(forces_.size());
@@ -257,7 +257,8 @@ report::Scene::Step LinkageDrawing::step(double at,
         (where(force.to, motion.poses) - where(force.from, motion.poses)).normalized();
     auto vector = step.vectors.col(static_cast<Eigen::Index>(f));
     if (force.joint >= 0) {
-      const double side = force.is_outer ? -1.0 : 1.0;  // forces are recorded on the second body
+      // forces are recorded as forces on the second body of the joint
+      const double side = force.is_outer ? -1.0 : 1.0;
       vector = side * assembly.joint_load(force.joint, motion).head<3>();
       if (force.is_axial) tension = -side * vector.dot(outward);
     } else {

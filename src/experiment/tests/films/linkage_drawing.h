@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws the parts that connect wheels to a frame as rods in space, with the forces in them, for any
-// mechanism, from the joints between its bodies.
+// Draws the links between wheels and frame of any mechanism as rods in space, with the forces in
+// them, from the joints between its bodies.
 //
-// A link's inner joints are those with the frame and with links nearer to it; its outer joints are
-// the others at which it is the first body. A rod goes from every inner joint to the middle of the
-// outer ones; its tension is the force of the inner joint along it. The tension at an outer joint
-// is along the line to it from the middle of the inner ones.
-//     T = -F u at an inner joint, F u at an outer one     F: on the link, u: unit vector outward
+// The inner joints of a link are those with the frame and with links that are nearer to the frame.
+// Its outer joints are the other joints in which it is the first body. A rod is drawn from every
+// inner joint to the mean position of the outer joints. The tension T, N, of the rod is the
+// component of the inner joint's force along the rod; the tension at an outer joint is the
+// component along the line from the mean position of the inner joints:
 //
-// So a rod with two joints has its axial force, and each leg of a wishbone its own; for links with
-// mass in motion the tension is that at their inner end.
+//     T = -F u at an inner joint, F u at an outer joint
+//
+// where F is the force on the link, N, and u the unit vector that points outward.
+//
+// A link with two joints thus shows its axial force, and each leg of a wishbone a tension of its
+// own. The tension of a link that has mass and moves is that at its inner end.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,22 +42,23 @@ class LinkageDrawing {
 
   /// Returns the mesh at rest. Points that this object does not move may be appended to a copy.
   const report::Scene::Mesh& mesh() const { return mesh_; }
-  /// Arrows of joints and struts, then of the loads that were added.
+  /// The arrows of joints and struts, followed by those of the loads that were added.
   const std::vector<report::Scene::Arrow>& arrows() const { return arrows_; }
   const std::vector<DrawnWheel>& wheels() const { return wheels_; }
 
-  /// Adds a point that moves with a body; returns its number in the mesh.
+  /// Adds a point that moves with a body; returns the index of the point in the mesh.
   std::uint32_t add_point(int body, const Eigen::Vector3d& at_rest);
   void add_rod(const std::string& name, std::uint32_t from, std::uint32_t to);
   void add_circle(const DrawnWheel& wheel);
   void add_load(const std::string& name, const std::string& unit, std::uint32_t point);
 
-  /// Returns a step of the drawing: points, tensions in N (NaN: none), and forces: on links at
-  /// their joints, on struts at their second end, of pads on wheels; those of loads are zero.
+  /// Returns one step of the drawing: the points, the tensions, N (NaN: none), and the forces: of
+  /// joints on links, of struts at their second end, and of pads on wheels. The forces of loads are
+  /// zero.
   report::Scene::Step step(double at,
                            const multibody::Assembly& assembly,
                            const multibody::Motion& motion) const;
-  /// Index of the first load among the arrows.
+  /// Returns the index of the first load among the arrows.
   Eigen::Index first_load() const { return static_cast<Eigen::Index>(forces_.size()); }
 
  private:
@@ -61,14 +66,15 @@ class LinkageDrawing {
     int body;
     Eigen::Vector3d in_body;
   };
-  /// Force of a joint, or of a line of a strut; with or without a tension between two points.
+  /// The force of a joint, or of a line of a strut. A force with is_axial is drawn as the tension
+  /// between two points.
   struct Force {
     int joint, strut = -1, line = 0;
     bool is_axial = true, is_outer = false;
     Place from = {multibody::kGround, {}}, to = {multibody::kGround, {}};
   };
   enum class Role { none, inner, outer, pad };
-  /// Number of joints between a body and the frame.
+  /// Returns the number of joints between each body and the frame.
   std::map<int, int> ways_to_frame() const;
   void sort_joints();
   void add_link(int body);
@@ -87,15 +93,15 @@ class LinkageDrawing {
   std::vector<int> frame_;
   std::vector<DrawnWheel> wheels_;
   std::vector<int> links_;
-  /// Joints of each link: towards the frame, outer ones, and those at which other links are held
-  /// and push.
+  /// Joints of each link: those toward the frame, those toward the wheel, and those at which other
+  /// links are held and at which they push.
   std::map<int, std::vector<int>> inner_, outer_, held_, pushed_;
-  std::map<int, int> force_at_;  // index of the force of an outer joint
+  std::map<int, int> force_at_;  // index of the force of each outer joint
   report::Scene::Mesh mesh_;
   std::vector<Eigen::Vector3d> at_rest_;
   std::vector<report::Scene::Arrow> arrows_;
   std::vector<Place> points_;
-  std::vector<int> values_;  // index in forces_ for each point; -1: none
+  std::vector<int> values_;  // for each point, index in forces_ of the force shown at it; -1: none
   std::vector<Force> forces_;
 };
 

@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Draws a rig's wheels with their loads: a force and a moment each, after those of the joints.
+/// Returns a drawing of the linkages of a rig with a force and a moment on each wheel, which follow
+/// the forces of the joints.
 LinkageDrawing drawing_of(const RigState& state) {
   std::vector<DrawnWheel> wheels;
   for (const RigState::Wheel& wheel : state.wheels)
@@ -36,7 +37,7 @@ RigWatcher RigFilm::watcher() {
 bool RigFilm::is_kept(Eigen::Index state) const {
   const auto last = static_cast<double>(told_.values.size()) - 1.0;
   if (last < most_) return true;
-  // Selects the states nearest to evenly spaced ones, including first and last.
+  // Select the states nearest to evenly spaced ones; first and last are always included.
   const double spacing = last / (most_ - 1);
   const double nearest = std::round(static_cast<double>(state) / spacing) * spacing;
   return std::lround(nearest) == state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner or an axle on a K&C rig, state by state: its bodies in their displaced positions, the
-// forces in its links and joints, and those on the wheels.
+// Records the states of a suspension corner or an axle on a K&C rig as a film: the bodies in their
+// displaced positions, the forces in links and joints, and the forces on the wheels.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,14 @@ namespace latsch::experiment {
 
 class RigFilm {
  public:
-  /// The channel `told` identifies the states, with one value for each; at most `most_steps` of
-  /// them are kept.
+  /// `told` is the channel whose values label the states, one value for each state; at most
+  /// `most_steps` of the states are kept.
   RigFilm(Channel told, int most_steps) : told_(std::move(told)), most_(most_steps) {}
 
-  /// This object has to outlive the watcher.
+  /// Returns a function that adds states to this object. This object must outlive the function.
   RigWatcher watcher();
-  /// Adds a mesh and a sequence of the given name; a remark says if states are left out.
+  /// Adds a mesh and a sequence with the given name to the scene. If states were omitted, a remark
+  /// says so.
   void add_to(report::Scene& scene, const std::string& name);
 
  private:

@@ -6,7 +6,7 @@
 namespace latsch::experiment {
 namespace {
 
-/// Draws numbers from 0 to 1. They are the same on every machine.
+/// Generates random numbers from 0 to 1 that are the same on every machine.
 class DrawnNumbers {
  public:
   explicit DrawnNumbers(unsigned seed) : drawn_(seed) {}
@@ -94,7 +94,8 @@ Channels sample_recording(const std::vector<MeasuredCondition>& conditions,
     const std::string& name = condition.channel;
     const bool is_of_one_wheel = name.ends_with("_L") || name.ends_with("_R");
     if (is_of_one_wheel && !condition.is_needed) continue;  // the rig loads only one wheel
-    // Each post moves independently, so that they move in every mode and at all frequencies.
+    // Each post moves independently of the others, so that the motion contains all modes and all
+    // frequencies.
     const bool is_post = name.starts_with("post_");
     DrawnNumbers heights(seed_of(name));
     std::vector<double> values;

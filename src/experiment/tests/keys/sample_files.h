@@ -23,8 +23,8 @@ Channels sample_recording(const std::vector<MeasuredCondition>& conditions,
                           double scale = 1.0,
                           int samples = 12);
 
-/// Returns the source of a sample: the folder of the files, and such a recording for every
-/// measurement.
+/// Returns the source of a sample of a test: the folder of the sample files, and one recording for
+/// every measurement.
 TestSource source_of_samples(const std::filesystem::path& folder,
                              double scale = 1.0,
                              int samples = 12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws footprints on a page: the pressure from above, and the elements it is drawn from.
+// Draws footprints on a page: the pressure seen from above, and the elements that represent it.
 #pragma once
 
 #include <vector>

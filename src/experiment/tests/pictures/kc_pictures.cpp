@@ -26,7 +26,7 @@ constexpr std::array<LoopFrame, 6> kLoopFrames = {
      {"camber", "Camber", "Positive: top outboard."},
      {"caster", "Caster", "Positive: top of the kingpin rearward."}}};
 
-/// Unit for display.
+/// Unit in which a channel is shown.
 struct ShownUnit {
   const char* name;
   double factor;

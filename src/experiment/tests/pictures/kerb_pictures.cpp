@@ -34,7 +34,7 @@ std::string tenths(const std::vector<Vector2d>& points, const Vector2d& from) {
   return fmt::format("[{}]", fmt::join(numbers, ","));
 }
 
-// Every length is in tenths of millimeters; z points upward, the picture's y downward.
+// All lengths are in tenths of millimeters; z points upward, the y axis of the picture downward.
 constexpr std::string_view kPlayer = R"js(
 (function () {
   const box = document.currentScript.parentElement, svg = box.querySelector("svg");

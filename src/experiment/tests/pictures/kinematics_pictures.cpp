@@ -168,7 +168,7 @@ std::string caption_of(const CurveFrame& frame, SignView view) {
   return std::string(frame.caption) + " Positive: " + way(frame.positive, view) + ".";
 }
 
-/// Common abscissa of all frames.
+/// Abscissa that all frames of a page share.
 struct Abscissa {
   std::string title;
   std::vector<double> values;
