@@ -273,9 +273,9 @@ TEST(KnownLimits, ARingThatPushesACamberedWheelToTheWrongSideIsTold) {
   EXPECT_FALSE(has_part(crowned, "is negative"));
   EXPECT_FALSE(has_part(crowned, flat));
   EXPECT_FALSE(has_part(told_by_ring(ring, kRolling + ", measures = [\"slip\"]"), flat));
-  // A sibling: a slip stiffness of the wrong sign, which a fit may end with.
+  // A sibling: a cornering stiffness of the wrong sign, which a fit may end with.
   EXPECT_TRUE(
-      told_by("magic_formula", kRolling, {"PKX1 = -20"}).says("slip_stiffness is negative"));
+      told_by("magic_formula", kRolling, {"PKY1 = 20"}).says("cornering_stiffness is negative"));
 }
 
 TEST(KnownLimits, CamberThatDoesNotChangeAFootprintIsTold) {

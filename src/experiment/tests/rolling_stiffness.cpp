@@ -33,6 +33,9 @@ constexpr std::pair<const char*, const char*> kWrongSign[] = {
     {"cornering_stiffness", "a steered wheel is pushed out of the turn"},
     {"camber_stiffness", "a cambered wheel is pushed to the side that it leans away from"}};
 
+// Smallest negative stiffness that is reported, as a share of the load. A smaller one is rounding.
+constexpr double kRounding = 1e-6;
+
 class RollingStiffness : public Test, public TellsLimits {
  public:
   RollingStiffness(const RollingStiffnessTest& test, std::vector<std::string> measures)
@@ -64,6 +67,14 @@ class RollingStiffness : public Test, public TellsLimits {
     return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);
   }
 
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    return notes;
+  }
+
   Result<Channels> run(Specimen& specimen) const override {
     LiftLog lifts;
     const auto tire = watched(specimen.find<Rolls>()->tire(test_.pressure), lifts);
@@ -88,7 +99,8 @@ class RollingStiffness : public Test, public TellsLimits {
     for (const ChannelInfo& channel : channels())
       recorded.add({channel.name, channel.unit, {values[recorded.all().size()]}});
     for (const auto& [name, effect] : kWrongSign)
-      if (const Channel* channel = recorded.find(name); channel && channel->values.front() < 0.0)
+      if (const Channel* channel = recorded.find(name);
+          channel && channel->values.front() < -kRounding * test_.load)
         record_limit(specimen,
                      fmt::format("{} is negative, {:.4g} {}: {}, which no tire does",
                                  name,
