@@ -36,6 +36,9 @@ constexpr std::pair<const char*, const char*> kWrongSign[] = {
     {"cornering_stiffness", "a steered wheel is pushed out of the turn"},
     {"camber_stiffness", "a cambered wheel is pushed to the side that it leans away from"}};
 
+// Smallest negative stiffness that is reported, as a share of the load. A smaller one is rounding.
+constexpr double kRounding = 1e-6;
+
 class RollingStiffness : public Test, public TellsLimits {
  public:
   RollingStiffness(const RollingStiffnessTest& test, std::vector<std::string> measures)
@@ -65,6 +68,14 @@ class RollingStiffness : public Test, public TellsLimits {
 
   std::vector<std::string> limits(Specimen& specimen) const override {
     return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);
+  }
+
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    return notes;
   }
 
   Result<Channels> run(Specimen& specimen) const override {
