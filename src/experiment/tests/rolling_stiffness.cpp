@@ -67,6 +67,14 @@ class RollingStiffness : public Test, public TellsLimits {
     return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);
   }
 
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    auto notes = Test::run_in_blocks(specimen, tell);
+    if (notes)
+      for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    return notes;
+  }
+
   Result<Channels> run(Specimen& specimen) const override {
     LiftLog lifts;
     const auto tire = watched(specimen.find<Rolls>()->tire(test_.pressure), lifts);
