@@ -272,7 +272,7 @@ TEST_F(EveryTest, AStatedConditionIsForModelsThatTakeIt) {
                      &fe = *language().find_kind("fe_tire");
   const std::string press = "kind = \"load_deflection\"\ndeflections = [\"10 mm\"]\n";
   for (const std::string& plain : {press,
-                                   std::string("kind = \"modes\"\n"),
+                                   std::string("kind = \"modes\"\nload = \"4 kN\"\n"),
                                    std::string("kind = \"footprint\"\nloads = [\"4 kN\"]\n")}) {
     const auto inflated = test(plain + "pressure = \"2 bar\"\n");
     EXPECT_TRUE(can(ring, *test(plain)) && can(fe, *test(plain))) << plain;
