@@ -36,9 +36,6 @@ constexpr std::pair<const char*, const char*> kWrongSign[] = {
     {"cornering_stiffness", "a steered wheel is pushed out of the turn"},
     {"camber_stiffness", "a cambered wheel is pushed to the side that it leans away from"}};
 
-// Smallest negative stiffness that is reported, as a share of the load. A smaller one is rounding.
-constexpr double kRounding = 1e-6;
-
 class RollingStiffness : public Test, public TellsLimits {
  public:
   RollingStiffness(const RollingStiffnessTest& test, std::vector<std::string> measures)
