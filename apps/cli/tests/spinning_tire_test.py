@@ -81,8 +81,8 @@ class Spinning(Coarse):
         for keys, *parts in (
                 ('speed = "100 km/h", load = "2 kN"', "speed", "load", "in the air"),
                 ('speed = "100 km/h", deflection = "9 mm"', "speed", "deflection"),
-                ('speed = "100 km/h", friction = 0.8', "speed", "friction"),
-                ('speed = "100 km/h", camber = "2 deg"', "speed", "camber"),
+                ('speed = "100 km/h", friction = 0.8', "friction", "in the air"),
+                ('speed = "100 km/h", camber = "2 deg"', "camber", "in the air"),
                 ('rim = "free", load = "2 kN"', "rim", "load"),
                 ('standing_wave = true, load = "2 kN"', "standing_wave", "load"),
                 ('speed = "5 kg"', "speed", "km/h", "rad/s"),
