@@ -366,6 +366,32 @@ TEST(TirFile, ScalesRangesAndStrayLinesAreCheckedForWhatTheyMean) {
             std::string::npos);
 }
 
+TEST(TirFile, CoefficientsOfAnotherVersionAreNotUsedAndTold) {
+  const auto ledger_with = [](const std::string& version, const std::string& coefficients) {
+    std::string text = replaced("FITTYP=61 $ version", "FITTYP=" + version);
+    text.replace(text.find("PCY1"), 4, coefficients + "PCY1");
+    return ledger_of(parse_tir(text, "t.tir"));
+  };
+  const auto doubt = [](const Ledger& ledger) {
+    for (const LedgerDoubt& one : ledger.doubts)
+      if (one.sentence.find("is FITTYP right?") != std::string::npos) return one.sentence;
+    return std::string();
+  };
+  const std::string of_61 = "PKY6=-2\nPKY7=0\n", of_52 = "PHY3=0.03\nPTY1=2\n";
+  EXPECT_EQ(doubt(ledger_with("61", of_61)), "");
+  EXPECT_EQ(doubt(ledger_with("52", of_52)), "");
+  const Ledger old = ledger_with("52", of_61), recent = ledger_with("61", of_52);
+  EXPECT_EQ(doubt(old), "PKY6 has no effect in MF 5.2, which the file states: is FITTYP right?");
+  EXPECT_EQ(doubt(recent),
+            "PHY3, PTY1 have no effect in MF 6.1 and 6.2, which the file states: is FITTYP right?");
+  for (const char* key : {"PKY6", "PKY7"}) {
+    EXPECT_EQ(old.find_written(key)->state, LedgerState::not_used) << key;
+    EXPECT_TRUE(old.find_written(key)->used_by.empty()) << key;
+  }
+  EXPECT_EQ(recent.find_written("PTY1")->state, LedgerState::not_used);
+  EXPECT_EQ(recent.find_written("PCY1")->state, LedgerState::used);
+}
+
 TEST(TirFile, AFileWithoutUnitsAndAMirroredModeAreTold) {
   std::string text = kSmall;
   text.erase(0, text.find("[MODEL]"));

@@ -56,6 +56,52 @@ void add_unit_of_pressure(const TirFile& tir, const TeimOrbitUnits& units, Ledge
   ledger.rows.push_back(std::move(row));
 }
 
+/// A coefficient that has an effect in one version of the Magic Formula alone.
+struct OfOneVersion {
+  const char* name;
+  bool of_mf52;         // acts in MF 5.2; otherwise in MF 6.1 and 6.2
+  const char* instead;  // the source of its quantity in the other version
+};
+constexpr OfOneVersion kOfOneVersion[] = {
+    {"PKY6", false, "PHY3 shifts the side force with camber"},
+    {"PKY7", false, "PHY3 shifts the side force with camber"},
+    {"PPY5", false, "PHY3 shifts the side force with camber"},
+    {"PHY3", true, "PKY6 and PKY7 are the camber stiffness"},
+    {"PTX1", true, "relaxation lengths come from LONGITUDINAL_STIFFNESS"},
+    {"PTX2", true, "relaxation lengths come from LONGITUDINAL_STIFFNESS"},
+    {"PTX3", true, "relaxation lengths come from LONGITUDINAL_STIFFNESS"},
+    {"PTY1", true, "relaxation lengths come from LATERAL_STIFFNESS"},
+    {"PTY2", true, "relaxation lengths come from LATERAL_STIFFNESS"}};
+
+/// Takes coefficients of another version than the file's for unused, and doubts those that are not
+/// 0.
+void add_other_version(const TirFile& tir, Ledger& ledger) {
+  const bool is_mf52 = tir.parameters.version == magic_formula::Version::mf52;
+  const char* const version = is_mf52 ? "MF 5.2" : "MF 6.1 and 6.2";
+  std::string names;
+  int line = 0;
+  for (LedgerRow& row : ledger.rows) {
+    const auto* one = std::ranges::find_if(
+        kOfOneVersion, [&](const OfOneVersion& other) { return row.taken_as == other.name; });
+    if (one == std::end(kOfOneVersion) || one->of_mf52 == is_mf52 || row.state != LedgerState::used)
+      continue;
+    row.state = LedgerState::not_used;
+    row.used_by.clear();
+    row.remark = fmt::format("has no effect in {}: {}", version, one->instead);
+    if (tir.parameters.*magic_formula::find_parameter(one->name)->member == 0.0) continue;
+    names += (names.empty() ? "" : ", ") + row.written;
+    if (line == 0) line = row.line;
+  }
+  if (names.empty()) return;
+  ledger.doubts.push_back(
+      {names,
+       fmt::format("{} {} no effect in {}, which the file states: is FITTYP right?",
+                   names,
+                   names.find(',') == names.npos ? "has" : "have",
+                   version),
+       {tir.source.file(), line}});
+}
+
 }  // namespace
 
 Ledger ledger_of(const TirFile& tir) {
@@ -94,6 +140,7 @@ Ledger ledger_of(const TirFile& tir) {
   add_unit_of_pressure(tir, units, ledger);
   add_assumed_at_rest(tir, ledger);
   ledger.doubts = tir.doubts;
+  add_other_version(tir, ledger);
   return ledger;
 }
 

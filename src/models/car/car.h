@@ -37,7 +37,7 @@ using Tires = std::array<std::unique_ptr<Tire>, kCorners>;
 /// Parameters of the guide, which holds the chassis against a point that moves along x.
 struct Guide {
   double y = 0.0;  // m, lateral position of the car's middle, added to that of a GuidePoint
-  // N/m, lateral stiffness; the lateral damping is critical for the car's mass
+  /// N/m, lateral stiffness; the lateral damping is critical for the car's mass
   double lateral = 2e4;
   double yaw = 5e4;    // N m/rad
   double along = 2e4;  // N/m
@@ -50,7 +50,7 @@ struct Guide {
 struct Trim {
   double along = 0.0, lateral = 0.0;  // N
   double yaw = 0.0;                   // N m
-  // Height of the wheel center above the road, m: arm of the reaction to the longitudinal pull.
+  /// Height of the wheel center above the road, m: arm of the reaction to the longitudinal pull.
   std::array<double, kCorners> arm{};
   bool operator==(const Trim&) const = default;
 };
@@ -64,10 +64,10 @@ struct GuidePoint {
 /// Inputs of a car (rack, loads, guide) at the end of a step.
 struct CarInputs {
   double rack = 0.0;  // m, displacement of the rack to the left
-  // Aerodynamic and other loads on bodies of the mechanism.
+  /// Aerodynamic and other loads on bodies of the mechanism.
   std::vector<multibody::Load> loads = {};
   std::array<double, kCorners> drive{}, brake{};  // N m
-  // Not set: the guide moves straight ahead at the initial speed.
+  /// Not set: the guide moves straight ahead at the initial speed.
   std::optional<GuidePoint> guide = {};
 };
 

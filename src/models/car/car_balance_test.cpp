@@ -127,9 +127,9 @@ TEST(CarBalance, ALargeLoadOnOneCornerOfRigidJointsFindsRest) {
   }
 }
 
-/// Returns why a car at 60 m/s finds no rest if the coefficients of downforce are `low`, `middle` and
-/// 0.25 for floors of an axle at -0.4, 0.04 and 0.05 m; those of both axles add up. It is drawn with
-/// both floors at 0.05 m.
+/// Returns why a car at 60 m/s finds no rest if the coefficients of downforce are `low`, `middle`
+/// and 0.25 for floors of an axle at -0.4, 0.04 and 0.05 m; those of both axles add up. The car is
+/// drawn with both floors at 0.05 m.
 std::string sinking(bool rigid, double low, double middle) {
   CarParameters parameters = pressed_car(rigid, 60.0, 1.0);
   AeroMap& air = *parameters.aero;

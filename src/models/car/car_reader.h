@@ -72,7 +72,7 @@ struct CarFile {
   /// Parameters of the spring tires; set for an axle whose file names no tire.
   std::optional<SpringTireParameters> front_spring_tire, rear_spring_tire;
   double driver_line = 0.0;  // m
-  // Shares of the front and the rear axle in the longitudinal pull.
+  /// Shares of the front and the rear axle in the longitudinal pull.
   std::array<double, 2> drives = {0.0, 1.0};
 };
 

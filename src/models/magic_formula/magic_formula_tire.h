@@ -32,7 +32,7 @@ struct MagicFormulaTireSettings {
   Conventions conventions = {};  // axes and signs of inputs and outputs
   int use_mode = 14;             // USE_MODE of the .tir file: which forces are computed
   double pressure = 0.0;         // Pa, inflation pressure; 0: INFLPRES of the file
-  // Records the inputs of the tire's steps; null: they are not recorded.
+  /// Records the inputs of the tire's steps; null: they are not recorded.
   std::shared_ptr<RangeLog> log = {};
 };
 

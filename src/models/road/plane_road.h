@@ -15,7 +15,7 @@ class PlaneRoad final : public Road {
     double grade = 0.0;     // slope dz/dx: positive if the road rises ahead
     double bank = 0.0;      // slope dz/dy: positive if the road rises to the left
     double friction = 1.0;  // factor
-    // Speed of the belt: it carries the ground backward, toward -x, below a standing tire.
+    /// Speed of the belt: it carries the ground backward, toward -x, below a standing tire.
     Travel belt = {};
   };
 

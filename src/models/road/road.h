@@ -17,7 +17,7 @@ struct GroundPoint {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // unit vector, upward
   double friction = 1.0;  // factor by which the tire's own friction is multiplied
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, velocity of the ground's material
-  // Angular velocity of the ground, rad/s; points above it move accordingly.
+  /// Angular velocity of the ground, rad/s; points above it move accordingly.
   Eigen::Vector3d turning = Eigen::Vector3d::Zero();
 };
 
@@ -50,8 +50,8 @@ struct GroundBox {
 struct Cylinder {
   double x, z;    // m, axis
   double radius;  // m
-  // 1 if the road is the inside of the drum, below its axis; -1 if it is the outside, above the
-  // axis
+  /// 1 if the road is the inside of the drum, below its axis; -1 if it is the outside, above the
+  /// axis
   double up;
   double rate;      // rad/s, angular velocity about y
   double friction;  // factor
@@ -60,10 +60,10 @@ struct Cylinder {
 /// Properties of a road that hold at every point of a rectangle.
 struct GroundBounds {
   double highest = std::numeric_limits<double>::infinity();  // m: upper bound of the height
-  // True: in the whole rectangle the road is the plane, with the friction, that at() returns for
-  // its center.
+  /// True: in the whole rectangle the road is the plane, with the friction, that at() returns for
+  /// its center.
   bool plane = false;
-  // Set if the road in the rectangle is this smooth drum.
+  /// Set if the road in the rectangle is this smooth drum.
   std::optional<Cylinder> cylinder = std::nullopt;
   /// True if the road along a line may be straight although the road in the whole rectangle is no
   /// plane.

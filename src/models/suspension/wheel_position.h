@@ -22,7 +22,7 @@ enum class Side { left, right };
 
 /// Points of the upright at rest, relative to its origin, m.
 struct WheelPoints {
-  Eigen::Vector3d contact, center, lower_ball_joint, upper_ball_joint;
+  Eigen::Vector3d contact, center, lower_ball_joint, upper_ball_joint;  // m
   Side side = Side::left;  // side of the car: the signs of toe, camber and steer depend on it
 };
 

@@ -14,7 +14,7 @@ struct FootprintElement {
   double length = 0.0, width = 0.0;     // m
   double pressure = 0.0;                // Pa, mean over the whole rectangle, grooves included
   double shear_x = 0.0, shear_y = 0.0;  // Pa, shear stress on the tire
-  // The element slides if its shear stress is `friction` times its pressure.
+  /// The element slides if its shear stress is `friction` times its pressure.
   double friction = 0.0;
   /// Share of the rectangle's length and width over which its pressure fades at the edges. The
   /// pressure of the neighbors fills the gap, so that equal neighbors give a uniform pressure.

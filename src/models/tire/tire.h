@@ -20,13 +20,13 @@ namespace latsch {
 /// Position and motion of the rim.
 struct WheelMotion {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  // m, inertial
-  // Columns: axes of the frame C in the inertial frame.
+  /// Columns: axes of the frame C in the inertial frame.
   Eigen::Matrix3d carrier = Eigen::Matrix3d::Identity();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // m/s, of the center, in the inertial frame
-  // Angular velocity of the frame C, in the inertial frame, rad/s.
+  /// Angular velocity of the frame C, in the inertial frame, rad/s.
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
-  // Rotation of the rim about the carrier's y, rad; its rate is positive when the wheel rolls
-  // forward.
+  /// Rotation of the rim about the carrier's y, rad; its rate is positive when the wheel rolls
+  /// forward.
   double spin = 0.0;
   double spin_rate = 0.0;  // rad/s
 

@@ -33,9 +33,9 @@ namespace latsch::fe_tire {
 /// Equilibrium of the inflated tire with clamped rim, the same in every sector.
 struct Inflated {
   double pressure = 0.0;  // Pa
-  // rad/s about +y; if not 0, the tire has grown by its rotation (motion/spin.h)
+  /// rad/s about +y; if not 0, the tire has grown by its rotation (motion/spin.h)
   double spin = 0.0;
-  // [3 x nodes_per_sector], displacements in the sector frame, m  (S = 1: the whole mesh)
+  /// [3 x nodes_per_sector], displacements in the sector frame, m  (S = 1: the whole mesh)
   Eigen::Matrix3Xd u;
   Eigen::VectorXd alpha;  // enhanced strain parameters of the elements in one sector
   double growth = 0.0;    // m, radial displacement of the tread node nearest to the middle plane
@@ -51,14 +51,14 @@ struct TireState {
   /// True if all poses stay below the wheel center (GroundPose::is_below) and symmetry allows half
   /// of the ring to represent all of it.
   bool is_halved = false;
-  // Index of the part of the tread that may touch (a half angle, see TreadSurface); it grows with
-  // the load.
+  /// Index of the part of the tread that may touch (a half angle, see TreadSurface); it grows with
+  /// the load.
   int window = 0;
   Eigen::Matrix3Xd u;  // [3 x nodes], displacements in sector frames, m
-  // Enhanced strain parameters of the elements in this half or whole ring. They are part of the
-  // state because they can be found only from a nearby state.
+  /// Enhanced strain parameters of the elements in this half or whole ring. They are part of the
+  /// state because they can be found only from a nearby state.
   Eigen::VectorXd alpha;
-  // Points to which friction attaches the tread; empty without friction.
+  /// Points to which friction attaches the tread; empty without friction.
   std::vector<Anchor> anchors;
 
   /// Deflection, m, from first touch of the inflated tire on flat ground.
@@ -88,13 +88,13 @@ struct Mode {
   int n = 0;                        // dominant circumferential number
   ModeType type = ModeType::other;  // main direction of the belt's motion
   int order = 1;  // 1, 2, ... among modes of equal n and type, in ascending frequency
-  // For a loaded tire: 's' symmetric, 'a' antisymmetric in x. ' ' for an unloaded tire.
+  /// For a loaded tire: 's' symmetric, 'a' antisymmetric in x. ' ' for an unloaded tire.
   char phase = ' ';
   Eigen::Matrix3Xd
-      // [3 x nodes], sector frames, mass-normalized; the two modes of an unloaded pair are
-      // orthogonal
+      /// [3 x nodes], sector frames, mass-normalized; the two modes of an unloaded pair are
+      /// orthogonal
       shape;
-  // Returns the name of the mode, such as "lateral n=1", "radial n=2 a", "radial n=3 (2)".
+  /// Returns the name of the mode, such as "lateral n=1", "radial n=2 a", "radial n=3 (2)".
   std::string label() const;
 };
 

@@ -55,9 +55,9 @@ struct Ground {
 /// Pose of the ground relative to the wheel.
 struct GroundPose {
   double height = 0.0;  // m, height of the wheel center above the ground, along the ground's normal
-  // Position of the ground's origin relative to the point below the wheel center, m.
+  /// Position of the ground's origin relative to the point below the wheel center, m.
   double x = 0.0, y = 0.0;
-  // Inclination of the wheel to the ground about x, rad; positive: top to the right.
+  /// Inclination of the wheel to the ground about x, rad; positive: top to the right.
   double camber = 0.0;
   double yaw = 0.0;  // rad, rotation of the ground about its normal
 

@@ -101,7 +101,7 @@ enum class BeadClamp { whole, inside, outside };
 struct Section {
   std::vector<MeridianPoint> contour;  // m, +y half of the reference line, from crown to bead
   WallProfile inside, outside;         // thicknesses, > 0
-  // Position up to which the outer face is tread, which may touch the ground.
+  /// Position up to which the outer face is tread, which may touch the ground.
   double tread_to = 0.5;
   BeadClamp clamp = BeadClamp::whole;  // part of the bead that the rim holds
   int meridional = 29, rows_inside = 1, rows_outside = 1, sectors = 60;  // elements
@@ -118,7 +118,7 @@ struct Section {
   /// ply reaches the bead.
   std::vector<WallProfile> faces;
   bool first_face_to_bead = false;  // true: the first of these plies reaches the bead
-  // position, 0 to 1, as described above; 0 if all these plies reach the bead
+  /// position, 0 to 1, as described above; 0 if all these plies reach the bead
   double faces_to = 0.0;
   /// Number of columns between the crown and the position at which all rows of elements end except
   /// those of the sidewall. Not set if no row ends, because all plies on which rows meet reach the

@@ -24,7 +24,7 @@ struct RingMode {
   int order = 1;         // 1, 2, ... among modes of the same n and plane, by frequency
   double frequency = 0.0;  // Hz, without damping
   double damping = 0.0;    // D, share of critical damping
-  // Amplitudes of u_r, u_t, u_y (m) and ψ (rad) for unit modal mass.
+  /// Amplitudes of u_r, u_t, u_y (m) and ψ (rad) for unit modal mass.
   std::array<double, 4> shape = {};
 };
 

@@ -51,7 +51,7 @@ struct RingSettings {
   /// step begins with a residual above 1 kN, the tolerance grows in proportion to it. A larger
   /// value saves iterations.
   double tolerance = 0.1;
-  // Convergence tolerance in statics, N: norm of all residual forces.
+  /// Convergence tolerance in statics, N: norm of all residual forces.
   double static_tolerance = 1e-3;
   int halvings = 4;            // number of times that a step without solution is halved
   int most_iterations = 15;    // largest number of Newton iterations in a step
@@ -61,7 +61,7 @@ struct RingSettings {
 
 /// Counters of the work done by advance() and settle() so far.
 struct RingCounts {
-  // Time steps, evaluated residuals and factorized matrices.
+  /// Time steps, evaluated residuals and factorized matrices.
   long steps = 0, evaluations = 0, factorizations = 0;
 };
 
@@ -135,7 +135,7 @@ class RingTire final : public Tire {
   /// road and in the sidewall sticks. `maxwell` is the stiffness of the Maxwell elements, which all
   /// have the same time constant. See standing_stiffness.cpp.
   struct Linearized {
-    // Matrices for the unknowns of the nodes, in SI units.
+    /// Matrices for the unknowns of the nodes, in SI units.
     CyclicBand mass, stiffness, damping, maxwell;
     double time_constant;  // s, time constant of the Maxwell elements
     /// Contribution of bending cross-sections: SectionBending::border().
