@@ -18,7 +18,7 @@ inertia_diameter = "0.18 kg m^2"
 """
 
 
-class Spinning(Coarse):
+class RotatingTire(Coarse):
     def channels(self, test, tire="tire.toml"):
         answer, _ = json.JSONDecoder().raw_decode(self.latsch("test", self.folder / tire, test, "--json"))
         return {channel["name"]: channel["values"] for channel in answer["result"]["channels"]}
@@ -33,6 +33,8 @@ class Spinning(Coarse):
         (self.folder / "with_rim.toml").write_text(text + rim)
         return "with_rim.toml"
 
+
+class Spinning(RotatingTire):
     def test_waves_split_by_twice_n_times_the_speed_at_most(self):
         rest = self.channels('{kind = "modes", count = 8}')
         spin = self.channels('{kind = "modes", count = 8, speed = "60 rad/s"}')
@@ -106,6 +108,44 @@ class Spinning(Coarse):
         for test in ('{kind = "modes", speed = "90 rad/s"}', '{kind = "inflation", speed = "90 rad/s"}'):
             said = self.latsch("test", ring, test, code=WRONG_INPUT)
             self.assertIn("finite-element tire", said)
+
+
+class Rolling(RotatingTire):
+    """The test "rolling": closed limits of a wheel with friction, and requests without meaning."""
+
+    ROLLING = '{kind = "rolling", load = "2 kN", speed = "36 km/h", %s}'
+
+    def test_a_wheel_without_friction_has_neither_force_nor_moment(self):
+        state = self.channels(self.ROLLING % "friction = 0")
+        self.assertAlmostEqual(state["Fz"][0], 2000.0, delta=1e-3)
+        for name in ("Fx", "Fy", "drive"):
+            self.assertAlmostEqual(state[name][0], 0.0, delta=1e-3, msg=name)
+
+    def test_a_free_wheel_needs_no_drive_and_a_locked_one_slides(self):
+        free = self.channels(self.ROLLING % "friction = 0.8")
+        self.assertAlmostEqual(free["drive"][0], 0.0, delta=1e-3)
+        self.assertAlmostEqual(free["R_e"][0] * free["omega"][0], 10.0, delta=1e-9)
+        self.assertGreater(free["sticking"][0], 0.5)
+        locked = self.channels(self.ROLLING % "friction = 0.8, kappa = -1")
+        self.assertEqual(locked["omega"], [0.0])
+        self.assertAlmostEqual(math.hypot(locked["Fx"][0], locked["Fy"][0]), 1600.0, delta=1.6)
+        self.assertLess(locked["Fx"][0], -1500.0)
+        self.assertAlmostEqual(locked["friction_power"][0], 16000.0, delta=160.0)
+
+    def test_slip_angles_push_against_the_slip_up_to_the_limit_of_friction(self):
+        states = self.channels(self.ROLLING % 'friction = 0.8, alpha = ["-1 deg", "0 deg", "1 deg", "2 deg"]')
+        self.assertEqual(len(states["Fy"]), 4)
+        for one, next_one in zip(states["Fy"], states["Fy"][1:]):
+            self.assertGreater(one, next_one)
+        for i in range(4):
+            self.assertLessEqual(math.hypot(states["Fx"][i], states["Fy"][i]), 1600.0 * (1 + 1e-6))
+
+    def test_requests_without_meaning_are_refused(self):
+        for keys, *parts in (('friction = 0, alpha = "1 deg"', "friction"), ('friction = -1', "friction", "0 to 5"),
+                             ('friction = 0.8, kappa = -2', "kappa"), ('friction = 0.8, alpha = "90 deg"', "alpha"),
+                             ('friction = 0.8, alpha = ["1 deg", "2 deg"], camber = ["1 deg", "2 deg", "3 deg"]', "2", "3")):
+            with self.subTest(keys):
+                self.refused(self.ROLLING % keys, *parts)
 
 
 if __name__ == "__main__":
