@@ -213,6 +213,31 @@ class FittedTir(unittest.TestCase):
         self.assertEqual(keys_of(text)["PDY1"][1], "assumed: initial value of the study, not fitted")
         self.assertNotIn("FZMAX", keys_of(text))
 
+    def test_a_last_stage_that_names_its_experiments_tells_what_it_spoils(self):
+        """The moment has an offset that only PHY1 can follow, at the cost of the side force of the first stage."""
+        folder = self.base / "spoiled"
+        folder.mkdir()
+        lines = (self.base / "record.csv").read_text().splitlines()
+        shifted = [line.rsplit(",", 1) for line in lines[1:]]
+        (folder / "record.csv").write_text("\n".join([lines[0]] + [f"{left},{float(Mz) + 15.0!r}" for left, Mz in shifted]) + "\n")
+        (folder / "tire.tir").write_text(self.tire(PHY1=0.0))
+        variable = "".join(f'[variable.{name}]\npath = "{name}"\nlower = {low}\nupper = {high}\ninitial = {initial}\n'
+                           for name, low, high, initial in (("PKY1", -60, -10, -25), ("PDY1", 0.3, 3, 1.1), ("PHY1", -0.05, 0.05, 0)))
+        experiment = "".join(f'[experiment.{name}]\nkind = "curve"\ny = "t/{name}"\nmeasurement = "m"\nexponent = 2\n'
+                             for name in ("Fy", "Mz"))
+        (folder / "study.toml").write_text(
+            'model = "tire.tir"\n[measurement.m]\nfile = "record.csv"\naxes = "iso"\n[test.t]\nkind = "steady_states"\n'
+            'states = {from = "measurement.m"}\n' + variable + experiment +
+            '[stage.Fy]\nfree = ["PKY1", "PDY1"]\nexperiments = ["Fy"]\n[stage.all]\nfree = ["PHY1"]\nexperiments = ["Mz"]\n')
+        run = self.latsch("run", folder / "study.toml")
+        self.assertRegex(run.stdout + run.stderr, r"Fy is worse than after an earlier stage")
+        again = json.loads(self.latsch("run", folder / "study.toml", "--json").stdout)["result"]
+        self.assertIn('"worse_than_own_stage": true', json.dumps(again))
+        self.latsch("export", folder / "study.toml", "--model", folder / "o.tir")
+        text = (folder / "o.tir").read_text()
+        self.assertNotIn("No search of this study has ended", text)
+        self.assertRegex(text, r"(?m)^PHY1\s+=.*\$ fitted")
+
     def test_the_date_alone_differs(self):
         folder = self.study("date", self.tire())
         self.latsch("run", folder / "study.toml")
