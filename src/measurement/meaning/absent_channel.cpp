@@ -103,7 +103,12 @@ std::optional<MayBe> unknown_name(std::string_view channel,
                                   std::string_view unit,
                                   const OtherColumn& column) {
   const auto within = channels_within(column.name);
-  const bool is_within = std::find(within.begin(), within.end(), channel) != within.end();
+  const auto names = [&](std::string_view other) {
+    return std::find(within.begin(), within.end(), other) != within.end();
+  };
+  if (channel == "alpha" && names("Vy") && names("Vx"))
+    return MayBe{column.name, "Vy over Vx, the tangent of alpha?", false};
+  const bool is_within = names(channel);
   if (!within.empty() && !is_within) return std::nullopt;
   const bool fits = !column.has_unit || column.unit.empty() ||
                     Unit::of(column.unit).same_dimension(Unit::of(unit));

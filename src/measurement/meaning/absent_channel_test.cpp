@@ -42,6 +42,11 @@ TEST(AbsentChannel, SlipsMayBeComputed) {
       "omega, SL");
   EXPECT_EQ(offered("alpha", "rad", {column("Vy", "m/s"), column("Vx", "m/s")}), "Vy");
   EXPECT_EQ(offered("kappa", "1", {column("NFX", "1"), column("NFY", "1")}), "");
+  for (const char* ratio : {"Vy/Vx", "VY / VX", "Vy over Vx"}) {
+    EXPECT_EQ(offered("alpha", "rad", {column(ratio, "1")}), ratio);
+    EXPECT_FALSE(columns_that_may_be("alpha", "rad", {column(ratio, "1")}).front().is_as_it_stands);
+    EXPECT_EQ(offered("kappa", "1", {column(ratio, "1")}), "");
+  }
 }
 
 // The column "tan alpha" has the dimension of a slip, but its name already says to which channel it
