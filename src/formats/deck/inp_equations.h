@@ -6,7 +6,7 @@
 //   3                                   terms
 //   901,1,1., 17,1,-0.5, 23,1,-0.5      sum of coefficient x displacement = 0
 //
-// Where many rows of elements adjoin few rows, a corner of the many is tied to the edge of the few.
+// A corner of many rows of elements is tied to the edge of the few rows that they adjoin.
 // The ends of cords are tied to a mean of the corners of their element, with four to nine terms.
 // formats/mesh/ccx_deck.h writes such equations. A tied node has three equations, one for each
 // direction, with the same other nodes and with weights that add up to one and give the position of
