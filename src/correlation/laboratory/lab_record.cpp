@@ -13,6 +13,7 @@
 #include "correlation/laboratory/channel_names.h"
 #include "correlation/laboratory/record_ledger.h"
 #include "formats/tables/lab_table.h"
+#include "measurement/meaning/channel_sense.h"
 #include "measurement/meaning/channel_words.h"
 #include "measurement/meaning/filler_numbers.h"
 #include "numerics/signals/butterworth.h"
@@ -214,7 +215,21 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
   return record;
 }
 
+std::string fault_of_axes(const Channels& channels, AxisConvention axes) {
+  if (axes != AxisConvention::adams) return "";
+  for (const Channel& channel : channels.all())
+    if (channel_senses(channel.name).of == ChannelSense::slip)
+      return fmt::format(
+          "is \"adams\" (x rearward, y to the right, z up), which are axes of a car and do not "
+          "define {}: say the axes of the tire test (iso, adapted_sae or sae), or turn single "
+          "columns by columns = {{Fx = \"-Fx\"}}",
+          channel.name);
+  return "";
+}
+
 void turn_axes(LabRecord& record, AxisConvention axes) {
+  if (const std::string fault = fault_of_axes(record.table(), axes); !fault.empty())
+    throw InputError(record.header, "the convention of axes " + fault);
   record.channels = to_iso(record.table(), axes).all();
 }
 
@@ -240,6 +255,7 @@ std::vector<std::string> conventions_that_fit(const LabRecord& record) {
   };
   std::vector<std::string> names;
   for (const std::string& name : axis_convention_names()) {
+    if (!fault_of_axes(record.table(), axis_convention_of(name)).empty()) continue;
     LabRecord turned = record;
     turn_axes(turned, axis_convention_of(name));
     if (fits(turned)) names.push_back(name);
