@@ -213,6 +213,7 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
     ledger.rows.push_back(row_left_out(table, name, why));
   note_encoding(table, ledger);
   note_structs(table, ledger);
+  ledger.doubts.insert(ledger.doubts.end(), table.doubts.begin(), table.doubts.end());
   for (const LedgerRow& row : ledger.rows)
     if (row.state == LedgerState::doubtful)
       ledger.doubts.push_back({row.written,
