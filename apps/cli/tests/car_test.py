@@ -221,6 +221,11 @@ class OnPosts(Cars):
         self.assertAlmostEqual(max(record["post_FL"]), 2e-3, delta=1e-5)
         self.assertEqual(record["post_FL"], record["post_RR"])
         self.assertLess(max(map(abs, record["heave"])), 1e-4)
+        # The columns may have usual names in any case.
+        named = ["Zeit [s],POST_FL [mm],post FR [mm],Post-RL [mm],post_rr [mm]", *rows[1:]]
+        (self.folder / "heights.csv").write_text("\n".join(named) + "\n")
+        self.assertEqual(self.columns(self.folder / "warp.toml")["post_FL"], record["post_FL"])
+        (self.folder / "heights.csv").write_text("\n".join(rows) + "\n")
         edit(self.folder / "heights.csv", (r"\n0.250,", "\n0.2504,"))
         self.assertIn("not even in time at sample 251", self.latsch("test", self.car, self.folder / "warp.toml", code=WRONG_INPUT))
         # The message names where a gap in the recorded heights is, and says if the times do not begin at 0.
