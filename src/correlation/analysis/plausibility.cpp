@@ -13,17 +13,16 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/analysis/table_axes.h"
 #include "correlation/observable/curve.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
 #include "experiment/language/usual_numbers.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
-#include "measurement/axes.h"
 #include "measurement/meaning/channel_words.h"
 #include "measurement/meaning/natural_unit.h"
 #include "measurement/meaning/rest_offset.h"
-#include "measurement/meaning/suspension_checks.h"
 
 namespace latsch::correlation {
 namespace {
@@ -254,64 +253,6 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
   }
 }
 
-/// Returns the statements after which a K&C table has the signs of the given side, +1 for left:
-/// axes, if none are stated, and the table `columns` with toe and camber turned.
-std::vector<std::string> statements_for_side(const Measurement& measurement,
-                                             bool axes_are_stated,
-                                             int side) {
-  std::vector<std::string> statements;
-  for (const AxisConvention axes : {AxisConvention::sae, AxisConvention::adapted_sae})
-    if (!axes_are_stated && side_of_wheel(to_iso(measurement.channels(), axes)) == side)
-      statements.push_back("axes = " +
-                           in_quotes(axis_convention_names()[static_cast<std::size_t>(axes)]));
-  Channels turned;
-  std::string columns;
-  for (Channel channel : measurement.channels().all()) {
-    if (channel.name.starts_with("toe") || channel.name.starts_with("camber")) {
-      for (double& value : channel.values) value = -value;
-      columns += fmt::format("{}{} = \"-{}\"",
-                             columns.empty() ? "" : ", ",
-                             channel.name,
-                             measurement.written(channel.name).column);
-    }
-    turned.add(std::move(channel));
-  }
-  if (side_of_wheel(turned) == side)
-    statements.push_back(
-        fmt::format("columns = {{{}}}, if only the signs of toe and camber are exchanged (front "
-                    "inboard and top outboard are positive)",
-                    columns));
-  return statements;
-}
-
-/// Compares the side of the car to which a K&C table belongs, as the signs of toe and camber show
-/// it, with the side that the model states.
-void examine_sides(const Study& study, const Document& file, std::vector<Finding>& found) {
-  const Node root = study.model.root();
-  const std::string side = root.has("side") ? root.text("side") : "";
-  if (side != "left" && side != "right") return;
-  for (const auto& measurement : study.laboratory) {
-    const int measured = side_of_wheel(measurement->channels());
-    if (measured == 0 || (measured > 0) == (side == "left")) continue;
-    const std::string table = "measurement." + measurement->name();
-    const bool axes_are_stated =
-        file.root().table("measurement").table(measurement->name()).has("axes");
-    const auto statements =
-        statements_for_side(*measurement, axes_are_stated, side == "left" ? 1 : -1);
-    found.push_back(
-        {written_at(file, table + ".file").place,
-         fmt::format(
-             "{} has the signs of a {} wheel (toe over Mz, camber over Fy), but the model "
-             "is a {} one{}{}",
-             table,
-             measured > 0 ? "left" : "right",
-             side,
-             statements.empty() ? "" : fmt::format(". If the wheel is the {} one, say ", side),
-             fmt::join(statements, "; or ")),
-         false});
-  }
-}
-
 /// Finds statements that leave a variable or a number without effect on the target, or a measured
 /// value without weight.
 void examine_statements(const Study& study, const Document& file, std::vector<Finding>& found) {
@@ -449,7 +390,7 @@ std::vector<Finding> implausible(const Study& study) {
          found);
   examine_variables(study, file, found);
   examine_repetitions(study, file, found);
-  examine_sides(study, file, found);
+  append(doubts_about_table_axes(study, file), found);
   examine_rest(study, file, found);
   examine_statements(study, file, found);
   const auto size = kind ? kind->size(study.model) : std::nullopt;

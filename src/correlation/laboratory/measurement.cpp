@@ -342,8 +342,10 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   if (record.samples() == 0) table.reject("file", "holds no sample");
   if (table.has("axes")) {
     const std::string axes = table.choice("axes", axis_convention_names());
-    check_signs(table, record, axes);
     told.axes = axis_convention_of(axes);
+    if (const auto fault = fault_of_axes(record.table(), told.axes); !fault.empty())
+      table.reject("axes", fault);
+    check_signs(table, record, axes);
     turn_axes(record, told.axes);
     told.words.push_back("signs of " + axes + (axes == "iso" ? "" : ", turned to iso"));
   }

@@ -140,7 +140,10 @@ S sense_of(std::string_view quantity) {
 
 Eigen::Matrix3d axes_of(AxisConvention convention) {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  if (convention != AxisConvention::iso) axes.diagonal() << 1.0, -1.0, -1.0;
+  if (convention == AxisConvention::adams)
+    axes.diagonal() << -1.0, -1.0, 1.0;
+  else if (convention != AxisConvention::iso)
+    axes.diagonal() << 1.0, -1.0, -1.0;
   return axes;
 }
 
@@ -156,7 +159,7 @@ ChannelSenses channel_senses(std::string_view name) {
 
 double sign_to_iso(ChannelSense sense, AxisConvention from) {
   const Eigen::Matrix3d R = axes_of(from);
-  const double handed = R.determinant();  // 1 for right-handed axes, as in all three conventions
+  const double handed = R.determinant();  // 1 for right-handed axes, as in all conventions
   const double reversed = from == AxisConvention::adapted_sae ? -1.0 : 1.0;
   switch (sense) {
     case S::along_x:
