@@ -16,9 +16,9 @@ struct MeasuredDrum {
 };
 
 /// Returns the channels of a recording at the times of a test, s. `frame` is that of the test's
-/// forces. Throws InputError that names file and line if the recording lacks a channel, has it in another frame, has no samples, does not cover the
-/// times, or misses samples, if its time does not rise, and if a channel is constant or cannot be
-/// that of a tire.
+/// forces. Throws InputError that names file and line if the recording lacks a channel, has it
+/// in another frame, has no samples, does not cover the times, or misses samples, if its time
+/// does not rise, and if a channel is constant or cannot be that of a tire.
 MeasuredDrum measured_drum(const Measurement& recording,
                            const std::vector<std::string>& channels,
                            const std::vector<double>& times,
