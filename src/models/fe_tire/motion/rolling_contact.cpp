@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -24,7 +27,36 @@ class RollingSearch {
     now_.state = from;
   }
 
+  /// Newton's method in which points are released and given back after every solution.
+  bool run_at_once() {
+    double before = std::numeric_limits<double>::infinity();
+    evaluate(Directions::kept, true);
+    for (int k = 0; k < options_.most_at_once; ++k) {
+      const Directions directions = k == 0 ? Directions::kept : Directions::of_trial;
+      if (k > 0) evaluate(directions, true);
+      Eigen::VectorXd dq;
+      ++now_.solves;
+      if (!body_.solve(now_.q, now_.input, now_.tractions, R_, dq)) return false;
+      if (!step(directions, dq)) return false;
+      const double size = R_.norm() / body_.force_scale();
+      if (getenv("RF")) fprintf(stderr, "    at once %d R %.3g", k, size);
+      if (size > options_.gate) { if (getenv("RF")) fprintf(stderr, "\n"); continue; }
+      const int released = release(), returned = give_back();
+      if (getenv("RF")) fprintf(stderr, " released %d returned %d\n", released, returned);
+      if (released + returned == 0 && k > 0 && R_.norm() <= accepted()) return true;
+      before = size;
+    }
+    return false;
+  }
+
   Result<RollingContactState> run() {
+    if (getenv("RF")) fprintf(stderr, "  run points %d q %d tol %g\n", grip_.lines().points(), (int)now_.q.size(), options_.tolerance);
+    const RollingContactState start = now_;
+    if (run_at_once()) return now_;
+    const int solves = now_.solves;
+    now_ = start;
+    now_.solves = solves;
+    std::ranges::fill(returns_, 0);
     evaluate(Directions::kept, true);
     for (; now_.passes < options_.most_passes; ++now_.passes) {
       if (!settle(Directions::kept, 1)) return failure("its tangent is singular");
@@ -58,7 +90,7 @@ class RollingSearch {
       if (!(now_.input.p[k] > 0.0))
         grip = Grip::none;
       else if (grip == Grip::none)
-        grip = Grip::sticks;
+        grip = grip_.friction().at_rest > 0.0 ? Grip::sticks : Grip::slides;
     }
   }
 
@@ -104,8 +136,9 @@ class RollingSearch {
 
   /// Lets points slide that stick beyond mu p. Returns their number.
   int release() {
-    int count = 0;
+    int count = 0, stk = 0, sl = 0;
     for (int k = 0; k < grip_.lines().points(); ++k) {
+      stk += now_.state.grip[k] == Grip::sticks; sl += now_.state.grip[k] == Grip::slides;
       if (now_.state.grip[k] != Grip::sticks) continue;
       const double size = now_.tractions.t.col(k).norm();
       if (size <= (1.0 + options_.excess) * now_.tractions.limit[k]) continue;
@@ -113,6 +146,7 @@ class RollingSearch {
       now_.state.direction.col(k) = now_.tractions.t.col(k) / size;
       ++count;
     }
+    if (getenv("RF")) fprintf(stderr, "    pass %d solves %d R %.3g: stick %d slide %d, release %d\n", now_.passes, now_.solves, R_.norm()/body_.force_scale(), stk, sl, count);
     return count;
   }
 

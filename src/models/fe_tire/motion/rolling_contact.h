@@ -54,6 +54,7 @@ struct RollingContactOptions {
   double rounding = 1e-7;
   /// Share of mu p by which a sticking point may exceed it; rounding has to be smaller.
   double excess = 1e-9;
+  int most_at_once = 40; double gate = 1e-2;
   int most_passes = 100;     // largest number of active sets
   int most_iterations = 40;  // largest number of Newton iterations a pass
   int most_returns = 12;     // largest number of returns of a point to sticking

@@ -2,6 +2,8 @@
 #include "models/fe_tire/motion/rolling_tire.h"
 
 #include <fmt/format.h>
+#include <cstdio>
+#include <cstdlib>
 
 #include <algorithm>
 #include <cassert>
@@ -159,7 +161,8 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
       continue;
     }
     state.residual = (now.g - found->c).norm();
-    if (state.residual <= kAccepted * load && enough <= kBalanced && found->is_balanced) {
+    if (getenv("RF")) fprintf(stderr, " it %d residual %.3g of %.3g, factors %d passes %d, h %.6g spin %.6g enough %.2g\n", state.iterations, state.residual, load, state.factors, state.passes, at.height, at.spin, enough);
+    if (state.residual <= kAccepted * load && enough <= kBalanced) {
       state.of = at;
       state.forces = found->forces;
       state.patch = found->patch;
