@@ -60,7 +60,7 @@ std::string work(const RollingState& state, double seconds) {
 struct Sweep {
   double seconds = 0.0, longest = 0.0;
   int states = 0, failed = 0;
-  std::string work;  // of the longest state
+  std::string work;  // the counts of the longest state
 };
 
 /// Goes from the free wheel through slips, from neighbor to neighbor.
@@ -107,7 +107,7 @@ std::string times(double seconds, double pressed) {
 
 int run(const Options& options) {
   Table table("rolling_cost", options);
-  const TireDescription description = getenv("RFC") ? coarse_tire("passenger_225_50R16", {13, atoi(getenv("RFC"))}) : tire_for(options, "passenger_225_50R16");
+  const TireDescription description = tire_for(options, "passenger_225_50R16");
   Stopwatch watch;
   FeTire tire(description);
   const Inflated inflated = value_of(tire.inflate(description.pressure));
@@ -156,8 +156,8 @@ int run(const Options& options) {
             "<= 1e-6",
             std::abs(free.forces.force.z() / *of.load - 1.0) <= 1e-6);
 
-  const int count = options.size(getenv("RFN") ? atoi(getenv("RFN")) : 30, 3);
-  const Sweep angles = sweep(rolling, free, slip_angles(free, count, (getenv("RFN") ? count / 30.0 : 1.0) * 10.0 * kDegree));
+  const int count = options.size(30, 3);
+  const Sweep angles = sweep(rolling, free, slip_angles(free, count, 10.0 * kDegree));
   table.row(fmt::format("{} slip angles up to 10 deg: states not found", count),
             fmt::format("{}", angles.failed),
             "0",

@@ -23,7 +23,7 @@ constexpr double kAlong = 1e10;
 /// Speed of rotation of a locked wheel, relative to rolling: (F.1) needs a flow, however slow.
 constexpr double kLocked = 1e-6;
 /// Residual of the contact, relative to the accepted one of an iteration.
-constexpr double kInside = 1e-2;
+constexpr double kInside = 1e-1;
 /// States of the listed points among those of all.
 GripState listed(const GripState& all, const std::vector<int>& points) {
   GripState part(static_cast<int>(points.size()));
@@ -113,19 +113,15 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   nodes_ = at_nodes(found.d);
   rows_.clear();
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
-  TreadBody body(tread_,
-                 lines_,
-                 ground,
-                 kNormalPenalty,
-                 motion_of(of),
-                 tread_.displacements(x),
-                 kNear);
+  TreadBody body(
+      tread_, lines_, ground, kNormalPenalty, motion_of(of), tread_.displacements(x), kNear);
   if (body.rows().empty())
     return Failure{fmt::format("the tread is off the ground, {:.4g} mm below the wheel center",
                                1e3 * of.height)};
   body.ask(of.load, of.drive);
   if (!condense_for(body)) return Failure{"the tangent of the tread is not positive definite"};
   body.set_force_scale(load);
+  q_ = body.touching(q_);
   const RollingGrip grip(body.lines(), of.friction, kAlong);
   const RollingContactOptions limits = {.tolerance = std::max(1e-10, kInside * enough),
                                         .most_passes = 50,

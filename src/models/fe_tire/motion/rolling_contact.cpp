@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -27,36 +25,42 @@ class RollingSearch {
     now_.state = from;
   }
 
-  /// Newton's method in which points are released and given back after every solution.
-  bool run_at_once() {
-    double before = std::numeric_limits<double>::infinity();
-    evaluate(Directions::kept, true);
-    for (int k = 0; k < options_.most_at_once; ++k) {
-      const Directions directions = k == 0 ? Directions::kept : Directions::of_trial;
-      if (k > 0) evaluate(directions, true);
-      Eigen::VectorXd dq;
-      ++now_.solves;
-      if (!body_.solve(now_.q, now_.input, now_.tractions, R_, dq)) return false;
-      if (!step(directions, dq)) return false;
-      const double size = R_.norm() / body_.force_scale();
-      if (getenv("RF")) fprintf(stderr, "    at once %d R %.3g", k, size);
-      if (size > options_.gate) { if (getenv("RF")) fprintf(stderr, "\n"); continue; }
-      const int released = release(), returned = give_back();
-      if (getenv("RF")) fprintf(stderr, " released %d returned %d\n", released, returned);
-      if (released + returned == 0 && k > 0 && R_.norm() <= accepted()) return true;
-      before = size;
-    }
-    return false;
-  }
-
   Result<RollingContactState> run() {
-    if (getenv("RF")) fprintf(stderr, "  run points %d q %d tol %g\n", grip_.lines().points(), (int)now_.q.size(), options_.tolerance);
     const RollingContactState start = now_;
     if (run_at_once()) return now_;
     const int solves = now_.solves;
     now_ = start;
     now_.solves = solves;
     std::ranges::fill(returns_, 0);
+    return run_in_passes();
+  }
+
+ private:
+  /// Newton's method in which points are released and return after every solution. Returns false if
+  /// it does not settle: states may cycle, or a tangent is singular.
+  bool run_at_once() {
+    const double nearby = options_.nearby * body_.force_scale();
+    evaluate(Directions::of_trial, true);
+    Directions directions = R_.norm() <= nearby ? Directions::of_trial : Directions::kept;
+    for (int k = 0; k < options_.most_at_once; ++k) {
+      evaluate(directions, true);
+      Eigen::VectorXd dq;
+      ++now_.solves;
+      if (!body_.solve(now_.q, now_.input, now_.tractions, R_, dq)) return false;
+      if (!step(directions, dq)) return false;
+      const bool has_turned = directions == Directions::of_trial;
+      directions = Directions::of_trial;
+      // Far from equilibrium pressures are not yet those that limit tractions.
+      if (R_.norm() > nearby) continue;
+      ++now_.passes;
+      const int changed = release() + give_back();
+      if (changed == 0 && has_turned && R_.norm() <= accepted()) return true;
+    }
+    return false;
+  }
+
+  /// Active sets of which each is solved before it changes; points return only when it has settled.
+  Result<RollingContactState> run_in_passes() {
     evaluate(Directions::kept, true);
     for (; now_.passes < options_.most_passes; ++now_.passes) {
       if (!settle(Directions::kept, 1)) return failure("its tangent is singular");
@@ -73,7 +77,6 @@ class RollingSearch {
     return failure("points neither stick nor slide");
   }
 
- private:
   double accepted() const { return options_.tolerance * body_.force_scale(); }
 
   void evaluate(Directions directions, bool with_derivatives) {
@@ -136,9 +139,8 @@ class RollingSearch {
 
   /// Lets points slide that stick beyond mu p. Returns their number.
   int release() {
-    int count = 0, stk = 0, sl = 0;
+    int count = 0;
     for (int k = 0; k < grip_.lines().points(); ++k) {
-      stk += now_.state.grip[k] == Grip::sticks; sl += now_.state.grip[k] == Grip::slides;
       if (now_.state.grip[k] != Grip::sticks) continue;
       const double size = now_.tractions.t.col(k).norm();
       if (size <= (1.0 + options_.excess) * now_.tractions.limit[k]) continue;
@@ -146,7 +148,6 @@ class RollingSearch {
       now_.state.direction.col(k) = now_.tractions.t.col(k) / size;
       ++count;
     }
-    if (getenv("RF")) fprintf(stderr, "    pass %d solves %d R %.3g: stick %d slide %d, release %d\n", now_.passes, now_.solves, R_.norm()/body_.force_scale(), stk, sl, count);
     return count;
   }
 

@@ -2,8 +2,6 @@
 #include "models/fe_tire/motion/rolling_tire.h"
 
 #include <fmt/format.h>
-#include <cstdio>
-#include <cstdlib>
 
 #include <algorithm>
 #include <cassert>
@@ -152,16 +150,15 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
   for (state.iterations = 1; state.iterations <= kMostIterations; ++state.iterations) {
     const auto found = step(now, at, load, enough, state);
     if (!found) return found.failure();
-    at = found->of;
     const auto share = advance(now, *found, state.pressure);
     if (!share) return share.failure();
+    at = between(at, found->of, *share);
     if (*share < 1.0) {
       linear.forget();
       before = 0.0;
       continue;
     }
     state.residual = (now.g - found->c).norm();
-    if (getenv("RF")) fprintf(stderr, " it %d residual %.3g of %.3g, factors %d passes %d, h %.6g spin %.6g enough %.2g\n", state.iterations, state.residual, load, state.factors, state.passes, at.height, at.spin, enough);
     if (state.residual <= kAccepted * load && enough <= kBalanced) {
       state.of = at;
       state.forces = found->forces;

@@ -20,6 +20,9 @@ constexpr int kMostRefinements = 6;
 /// Largest rise, m, and change of the spin of one step: a tire that slides as a whole tells no
 /// slope.
 constexpr double kMostRise = 2e-3, kMostTurn = 0.02;
+/// Depth to which the lowest point is pressed if none touches, m: its pressure is then that of a
+/// tire.
+constexpr double kTouch = 1e-5;
 
 /// Solves J x = R by a factorization in single precision, which is several times as fast, and
 /// residuals in double precision.
@@ -180,6 +183,13 @@ RollingInput TreadBody::input(const Eigen::VectorXd& q) const {
   return input;
 }
 
+Eigen::VectorXd TreadBody::touching(Eigen::VectorXd q) const {
+  if (!load_) return q;
+  const double lowest = positions(q).row(2).minCoeff();
+  if (!(lowest < 0.0)) q[rise_at()] -= lowest + kTouch;
+  return q;
+}
+
 Eigen::VectorXd TreadBody::forces(const RollingInput& input, const GripTractions& tractions) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(std::ssize(rows_));
   for (std::size_t s = 0; s < sections_.size(); ++s) {
@@ -206,8 +216,7 @@ double TreadBody::drive(const RollingInput& input,
     if (!(input.p[k] > 0.0)) continue;
     const Eigen::Vector3d force =
         areas_[k] * Eigen::Vector3d(tractions.t(0, k), tractions.t(1, k), input.p[k]);
-    const Eigen::Vector3d arm(
-        input.x(0, k) - hub_.x(), input.x(1, k) - hub_.y(), -hub_.z() - rise);
+    const Eigen::Vector3d arm(input.x(0, k) - hub_.x(), input.x(1, k) - hub_.y(), -hub_.z() - rise);
     sum -= axis_.dot(arm.cross(force));
   }
   return sum;
@@ -329,8 +338,8 @@ class TreadBody::LineJacobian {
           area * point.by.col(static_cast<Eigen::Index>(a)).head<2>().transpose();
     if (body_.drive_) {
       G_.row(G_.rows() - 1) += area / body_.hub_.z() * moment.head<2>().transpose();
-      const Eigen::Vector2d later = link.by_step * input_.V_g.col(k) *
-                                    (body_.lines_.time[k] / faster_);
+      const Eigen::Vector2d later =
+          link.by_step * input_.V_g.col(k) * (body_.lines_.time[k] / faster_);
       by_spin_ += G_ * later;
     }
   }
@@ -390,15 +399,8 @@ bool TreadBody::solve(const Eigen::VectorXd& q,
   J.topLeftCorner(m, m) = T_;
   const Eigen::Matrix3Xd x = positions(q);
   for (std::size_t s = 0; s < sections_.size(); ++s)
-    LineJacobian(*this,
-                 sections_[s],
-                 lines_.lines[s],
-                 input,
-                 tractions,
-                 x,
-                 rise(q),
-                 1.0 + spin_change(q),
-                 J)
+    LineJacobian(
+        *this, sections_[s], lines_.lines[s], input, tractions, x, rise(q), 1.0 + spin_change(q), J)
         .subtract();
   if (!solve_refined(J, R, dq)) return false;
   double share = 1.0;

@@ -67,6 +67,8 @@ class TreadBody : public RollingBody {
   void ask(std::optional<double> load, std::optional<double> drive);
   /// Number of unknowns: those of rows(), then rise and spin where they are open.
   int size() const;
+  /// Returns q with a rise at which points touch, if the rise is open and none does.
+  Eigen::VectorXd touching(Eigen::VectorXd q) const;
   /// Rise of the wheel center, m, and relative change of the spin.
   double rise(const Eigen::VectorXd& q) const { return load_ ? q[rise_at()] : 0.0; }
   double spin_change(const Eigen::VectorXd& q) const { return drive_ ? q[spin_at()] : 0.0; }
@@ -104,7 +106,7 @@ class TreadBody : public RollingBody {
   double penalty_, scale_ = 1.0;
   std::optional<double> load_ = {}, drive_ = {};
   Eigen::Vector3d hub_, axis_;  // ground's axes
-  Eigen::Matrix3d R_;  // turns a vector from the wheel frame to the ground's axes
+  Eigen::Matrix3d R_;           // turns a vector from the wheel frame to the ground's axes
   RollingLines lines_;
   std::vector<int> points_, rows_;
   std::vector<double> areas_, times_;
