@@ -62,7 +62,7 @@ struct RollingState {
   double residual = 0.0;  // N
   int iterations = 0;     // passes over the elements
   int factors = 0;        // factorizations
-  int passes = 0;         // active sets
+  int passes = 0;         // solutions of the contact patch
   int parts = 0;          // parts of the path from the state before
 
   /// Distance of the wheel center from the contact center, m.
