@@ -112,6 +112,12 @@ class ExactFit(unittest.TestCase):
             self.assertIn("no search of this study has ended", latsch("identify", study, "--short"))
             latsch("run", study)
             self.assertNotIn("no search of this study has ended", latsch("identify", study, "--short"))
+            # The progress names the work of each phase and estimates its length from the first trial on.
+            words = latsch("identify", study)
+            first = re.search(r"(?m)^(\d+)/(\d+) \(\d+ %\), .*derivatives around the best trial, ", words)
+            self.assertTrue(first, words)
+            self.assertGreater(int(first[2]), 2 * 3 * 9, "fewer than the profiles need")
+            self.assertRegex(words, r"(?m)^\d+/\d+ \(100 %\), .*profiles, the other variables refitted, ")
 
     def assert_systematic(self, variables, **options):
         """Fits a model that cannot follow the measurement; returns words and answer. No variable may be free, and the

@@ -30,13 +30,15 @@ double value_at(const DesignSpace& space, int variable, double u) {
 /// Counts the trials of all rounds, and how many there will be.
 class Forecast {
  public:
-  RunProgress of(RunProgress progress, double share) {
-    // share of the work before which no forecast of the number of trials is made
+  RunProgress of(RunProgress progress, const WorkDone& done) {
+    // share of the work before which no forecast of the number of trials is made from it
     constexpr double kTellsSomething = 0.03;
     known_ = progress.known;
-    const auto total = std::lround(static_cast<double>(known_) / std::max(share, kTellsSomething));
     progress.known += before_;
-    progress.planned = share >= kTellsSomething ? before_ + total : 0;
+    progress.planned = done.share >= kTellsSomething
+                           ? before_ + std::lround(static_cast<double>(known_) / done.share)
+                           : (done.left > 0 ? progress.known + done.left : 0);
+    progress.work = done.work;
     return progress;
   }
   void round_done() {
@@ -283,11 +285,11 @@ std::optional<Result<Identifiability>> identify(const Study& study,
   enough.on_failure.then = FailurePolicy::Then::proceed;
   const Objective residuals = residual_objective(study);
   Forecast forecast;
-  const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const Share& share) {
+  const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const Standing& standing) {
     TrialStore* store = refits ? static_cast<TrialStore*>(refits) : &journal;
     const Objective objective = refits ? refits->objective() : residuals;
     enough.on_progress = [&](const RunProgress& progress) {
-      if (options.on_progress) options.on_progress(forecast.of(progress, share()));
+      if (options.on_progress) options.on_progress(forecast.of(progress, standing()));
     };
     const bool converged =
         run_optimizer(optimizer, objective, executor, store, enough).end == RunEnd::converged;
