@@ -186,7 +186,10 @@ TEST(TirFile, WhatIsOddIsNamed) {
   EXPECT_EQ(tir.notes[0],
             "t.tir:25: [LATERAL_COEFFICIENTS] PXX9 is not known here; it has no effect, and an "
             "exported file keeps it");
-  EXPECT_NE(std::find(tir.notes.begin(), tir.notes.end(), "t.tir: there is no PCX1; taken as 0"),
+  EXPECT_NE(std::find(tir.notes.begin(),
+                      tir.notes.end(),
+                      "t.tir: there is no PCX1, PDX1, PKX1; taken as 0: the tire has no "
+                      "longitudinal force"),
             tir.notes.end());
 }
 

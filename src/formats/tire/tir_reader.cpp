@@ -501,21 +501,34 @@ class TirReader {
            "steering do not diminish each other's forces");
   }
 
-  /// Reports missing coefficients without which the tire has no force of the given kind.
+  /// Reports missing coefficients in one note for each quantity that needs them.
   void report_missing() {
-    const bool new_formula = tir_.parameters.version != Version::mf52;
-    std::vector<std::string> expected = {
-        "PCX1", "PDX1", "PKX1", "PCY1", "PDY1", "PKY1", "PKY2", "QBZ1", "QCZ1", "QDZ1", "LONGVL"};
-    if (new_formula)
-      expected.insert(expected.end(),
-                      {"Q_RA1", "Q_RB1", "LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS", "NOMPRES"});
-    for (const std::string& name : expected) {
-      const ParameterField* field = magic_formula::find_parameter(name);
-      if (!found_.contains(name))
-        note(0,
-             fmt::format("there is no {}; taken as {}",
-                         name,
-                         format_number(tir_.parameters.*field->member)));
+    struct Group {
+      std::vector<std::string> names;
+      std::string without;  // the quantity that is missing without them; may be empty
+    };
+    std::vector<Group> groups = {{{"PCX1", "PDX1", "PKX1"}, "longitudinal force"},
+                                 {{"PCY1", "PDY1", "PKY1"}, "side force"},
+                                 {{"PKY2"}, ""},
+                                 {{"QBZ1", "QCZ1", "QDZ1"}, "aligning moment of the trail"},
+                                 {{"LONGVL"}, ""}};
+    if (tir_.parameters.version != Version::mf52) {
+      groups.push_back({{"Q_RA1"}, ""});
+      groups.push_back({{"Q_RB1"}, ""});
+      groups.push_back({{"LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS"}, ""});
+      groups.push_back({{"NOMPRES"}, ""});
+    }
+    for (const Group& group : groups) {
+      std::vector<std::string> missing;
+      for (const std::string& name : group.names)
+        if (!found_.contains(name)) missing.push_back(name);
+      if (missing.empty()) continue;
+      const ParameterField* field = magic_formula::find_parameter(missing.front());
+      note(0,
+           fmt::format("there is no {}; taken as {}{}",
+                       fmt::join(missing, ", "),
+                       format_number(tir_.parameters.*field->member),
+                       group.without.empty() ? "" : ": the tire has no " + group.without));
     }
   }
 
