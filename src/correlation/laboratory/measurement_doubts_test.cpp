@@ -242,7 +242,7 @@ TEST_F(MeasurementDoubts, TheHeightOfTheCenterIsNoLoadedRadiusOfAWheelThatLeans)
 
 TEST_F(MeasurementDoubts, TextBehindTheEndOfATydexIsTold) {
   const std::string text = said(read(tydex_of_heights("", "0.4 250\n"), "", "rig.tdx"), "**END");
-  EXPECT_NE(text.find("rig.tdx:10: 1 line behind **END is not read"), text.npos) << text;
+  EXPECT_NE(text.find("rig.tdx:11: 1 line behind **END is not read"), text.npos) << text;
   EXPECT_EQ(said(read(tydex_of_heights(""), "", "rig.tdx"), "**END"), "");
 }
 
