@@ -130,7 +130,7 @@ class Rolling(RotatingTire):
         self.assertEqual(locked["omega"], [0.0])
         self.assertAlmostEqual(math.hypot(locked["Fx"][0], locked["Fy"][0]), 1600.0, delta=1.6)
         self.assertLess(locked["Fx"][0], -1500.0)
-        self.assertAlmostEqual(locked["friction_power"][0], 16000.0, delta=160.0)
+        self.assertAlmostEqual(locked["loss_friction"][0], 16000.0, delta=160.0)
 
     def test_slip_angles_push_against_the_slip_up_to_the_limit_of_friction(self):
         states = self.channels(self.ROLLING % 'friction = 0.8, alpha = ["-1 deg", "0 deg", "1 deg", "2 deg"]')
@@ -146,6 +146,69 @@ class Rolling(RotatingTire):
                              ('friction = 0.8, alpha = ["1 deg", "2 deg"], camber = ["1 deg", "2 deg", "3 deg"]', "2", "3")):
             with self.subTest(keys):
                 self.refused(self.ROLLING % keys, *parts)
+
+
+class Losses(RotatingTire):
+    """Losses of a tire that rolls: by part, in words, and refused where no rubber has them."""
+
+    ROLLING = '{kind = "rolling", load = "2 kN", speed = "36 km/h", friction = 0.8}'
+
+    def with_keys(self, **keys):
+        """Writes a tire with these lines in tables: rubber_matrix = "loss_factor = 0.1"."""
+        text = (self.folder / "tire.toml").read_text()
+        for table, line in keys.items():
+            head = "[" + table.replace("__", ".") + "]\n"
+            self.assertIn(head, text)
+            text = text.replace(head, head + line + "\n")
+        (self.folder / "lossy.toml").write_text(text)
+        return "lossy.toml"
+
+    def tables(self, kind):
+        return [line.strip()[1:-1] for line in (self.folder / "tire.toml").read_text().splitlines()
+                if line.startswith("[" + kind + ".")]
+
+    def rolled(self, tire):
+        return {name: values[0] for name, values in self.channels(self.ROLLING, tire).items()}
+
+    def test_an_elastic_tire_has_the_resistance_of_friction_alone_and_says_so(self):
+        found = self.rolled("tire.toml")
+        self.assertEqual(found["loss_rubber"], 0.0)
+        self.assertAlmostEqual(found["rolling_resistance"], found["loss_friction"] / 10.0, delta=1e-12)
+        self.assertIn("friction alone", self.latsch("test", self.folder / "tire.toml", self.ROLLING))
+
+    def test_resistance_is_the_sum_of_the_parts_over_the_speed(self):
+        rubbers = {table.replace(".", "__"): "loss_factor = 0.15" for table in self.tables("rubber")}
+        layers = {table.replace(".", "__"): "loss_factor = 0.02" for table in self.tables("layer")}
+        tire = self.with_keys(**rubbers, **layers)
+        found, elastic = self.rolled(tire), self.rolled("tire.toml")
+        for name in ("Fx", "Fz", "omega", "balance"):  # the state is that of elastic rubber
+            self.assertEqual(found[name], elastic[name])
+        self.assertGreater(found["loss_rubber"], found["loss_cords"])
+        self.assertGreater(found["loss_cords"], 0.0)
+        parts = {name: value for name, value in found.items() if name.startswith("loss.")}
+        self.assertEqual(len(parts), len(rubbers) + len(layers))
+        self.assertAlmostEqual(sum(parts.values()), found["loss_rubber"] + found["loss_cords"], delta=1e-9)
+        self.assertAlmostEqual(10.0 * found["rolling_resistance"],
+                               sum(parts.values()) + found["loss_friction"], delta=1e-9)
+        self.assertGreater(found["rolling_resistance"] / found["Fz"], 0.002)
+        self.assertLess(found["rolling_resistance"] / found["Fz"], 0.04)
+        self.assertIn("first order in the loss factor", self.latsch("test", self.folder / tire, self.ROLLING))
+
+    def test_losses_that_no_rubber_has_are_refused(self):
+        rubber = self.tables("rubber")[0].replace(".", "__")
+        layer = self.tables("layer")[0].replace(".", "__")
+        for table, line, *parts in ((rubber, 'prony = [[-0.2, "1 ms"]]', "prony", "below 0"),
+                                    (rubber, 'prony = [[0.2, "0 s"]]', "prony", "relaxation time"),
+                                    (rubber, 'prony = [[40, "1 s"], [20, "2 s"]]', "prony", "50"),
+                                    (rubber, 'prony = [[0.2, "1 s"], [0.1, "1000 ms"]]', "same relaxation time"),
+                                    (rubber, 'loss_factor = 1.5', "loss_factor", "0 to 1"),
+                                    (layer, 'loss_factor = -0.5', "loss_factor", "0 to 1"),
+                                    (layer, 'prony = [[0.2, "1 kg"]]', "prony", "kg")):
+            with self.subTest(line):
+                tire = self.with_keys(**{table: line})
+                said = self.latsch("test", self.folder / tire, self.ROLLING, code=WRONG_INPUT)
+                for part in (*parts, "lossy.toml:"):
+                    self.assertIn(part, said)
 
 
 if __name__ == "__main__":

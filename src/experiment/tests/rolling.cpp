@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "base/file.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/fe_tire/rolling_rig.h"
 #include "experiment/rigs/slip/slip_states.h"
@@ -21,7 +23,19 @@ namespace {
 constexpr std::size_t kMostRows = 2000;
 constexpr double kMostSlipAngle = 1.4;  // rad; at larger angles the tire slides sideways as a whole
 
-class FeRollingTest : public Test {
+/// Says which losses a result contains.
+std::vector<std::string> limits_of_losses(const fe_tire::LossMaterials& losses) {
+  if (losses.is_elastic())
+    return {
+        "rolling: the tire's file states neither prony nor loss_factor of a rubber or a layer, "
+        "so rolling_resistance is that of friction alone"};
+  return {
+      "rolling: loss_rubber and loss_cords are of first order in the loss factor: shape, forces "
+      "and balance are those of the relaxed (elastic) tire, and Fx holds no rolling "
+      "resistance"};
+}
+
+class FeRollingTest : public Test, public TellsLimits {
  public:
   FeRollingTest(RollingTest test, std::optional<formats::CsvTable> table)
       : test_(std::move(test)), table_(std::move(table)) {}
@@ -58,6 +72,24 @@ class FeRollingTest : public Test {
         [this](TireRig& rig, fe_tire::TireSlopes*) { return roll(rig, test_); },
         test_.pressure.has_value(),
         {});
+  }
+  std::vector<std::string> limits(Specimen& specimen) const override {
+    std::vector<std::string> limits;
+    (void)specimen.find<IsFeTire>()->drive(
+        [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+          limits = limits_of_losses(rig.losses());
+          return Channels();
+        },
+        true,
+        {});
+    return limits;
+  }
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    auto notes = Test::run_in_blocks(specimen, tell);
+    if (!notes) return notes;
+    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    return notes;
   }
 
  private:

@@ -17,12 +17,14 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
 #include "experiment/rigs/load_case.h"
 #include "measurement/channels.h"
 #include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/history/loss_materials.h"
 #include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
@@ -44,6 +46,10 @@ class TireRig {
   Result<fe_tire::Inflated> spinning(double pressure, const SpinSpeed& speed);
   /// Sets the data of the rim, for tests in which it moves.
   void set_rim(std::optional<fe_tire::RimBody> rim) { rim_ = rim; }
+  /// Sets the Prony terms of rubbers and cords, for tests that measure losses. The default is an
+  /// elastic tire.
+  void set_losses(fe_tire::LossMaterials losses) { losses_ = std::move(losses); }
+  const fe_tire::LossMaterials& losses() const { return losses_; }
 
   fe_tire::FeTire& tire() const { return tire_; }
   double own_pressure() const { return own_pressure_; }
@@ -76,6 +82,7 @@ class TireRig {
   fe_tire::FeTire& tire_;
   double own_pressure_, pressure_ = 0.0;
   std::optional<fe_tire::RimBody> rim_;
+  fe_tire::LossMaterials losses_;
   std::optional<Result<fe_tire::Inflated>> inflated_;  // at pressure_
   std::optional<Pressed> pressed_;                     // pressed from the state inflated_
 };

@@ -16,9 +16,17 @@ state, or by a table. Each takes seconds.
 Channels, one value for each state, axes W (ISO): "alpha", "gamma" (rad), "kappa" (1), "phit"
 (1/m), "Vx" (m/s); "Fx", "Fy", "Fz" (N), "Mx", "My", "Mz" (N m); "omega" (rad/s), "R_e" (Vx over
 omega), "R_l" (loaded radius), "length", "width" of the patch (m); "drive" (N m, moment of the
-drive about the spin axis), "friction_power" (W), "sticking" (share of the load on points that do
-not slide) and "balance" (W, what the discretization leaves between the power of drive and hub and
-that of friction). The rubber is elastic: rolling resistance is that of friction alone.
+drive about the spin axis), "sticking" (share of the load on points that do not slide);
+"loss_rubber", "loss_cords" and "loss_friction" (W, lost by the histories of rubbers and cords and
+by sliding), "rolling_resistance" (N, their sum over the speed), and "loss.rubber.NAME",
+"loss.layer.NAME" (W) of each part; "balance" (W, what the discretization leaves between the power
+of drive and hub and that of friction).
+
+Rubbers and layers of the tire's file lose power by `loss_factor = 0.15` (from 0.1 to 1000 Hz) or
+`prony = [[0.2, "1 ms"]]`, shares of the relaxed modulus and relaxation times; moduli are the
+relaxed ones. The losses are of first order in the loss factor: shape and forces are those of
+elastic rubber, so "Fx" and "balance" do not contain them. A tire that states neither has the
+rolling resistance of friction alone.
 )md",
       .sentences =
           {

@@ -174,6 +174,7 @@ class FeTire {
   friend class TireSlopes;
   friend class SpinningTire;
   friend class RollingTire;
+  friend class LossMeter;
   friend struct Varied;
   struct Impl;
   std::unique_ptr<Impl> impl_;
