@@ -29,8 +29,8 @@ struct StatedColumn {
   bool operator==(const StatedColumn&) const = default;
 };
 
-/// True for DSTGRWHC in any case, which is the "distance ground - wheel center" of a TYDEX file: the
-/// height of the center, which is less than the loaded radius of an inclined wheel.
+/// True for DSTGRWHC in any case, which is the "distance ground - wheel center" of a TYDEX file:
+/// the height of the center, which is less than the loaded radius of an inclined wheel.
 bool is_height_of_center(const std::string& column);
 
 /// Numbers in a channel that are probably not measured values

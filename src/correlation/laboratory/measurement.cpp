@@ -406,7 +406,9 @@ MeasuredFile read_measured_file(const fs::path& file, std::optional<AxisConventi
 NamedChannel Measurement::named(const std::string& channel) const {
   const NamedChannel found = find_named(names_of(told_.channels), channel);
   const std::string force = force_without_frame(channel);
-  if (!found.name.empty() || told_.frame.empty() || force + told_.frame != channel) return found;
+  if (!found.name.empty() || told_.frame.empty() || force.empty() ||
+      force.substr(0, 2) + told_.frame + force.substr(2) != channel)
+    return found;
   return find_named(names_of(told_.channels), force);  // the table states the frame
 }
 
@@ -423,7 +425,7 @@ std::string Measurement::frame(const std::string& channel) const {
   if (!found.frame.empty()) return found.frame;
   const std::string force = force_without_frame(found.name);
   if (force.empty()) return "";
-  return force == found.name ? told_.frame : found.name.substr(2);
+  return force == found.name ? told_.frame : found.name.substr(2, 1);
 }
 
 const std::string& Measurement::unit(const std::string& channel) const {

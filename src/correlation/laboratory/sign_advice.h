@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds statements that remove a contradiction between the signs of a record: other axes, or one
-// quantity with the opposite sign. Every statement is tried on the record, and only those that leave
-// no contradiction are advised. There may be several: a record in sae axes whose loads are written
-// as positive is the mirror image of one in iso axes whose inclination has the opposite sign. If
-// the sign of one lateral column is changed, the mirror image is named as well: the signs of all
-// other lateral columns are changed instead.
+// quantity with the opposite sign. Every statement is tried on the record, and only those that
+// leave no contradiction are advised. There may be several: a record in sae axes whose loads are
+// written as positive is the mirror image of one in iso axes whose inclination has the opposite
+// sign. If the sign of one lateral column is changed, the mirror image is named as well: the
+// signs of all other lateral columns are changed instead.
 #pragma once
 
 #include <string>

@@ -112,6 +112,8 @@ TEST(ChannelSense, TurnSlipFollowsFromItsDefinition) {
 TEST(ChannelSense, WhatIsDefinedWithoutAxesIsKnownAndStays) {
   for (const char* name : {"toe",
                            "camber_L",
+                           "Camber",
+                           "camber_right",
                            "caster",
                            "travel_R",
                            "post_FL",

@@ -36,8 +36,8 @@ const std::vector<std::string>& wheel_ends();
 bool wheel_rolls(const Channels& channels);
 
 /// Checks channels in SI and iso, under our names; gaps are NaN. Returns nothing if the table has
-/// no toe, camber, caster or steer, or if a speed or a slip says that the wheel rolls. Every doubt is
-/// one of sign.
+/// no toe, camber, caster or steer, or if a speed or a slip says that the wheel rolls. Every doubt
+/// is one of sign.
 std::vector<ChannelDoubt> suspension_doubts(const Channels& channels);
 
 /// Returns the side of the car that the slopes of toe and camber indicate: +1 left, -1 right, 0 if

@@ -248,6 +248,14 @@ void Identification::take_slopes() {
   linearized(std::move(at));
 }
 
+/// Returns the improvement of S for which all rounds start again at the better point. If neighbors
+/// share noise, a threshold may exceed S itself, which must not hide that the point is no minimum.
+double Identification::worthwhile() const {
+  const double threshold = confidence_->threshold();
+  return kWorthwhile *
+         (confidence_->is_colored ? std::min(threshold, at_->sum_of_squares()) : threshold);
+}
+
 /// Completes round 1 with derivatives `at`, apart from the check of weak directions.
 void Identification::linearized(Linearization at) {
   wanted_.clear();
@@ -289,7 +297,7 @@ void Identification::weak_directions_observed(const std::vector<Result<Evaluated
 void Identification::after_slopes() {
   const double promised = confidence_->left_to_gain;
   const bool stays =
-      centers_ >= options_.most_centers || !(promised > kWorthwhile * confidence_->threshold());
+      centers_ >= options_.most_centers || !(promised > worthwhile());
   if (!options_.profiles && stays) {
     continues_at_better_point();
     return;
@@ -308,7 +316,7 @@ void Identification::after_slopes() {
 
 bool Identification::continues_at_better_point() {
   const double gain = at_->sum_of_squares() - least_;
-  if (centers_ >= options_.most_centers || !(gain > kWorthwhile * confidence_->threshold()))
+  if (centers_ >= options_.most_centers || !(gain > worthwhile()))
     return false;
   ++centers_;
   begin_at(least_point_);

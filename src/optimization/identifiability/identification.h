@@ -117,6 +117,7 @@ class Identification {
   void weak_directions_observed(const std::vector<Result<Evaluated>>& evaluated);
   void after_slopes();
   double felt() const;
+  double worthwhile() const;
   void look_for_better(const std::vector<Result<Evaluated>>& evaluated);
   bool continues_at_better_point();
   DesignPoint moved(int variable, double offset) const;
