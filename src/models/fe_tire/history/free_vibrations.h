@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Free vibrations of a body parts of whose stiffness relax, in the coordinates q of shapes phi_j that
-// are orthogonal and of unit mass:
+// Free vibrations of a body parts of whose stiffness relax, in the coordinates q of shapes phi_j
+// that are orthogonal and of unit mass:
 //   x = sum_j phi_j Re(q_j exp(s t)),
 //   [s^2 + K + sum_r K_r sum_i beta_ri s tau_ri/(1 + s tau_ri)] q = 0                        (H.4)
-// K is the relaxed stiffness, and K_r the part of it to which the Prony terms r belong. The equation
-// is exact for motions that the shapes span. A vibration is found by fixed points on s and Rayleigh
-// quotients from one of the shapes.
+// K is the relaxed stiffness, and K_r the part of it to which the Prony terms r belong. The
+// equation is exact for motions that the shapes span. A vibration is found by fixed points on s and
+// Rayleigh quotients from one of the shapes.
 #pragma once
 
 #include <Eigen/Core>

@@ -168,7 +168,7 @@ class MotionStrains {
   /// a state nearby. Returns false if the element has no equilibrium of its enhanced strains.
   bool find(int sector, int element, const double* near);
 
-  std::vector<MovedElement> plus, minus;  // of the element found last, one for each shape
+  std::vector<MovedElement> plus, minus;  // for each shape; the element is that of the last find()
   /// Sums of the elements' forces along each shape, N per unit shape, in the shape's numbering.
   std::vector<Eigen::VectorXd> forces;
 
@@ -278,17 +278,17 @@ Eigen::VectorXd squares_of_frequencies(const std::vector<Mode>& modes) {
 
 /// Returns the `count` lowest damped modes in the coordinates of `basis`. Modes that stiffen little
 /// may come before others, so more than `count` are followed.
-Result<std::vector<DampedMode>> damped(const std::vector<Mode>& basis,
-                                       const Eigen::MatrixXd& K,
-                                       const std::vector<RelaxingStiffness>& parts,
-                                       int count) {
+Result<std::vector<DecayingMode>> damped(const std::vector<Mode>& basis,
+                                         const Eigen::MatrixXd& K,
+                                         const std::vector<RelaxingStiffness>& parts,
+                                         int count) {
   const int followed =
       std::min<int>(static_cast<int>(std::ceil(kFollowed * count)), std::ssize(basis));
-  std::vector<DampedMode> modes;
+  std::vector<DecayingMode> modes;
   for (int j = 0; j < followed; ++j) {
     const auto found = free_vibration(K, parts, j);
     if (!found) return Failure{"modes: " + found.failure().reason};
-    DampedMode damped{basis[j], found->damping()};
+    DecayingMode damped{basis[j], found->damping()};
     damped.mode.frequency = found->frequency();
     const double sign = found->q[j].real() < 0.0 ? -1.0 : 1.0;
     damped.mode.shape.setZero();
@@ -296,7 +296,7 @@ Result<std::vector<DampedMode>> damped(const std::vector<Mode>& basis,
       damped.mode.shape += sign * found->q[static_cast<Eigen::Index>(i)].real() * basis[i].shape;
     modes.push_back(std::move(damped));
   }
-  std::ranges::stable_sort(modes, {}, [](const DampedMode& m) { return m.mode.frequency; });
+  std::ranges::stable_sort(modes, {}, [](const DecayingMode& m) { return m.mode.frequency; });
   modes.resize(std::min<std::size_t>(modes.size(), count));
   return modes;
 }
@@ -347,8 +347,8 @@ Result<DampedTire::Projected> DampedTire::project(const Materials& materials,
                     });
 }
 
-/// Returns the materials with the storage moduli at an angular frequency, rad/s. Solids with smeared
-/// cords stay relaxed: the basis is then less good, not wrong.
+/// Returns the materials with the storage moduli at an angular frequency, rad/s. Solids with
+/// smeared cords stay relaxed: the basis is then less good, not wrong.
 Materials DampedTire::stiffened(double omega) const {
   Materials materials = tire_.materials();
   for (std::size_t i = 0; i < materials.solids.size(); ++i) {
@@ -367,7 +367,7 @@ Materials DampedTire::stiffened(double omega) const {
 }
 
 template <class State>
-Result<std::vector<DampedMode>> DampedTire::modes_about(const State& state, int count) {
+Result<std::vector<DecayingMode>> DampedTire::modes_about(const State& state, int count) {
   const auto first = tire_.modes(state, count);
   if (!first) return first.failure();
   const double amid =
@@ -386,11 +386,11 @@ Result<std::vector<DampedMode>> DampedTire::modes_about(const State& state, int 
   return damped(*basis, K, as_relaxed->parts, count);
 }
 
-Result<std::vector<DampedMode>> DampedTire::modes(const Inflated& inflated, int count) {
+Result<std::vector<DecayingMode>> DampedTire::modes(const Inflated& inflated, int count) {
   return modes_about(inflated, count);
 }
 
-Result<std::vector<DampedMode>> DampedTire::modes(const TireState& state, int count) {
+Result<std::vector<DecayingMode>> DampedTire::modes(const TireState& state, int count) {
   return modes_about(state, count);
 }
 

@@ -18,8 +18,9 @@
 
 namespace latsch::fe_tire {
 
-/// A damped mode. `mode` has the frequency |s|/(2 pi), the names of the mode that it grows out of, and the shape at the instant of its largest displacements.
-struct DampedMode {
+/// A damped mode. `mode` has the frequency |s|/(2 pi), the names of the mode that it grows out of,
+/// and the shape at the instant of its largest displacements.
+struct DecayingMode {
   Mode mode;
   double damping = 0.0;  // share of critical damping, -Re s/|s|
 };
@@ -34,15 +35,15 @@ class DampedTire {
 
   /// Returns the `count` lowest damped modes of the inflated, unloaded tire. A Failure says why
   /// there are none, or which mode is overdamped.
-  Result<std::vector<DampedMode>> modes(const Inflated& inflated, int count);
+  Result<std::vector<DecayingMode>> modes(const Inflated& inflated, int count);
   /// Returns the `count` lowest damped modes about a state on the ground. Points in contact stay in
   /// contact, and with friction they stick.
-  Result<std::vector<DampedMode>> modes(const TireState& state, int count);
+  Result<std::vector<DecayingMode>> modes(const TireState& state, int count);
 
   /// Stiffness in the coordinates of shapes of unit mass, 1/s^2.
   struct Projected {
-    Eigen::MatrixXd elements;              // of all elements, without pressure and ground
-    std::vector<RelaxingStiffness> parts;  // of what relaxes
+    Eigen::MatrixXd elements;  // all elements; pressure and ground are left out
+    std::vector<RelaxingStiffness> parts;
   };
   /// Return the stiffness of the tire with the given materials in the coordinates of shapes [3 x
   /// nodes, sector frames]. A Failure names an element that has no tangent.
@@ -55,7 +56,7 @@ class DampedTire {
 
  private:
   template <class State>
-  Result<std::vector<DampedMode>> modes_about(const State& state, int count);
+  Result<std::vector<DecayingMode>> modes_about(const State& state, int count);
   Materials stiffened(double omega) const;
 
   FeTire& tire_;

@@ -112,7 +112,7 @@ TEST(DampedTire, HalfOfAStandingTireRepresentsAllOfIt) {
   const LossMaterials losses = build_losses(tire);
   FeTire fe(tire);
   const Inflated inflated = *fe.inflate(kDampedPressure);
-  std::vector<std::vector<DampedMode>> found;
+  std::vector<std::vector<DecayingMode>> found;
   for (const auto poses : {FeTire::Poses::below, FeTire::Poses::any}) {
     const auto state = fe.advance(fe.over(inflated, {}, poses), {FeTire::below(inflated, 0.01)});
     ASSERT_TRUE(state) << state.failure().reason;
@@ -122,7 +122,7 @@ TEST(DampedTire, HalfOfAStandingTireRepresentsAllOfIt) {
     found.push_back(*modes);
   }
   for (int i = 0; i < kCount; ++i) {
-    const DampedMode &half = found[0][i], &whole = found[1][i];
+    const DecayingMode &half = found[0][i], &whole = found[1][i];
     EXPECT_NEAR(half.mode.frequency / whole.mode.frequency, 1.0, 1e-5) << i;
     EXPECT_NEAR(half.damping / whole.damping, 1.0, 1e-4) << i;
     // Rubber with tan delta = 0.15 carries a part of the stiffness: D is below 0.075.
@@ -132,7 +132,7 @@ TEST(DampedTire, HalfOfAStandingTireRepresentsAllOfIt) {
 }
 
 TEST(DampedTire, MoreModesOfTheRelaxedTireHardlyChangeADampedOne) {
-  const TireDescription tire = relaxing_tire(*constant_loss_factor(0.3, 1.0, 1000.0));
+  const TireDescription tire = relaxing_tire(*constant_loss_factor(0.15, 1.0, 1000.0));
   const LossMaterials losses = build_losses(tire);
   FeTire fe(tire);
   const Inflated inflated = *fe.inflate(kDampedPressure);
