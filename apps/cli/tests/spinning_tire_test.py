@@ -180,6 +180,15 @@ class Rolling(RotatingTire):
         for i in range(4):
             self.assertLessEqual(math.hypot(states["Fx"][i], states["Fy"][i]), 1600.0 * (1 + 1e-6))
 
+    def test_the_page_draws_what_varies(self):
+        page = self.folder / "page.html"
+        self.latsch("test", self.folder / "tire.toml", self.ROLLING % 'friction = 0.8, alpha = ["-1 deg", "1 deg"]',
+                    "--html", page)
+        text = page.read_text()
+        self.assertIn("not drawn, because constant: gamma, phit, Vx, Fz", text)
+        self.assertIn("Fy [kN] over alpha [deg]", text)
+        self.assertNotIn("Vx [m/s] over", text)
+
     def test_requests_without_meaning_are_refused(self):
         for keys, *parts in (('friction = 0, alpha = "1 deg"', "friction"), ('friction = -1', "friction", "0 to 5"),
                              ('friction = 0.8, kappa = -2', "kappa"), ('friction = 0.8, alpha = "90 deg"', "alpha"),
