@@ -220,6 +220,12 @@ class AxesOfTables(unittest.TestCase):
                     self.assertNotRegex(self.study(axes, rows, f'axes = "{axes}"'), "states no axes|the signs agree")
         self.assertNotRegex(self.study("iso", 4, 'axes = "iso"'), "states no axes|the signs agree")
 
+    def test_only_loads_of_wheels_are_told_as_absent_beside_those_of_wheels(self):
+        said = self.study("iso", 14, 'axes = "iso"')
+        self.assertIn("Mx_L is taken as 0 by test t", said)
+        self.assertNotIn("Fx is taken as 0", said)
+        self.assertNotIn("Mx is taken as 0", said)
+
     def test_loads_in_another_frame_are_refused(self):
         framed = lambda frame: lambda name: name[:2] + frame + name[2:] if name[0] in "FM" else name
         self.assertNotIn("the test takes it", self.study("iso", 14, 'axes = "iso"', framed("W")))

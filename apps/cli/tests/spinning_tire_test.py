@@ -34,6 +34,46 @@ class RotatingTire(Coarse):
         (self.folder / "with_rim.toml").write_text(text + rim)
         return "with_rim.toml"
 
+    def with_keys(self, **keys):
+        """Writes a tire with these lines in tables: rubber_matrix = "loss_factor = 0.1"."""
+        text = (self.folder / "tire.toml").read_text()
+        for table, line in keys.items():
+            head = "[" + table.replace("__", ".") + "]\n"
+            self.assertIn(head, text)
+            text = text.replace(head, head + line + "\n")
+        (self.folder / "lossy.toml").write_text(text)
+        return "lossy.toml"
+
+    def tables(self, kind):
+        return [line.strip()[1:-1] for line in (self.folder / "tire.toml").read_text().splitlines()
+                if line.startswith("[" + kind + ".")]
+
+
+class Damped(RotatingTire):
+    def lossy(self):
+        return self.with_keys(**{table.replace(".", "__"): "loss_factor = 0.15" for table in self.tables("rubber")})
+
+    def test_rubber_damps_and_stiffens_the_modes_of_a_standing_and_an_unloaded_tire(self):
+        lossy = self.lossy()
+        for load in ("", ', deflection = "8 mm"'):
+            relaxed = self.channels('{kind = "modes", count = 5%s}' % load, lossy)
+            damped = self.channels('{kind = "modes", count = 5, damping = true%s}' % load, lossy)
+            self.assertNotIn("damping", relaxed)
+            for f, slow, share in zip(damped["frequency"], relaxed["frequency"], damped["damping"]):
+                self.assertGreater(f, slow)
+                self.assertTrue(0.002 < share < 0.075, share)
+
+    def test_relaxed_moduli_are_told(self):
+        said = self.latsch("test", self.folder / self.lossy(), '{kind = "modes", count = 2}')
+        self.assertIn("relaxed moduli", said)
+        self.assertIn("damping = true", said)
+        self.assertNotIn("relaxed moduli", self.latsch("test", self.folder / "tire.toml", '{kind = "modes", count = 2}'))
+
+    def test_what_cannot_be_damped_is_refused(self):
+        self.refused('{kind = "modes", count = 2, damping = true, speed = "20 rad/s"}', "damping", "rim held")
+        said = self.latsch("test", self.folder / "tire.toml", '{kind = "modes", count = 2, damping = true}', code=FAILED)
+        self.assertIn("loss_factor", said)
+
 
 class Spinning(RotatingTire):
     def test_waves_split_by_twice_n_times_the_speed_at_most(self):
@@ -153,20 +193,6 @@ class Losses(RotatingTire):
     """Losses of a tire that rolls: by part, in words, and refused where no rubber has them."""
 
     ROLLING = '{kind = "rolling", load = "2 kN", speed = "36 km/h", friction = 0.8}'
-
-    def with_keys(self, **keys):
-        """Writes a tire with these lines in tables: rubber_matrix = "loss_factor = 0.1"."""
-        text = (self.folder / "tire.toml").read_text()
-        for table, line in keys.items():
-            head = "[" + table.replace("__", ".") + "]\n"
-            self.assertIn(head, text)
-            text = text.replace(head, head + line + "\n")
-        (self.folder / "lossy.toml").write_text(text)
-        return "lossy.toml"
-
-    def tables(self, kind):
-        return [line.strip()[1:-1] for line in (self.folder / "tire.toml").read_text().splitlines()
-                if line.startswith("[" + kind + ".")]
 
     def rolled(self, tire):
         return {name: values[0] for name, values in self.channels(self.ROLLING, tire).items()}
