@@ -10,13 +10,14 @@ namespace latsch::numerics {
 namespace {
 
 /// Solves a cyclic system with the diagonal 2 (h_{i-1} + h_i) and the neighbors h_{i-1}, h_i by
-/// elimination and one correction for the corners (Sherman and Morrison). Rows of `b` are right-hand
-/// sides.
+/// elimination and one correction for the corners (Sherman and Morrison). Rows of `b` are
+/// right-hand sides.
 Eigen::MatrixXd solve_cyclic(const std::vector<double>& h, const Eigen::MatrixXd& b) {
   const auto n = static_cast<Eigen::Index>(h.size());
   const auto diagonal = [&](Eigen::Index i) { return 2.0 * (h[(i + n - 1) % n] + h[i]); };
   const double corner = h[n - 1], gamma = -diagonal(0);
-  // The corners are the outer product of u = (gamma, 0 ... 0, corner) and v = (1, 0 ... corner/gamma).
+  // The corners are the outer product of u = (gamma, 0 ... 0, corner) and
+  // v = (1, 0 ... corner/gamma).
   Eigen::MatrixXd rows(b.rows() + 1, n);
   rows.topRows(b.rows()) = b;
   rows.bottomRows(1).setZero();

@@ -95,7 +95,7 @@ Result<Channels> chains(TireRig& rig, const RollingTest& test, const ChainPlaces
   }
   const auto states = roll_states(rig, test);
   if (!states) return states.failure();
-  std::map<double, std::unique_ptr<fe_tire::LossMeter>> meters;  // by pressure
+  std::map<double, std::unique_ptr<fe_tire::LossMeter>> meters;  // one for each pressure
   std::vector<MeasuredChain> all;
   for (std::size_t k = 0; k < states->size(); ++k) {
     const fe_tire::RollingState& state = (*states)[k].state;

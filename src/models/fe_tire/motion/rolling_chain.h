@@ -25,7 +25,7 @@ namespace latsch::fe_tire {
 
 /// A place of the section.
 struct ChainPlace {
-  int element = 0;    // of the section
+  int element = 0;    // index into Mesh::elements
   double zeta = 0.0;  // through the element, -1 inner face, +1 outer face
   int cords = -1;     // cord layer of the element; -1: none
 };
@@ -43,7 +43,7 @@ struct ChainPoint {
   double theta;                     // rad, NOTATION.md
   Eigen::Vector3d x, u, v, a;       // m, m, m/s, m/s^2, axes of the wheel
   Vector6 E, S;                     // Green-Lagrange strain, second Piola-Kirchhoff stress, Pa
-  double cord_strain, cord_stress;  // of the layer, Pa; 0 without one
+  double cord_strain, cord_stress;  // strain; stress of the layer, Pa; 0 without one
   double cord_force;                // N/m, along the cords for each meter across them
   double energy;                    // J/m^3, stored by the solid
   double dissipation;               // W/m^3, lost by the solid
