@@ -41,7 +41,8 @@ const Language& language() {
                                 &kMassPropertiesTest,
                                 &kInflationTest,
                                 &kRollingTest,
-                                &kRollingFootprintTest}};
+                                &kRollingFootprintTest,
+                                &kRollingChainTest}};
   return all;
 }
 
