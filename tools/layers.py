@@ -31,7 +31,7 @@ BELOW = {
 ROOMS = {
     "base": ["unit_words", "toml"],
     "numerics": ["kernels", "dense", "sparse", "signals"],
-    "models/fe_tire": ["element", "description", "ring", "contact", "analysis", "motion", "slopes"],
+    "models/fe_tire": ["element", "history", "description", "ring", "contact", "analysis", "motion", "slopes"],
     "models/ring_tire": ["description", "belt", "tread", "step", "ring"],
     "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
                      "identifiability"],

@@ -41,7 +41,8 @@ const Language& language() {
                                 &kAxleKcTest,
                                 &kMassPropertiesTest,
                                 &kInflationTest,
-                                &kRollingTest}};
+                                &kRollingTest,
+                                &kRollingFootprintTest}};
   return all;
 }
 

@@ -25,7 +25,7 @@ Wrench signs(AxisConvention from) {
 }  // namespace
 
 const std::vector<std::string>& axis_convention_names() {
-  static const std::vector<std::string> kNames = {"iso", "adapted_sae", "sae"};
+  static const std::vector<std::string> kNames = {"iso", "adapted_sae", "sae", "adams"};
   return kNames;
 }
 

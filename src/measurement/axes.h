@@ -29,6 +29,10 @@
 //   |        | definition            |                      |                          |
 //   | rack   | along y               | -iso                 | -iso                     |
 //
+// `adams` has the axes in which car models of Adams are built: x rearward, y to the right, z up.
+// Quantities along or about x and y are -iso, those along or about z as iso, a load is positive.
+// These axes define no slip angle and no turn slip, so only tables without both may be in them.
+//
 // toe, camber and caster of a suspension, wheel travel, heights of road and posts, the speed of
 // rotation (positive rolling forward) and κ are defined without axes: they are the same in all
 // conventions. A slope such as dy_by_Fy has the product of both signs. meaning/channel_sense.h has
@@ -49,10 +53,10 @@
 
 namespace latsch {
 
-enum class AxisConvention { iso, adapted_sae, sae };
+enum class AxisConvention { iso, adapted_sae, sae, adams };
 enum class AxisFrame { W, H, C };
 
-/// Returns the names by which users choose a convention: "iso", "adapted_sae", "sae".
+/// Returns the names by which users choose a convention: "iso", "adapted_sae", "sae", "adams".
 const std::vector<std::string>& axis_convention_names();
 /// Throws InputError for any other name.
 AxisConvention axis_convention_of(std::string_view name);

@@ -13,13 +13,13 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/laboratory/table_axes.h"
 #include "correlation/observable/curve.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
 #include "experiment/language/usual_numbers.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
-#include "measurement/axes.h"
 #include "measurement/meaning/channel_words.h"
 #include "measurement/meaning/natural_unit.h"
 #include "measurement/meaning/rest_offset.h"
@@ -254,60 +254,80 @@ void examine_repetitions(const Study& study, const Document& file, std::vector<F
   }
 }
 
-/// Returns the statements after which a K&C table has the signs of the given side, +1 for left:
-/// axes, if none are stated, and the table `columns` with toe and camber turned.
-std::vector<std::string> statements_for_side(const Measurement& measurement,
-                                             bool axes_are_stated,
-                                             int side) {
-  std::vector<std::string> statements;
-  for (const AxisConvention axes : {AxisConvention::sae, AxisConvention::adapted_sae})
-    if (!axes_are_stated && side_of_wheel(to_iso(measurement.channels(), axes)) == side)
-      statements.push_back("axes = " +
-                           in_quotes(axis_convention_names()[static_cast<std::size_t>(axes)]));
-  Channels turned;
-  std::string columns;
-  for (Channel channel : measurement.channels().all()) {
-    if (channel.name.starts_with("toe") || channel.name.starts_with("camber")) {
-      for (double& value : channel.values) value = -value;
-      columns += fmt::format("{}{} = \"-{}\"",
-                             columns.empty() ? "" : ", ",
-                             channel.name,
-                             measurement.written(channel.name).column);
-    }
-    turned.add(std::move(channel));
-  }
-  if (side_of_wheel(turned) == side)
-    statements.push_back(
-        fmt::format("columns = {{{}}}, if only the signs of toe and camber are exchanged (front "
-                    "inboard and top outboard are positive)",
-                    columns));
-  return statements;
+/// Returns the side of the model's wheel, +1 for left; 0 if the model states none.
+int side_of_model(const Study& study) {
+  const Node root = study.model.root();
+  const std::string side = root.has("side") ? root.text("side") : "";
+  return side == "left" ? 1 : side == "right" ? -1 : 0;
+}
+
+bool axes_are_stated(const Measurement& measurement, const Document& file) {
+  return measurement.is_stated() &&
+         file.root().table("measurement").table(measurement.name()).has("axes");
 }
 
 /// Compares the side of the car to which a K&C table belongs, as the signs of toe and camber show
 /// it, with the side that the model states.
 void examine_sides(const Study& study, const Document& file, std::vector<Finding>& found) {
-  const Node root = study.model.root();
-  const std::string side = root.has("side") ? root.text("side") : "";
-  if (side != "left" && side != "right") return;
+  const int side = side_of_model(study);
+  if (side == 0) return;
   for (const auto& measurement : study.laboratory) {
     const int measured = side_of_wheel(measurement->channels());
-    if (measured == 0 || (measured > 0) == (side == "left")) continue;
+    if (measured == 0 || measured == side) continue;
     const std::string table = "measurement." + measurement->name();
-    const bool axes_are_stated =
-        file.root().table("measurement").table(measurement->name()).has("axes");
     const auto statements =
-        statements_for_side(*measurement, axes_are_stated, side == "left" ? 1 : -1);
+        statements_for_side(*measurement, axes_are_stated(*measurement, file), side);
     found.push_back(
         {written_at(file, table + ".file").place,
-         fmt::format(
-             "{} has the signs of a {} wheel (toe over Mz, camber over Fy), but the model "
-             "is a {} one{}{}",
-             table,
-             measured > 0 ? "left" : "right",
-             side,
-             statements.empty() ? "" : fmt::format(". If the wheel is the {} one, say ", side),
-             fmt::join(statements, "; or ")),
+         fmt::format("{} has the signs of a {} wheel (toe over Mz, camber over Fy), but the model "
+                     "is a {} one{}{}",
+                     table,
+                     measured > 0 ? "left" : "right",
+                     side > 0 ? "left" : "right",
+                     statements.empty() ? ""
+                                        : fmt::format(". If the wheel is the {} one, say ",
+                                                      side > 0 ? "left" : "right"),
+                     fmt::join(statements, "; or ")),
+         false});
+  }
+}
+
+/// Returns every measurement that the study uses: those of [measurement.NAME], and files that an
+/// experiment names itself.
+Laboratory measurements_of(const Study& study) {
+  Laboratory all = study.laboratory;
+  for (const StudyExperiment& experiment : study.experiments)
+    if (experiment.read_from && std::none_of(all.begin(), all.end(), [&](const auto& one) {
+          return one == experiment.read_from ||
+                 (!one->is_stated() && one->files() == experiment.read_from->files());
+        }))
+      all.push_back(experiment.read_from);
+  return all;
+}
+
+void examine_unstated_axes(const Study& study, const Document& file, std::vector<Finding>& found) {
+  const int side = side_of_model(study);
+  for (const auto& measurement : measurements_of(study)) {
+    if (axes_are_stated(*measurement, file)) continue;
+    std::vector<std::string> alike = axes_alike(*measurement, side);
+    if (alike.empty()) continue;
+    const std::string last = alike.back();
+    alike.pop_back();
+    const std::string all = fmt::format("{} or {}", fmt::join(alike, ", "), last);
+    const bool is_stated = measurement->is_stated();
+    found.push_back(
+        {is_stated ? written_at(file, "measurement." + measurement->name() + ".file").place
+                   : measurement->place(),
+         fmt::format("{}{} states no axes, so iso is taken (x forward, y to the left, z up), and "
+                     "its signs do not tell the axes: with {} in {} they agree alike, and the "
+                     "results differ. Say axes = {}",
+                     is_stated ? "measurement." : "",
+                     measurement->name(),
+                     measurement->samples() == 1
+                         ? std::string("its one row")
+                         : fmt::format("its {} rows", measurement->samples()),
+                     all,
+                     all + (is_stated ? "" : " in a [measurement.NAME] of the file")),
          false});
   }
 }
@@ -450,6 +470,7 @@ std::vector<Finding> implausible(const Study& study) {
   examine_variables(study, file, found);
   examine_repetitions(study, file, found);
   examine_sides(study, file, found);
+  examine_unstated_axes(study, file, found);
   examine_rest(study, file, found);
   examine_statements(study, file, found);
   const auto size = kind ? kind->size(study.model) : std::nullopt;

@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "measurement/meaning/channel_words.h"
+#include "measurement/meaning/suspension_checks.h"
 
 namespace latsch::correlation {
 namespace {
@@ -16,6 +17,13 @@ bool same(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
     return std::tolower(x) == std::tolower(y);
   });
+}
+
+/// Returns the end of a name that names a wheel, such as "_L"; empty if there is none.
+std::string wheel_of(const std::string& name) {
+  for (const std::string& end : wheel_ends())
+    if (name.ends_with(end)) return end;
+  return "";
 }
 
 /// Returns "FyW" for "FYW"; empty if the name is not that of a force or moment.
@@ -52,7 +60,9 @@ std::string dimension_of_name(const std::string& name) {
 }
 
 std::string force_without_frame(const std::string& name) {
-  return force_or_moment(name).substr(0, 2);
+  const std::string wheel = wheel_of(name);
+  const std::string force = force_or_moment(name.substr(0, name.size() - wheel.size()));
+  return force.empty() ? "" : force.substr(0, 2) + wheel;
 }
 
 NamedChannel find_named(const std::vector<std::string>& names, const std::string& wanted) {
@@ -64,9 +74,11 @@ NamedChannel find_named(const std::vector<std::string>& names, const std::string
     for (const std::string& name : names)
       if (same_channel(name, ours)) return {name, ""};
   }
+  const std::string wheel = wheel_of(ours);
+  const std::string force = ours.substr(0, ours.size() - wheel.size());
   for (const std::string& name : names)
     for (const char* frame : {"W", "H", "C"})
-      if (same(name, ours + frame)) return {name, frame};
+      if (same(name, force + frame + wheel)) return {name, frame};
   return {};
 }
 

@@ -16,12 +16,12 @@ std::string our_name(const std::string& name, const std::string& unit);
 /// as a single letter is.
 std::string dimension_of_name(const std::string& name);
 
-/// Returns the force or moment without its frame: "Fy", "FyW", "MZH" -> "Fy", "Fy", "Mz"; empty for
-/// any other name.
+/// Returns the force or moment without its frame: "Fy", "FyW", "MZH", "FxH_L" -> "Fy", "Fy", "Mz",
+/// "Fx_L"; empty for any other name.
 std::string force_without_frame(const std::string& name);
 
 /// Channel found among others. The name of a force or moment may contain its frame: "Fy", "FyW",
-/// "FZH".
+/// "FZH", "FxH_L".
 struct NamedChannel {
   std::string name, frame;  // empty: not found
 };

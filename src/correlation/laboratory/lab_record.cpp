@@ -13,6 +13,8 @@
 #include "correlation/laboratory/channel_names.h"
 #include "correlation/laboratory/record_ledger.h"
 #include "formats/tables/lab_table.h"
+#include "formats/text/letter_case.h"
+#include "measurement/meaning/channel_sense.h"
 #include "measurement/meaning/channel_words.h"
 #include "measurement/meaning/filler_numbers.h"
 #include "numerics/signals/butterworth.h"
@@ -63,6 +65,36 @@ void note_suspects(LabRecord& record) {
   }
 }
 
+/// Turns the height of the wheel center of a TYDEX file, DSTGRWHC, into the loaded radius in the
+/// wheel's plane, height / cos gamma, unless the study itself states that the column is the loaded
+/// radius. Returns a remark for the ledger; empty if there is no such column.
+std::string radius_of_height(LabRecord& record) {
+  Channel* radius = record.find("loaded_radius");
+  if (!radius) return "";
+  const std::string& column = record.written.at(radius->name).column;
+  if (!is_height_of_center(column)) return "";
+  if (record.stated.contains(radius->name)) return "is the loaded radius itself, as stated";
+  const Channel* gamma = record.find("gamma");
+  constexpr const char* kHeight = "is the height of the wheel center above the ground; ";
+  if (!gamma || gamma->unit != "rad")
+    return std::string(kHeight) +
+           "the loaded radius is equal to it, because no inclination is in "
+           "the file";
+  double most = 1.0;
+  for (std::size_t i = 0; i < radius->values.size(); ++i) {
+    const double cosine = std::cos(gamma->values[i]);
+    radius->values[i] /= cosine;
+    if (std::isfinite(cosine)) most = std::max(most, 1.0 / cosine);
+  }
+  return fmt::format(
+      "{}the loaded radius in the wheel's plane is it over the cosine of {}, up to {:.2g} % more; "
+      "if the column is that radius already, say columns = {{loaded_radius = \"{}\"}}",
+      kHeight,
+      record.written.at(gamma->name).column,
+      100.0 * (most - 1.0),
+      column);
+}
+
 /// Returns the record with Latsch's names. If two columns claim one name, the first one keeps it.
 LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
   take_units_of_names(table);
@@ -97,7 +129,10 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
   const std::size_t samples = record.channels.empty() ? 0 : record.channels[0].values.size();
   for (std::size_t i = 0; i < samples; ++i) record.places.push_back(table.place(i));
   note_suspects(record);
+  const std::string remark = radius_of_height(record);
   record.ledgers.push_back(ledger_of(table, record));
+  if (!remark.empty())
+    record.ledgers.back().find_taken(record.find("loaded_radius")->name)->remark = remark;
   return record;
 }
 
@@ -144,6 +179,8 @@ void filter_stretch(const std::vector<numerics::FilterSection>& sections,
 }
 
 }  // namespace
+
+bool is_height_of_center(const std::string& column) { return formats::lower(column) == "dstgrwhc"; }
 
 std::vector<std::string> LabRecord::names() const {
   std::vector<std::string> names;
@@ -214,7 +251,21 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
   return record;
 }
 
+std::string fault_of_axes(const Channels& channels, AxisConvention axes) {
+  if (axes != AxisConvention::adams) return "";
+  for (const Channel& channel : channels.all())
+    if (channel_senses(channel.name).of == ChannelSense::slip)
+      return fmt::format(
+          "is \"adams\" (x rearward, y to the right, z up), which are axes of a car and do not "
+          "define {}: say the axes of the tire test (iso, adapted_sae or sae), or turn single "
+          "columns by columns = {{Fx = \"-Fx\"}}",
+          channel.name);
+  return "";
+}
+
 void turn_axes(LabRecord& record, AxisConvention axes) {
+  if (const std::string fault = fault_of_axes(record.table(), axes); !fault.empty())
+    throw InputError(record.header, "the convention of axes " + fault);
   record.channels = to_iso(record.table(), axes).all();
 }
 
@@ -240,6 +291,7 @@ std::vector<std::string> conventions_that_fit(const LabRecord& record) {
   };
   std::vector<std::string> names;
   for (const std::string& name : axis_convention_names()) {
+    if (!fault_of_axes(record.table(), axis_convention_of(name)).empty()) continue;
     LabRecord turned = record;
     turn_axes(turned, axis_convention_of(name));
     if (fits(turned)) names.push_back(name);

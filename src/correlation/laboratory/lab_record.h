@@ -29,6 +29,10 @@ struct StatedColumn {
   bool operator==(const StatedColumn&) const = default;
 };
 
+/// True for DSTGRWHC in any case, which is the "distance ground - wheel center" of a TYDEX file:
+/// the height of the center, which is less than the loaded radius of an inclined wheel.
+bool is_height_of_center(const std::string& column);
+
 /// Numbers in a channel that are probably not measured values
 /// (measurement/meaning/filler_numbers.h).
 struct SuspectSamples {
@@ -75,7 +79,11 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
                      const std::string& part,
                      std::vector<std::string>& words);
 
-/// Turns the channels into iso axes.
+/// Returns why channels cannot be in these axes, to follow their name: those of Adams define no
+/// slip angle. Returns an empty text if they can.
+std::string fault_of_axes(const Channels& channels, AxisConvention axes);
+/// Turns the channels into iso axes. Throws InputError at the header for axes that do not define
+/// every channel.
 void turn_axes(LabRecord& record, AxisConvention axes);
 /// Returns the conventions of axes that fit a record in its original axes: those in which its loads
 /// point upward and its side force opposes the slip angle. Returns all conventions if the record

@@ -342,8 +342,10 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   if (record.samples() == 0) table.reject("file", "holds no sample");
   if (table.has("axes")) {
     const std::string axes = table.choice("axes", axis_convention_names());
-    check_signs(table, record, axes);
     told.axes = axis_convention_of(axes);
+    if (const auto fault = fault_of_axes(record.table(), told.axes); !fault.empty())
+      table.reject("axes", fault);
+    check_signs(table, record, axes);
     turn_axes(record, told.axes);
     told.words.push_back("signs of " + axes + (axes == "iso" ? "" : ", turned to iso"));
   }
@@ -404,7 +406,9 @@ MeasuredFile read_measured_file(const fs::path& file, std::optional<AxisConventi
 NamedChannel Measurement::named(const std::string& channel) const {
   const NamedChannel found = find_named(names_of(told_.channels), channel);
   const std::string force = force_without_frame(channel);
-  if (!found.name.empty() || told_.frame.empty() || force + told_.frame != channel) return found;
+  if (!found.name.empty() || told_.frame.empty() || force.empty() ||
+      force.substr(0, 2) + told_.frame + force.substr(2) != channel)
+    return found;
   return find_named(names_of(told_.channels), force);  // the table states the frame
 }
 
@@ -421,7 +425,7 @@ std::string Measurement::frame(const std::string& channel) const {
   if (!found.frame.empty()) return found.frame;
   const std::string force = force_without_frame(found.name);
   if (force.empty()) return "";
-  return force == found.name ? told_.frame : found.name.substr(2);
+  return force == found.name ? told_.frame : found.name.substr(2, 1);
 }
 
 const std::string& Measurement::unit(const std::string& channel) const {

@@ -89,6 +89,8 @@ class Measurement {
   std::string name_of(const std::string& channel) const;
   /// Returns the channel's column and unit in the file.
   const StatedColumn& written(const std::string& channel) const;
+  /// Returns the table `columns` of the study.
+  const std::map<std::string, StatedColumn>& stated_columns() const { return told_.stated; }
   /// Returns the forces and moments that in_frame has converted, with their frame in the file.
   const std::map<std::string, AxisFrame>& turned_from() const { return told_.turned_from; }
   bool is_turned(const std::string& channel) const;

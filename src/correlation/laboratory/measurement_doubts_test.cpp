@@ -190,6 +190,138 @@ TEST_F(MeasurementDoubts, StepsAreUsersOfTheChannelsThatTheyRead) {
     EXPECT_NE(turned.find(name + std::string(" by in_frame;")), turned.npos) << turned;
 }
 
+/// Returns a TYDEX file of three samples: RUNTIME, INCLANGL and DSTGRWHC, and text behind its end.
+std::string tydex_of_heights(const std::string& inclination, const std::string& behind = "") {
+  const bool leans = !inclination.empty();
+  std::string text =
+      "**HEADER\nRELEASE   Release                       -         1.3\n**MEASURCHANNELS\n"
+      "RUNTIME   time                          s         1         0         0\n" +
+      inclination +
+      "DSTGRWHC  height                        mm        1         0         0\n"
+      "**MEASURDATA\n";
+  for (int i = 0; i < 3; ++i)
+    text += fmt::format("{} {}300\n", 0.1 * i, leans ? fmt::format("{} ", -6 * i) : std::string());
+  return text + "**END\n" + behind;
+}
+
+// cos 6 deg = 0.994521895, cos 12 deg = 0.978147601: a wheel whose center is 300 mm high has a
+// longer radius in its plane if it leans, to either side.
+TEST_F(MeasurementDoubts, TheHeightOfTheCenterIsNoLoadedRadiusOfAWheelThatLeans) {
+  const std::string leans =
+      "INCLANGL  inclination                   deg       1         0         0\n";
+  const auto radius = [&](const std::string& text, const std::string& lines) {
+    return read(text, lines, "rig.tdx").values("loaded_radius", "m");
+  };
+  const std::vector<double> turned = radius(tydex_of_heights(leans), "");
+  EXPECT_NEAR(turned[0], 0.3, 1e-12);
+  EXPECT_NEAR(turned[1], 0.3 / 0.994521895368, 1e-12);
+  EXPECT_NEAR(turned[2], 0.3 / 0.978147600734, 1e-12);
+  const std::vector<double> flat(3, 0.3);
+  EXPECT_EQ(radius(tydex_of_heights(leans), "columns = {loaded_radius = \"DSTGRWHC\"}"), flat);
+  EXPECT_EQ(radius(tydex_of_heights(""), ""), flat);
+  const auto remark = [&](const std::string& text, const std::string& lines) {
+    const std::vector<Ledger> ledgers = read(text, lines, "rig.tdx").ledgers();
+    for (const LedgerRow& row : ledgers.front().rows)
+      if (row.written == "DSTGRWHC") return row.remark;
+    return std::string();
+  };
+  EXPECT_NE(remark(tydex_of_heights(leans), "").find("over the cosine of INCLANGL, up to 2.2 %"),
+            std::string::npos)
+      << remark(tydex_of_heights(leans), "");
+  EXPECT_NE(remark(tydex_of_heights(""), "").find("no inclination is in the file"),
+            std::string::npos);
+  EXPECT_NE(
+      remark(tydex_of_heights(leans), "columns = {loaded_radius = \"DSTGRWHC\"}").find("as stated"),
+      std::string::npos);
+  // a table that writes the same name in small letters, and a column that is the radius itself
+  EXPECT_NEAR(read("gamma [deg],dstgrwhc [mm]\n12,300\n", "").values("loaded_radius", "m")[0],
+              0.3 / 0.978147600734,
+              1e-12);
+  EXPECT_EQ(read("gamma [deg],RL [mm]\n12,300\n", "").values("loaded_radius", "m")[0], 0.3);
+}
+
+TEST_F(MeasurementDoubts, TextBehindTheEndOfATydexIsTold) {
+  const std::string text = said(read(tydex_of_heights("", "0.4 250\n"), "", "rig.tdx"), "**END");
+  EXPECT_NE(text.find("rig.tdx:10: 1 line behind **END is not read"), text.npos) << text;
+  EXPECT_EQ(said(read(tydex_of_heights(""), "", "rig.tdx"), "**END"), "");
+}
+
+/// Returns a table of a linear corner or axle on a K&C rig, a row for each state of its loads.
+std::string kc_table(const std::string& axes, bool both_wheels, int rows, bool unloaded_row) {
+  const double x = axes == "adams" ? -1.0 : 1.0, y = axes == "iso" ? 1.0 : -1.0,
+               z = axes == "sae" || axes == "adapted_sae" ? -1.0 : 1.0,
+               load = axes == "sae" ? -1.0 : 1.0;
+  std::string head, text;
+  for (const char* end : {"_L", "_R"}) {
+    if (!both_wheels && end[1] == 'R') continue;
+    const std::string of = both_wheels ? end : "";
+    for (const char* name : {"Fx", "Fy", "Fz"}) head += std::string(name) + of + " [N],";
+    head += "Mz" + of + " [N m],";
+    for (const char* name : {"dx", "dy", "dz"}) head += std::string(name) + of + " [mm],";
+    for (const char* name : {"toe", "camber", "caster"}) head += std::string(name) + of + " [deg],";
+  }
+  head.back() = '\n';
+  for (int i = 0; i < rows; ++i) {
+    std::string line;
+    for (const double side : {1.0, -1.0}) {
+      if (!both_wheels && side < 0.0) continue;
+      const double k = i + (side > 0.0 ? 0.0 : 0.37);
+      const bool is_loaded = !(unloaded_row && i == 0);
+      const double Fx = is_loaded ? 2000 * std::sin(1.0 + 2.1 * k) : 0.0,
+                   Fy = is_loaded ? 2500 * std::sin(0.3 + 3.7 * k) : 0.0,
+                   Fz = is_loaded ? 3000 + 900 * std::sin(1.9 * k) : 0.0,
+                   Mz = is_loaded ? 80 * std::sin(2.0 + 5.3 * k) : 0.0;
+      line += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},", x * Fx, y * Fy, load * Fz, x * y * Mz);
+      line += fmt::format("{:.6g},{:.6g},{:.6g},", x * 3e-4 * Fx, y * 2e-4 * Fy, z * 4e-4 * Fz);
+      line += fmt::format("{:.6g},{:.6g},{:.6g},",
+                          -side * (5e-3 * Mz + 1e-5 * Fx),
+                          -side * (2e-5 * Fy + 1e-6 * Fz),
+                          2e-5 * Fx);
+    }
+    line.back() = '\n';
+    text += line;
+  }
+  return head + text;
+}
+
+TEST_F(MeasurementDoubts, EveryTableOfAKcRigIsOfferedItsAxes) {
+  for (const bool both : {false, true})
+    for (const char* axes : {"sae", "adapted_sae", "adams"}) {
+      const Measurement unsaid = read(kc_table(axes, both, 14, false), "");
+      const std::string words = fmt::format("axes = \"{}\"", axes);
+      EXPECT_NE(said(unsaid, words), "") << axes << both;
+      const Measurement stated = read(kc_table(axes, both, 14, false), words);
+      EXPECT_EQ(said(stated, ""), "") << axes << both;
+      const Measurement iso = read(kc_table("iso", both, 14, false), "axes = \"iso\"");
+      EXPECT_EQ(said(iso, ""), "") << both;
+      const std::string first = both ? "dx_L" : "dx";
+      for (std::size_t i = 0; i < 14; ++i)
+        EXPECT_NEAR(stated.values(first, "m")[i], iso.values(first, "m")[i], 1e-9) << axes;
+    }
+}
+
+// A row without load changed an error with advice into a warning without.
+TEST_F(MeasurementDoubts, ARowWithoutLoadDoesNotChangeWhatIsSaid) {
+  for (const bool both : {false, true})
+    for (const bool unloaded : {false, true}) {
+      const std::string text = said(read(kc_table("sae", both, 6, unloaded), ""), "below 0");
+      EXPECT_EQ(text.find("error: "), 0u) << text;
+      EXPECT_NE(text.find("axes = \"sae\""), text.npos) << text;
+      EXPECT_EQ(text.find("-0 N"), text.npos) << text;
+    }
+}
+
+TEST_F(MeasurementDoubts, AxesOfACarAreNoAxesOfASlipAngle) {
+  try {
+    (void)read(sweep(kNames, 1.0), "axes = \"adams\"");
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("study.toml:3"), text.npos) << text;
+    EXPECT_NE(text.find("do not define alpha"), text.npos) << text;
+  }
+}
+
 // The channel varies from 1.99 to 2.01 deg, and its direction changes with every sample.
 TEST_F(MeasurementDoubts, ASweepOfAConstantChannelIsDoubted) {
   std::string table = "time [s],IA [deg],FY [N]\n";

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "base/file.h"
 #include "base/text.h"
@@ -12,6 +13,7 @@
 #include "correlation/laboratory/frame_conversion.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/axes.h"
+#include "measurement/meaning/channel_words.h"
 
 namespace latsch::correlation {
 namespace {
@@ -66,6 +68,20 @@ Values turned_back(const Measurement& measurement, const Values& values) {
   return back;
 }
 
+/// Returns the values of a channel as its column means them: a loaded radius as the height of the
+/// wheel center, if the column is that height.
+std::vector<double> in_file(const Measurement& measurement,
+                            const std::string& channel,
+                            std::vector<double> si) {
+  if (!same_channel(channel, "loaded_radius") || !measurement.has("gamma") ||
+      !is_height_of_center(measurement.written(channel).column) ||
+      measurement.stated_columns().contains(measurement.name_of(channel)))
+    return si;
+  const std::vector<double>& gamma = measurement.values("gamma", "rad");
+  for (std::size_t i = 0; i < si.size(); ++i) si[i] *= std::cos(gamma[i]);
+  return si;
+}
+
 }  // namespace
 
 std::filesystem::path write_twin(const Measurement& measurement,
@@ -82,7 +98,7 @@ std::filesystem::path write_twin(const Measurement& measurement,
     assert(static_cast<int>(si.size()) == table.rows());
     const StatedColumn& column = measurement.written(channel);
     Channels turned;
-    turned.add({measurement.name_of(channel), "", si});
+    turned.add({measurement.name_of(channel), "", in_file(measurement, channel, si)});
     turned = to_iso(turned, measurement.axes());  // the conversion is its own inverse
     const Unit unit = *reading_of_unit(column.unit).unit;
     for (const double value : turned.all()[0].values)

@@ -23,10 +23,13 @@
 namespace latsch::correlation {
 namespace {
 
-bool depends_on_axes(const std::string& channel) {
+/// True if a convention in which the file may be turns the channel; axes of Adams are those of a
+/// suspension alone.
+bool depends_on_axes(const std::string& channel, bool of_suspension) {
   const ChannelSenses senses = channel_senses(channel);
-  return senses.is_known() && (sign_to_iso(senses, AxisConvention::sae) < 0.0 ||
-                               sign_to_iso(senses, AxisConvention::adapted_sae) < 0.0);
+  const auto turns = [&](AxisConvention axes) { return sign_to_iso(senses, axes) < 0.0; };
+  return senses.is_known() && (turns(AxisConvention::sae) || turns(AxisConvention::adapted_sae) ||
+                               (of_suspension && turns(AxisConvention::adams)));
 }
 
 /// Calls a function for the rows of all files whose columns became this channel.
@@ -210,6 +213,7 @@ Ledger ledger_of(const formats::LabTable& table, const LabRecord& record) {
     ledger.rows.push_back(row_left_out(table, name, why));
   note_encoding(table, ledger);
   note_structs(table, ledger);
+  ledger.doubts.insert(ledger.doubts.end(), table.doubts.begin(), table.doubts.end());
   for (const LedgerRow& row : ledger.rows)
     if (row.state == LedgerState::doubtful)
       ledger.doubts.push_back({row.written,
@@ -274,13 +278,14 @@ void note_axes(LabRecord& record, AxisConvention axes, bool are_stated) {
   const std::string name = axis_convention_names()[static_cast<std::size_t>(axes)];
   for (Ledger& ledger : record.ledgers) {
     bool matters = false;
+    const bool of_suspension = is_of_suspension(ledger);
     for (LedgerRow& row : ledger.rows) {
       const std::string& channel = row.taken_as.empty() ? row.written : row.taken_as;
       const ChannelSenses senses = channel_senses(channel);
-      matters = matters || depends_on_axes(channel);
+      matters = matters || depends_on_axes(channel, of_suspension);
       if (!senses.is_known())
         row.axes = are_stated ? "not turned" : "";
-      else if (depends_on_axes(channel))
+      else if (depends_on_axes(channel, of_suspension))
         row.axes = fmt::format(
             "{}{}, {:+.0f}", name, are_stated ? "" : " (assumed)", sign_to_iso(senses, axes));
       else

@@ -5,6 +5,7 @@
 
 #include "correlation/laboratory/columns_hint.h"
 #include "measurement/meaning/channel_checks.h"
+#include "measurement/meaning/suspension_checks.h"
 
 namespace latsch::correlation {
 namespace {
@@ -25,10 +26,10 @@ Channels thinned(const LabRecord& record) {
   return channels;
 }
 
-Channels with_other_sign(const Channels& channels, const std::string& name) {
+Channels with_other_sign(const Channels& channels, const std::vector<std::string>& names) {
   Channels turned;
   for (Channel channel : channels.all()) {
-    if (channel.name == name)
+    if (std::find(names.begin(), names.end(), channel.name) != names.end())
       for (double& value : channel.values) value = -value;
     turned.add(std::move(channel));
   }
@@ -58,10 +59,6 @@ std::string words_beside_sae(const std::string& channel) {
   return channel == "gamma" ? "its inclination has the other sign" : "";
 }
 
-}  // namespace
-
-namespace {
-
 /// Returns the table `columns` that changes the signs of all other lateral channels instead of that
 /// of one: if the signs of a record agree, those of its mirror image agree as well. Returns an
 /// empty text if they do not, or if there is no other lateral channel.
@@ -74,16 +71,80 @@ std::string mirror_of(const LabRecord& record, const Channels& channels, const s
     if (!channel || channel->name == name) continue;
     if (!last.empty()) stated[last] = column_turned(record, last);
     last = channel->name;
-    mirrored = with_other_sign(mirrored, last);
+    mirrored = with_other_sign(mirrored, {last});
   }
   if (last.empty() || !signs_agree(mirrored)) return "";
   return columns_hint(stated, last, column_turned(record, last));
 }
 
+/// Channels whose signs are changed together: one, or those of all wheels, as Fz_L and Fz_R.
+using Group = std::vector<std::string>;
+
+/// Returns the groups whose signs may be the wrong ones: the known channels, and every channel that
+/// is doubted.
+std::vector<Group> groups_of(const LabRecord& record, const Channels& channels) {
+  std::vector<Group> groups;
+  const auto add = [&](Group group) {
+    if (!group.empty() && std::find(groups.begin(), groups.end(), group) == groups.end())
+      groups.push_back(std::move(group));
+  };
+  for (const std::string base : {"Fz",
+                                 "Fy",
+                                 "alpha",
+                                 "Mz",
+                                 "gamma",
+                                 "kappa",
+                                 "Fx",
+                                 "toe",
+                                 "camber",
+                                 "caster",
+                                 "steer",
+                                 "dx",
+                                 "dy",
+                                 "dz"}) {
+    if (const Channel* channel = record.find(base)) {
+      add({channel->name});
+      continue;
+    }
+    Group wheels;
+    for (const std::string& end : wheel_ends())
+      if (channels.find(base + end)) wheels.push_back(base + end);
+    add(std::move(wheels));
+  }
+  for (const ChannelDoubt& doubt : doubts_about(channels))
+    if (doubt.is_of_sign) add({doubt.channel});
+  return groups;
+}
+
+/// Returns the table `columns` that changes the signs of groups.
+std::string groups_turned(const LabRecord& record, const std::vector<Group>& groups) {
+  std::vector<std::string> names;
+  for (const Group& group : groups) names.insert(names.end(), group.begin(), group.end());
+  auto stated = record.stated;
+  for (std::size_t i = 0; i + 1 < names.size(); ++i)
+    stated[names[i]] = column_turned(record, names[i]);
+  return columns_hint(stated, names.back(), column_turned(record, names.back()));
+}
+
+std::string statement_of(AxisConvention axes) {
+  return "axes = \"" + axis_convention_names()[static_cast<std::size_t>(axes)] + "\"";
+}
+
 }  // namespace
 
+std::vector<AxisConvention> axes_that_agree(const Channels& channels) {
+  std::vector<AxisConvention> agreeing;
+  for (const AxisConvention axes : {AxisConvention::iso,
+                                    AxisConvention::sae,
+                                    AxisConvention::adapted_sae,
+                                    AxisConvention::adams})
+    if (fault_of_axes(channels, axes).empty() && signs_agree(to_iso(channels, axes)))
+      agreeing.push_back(axes);
+  return agreeing;
+}
+
 std::string turned(const LabRecord& record, const std::string& channel) {
-  return columns_hint(record.stated, channel, column_turned(record, channel));
+  return groups_turned(record, {{channel}});
 }
 
 std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are_stated) {
@@ -91,36 +152,31 @@ std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are
   std::vector<std::string> advice;
   if (signs_agree(channels)) return advice;
   if (!axes_are_stated)
-    for (const AxisConvention axes : {AxisConvention::sae, AxisConvention::adapted_sae})
-      if (signs_agree(to_iso(channels, axes)))
-        advice.push_back("axes = \"" + axis_convention_names()[static_cast<std::size_t>(axes)] +
-                         "\"");
-  std::vector<std::string> names;
-  for (const char* name : {"Fz", "Fy", "alpha", "Mz", "gamma", "kappa", "Fx"})
-    if (const Channel* channel = record.find(name)) names.push_back(channel->name);
-  for (const std::string& name : names)
-    if (signs_agree(with_other_sign(channels, name))) advice.push_back(turned(record, name));
+    for (const AxisConvention axes : axes_that_agree(channels))
+      advice.push_back(statement_of(axes));
+  const std::vector<Group> groups = groups_of(record, channels);
+  for (const Group& group : groups)
+    if (signs_agree(with_other_sign(channels, group)))
+      advice.push_back(groups_turned(record, {group}));
   for (const char* lateral : {"Fy", "alpha", "Mz"}) {
     const Channel* channel = record.find(lateral);
-    if (!channel || !signs_agree(with_other_sign(channels, channel->name))) continue;
+    if (!channel || !signs_agree(with_other_sign(channels, {channel->name}))) continue;
     const std::string mirrored = mirror_of(record, channels, channel->name);
     if (!mirrored.empty() && std::find(advice.begin(), advice.end(), mirrored) == advice.end())
       advice.push_back(mirrored);
   }
   if (!axes_are_stated)
-    for (const std::string& name : names)
-      if (const std::string also = words_beside_sae(name);
+    for (const Group& group : groups)
+      if (const std::string also = words_beside_sae(group.front());
           !also.empty() &&
-          signs_agree(to_iso(with_other_sign(channels, name), AxisConvention::sae)))
-        advice.push_back("axes = \"sae\" and, because " + also + ", " + turned(record, name));
+          signs_agree(to_iso(with_other_sign(channels, group), AxisConvention::sae)))
+        advice.push_back("axes = \"sae\" and, because " + also + ", " +
+                         groups_turned(record, {group}));
   if (!advice.empty()) return advice;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    for (std::size_t k = i + 1; k < names.size(); ++k) {
-      if (!signs_agree(with_other_sign(with_other_sign(channels, names[i]), names[k]))) continue;
-      auto stated = record.stated;
-      stated[names[i]] = column_turned(record, names[i]);
-      advice.push_back(columns_hint(stated, names[k], column_turned(record, names[k])));
-    }
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    for (std::size_t k = i + 1; k < groups.size(); ++k)
+      if (signs_agree(with_other_sign(with_other_sign(channels, groups[i]), groups[k])))
+        advice.push_back(groups_turned(record, {groups[i], groups[k]}));
   return advice;
 }
 

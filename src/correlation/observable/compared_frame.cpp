@@ -44,14 +44,22 @@ std::string measured_frame(const Node& table,
       channel.frame,
       measurement.is_stated() ? "[measurement." + measurement.name() + "]"
                               : "a [measurement.NAME] of " + in_quotes(measurement.name()));
+  const std::string chosen =
+      channel.has_frame_key
+          ? fmt::format(
+                ", or frame = \"{0}\" into [test.{2}] or its file (several: [\"{1}\", "
+                "\"{0}\"])",
+                frame,
+                channel.frame,
+                channel.name.substr(0, channel.name.find('/')))
+          : "";
   table.reject(key,
-               fmt::format("is in axes {0}, but {1} is recorded in axes {2}; put {4}, or frame = "
-                           "\"{0}\" into the file of [test.{3}] (several: [\"{2}\", \"{0}\"])",
+               fmt::format("is in axes {}, but {} is recorded in axes {}; put {}{}",
                            frame,
                            in_quotes(channel.name),
                            channel.frame,
-                           channel.name.substr(0, channel.name.find('/')),
-                           turned));
+                           turned,
+                           chosen));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ struct KnownChannel {
   std::string unit;        // unit for display
   std::string frame = "";  // "W", "H" or "C" if a rig records this force or moment
   std::optional<experiment::Regression> regression = {};  // for a slope: its computation
+  bool has_frame_key = false;  // true if the key `frame` of its test chooses the frame
 };
 
 /// Returns nullptr if none has the given name.

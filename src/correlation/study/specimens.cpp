@@ -175,22 +175,28 @@ void expect_frame(const Node& table,
   };
   const std::string from = table.text("from");
   const bool is_elsewhere = condition.acts_at_origin && (frame == "W") != (condition.frame == "W");
-  table.reject(
-      "from",
-      fmt::format(
-          "is {0}, whose {1} is in axes {2}{5}, but the test takes it in axes {3}{6}; {7}put "
-          "in_frame = \"{3}\" into [{4}]{8}",
-          in_quotes(from),
-          channel,
-          frame,
-          condition.frame,
-          from,
-          is_elsewhere ? fmt::format(", at {}", point(frame)) : "",
-          is_elsewhere ? fmt::format(", at {}", point(condition.frame)) : "",
-          is_elsewhere ? fmt::format("say at = \"{}\" in the test, or ",
-                                     frame == "W" ? "contact_patch" : "wheel_center")
-                       : "",
-          is_elsewhere ? ", which needs its loaded_radius and gamma" : ""));
+  // A table of both wheels has no inclination and radius of each, by which it could be turned.
+  const bool is_of_a_wheel = channel.find('_') != channel.npos;
+  const std::string at_point =
+      fmt::format("say at = \"{}\" in the test", frame == "W" ? "contact_patch" : "wheel_center");
+  const std::string turned =
+      fmt::format("put in_frame = \"{}\" into [{}]{}",
+                  condition.frame,
+                  from,
+                  is_elsewhere ? ", which needs its loaded_radius and gamma" : "");
+  const std::string in_file =
+      fmt::format("turn the columns of both wheels into axes {} in the file", condition.frame);
+  table.reject("from",
+               fmt::format("is {}, whose {} is in axes {}{}, but the test takes it in axes {}{}; "
+                           "{}{}",
+                           in_quotes(from),
+                           channel,
+                           frame,
+                           is_elsewhere ? fmt::format(", at {}", point(frame)) : "",
+                           condition.frame,
+                           is_elsewhere ? fmt::format(", at {}", point(condition.frame)) : "",
+                           is_elsewhere ? at_point + ", or " : "",
+                           is_of_a_wheel ? in_file : turned));
 }
 
 /// Returns the measured conditions of a test, for {from = "measurement.NAME"}. `by` names the user
@@ -241,14 +247,19 @@ StudyTest read_study_test(const Node& table,
   const bool is_inline = table.has("kind");
   if (is_inline && table.has("file"))
     table.reject("file", "is given beside kind, expected one of the two");
-  if (is_inline) {
-    auto read = language.read_identified_test(table, {folder, measured});
-    return {table.name(), std::move(read.test), std::move(read.identity), std::move(read.files)};
-  }
+  const auto read_keys = [&](const Node& keys, const fs::path& beside) -> StudyTest {
+    const DocumentRecord record(keys);
+    auto read = language.read_identified_test(record.node(), {beside, measured});
+    StudyTest test{
+        table.name(), std::move(read.test), std::move(read.identity), std::move(read.files)};
+    test.has_frame_key = record.keys().contains("frame");
+    return test;
+  };
+  if (is_inline) return read_keys(table, folder);
   const fs::path file = existing_file(table, "file", folder);
-  auto read = language.read_identified_test(file, measured);
-  read.files.insert(read.files.begin(), file);
-  return {table.name(), std::move(read.test), std::move(read.identity), std::move(read.files)};
+  StudyTest test = read_keys(Document::read(file).root(), file.parent_path());
+  test.files.insert(test.files.begin(), file);
+  return test;
 }
 
 }  // namespace
@@ -272,7 +283,8 @@ std::vector<KnownChannel> known_channels(const std::vector<StudyTest>& tests) {
   for (const StudyTest& test : tests) {
     for (const auto& channel : test.test->channels()) {
       const std::string name = test.name.empty() ? channel.name : test.name + "/" + channel.name;
-      channels.push_back({name, channel.unit, channel.frame, channel.regression});
+      channels.push_back(
+          {name, channel.unit, channel.frame, channel.regression, test.has_frame_key});
     }
   }
   return channels;

@@ -33,6 +33,7 @@ struct StudyTest {
   std::vector<std::filesystem::path> files = {};  // files the test was read from
   /// true if an experiment states the test itself; the test then has the experiment's name
   bool is_own = false;
+  bool has_frame_key = false;  // true if its key `frame` chooses the axes of its forces
 
   /// Returns the words by which a user finds the test in the study: "test slow", "experiment
   /// stiffness".

@@ -26,6 +26,7 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
       : FeTireSpecimen(FeTire(description), description.pressure, numbers, described_tires()),
         description_(description) {
     set_rim(description.rim);
+    set_losses(fe_tire::build_losses(description));
   }
 
   /// Changes the materials and keeps the symbolic factorization for the mesh. Returns false if the
@@ -34,6 +35,7 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
     if (!fe_tire::same_mesh(description_, description)) return false;
     set(fe_tire::build_materials(description), description.pressure, numbers);
     set_rim(description.rim);
+    set_losses(fe_tire::build_losses(description));
     for (FineTire& fine : fine_) {
       fine.tire.set(fe_tire::build_materials(with_split_tread(description, fine.split)));
     }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "experiment/kinds/fe_variations.h"
 
@@ -80,11 +81,17 @@ void FeTireSpecimen::set(fe_tire::Materials materials, double pressure, Document
   numbers_ = std::move(numbers);
   rig_ = std::make_unique<TireRig>(own_.tire(), pressure);
   rig_->set_rim(rim_);
+  rig_->set_losses(losses_);
 }
 
 void FeTireSpecimen::set_rim(std::optional<fe_tire::RimBody> rim) {
   rim_ = rim;
   rig_->set_rim(rim);
+}
+
+void FeTireSpecimen::set_losses(fe_tire::LossMaterials losses) {
+  losses_ = std::move(losses);
+  rig_->set_losses(losses_);
 }
 
 Result<StandingTire> FeTireSpecimen::standing(fe_tire::FeTire& tire,

@@ -67,12 +67,15 @@ class FeTireSpecimen : public Specimen,
   void set(fe_tire::Materials materials, double pressure, Document numbers);
   /// States the rim, for tests in which it moves.
   void set_rim(std::optional<fe_tire::RimBody> rim);
+  /// States the Prony terms of rubbers and cords, for tests that measure losses.
+  void set_losses(fe_tire::LossMaterials losses);
 
  private:
   Result<StandingTire> standing(fe_tire::FeTire& tire, const FootprintTest& test) const;
   SlopedTire own_;
   double pressure_;
   std::optional<fe_tire::RimBody> rim_;
+  fe_tire::LossMaterials losses_;
   Document numbers_;
   std::unique_ptr<TireRig> rig_;
 };

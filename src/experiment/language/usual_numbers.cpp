@@ -48,6 +48,7 @@ const std::vector<UsualMagnitude>& of_fe_tires() {
   static const std::vector<UsualMagnitude> all{
       {"rubber", "young_modulus", "a rubber's modulus", "MPa", 0.01, 0.3, 300, 5e3, kModuli},
       {"rubber", "density", "a rubber's density", "kg/m^3", 100, 700, 3000, 2e4, kDensities},
+      {"rubber", "loss_factor", "a rubber's loss factor", "1", 1e-6, 0.01, 0.5, 1, {}, true},
       {"layer", "young_modulus", "a layer's modulus", "MPa", 1, 20, 2.5e5, 1.5e6, kModuli},
       {"layer", "density", "a cord's density", "kg/m^3", 50, 200, 9000, 2.5e4, kDensities, true},
       {"layer", "spacing", "a distance of cords", "mm", 0.05, 0.3, 5, 50, kLengths},

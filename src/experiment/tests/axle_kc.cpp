@@ -110,12 +110,13 @@ class AxleKc : public Test {
   std::string mode_;
 };
 
-/// Returns the loads Fx ... Mz of the axle, Fx_L ... Mz_L and Fx_R ... Mz_R.
-std::vector<Prescribed> axle_loads() {
+/// Returns the loads Fx ... Mz of the axle, Fx_L ... Mz_L and Fx_R ... Mz_R, at the point of action
+/// that `frame` states.
+std::vector<Prescribed> axle_loads(const std::string& frame) {
   std::vector<Prescribed> loads;
   for (const char* of : {"", "_L", "_R"})
     for (std::size_t i = 0; i < 6; ++i)
-      loads.push_back({std::string(KcTest::kLoads[i]) + of, i < 3 ? "N" : "N m"});
+      loads.push_back({std::string(KcTest::kLoads[i]) + of, i < 3 ? "N" : "N m", frame});
   return loads;
 }
 
@@ -186,7 +187,7 @@ std::unique_ptr<Test> read_axle_kc(const Node& root, const TestSource& source) {
       root.choice("at", {"contact_patch", "wheel_center"}, "contact_patch") == "wheel_center";
   const Histories histories(root,
                             source,
-                            axle_loads(),
+                            axle_loads(test.at_wheel_center ? "H" : "W"),
                             {{"travel", "m"}, {"travel_L", "m"}, {"travel_R", "m"}, {"rack", "m"}},
                             "Fz");
   const std::string mode = read_mode(root, histories);

@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
+#include "experiment/rigs/car/air_watch.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
 #include "experiment/rigs/car/kerb_way.h"
@@ -128,8 +129,15 @@ class KerbRunTest : public Test, public TellsLimits {
     const KerbWay way = way_of(test_, **car, width_of(specimen));
     if (const std::string why = too_high(way, section_of(specimen)); !why.empty())
       throw InputError(why);
-    auto record = experiment::run(**car, test_);
+    AirWatch air;
+    auto record = experiment::run(
+        **car,
+        test_,
+        [&](const car::Car& of, const car::CarState& state, const road::Road&, double) {
+          air.see(of, state);
+        });
     if (!record) return record;
+    record_limit(specimen, air.sentence());
     for (const std::string& lift : lifts_of(*record, test_.sample_step))
       record_limit(specimen, lift);
     return record;

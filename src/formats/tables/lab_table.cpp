@@ -455,6 +455,7 @@ LabTable read_tydex(const std::filesystem::path& file,
   TydexFile tydex = TydexFile::read(file);
   LabTable table = table_of(file);
   table.lines = std::move(tydex.lines);
+  table.doubts = std::move(tydex.doubts);
   for (const auto& [name, why] : tydex.left_out) {
     const auto& [line, unit] = tydex.left_units.at(name);
     if (units.contains(name) || (expected && !expected(name).empty()))

@@ -36,6 +36,7 @@
 #include "base/error.h"
 #include "formats/tables/table_column.h"
 #include "measurement/channels.h"
+#include "measurement/ledger.h"
 
 namespace latsch::formats {
 
@@ -51,6 +52,7 @@ struct LabTable {
   std::string assumed_encoding;      // encoding assumed for a text that is not UTF-8, in words
   std::string assumed_struct;        // the only struct with known channels, if none is stated
   std::vector<std::string> structs;  // structs of the file, if none of them was chosen
+  std::vector<LedgerDoubt> doubts;   // text of the file that was not read
 
   /// Returns the place of a sample for messages: the line, or the file alone.
   Place place(std::size_t sample) const;

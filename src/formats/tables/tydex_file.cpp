@@ -80,7 +80,8 @@ class Reading {
       if (line.starts_with("**")) {
         take_keyword(line);
       } else if (keyword_ == "**END") {
-        continue;
+        if (line.starts_with('!') || trimmed(line).empty()) continue;
+        if (lines_behind_end_++ == 0) first_behind_end_ = line_;
       } else if (keyword_ == "**COMMENTS") {
         file_.comments.emplace_back(trimmed(line.starts_with('!') ? line.substr(1) : line));
       } else if (!line.starts_with('!') && !trimmed(line).empty()) {
@@ -114,6 +115,11 @@ class Reading {
     if (std::find(kKeywords.begin(), kKeywords.end(), word) == kKeywords.end()) {
       fail(line_, "unknown keyword " + in_quotes(word) + did_you_mean(word, kKeywords));
     }
+    if (keyword_ == "**END")
+      fail(line_,
+           in_quotes(word) +
+               " stands behind **END, which ends the file: move **END behind the "
+               "last section, or delete what follows it");
     if (word.starts_with("**MODEL")) {
       file_.model.push_back({word, {}});
     } else if (!seen_.insert(word).second) {
@@ -347,6 +353,15 @@ class Reading {
   }
 
   void finish() {
+    if (lines_behind_end_ > 0)
+      file_.doubts.push_back(
+          {"",
+           fmt::format("{} behind **END {} not read: is a part of the data there? Move **END "
+                       "behind it, or delete the text",
+                       lines_behind_end_ == 1 ? std::string("1 line")
+                                              : fmt::format("{} lines", lines_behind_end_),
+                       lines_behind_end_ == 1 ? "is" : "are"),
+           {file_.file, first_behind_end_}});
     if (seen_.contains("**MEASURDATA") && file_.lines.empty()) {
       fail(line_, "ends **MEASURDATA without a sample");
     }
@@ -378,6 +393,7 @@ class Reading {
   std::string keyword_;
   std::optional<double> stated_samples_;  // behind **MEASURDATA
   int line_of_data_ = 0;
+  int lines_behind_end_ = 0, first_behind_end_ = 0;
   std::set<std::string> seen_, names_;
   std::vector<Unit> units_;
   std::vector<Channel> raw_;

@@ -32,6 +32,7 @@
 
 #include "base/error.h"
 #include "measurement/channels.h"
+#include "measurement/ledger.h"
 
 namespace latsch::formats {
 
@@ -70,6 +71,7 @@ struct TydexFile {
   /// channels and constants with unknown units, with the reason
   std::map<std::string, std::string> left_out;
   std::map<std::string, std::pair<int, std::string>> left_units;  // line and unit of each of them
+  std::vector<LedgerDoubt> doubts;  // text that the format does not read, with its first line
 
   /// Throw InputError that names file, line, what was found and what was expected; also for a file
   /// without **HEADER or **END, which is incomplete.

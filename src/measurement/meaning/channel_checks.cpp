@@ -102,8 +102,8 @@ std::string reach_in_words(const Channel& channel, std::string_view unit) {
   }
   const Unit shown = Unit::of(unit);
   return fmt::format("it goes from {} to {}{}",
-                     format_number(shown.from_si(low), 4),
-                     format_number(shown.from_si(high), 4),
+                     format_number(shown.from_si(low) + 0.0, 4),  // no "-0"
+                     format_number(shown.from_si(high) + 0.0, 4),
                      unit == "1" ? "" : " " + std::string(unit));
 }
 
@@ -160,24 +160,27 @@ std::optional<ChannelDoubt> sign_of_load(const Channel& channel) {
   for (const double value : channel.values)
     if (!std::isnan(value)) most = std::max(most, std::abs(value)), sum += value;
   const Counted below = count_where(channel.values, [](double value) { return value < 0.0; });
-  if (static_cast<double>(below.count) > kNearlyAll * static_cast<double>(all))
-    return ChannelDoubt{channel.name,
-                        fmt::format("is below 0 {}: {}, where a load on a tire is positive",
-                                    of_samples(below.count, all),
-                                    reach_in_words(channel, "N")),
-                        below.first,
-                        true,
-                        true,
-                        true};
   const Counted odd =
       count_where(channel.values, [&](double value) { return value < -kHop * most; });
+  const auto loaded = static_cast<double>(count_where(channel.values, [&](double value) {
+                                            return std::abs(value) > kHop * most;
+                                          }).count);
+  // Rows without load, such as the first one of a K&C table, do not tell the sign.
+  const bool all_loaded_below = static_cast<double>(odd.count) > kNearlyAll * loaded;
+  const bool all_below = static_cast<double>(below.count) > kNearlyAll * static_cast<double>(all) ||
+                         (all_loaded_below && 2.0 * loaded >= static_cast<double>(all));
   const bool is_change = std::abs(sum) < kAboutZero * most * static_cast<double>(all);
-  if (odd.count > 0 && !is_change)
+  if (all_below || (odd.count > 0 && !is_change)) {
+    const Counted& counted = all_below ? below : odd;
     return ChannelDoubt{channel.name,
                         fmt::format("is below 0 {}: {}, where a load on a tire is positive",
-                                    of_samples(odd.count, all),
+                                    of_samples(counted.count, all),
                                     reach_in_words(channel, "N")),
-                        odd.first};
+                        counted.first,
+                        all_below,
+                        all_below,
+                        all_below || all_loaded_below};
+  }
   if (most < kLeast && most > 0.0)
     return ChannelDoubt{channel.name,
                         "is never above " + format_quantity(most, "N", 3) +
@@ -230,26 +233,40 @@ constexpr std::array kPairs = {
     Pair{"Vx", "omega", 1.0, kInfinity, "a wheel rolls in its direction of travel"},
 };
 
-void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
+void check_pair(const Pair& pair,
+                const Channel* a,
+                const Channel* b,
+                std::vector<ChannelDoubt>& doubts) {
   constexpr double kClearly = 0.5;
+  if (!a || !b || a->unit != find_meaning(pair.a)->unit || b->unit != find_meaning(pair.b)->unit)
+    return;
+  const double r =
+      correlation(*a, *b, [&](std::size_t i) { return std::abs(a->values[i]) <= pair.most_of_a; });
+  if (r * pair.sign > -kClearly) return;
+  doubts.push_back({b->name,
+                    fmt::format("has {} sign as {} (correlation {:+.2f}), but in iso axes {}: "
+                                "is one of the two signs wrong, or are the axes not as stated?",
+                                pair.sign < 0.0 ? "the same" : "not the same",
+                                a->name,
+                                r,
+                                pair.law),
+                    0,
+                    false,
+                    false,
+                    true});
+}
+
+void check_pairs(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   for (const Pair& pair : kPairs) {
     const Channel *a = only(channels, pair.a), *b = only(channels, pair.b);
-    if (!a || !b || a->unit != find_meaning(pair.a)->unit || b->unit != find_meaning(pair.b)->unit)
-      continue;
-    const double r = correlation(
-        *a, *b, [&](std::size_t i) { return std::abs(a->values[i]) <= pair.most_of_a; });
-    if (r * pair.sign > -kClearly) continue;
-    doubts.push_back({b->name,
-                      fmt::format("has {} sign as {} (correlation {:+.2f}), but in iso axes {}: "
-                                  "is one of the two signs wrong, or are the axes not as stated?",
-                                  pair.sign < 0.0 ? "the same" : "not the same",
-                                  a->name,
-                                  r,
-                                  pair.law),
-                      0,
-                      false,
-                      false,
-                      true});
+    check_pair(pair, a, b, doubts);
+    // A K&C table of both wheels has each pair twice.
+    if ((a && b) || !pair.a.starts_with('d') || wheel_rolls(channels)) continue;
+    for (const std::string& end : wheel_ends())
+      check_pair(pair,
+                 channels.find(std::string(pair.a) + end),
+                 channels.find(std::string(pair.b) + end),
+                 doubts);
   }
 }
 

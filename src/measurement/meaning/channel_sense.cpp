@@ -2,7 +2,9 @@
 #include "measurement/meaning/channel_sense.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <string>
 #include <utility>
 
@@ -115,6 +117,9 @@ constexpr std::array kActing = {Named{"lateral_force_", S::along_y},
                                 Named{"longitudinal_force_", S::along_x},
                                 Named{"aligning_torque_", S::about_z}};
 
+constexpr std::array<std::string_view, 8> kWheels = {
+    "L", "R", "left", "right", "FL", "FR", "RL", "RR"};
+
 S named(std::string_view name) {
   for (const auto& [known, sense] : kSenses)
     if (known == name) return sense;
@@ -125,22 +130,31 @@ S named(std::string_view name) {
 /// its sign depends on the axes.
 S sense_of(std::string_view quantity) {
   if (const S exact = named(quantity); exact != S::unknown) return exact;
-  if (const auto found = recognized(quantity)) return named(found->meaning->name);
+  const std::size_t at = quantity.find_last_of("_ ");
+  const std::string_view wheel = at == quantity.npos ? "" : quantity.substr(at + 1);
+  const bool has_wheel = std::any_of(
+      kWheels.begin(), kWheels.end(), [&](std::string_view one) { return wheel == one; });
+  const std::string_view base = has_wheel ? quantity.substr(0, at) : quantity;
+  if (const S of_wheel = named(base); of_wheel != S::unknown) return of_wheel;
+  if (const auto found = recognized(quantity)) {
+    // "Camber" is the angle of a suspension, although it may be the inclination of a tire.
+    std::string small(base);
+    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const S kept = found->keeps_name ? named(small) : S::unknown;
+    return kept != S::unknown ? kept : named(found->meaning->name);
+  }
   constexpr std::string_view kOther = "other_";
-  if (quantity.starts_with(kOther)) return sense_of(quantity.substr(kOther.size()));
-  const std::size_t at = quantity.rfind('_');
-  if (at == quantity.npos) return S::unknown;
-  const std::string_view wheel = quantity.substr(at + 1);
-  for (const std::string_view one : {"L", "R", "FL", "FR", "RL", "RR"})
-    if (wheel == one) return named(quantity.substr(0, at));
-  return S::unknown;
+  return quantity.starts_with(kOther) ? sense_of(quantity.substr(kOther.size())) : S::unknown;
 }
 
 }  // namespace
 
 Eigen::Matrix3d axes_of(AxisConvention convention) {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  if (convention != AxisConvention::iso) axes.diagonal() << 1.0, -1.0, -1.0;
+  if (convention == AxisConvention::adams)
+    axes.diagonal() << -1.0, -1.0, 1.0;
+  else if (convention != AxisConvention::iso)
+    axes.diagonal() << 1.0, -1.0, -1.0;
   return axes;
 }
 
@@ -156,7 +170,7 @@ ChannelSenses channel_senses(std::string_view name) {
 
 double sign_to_iso(ChannelSense sense, AxisConvention from) {
   const Eigen::Matrix3d R = axes_of(from);
-  const double handed = R.determinant();  // 1 for right-handed axes, as in all three conventions
+  const double handed = R.determinant();  // 1 for right-handed axes, as in all conventions
   const double reversed = from == AxisConvention::adapted_sae ? -1.0 : 1.0;
   switch (sense) {
     case S::along_x:

@@ -8,9 +8,10 @@
 //
 //   along axis i    R_ii          about axis i    det(R) R_ii          R = diag(1, -1, -1)
 //
-// for both adapted_sae and sae, which reverse y and z. Three quantities do not follow from the axes
-// alone; the convention defines them in addition (axes.h): the load, which adapted_sae keeps
-// positive; slip angle and turn slip, whose definition adapted_sae reverses together with y.
+// for both adapted_sae and sae, which reverse y and z, and R = diag(-1, -1, 1) for adams. Three
+// quantities do not follow from the axes alone; the convention defines them in addition (axes.h):
+// the load, which adapted_sae keeps positive; slip angle and turn slip, whose definition
+// adapted_sae reverses together with y and adams lacks.
 //
 // Quantities that are defined without axes are the same in every convention: kappa, pressure,
 // radii, temperatures, the speed of rotation (positive rolling forward), toe (front inboard),

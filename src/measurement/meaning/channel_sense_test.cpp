@@ -16,12 +16,15 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr AxisConvention kConventions[] = {
-    AxisConvention::iso, AxisConvention::adapted_sae, AxisConvention::sae};
+    AxisConvention::iso, AxisConvention::adapted_sae, AxisConvention::sae, AxisConvention::adams};
 
-/// Returns the axes of a convention: those other than iso are turned by half a turn about the
-/// forward axis, which turns left and up into right and down.
+/// Returns the axes of a convention: half a turn about the forward axis turns left and up into
+/// right and down, and half a turn about the upward axis turns forward and left into rearward and
+/// right, as in car models of Adams.
 Matrix3d turned_axes(AxisConvention convention) {
   if (convention == AxisConvention::iso) return Matrix3d::Identity();
+  if (convention == AxisConvention::adams)
+    return AngleAxisd(M_PI, Vector3d::UnitZ()).toRotationMatrix();
   return AngleAxisd(M_PI, Vector3d::UnitX()).toRotationMatrix();
 }
 
@@ -99,6 +102,7 @@ TEST(ChannelSense, SlopesHaveTheSignsOfBothQuantities) {
 TEST(ChannelSense, TurnSlipFollowsFromItsDefinition) {
   const double yaw_rate = 0.2, V = 10.0;
   for (const AxisConvention convention : kConventions) {
+    if (convention == AxisConvention::adams) continue;  // it defines no turn slip
     const double about_z = (turned_axes(convention).transpose() * Vector3d(0, 0, yaw_rate)).z();
     const double written = (convention == AxisConvention::adapted_sae ? -about_z : about_z) / V;
     EXPECT_NEAR(sign("phit", convention) * written, yaw_rate / V, 1e-12);
@@ -108,6 +112,9 @@ TEST(ChannelSense, TurnSlipFollowsFromItsDefinition) {
 TEST(ChannelSense, WhatIsDefinedWithoutAxesIsKnownAndStays) {
   for (const char* name : {"toe",
                            "camber_L",
+                           "Camber",
+                           "Camber L",
+                           "camber_right",
                            "caster",
                            "travel_R",
                            "post_FL",

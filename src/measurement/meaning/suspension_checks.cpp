@@ -158,9 +158,8 @@ class WheelTable {
            slope->words() +
                ", but a force forward at the contact patch turns the top of the kingpin rearward, "
                "which is positive caster: is caster positive with the top forward, or Fx positive "
-               "rearward, as in axes of Adams (x rearward, y to the right, z up)? Such axes are "
-               "read by columns = {Fx = \"-Fx\", Fy = \"-Fy\", dx = \"-dx\", dy = \"-dy\"}; a "
-               "force at the wheel center may also do this"});
+               "rearward, as in axes of Adams (x rearward, y to the right, z up), which are axes = "
+               "\"adams\"? A force at the wheel center may also do this"});
     if (const auto slope = slope_of("caster", "My"); slope && slope->rises())
       doubts.push_back({slope->motion,
                         slope->words() +
@@ -269,19 +268,29 @@ class WheelTable {
   int side_;
 };
 
-/// True if a channel shows that the wheel rolls, in which case the loads affect it differently.
+}  // namespace
+
+const std::vector<std::string>& wheel_ends() {
+  static const std::vector<std::string> kEnds = [] {
+    std::vector<std::string> ends;
+    for (const WheelEnd& wheel : kWheelEnds)
+      if (!wheel.end.empty()) ends.emplace_back(wheel.end);
+    return ends;
+  }();
+  return kEnds;
+}
+
 bool wheel_rolls(const Channels& channels) {
   for (const char* rolling : {"Vx", "omega", "alpha", "kappa"})
     if (channels.find(rolling)) return true;
   return false;
 }
 
-}  // namespace
-
 std::vector<ChannelDoubt> suspension_doubts(const Channels& channels) {
   std::vector<ChannelDoubt> doubts;
   if (wheel_rolls(channels)) return doubts;
   for (const WheelEnd& wheel : kWheelEnds) WheelTable(channels, wheel).check(doubts);
+  for (ChannelDoubt& doubt : doubts) doubt.is_of_sign = true;
   return doubts;
 }
 

@@ -21,6 +21,7 @@
 // its model by side_of_wheel().
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "measurement/channels.h"
@@ -28,8 +29,15 @@
 
 namespace latsch {
 
+/// Returns the ends of names that name a wheel of the car: "_left", "_L", "_FL" ...
+const std::vector<std::string>& wheel_ends();
+
+/// True if a channel shows that the wheel rolls, in which case the loads affect it differently.
+bool wheel_rolls(const Channels& channels);
+
 /// Checks channels in SI and iso, under our names; gaps are NaN. Returns nothing if the table has
-/// no toe, camber, caster or steer, or if a speed or a slip says that the wheel rolls.
+/// no toe, camber, caster or steer, or if a speed or a slip says that the wheel rolls. Every doubt
+/// is one of sign.
 std::vector<ChannelDoubt> suspension_doubts(const Channels& channels);
 
 /// Returns the side of the car that the slopes of toe and camber indicate: +1 left, -1 right, 0 if

@@ -95,7 +95,7 @@ TEST(SuspensionChecks, AxesOfAdamsAreNamed) {
   EXPECT_NE(doubts[0].sentence.find("axes of Adams (x rearward, y to the right, z up)"),
             std::string::npos)
       << doubts[0].sentence;
-  EXPECT_NE(doubts[0].sentence.find("Fx = \"-Fx\""), std::string::npos);
+  EXPECT_NE(doubts[0].sentence.find("axes = \"adams\""), std::string::npos);
   EXPECT_NE(doubts[1].sentence.find("as on a right wheel, while toe falls as Mz rises"),
             std::string::npos)
       << doubts[1].sentence;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -80,6 +81,15 @@ void AeroMap::set_rows(const std::vector<Row>& rows) {
     front_(i, j) = row.front;
     rear_(i, j) = row.rear;
   }
+}
+
+std::array<AeroMap::Heights, 2> AeroMap::heights() const {
+  const auto heights_of = [](const std::vector<double>& heights) -> Heights {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (heights.size() == 1) return {-kInfinity, kInfinity};
+    return {heights.front(), heights.back()};
+  };
+  return {heights_of(front_heights_), heights_of(rear_heights_)};
 }
 
 AeroMap::Coefficients AeroMap::at(double front_height, double rear_height) const {

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,14 @@ struct AeroMap {
   static std::string fault(const std::vector<Row>& rows);
 
   Coefficients at(double front_height, double rear_height) const;
+
+  /// Heights of the map at one axle, m; both are infinite if the map has a single height there, on
+  /// which the coefficients then do not depend.
+  struct Heights {
+    double from, to;
+  };
+  /// Returns the heights of the map at the front and at the rear axle.
+  std::array<Heights, 2> heights() const;
 
  private:
   std::vector<double> front_heights_ = {0.0}, rear_heights_ = {0.0};

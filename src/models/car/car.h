@@ -186,6 +186,10 @@ class Car {
                double speed,
                std::vector<multibody::BodyForce>& wrenches) const;
 
+  /// Returns the heights of the floor above the plane z = 0 at the front and at the rear axle, m,
+  /// over which the map of air forces is read; nullopt if the car has no such map.
+  std::optional<std::array<double, 2>> floor_heights(const CarState& state) const;
+
   /// The solver for the static equilibrium of the car's bodies.
   multibody::Equilibrium& statics() { return *statics_; }
 

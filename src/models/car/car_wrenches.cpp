@@ -89,6 +89,16 @@ void Car::add_pull(const Motion& motion,
   }
 }
 
+std::optional<std::array<double, 2>> Car::floor_heights(const CarState& state) const {
+  if (!parameters_.aero) return std::nullopt;
+  const AeroMap& air = *parameters_.aero;
+  const auto height = [&](const Axle& axle, double floor) {
+    return point(state, parts_.chassis, {axle.corner.wheel_center.x(), 0.0, floor}).z();
+  };
+  return std::array{height(parameters_.front, air.floor_front),
+                    height(parameters_.rear, air.floor_rear)};
+}
+
 void Car::add_air(const Motion& motion, double speed, std::vector<BodyForce>& wrenches) const {
   if (!parameters_.aero) return;
   const AeroMap& air = *parameters_.aero;

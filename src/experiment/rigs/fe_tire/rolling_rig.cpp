@@ -188,21 +188,24 @@ Status roll_at(TireRig& rig,
                const RollingTest& test,
                double pressure,
                std::vector<std::size_t> open,
-               std::vector<RollingState>& states,
-               std::vector<double>& slips) {
+               std::vector<RolledState>& states) {
   double fastest = 0.0;
   for (const std::size_t k : open) fastest = std::max(fastest, test.rows[k].speed);
   if (const Status done = check_speed(rig, pressure, fastest); !done) return done;
   FlatTrack track(rig, pressure, test.friction);
+  const auto& inflated = rig.inflated(pressure);
+  if (!inflated) return inflated.failure();
+  const fe_tire::LossMeter meter(rig.tire(), rig.losses(), *inflated);
   while (!open.empty()) {
     const auto next = std::ranges::min_element(
         open, {}, [&](std::size_t k) { return track.distance_to(test.rows[k]); });
     const std::size_t k = *next;
     open.erase(next);
-    auto found = track.find(test.rows[k], slips[k]);
+    auto found = track.find(test.rows[k], states[k].kappa);
     if (!found)
       return Failure{in_words(test.rows[k], k, test.rows.size()) + ": " + found.failure().reason};
-    states[k] = *std::move(found);
+    states[k].losses = meter.measure(found->u, found->alpha, found->of.spin);
+    states[k].state = *std::move(found);
   }
   return {};
 }
@@ -240,16 +243,20 @@ double balance_of(const RollingState& state) {
 
 }  // namespace
 
-Channels channels_of(const std::vector<RollingState>& states, const std::vector<double>& kappa) {
+Channels channels_of(const std::vector<RolledState>& states,
+                     const std::vector<fe_tire::LossMaterials::Owner>& owners) {
   Channels channels;
-  const auto add = [&](const char* name, const char* unit, const auto& value) {
+  const auto add_rolled = [&](const std::string& name, const char* unit, const auto& value) {
     std::vector<double> values;
-    for (const RollingState& state : states) values.push_back(value(state));
+    for (const RolledState& rolled : states) values.push_back(value(rolled));
     channels.add({name, unit, std::move(values)});
+  };
+  const auto add = [&](const char* name, const char* unit, const auto& value) {
+    add_rolled(name, unit, [&](const RolledState& rolled) { return value(rolled.state); });
   };
   using State = const RollingState&;
   add("alpha", "rad", [](State s) { return s.of.slip_angle; });
-  channels.add({"kappa", "1", kappa});
+  add_rolled("kappa", "1", [](const RolledState& s) { return s.kappa; });
   add("gamma", "rad", [](State s) { return s.of.camber; });
   add("phit", "1/m", [](State s) { return s.of.turn_slip; });
   add("Vx", "m/s", [](State s) { return s.of.speed * std::cos(s.of.slip_angle); });
@@ -263,17 +270,24 @@ Channels channels_of(const std::vector<RollingState>& states, const std::vector<
   add("R_e", "m", [](State s) { return s.of.speed * std::cos(s.of.slip_angle) / s.of.spin; });
   add("R_l", "m", [](State s) { return s.loaded_radius(); });
   add("drive", "N m", [](State s) { return s.forces.drive; });
-  add("friction_power", "W", [](State s) { return s.forces.friction_power; });
+  add_rolled("loss_rubber", "W", [](const RolledState& s) { return s.losses.rubber; });
+  add_rolled("loss_cords", "W", [](const RolledState& s) { return s.losses.cords; });
+  add("loss_friction", "W", [](State s) { return s.forces.friction_power; });
+  add_rolled("rolling_resistance", "N", [](const RolledState& s) {
+    return (s.losses.rubber + s.losses.cords + s.state.forces.friction_power) / s.state.of.speed;
+  });
   add("sticking", "1", [](State s) { return patch_of(s).sticking; });
   add("length", "m", [](State s) { return patch_of(s).length; });
   add("width", "m", [](State s) { return patch_of(s).width; });
   add("balance", "W", balance_of);
+  for (std::size_t k = 0; k < owners.size(); ++k)
+    add_rolled(
+        "loss." + owners[k].name, "W", [k](const RolledState& s) { return s.losses.parts[k]; });
   return channels;
 }
 
-Result<Channels> roll(TireRig& rig, const RollingTest& test) {
-  std::vector<RollingState> states(test.rows.size());
-  std::vector<double> slips(test.rows.size(), 0.0);
+Result<std::vector<RolledState>> roll_states(TireRig& rig, const RollingTest& test) {
+  std::vector<RolledState> states(test.rows.size());
   std::vector<std::pair<double, std::vector<std::size_t>>> groups;  // rows of each pressure
   const double own = test.pressure.value_or(rig.own_pressure());
   for (std::size_t k = 0; k < test.rows.size(); ++k) {
@@ -285,10 +299,17 @@ Result<Channels> roll(TireRig& rig, const RollingTest& test) {
       group->second.push_back(k);
   }
   for (const auto& [pressure, rows] : groups) {
-    const Status done = roll_at(rig, test, pressure, rows, states, slips);
+    const Status done = roll_at(rig, test, pressure, rows, states);
     if (!done) return done.failure();
   }
-  return channels_of(states, slips);
+  return states;
+}
+
+Result<Channels> roll(TireRig& rig, const RollingTest& test) {
+  const auto states = roll_states(rig, test);
+  if (!states) return states.failure();
+  const auto& losses = rig.losses();
+  return channels_of(*states, losses.is_elastic() ? decltype(losses.owners){} : losses.owners);
 }
 
 }  // namespace latsch::experiment

@@ -17,6 +17,7 @@
 #include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/inflation.h"
 #include "models/fe_tire/motion/rolling_case.h"
+#include "models/fe_tire/motion/rolling_losses.h"
 
 namespace latsch::experiment {
 
@@ -36,16 +37,30 @@ struct RollingTest {
   std::vector<RollingRow> rows;
 };
 
+/// A state of the tire on the flat track.
+struct RolledState {
+  fe_tire::RollingState state;
+  double kappa = 0.0;             // against the free wheel
+  fe_tire::RollingLosses losses;  // powers that rubber and cords lose
+};
+
 /// Channels of the test, one value for each state: the states "alpha" (rad), "kappa" (against the
 /// free wheel), "gamma" (rad), "phit" (1/m), "Vx" (m/s), then forces and moments in W, "omega"
 /// (rad/s), "R_e" (V_x/omega, m), "R_l" (m), "drive" (N m, moment of the drive about the spin
-/// axis), "friction_power" (W), "sticking" (share of the load on points that stick), "length" and
-/// "width" (m) of the patch, and "balance" (W, power of drive and hub minus that of friction, an
-/// error of the discretization).
-Channels channels_of(const std::vector<fe_tire::RollingState>& states,
-                     const std::vector<double>& kappa);
+/// axis), "loss_rubber", "loss_cords", "loss_friction" (W, powers that the rubbers' and the cords'
+/// histories and sliding lose), "rolling_resistance" (N, their sum over the speed), "sticking"
+/// (share of the load on points that stick), "length" and "width" (m) of the patch, and "balance"
+/// (W, power of drive and hub minus that of friction, an error of the discretization: the forces
+/// are those of elastic rubber). A channel "loss.rubber.NAME" or "loss.layer.NAME" (W) follows for
+/// every owner.
+Channels channels_of(const std::vector<RolledState>& states,
+                     const std::vector<fe_tire::LossMaterials::Owner>& owners);
 
-/// Rolls the tire through the states. A Failure names the state that was not found.
+/// Rolls the tire through the states, and returns them in the order of the test. A Failure names
+/// the state that was not found.
+Result<std::vector<RolledState>> roll_states(TireRig& rig, const RollingTest& test);
+/// Rolls the tire through the states. If the tire has no Prony terms, rolling resistance is that of
+/// friction alone.
 Result<Channels> roll(TireRig& rig, const RollingTest& test);
 
 }  // namespace latsch::experiment

@@ -17,12 +17,14 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
 #include "experiment/rigs/load_case.h"
 #include "measurement/channels.h"
 #include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/history/loss_materials.h"
 #include "models/fe_tire/slopes/tire_slopes.h"
 
 namespace latsch::experiment {
@@ -44,6 +46,10 @@ class TireRig {
   Result<fe_tire::Inflated> spinning(double pressure, const SpinSpeed& speed);
   /// Sets the data of the rim, for tests in which it moves.
   void set_rim(std::optional<fe_tire::RimBody> rim) { rim_ = rim; }
+  /// Sets the Prony terms of rubbers and cords, for tests that measure losses. The default is an
+  /// elastic tire.
+  void set_losses(fe_tire::LossMaterials losses) { losses_ = std::move(losses); }
+  const fe_tire::LossMaterials& losses() const { return losses_; }
 
   fe_tire::FeTire& tire() const { return tire_; }
   double own_pressure() const { return own_pressure_; }
@@ -62,9 +68,12 @@ class TireRig {
   struct Vibrating {
     std::optional<fe_tire::TireState> state;  // on the ground; none: not in contact
     std::vector<fe_tire::Mode> modes;
+    std::vector<double> damping;  // shares of critical damping; empty: nothing relaxes
   };
   Result<Vibrating> vibrate(const ModalTest& test);
   Result<fe_tire::TireState> stand(const ModalTest& test, const fe_tire::Inflated& inflated);
+  /// Adds the lowest modes, damped if the test asks for it.
+  Status add_modes(Vibrating& found, const fe_tire::Inflated& inflated, const ModalTest& test);
   Channels channels_of(const ModalTest& test, const Vibrating& found);
   Result<Channels> run_spinning(const ModalTest& test);
   struct StandSlopes;  // slopes of the standing state of a modal test
@@ -76,6 +85,7 @@ class TireRig {
   fe_tire::FeTire& tire_;
   double own_pressure_, pressure_ = 0.0;
   std::optional<fe_tire::RimBody> rim_;
+  fe_tire::LossMaterials losses_;
   std::optional<Result<fe_tire::Inflated>> inflated_;  // at pressure_
   std::optional<Pressed> pressed_;                     // pressed from the state inflated_
 };

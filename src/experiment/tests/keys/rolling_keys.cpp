@@ -4,6 +4,7 @@
 namespace latsch::experiment {
 
 const KeySection& pressure_keys();
+const KeySection& rolling_state_keys();
 
 const KeySection& rolling_keys() {
   static const KeySection section = {
@@ -16,34 +17,19 @@ state, or by a table. Each takes seconds.
 Channels, one value for each state, axes W (ISO): "alpha", "gamma" (rad), "kappa" (1), "phit"
 (1/m), "Vx" (m/s); "Fx", "Fy", "Fz" (N), "Mx", "My", "Mz" (N m); "omega" (rad/s), "R_e" (Vx over
 omega), "R_l" (loaded radius), "length", "width" of the patch (m); "drive" (N m, moment of the
-drive about the spin axis), "friction_power" (W), "sticking" (share of the load on points that do
-not slide) and "balance" (W, what the discretization leaves between the power of drive and hub and
-that of friction). The rubber is elastic: rolling resistance is that of friction alone.
+drive about the spin axis), "sticking" (share of the load on points that do not slide);
+"loss_rubber", "loss_cords" and "loss_friction" (W, lost by the histories of rubbers and cords and
+by sliding), "rolling_resistance" (N, their sum over the speed), and "loss.rubber.NAME",
+"loss.layer.NAME" (W) of each part; "balance" (W, what the discretization leaves between the power
+of drive and hub and that of friction).
+
+Rubbers and layers of the tire's file lose power by `loss_factor = 0.15` (from 0.1 to 1000 Hz) or
+`prony = [[0.2, "1 ms"]]`, shares of the relaxed modulus and relaxation times; moduli are the
+relaxed ones. The losses are of first order in the loss factor: shape and forces are those of
+elastic rubber, so "Fx" and "balance" do not contain them. A tire that states neither has the
+rolling resistance of friction alone.
 )md",
-      .sentences =
-          {
-              {"load", "Loads of the wheel, Fz."},
-              {"speed",
-               "Speeds of the wheel center along the wheel's heading; centrifugal forces act. "
-               "Beside "
-               "`states` one speed, which replaces the table's column Vx, as `pressure` replaces "
-               "p."},
-              {"friction",
-               "Coefficient of friction with the ground. With 0 no state may have a slip; the "
-               "wheel then spins with its speed over the inflated radius less a third of the "
-               "deflection."},
-              {"kappa",
-               "Slips against the free wheel at the same load, speed and camber; -1 is a locked "
-               "wheel.",
-               "none: the wheel rolls freely"},
-              {"alpha", "Slip angles; a positive one gives a negative Fy.", "0"},
-              {"camber", "Inclinations about x, top to the right.", "0"},
-              {"turn_slip", "Turn slips, minus the turning rate over the speed.", "0"},
-              {"states",
-               "Table of states in place of these lists: columns Fz, kappa, alpha, gamma, phit, "
-               "Vx, p as for the test steady_states; `{from = \"measurement.run\"}` takes those "
-               "of a measurement. Without a column kappa the wheel rolls freely."},
-          },
+      .sentences = {},
       .samples =
           {
               R"toml(kind = "rolling"
@@ -67,7 +53,7 @@ speed = "60 km/h"
 friction = 1.0
 )toml",
           },
-      .shared = {{"", pressure_keys}},
+      .shared = {{"", rolling_state_keys}, {"", pressure_keys}},
   };
   return section;
 }

@@ -174,6 +174,8 @@ class FeTire {
   friend class TireSlopes;
   friend class SpinningTire;
   friend class RollingTire;
+  friend class LossMeter;
+  friend class DampedTire;
   friend struct Varied;
   struct Impl;
   std::unique_ptr<Impl> impl_;

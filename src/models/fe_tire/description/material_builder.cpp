@@ -53,16 +53,21 @@ CordLayer cords_at(const CordPly& ply, double r, double r_crown) {
   return cords;
 }
 
+/// Returns the stiffness that smeared cords add to a column, Pa.
+Matrix6 smeared_stiffness(const Column& column, const CordLayer& cords) {
+  const Eigen::Vector3d d =
+      std::cos(cords.angle) * Eigen::Vector3d::UnitY() + std::sin(cords.angle) * column.meridional;
+  return cords.E_tension * cords.thickness / column.thickness * dyad(d) * dyad(d).transpose();
+}
+
+double shear_modulus(const Hyperelastic& rubber) { return 2.0 * (rubber.C10 + rubber.C01); }
+
 StVenantKirchhoff smear(const Hyperelastic& rubber,
                         const Column& column,
                         const std::vector<CordLayer>& cords) {
-  const double G = 2.0 * (rubber.C10 + rubber.C01);
+  const double G = shear_modulus(rubber);
   StVenantKirchhoff law = StVenantKirchhoff::isotropic(G, rubber.K - 2.0 * G / 3.0);
-  for (const CordLayer& c : cords) {
-    const Eigen::Vector3d d =
-        std::cos(c.angle) * Eigen::Vector3d::UnitY() + std::sin(c.angle) * column.meridional;
-    law.D += c.E_tension * c.thickness / column.thickness * dyad(d) * dyad(d).transpose();
-  }
+  for (const CordLayer& c : cords) law.D += smeared_stiffness(column, c);
   return law;
 }
 
@@ -104,6 +109,41 @@ Materials build_materials(const TireDescription& tire, MeshRefinement refinement
     materials.solids.push_back({smear(rubber.law, column, cords), density});
   }
   return materials;
+}
+
+LossMaterials build_losses(const TireDescription& tire, MeshRefinement refinement) {
+  const SectionPlan plan(tire);
+  LossMaterials losses;
+  for (const Rubber& rubber : tire.rubbers)
+    losses.owners.push_back({"rubber." + rubber.name, false});
+  for (const CordPly& ply : tire.plies) losses.owners.push_back({"layer." + ply.name, true});
+  const int first_ply = static_cast<int>(tire.rubbers.size());
+  for (const RubberRegion& region : tire.regions)
+    losses.solids.push_back({tire.rubbers[region.rubber].prony, region.rubber});
+  if (tire.cord_model == CordModel::rebar) {
+    for (int i = 0; i < plan.columns(); ++i) {
+      for (const auto& here : plan.plies(i))
+        losses.layers.push_back({tire.plies[here.ply].prony, first_ply + here.ply});
+    }
+    return losses;
+  }
+  const Contour line(tire.section.contour);
+  const double r_crown = line.point(0.0).r;
+  const int split = refinement.along;
+  for (int i = 0; i < split * plan.columns(); ++i) {
+    const Column column = column_of(tire, line, i, split * plan.columns());
+    const int rubber = tire.regions[plan.region(i / split, 0)].rubber;
+    RelaxingSolid& solid =
+        losses.solids.emplace_back(RelaxingSolid{tire.rubbers[rubber].prony, rubber});
+    solid.shear = shear_modulus(tire.rubbers[rubber].law);
+    for (const auto& here : plan.plies(i / split)) {
+      const CordPly& ply = tire.plies[here.ply];
+      solid.smeared.push_back({smeared_stiffness(column, cords_at(ply, column.r, r_crown)),
+                               ply.prony,
+                               first_ply + here.ply});
+    }
+  }
+  return losses;
 }
 
 }  // namespace latsch::fe_tire

@@ -17,6 +17,7 @@
 #include "models/fe_tire/element/hex8.h"
 #include "models/fe_tire/element/materials.h"
 #include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/history/loss_materials.h"
 
 namespace latsch::fe_tire {
 
@@ -44,9 +45,10 @@ enum class LineSide { inside, outside, both };  // side of the reference line
 
 /// A rubber compound of the tire.
 struct Rubber {
-  std::string name;      // name in the tire file
-  Hyperelastic law;      // elastic law
-  double density = 0.0;  // kg/m^3
+  std::string name;       // name in the tire file
+  Hyperelastic law;       // elastic law; relaxed if the rubber has Prony terms
+  double density = 0.0;   // kg/m^3
+  PronyTerms prony = {};  // history of the isochoric stress; empty: elastic
 };
 
 /// The part of the section that consists of one rubber. Every element belongs to exactly one
@@ -68,6 +70,7 @@ struct CordPly {
   /// around the tire are then the same at all radii. False: angle and thickness are the same
   /// everywhere.
   bool lifted = false;
+  PronyTerms prony = {};  // history of the cords' stress; empty: elastic
 };
 
 /// Representation of the cords in the elements.
@@ -198,6 +201,9 @@ Mesh build_mesh(const TireDescription& tire, MeshRefinement refinement = 1);
 /// Builds the materials in the numbering of build_mesh with the same refinement. This is cheap
 /// enough to do in every trial. See material_builder.cpp.
 Materials build_materials(const TireDescription& tire, MeshRefinement refinement = 1);
+
+/// Returns the Prony terms of these materials, in the same numbering.
+LossMaterials build_losses(const TireDescription& tire, MeshRefinement refinement = 1);
 
 /// Returns true if both descriptions give the same mesh, so that results prepared for one can be
 /// used for the other.

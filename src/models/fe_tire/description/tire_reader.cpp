@@ -221,6 +221,32 @@ void check_size(const Node& root, TireDescription& tire) {
     root.table("section").reject("contour", conflict + fmt::format(" (\"{}\")", tire.size));
 }
 
+/// Frequencies between which a stated loss factor holds, Hz: from slow walking to the passage of a
+/// patch's edge at high speed. A wider band stiffens the rubber further.
+constexpr double kLossFrom = 0.1, kLossTo = 1000.0;
+
+/// Reads the history of a stress: `prony`, rows of a share relative to the relaxed modulus and a
+/// relaxation time, or `loss_factor`. Returns no terms if the file has neither.
+PronyTerms read_prony(const Node& node) {
+  if (node.has("loss_factor")) {
+    if (node.has("prony"))
+      node.reject("prony", "is given beside loss_factor, expected one of them");
+    const double factor = node.quantity("loss_factor", "1", Range::between(0.0, 1.0));
+    const auto terms = constant_loss_factor(factor, kLossFrom, kLossTo);
+    if (!terms) node.reject("loss_factor", "is not possible: " + terms.failure().reason);
+    return *terms;
+  }
+  PronyTerms terms;
+  if (!node.has("prony")) return terms;
+  for (const std::vector<double>& row : node.rows("prony", {"1", "s"}))
+    terms.push_back({row[0], row[1]});
+  if (terms.empty())
+    node.reject("prony",
+                "is empty, expected rows of a share and a relaxation time such as [0.2, \"1 ms\"]");
+  if (const Status good = check(terms); !good.ok()) node.reject("prony", good.failure().reason);
+  return terms;
+}
+
 Rubber read_rubber(const Node& node) {
   Rubber rubber;
   rubber.name = node.name();
@@ -244,6 +270,7 @@ Rubber read_rubber(const Node& node) {
   }
   rubber.law = Hyperelastic::from_young_modulus(E, nu, ratio);
   rubber.density = node.quantity("density", "kg/m^3", Range::positive());
+  rubber.prony = read_prony(node);
   return rubber;
 }
 
@@ -290,6 +317,7 @@ CordPly read_ply(const Node& node, const Section& section) {
       node.quantity("compression_modulus", "Pa", Range::not_negative(), cords.E_tension);
   cords.pretension = node.quantity("pretension", "Pa", {}, 0.0);
   cords.density = node.quantity("density", "kg/m^3", Range::not_negative());
+  ply.prony = read_prony(node);
   if (const std::string conflict = ply_conflict(section, ply); !conflict.empty())
     node.reject(offset_key, conflict);
   return ply;

@@ -105,6 +105,51 @@ TEST(TireReader, AVariedModulusKeepsTheMeshAndChangesTheMaterials) {
   EXPECT_NEAR(2.0 * rubber.C10, 22.3e6 / (2.0 * (1.0 + 0.49)), 1.0);
 }
 
+/// Returns the message with which a tire is refused whose first rubber has this additional line.
+std::string refusal_of(const std::string& line) {
+  std::ifstream in(kTires / "passenger_225_50R16.toml");
+  std::stringstream text;
+  text << in.rdbuf();
+  std::string changed = text.str();
+  const std::string head = "[rubber.matrix]\n";
+  changed.insert(changed.find(head) + head.size(), line + "\n");
+  const std::filesystem::path file = testing::TempDir() + "lossy_tire.toml";
+  std::ofstream(file) << changed;
+  try {
+    const TireDescription tire = read_tire(Document::read(file).root());
+    return tire.rubbers[0].prony.empty() ? "elastic" : "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(TireReader, ReadsPronyTermsAndLossFactors) {
+  EXPECT_EQ(refusal_of(""), "elastic");
+  EXPECT_EQ(refusal_of("loss_factor = 0"), "elastic");
+  EXPECT_EQ(refusal_of("loss_factor = 0.15"), "");
+  EXPECT_EQ(refusal_of("prony = [[0.2, \"1 ms\"], [0.1, \"20 ms\"]]"), "");
+}
+
+TEST(TireReader, RefusesPronyTermsThatNoRubberHas) {
+  const struct {
+    const char *line, *says;
+  } cases[] = {{"prony = [[-0.1, \"1 ms\"]]", "below 0"},
+               {"prony = [[0.1, \"0 ms\"]]", "relaxation time"},
+               {"prony = [[0.1, \"-1 ms\"]]", "relaxation time"},
+               {"prony = [[0.1, \"1 ms\"], [0.2, \"1 ms\"]]", "same relaxation time"},
+               {"prony = [[30, \"1 ms\"], [30, \"2 ms\"]]", "sum to 60"},
+               {"prony = [[0.1, \"1 N\"]]", "s"},
+               {"prony = []", "is empty"},
+               {"loss_factor = 1.2", "0 to 1"},
+               {"loss_factor = -0.1", "0 to 1"},
+               {"loss_factor = 0.1\nprony = [[0.1, \"1 ms\"]]", "beside loss_factor"}};
+  for (const auto& one : cases) {
+    const std::string said = refusal_of(one.line);
+    EXPECT_NE(said.find(one.says), std::string::npos) << one.line << ": " << said;
+    EXPECT_NE(said.find("lossy_tire.toml:"), std::string::npos) << said;
+  }
+}
+
 // A cord that lies on a drum of radius r_0 at the angle a_0 and is lifted to the radius r has the
 // angle a with cos a = cos a_0 r / r_0. The number of cords around the tire, 2 pi r sin a /
 // spacing, stays constant.

@@ -5,8 +5,8 @@
 //   g - K d = c(u - d)                                                                       (R.2)
 // K is eliminated down to the nodes of the tread, and these down to the nodes below which the
 // ground is (condensed_tire.h). There the contact with friction is solved by the active set of
-// rolling_contact.h. A height that follows from a load and a spin that follows from a drive are
-// found around it, by Newton's method with Broyden's updates.
+// rolling_contact.h, together with the height that follows from a load and the spin that follows
+// from a drive.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +28,6 @@ class LinearRoller {
   /// The state that solves (R.2).
   struct Found {
     RollingCase of;     // with the height and the spin found
-    bool is_balanced;   // false: load or drive ask for a height or a spin too far away for one step
     Eigen::VectorXd d;  // decrease of the unknowns
     Eigen::VectorXd c;  // the ground's forces on the unknowns, N
     RollingForces forces;
@@ -48,8 +47,8 @@ class LinearRoller {
   bool is_spent() const { return spent_ > kMostSets; }
 
   /// Solves (R.2) about the unknowns x with the forces g. `states`: of all points of the tread; the
-  /// start, then those found. `load`, N: the size of the ground's forces. `enough`: accepted error
-  /// of the load, relative, and of the drive, relative to load times height. `passes` counts active
+  /// start, then those found. `load`, N: the size of the ground's forces. `enough`: accepted
+  /// residual, load and drive included, relative to it. `passes` counts active
   /// sets.
   Result<Found> solve(const RollingCase& of,
                       const Eigen::VectorXd& x,
@@ -61,17 +60,7 @@ class LinearRoller {
 
  private:
   static constexpr int kMostSets = 1500;  // limit of the work for one state; most need some 50
-  struct Attempt {
-    std::unique_ptr<TreadBody> body;
-    RollingContactState contact;
-    RollingForces forces;
-    std::vector<RollingPatchPoint> patch;
-    bool is_balanced = true;
-  };
-  Result<Attempt> stand(const RollingCase& of, GripState& states);
-  Result<Attempt> balance(RollingCase& of, double enough, GripState& states);
-  Eigen::MatrixXd slopes(const RollingCase& of, const Eigen::VectorXd& error, GripState states);
-  Eigen::VectorXd errors(const RollingCase& of, const RollingForces& forces) const;
+  void complete(const TreadBody& body, const RollingContactState& contact, Found& found) const;
   bool condense_for(TreadBody& body);
   Eigen::VectorXd at_nodes(const Eigen::VectorXd& v) const;
 
@@ -83,12 +72,8 @@ class LinearRoller {
   CondensedTire condensed_;
   std::vector<int> rows_;  // those of condensed_; empty: none
   Eigen::VectorXd nodes_;  // right-hand side at the tread's nodes
-  Eigen::Matrix3Xd u_;     // displacements of the tread's nodes at x
-  Eigen::VectorXd q_;      // last solution on rows_, a start
-  double load_ = 1.0;
-  int passes_ = 0, spent_ = 0;
-  Eigen::MatrixXd by_;  // derivative of the errors of load and drive with respect to what is
-                        // found
+  Eigen::VectorXd q_;      // start of the contact on rows_
+  int spent_ = 0;
 };
 
 }  // namespace latsch::fe_tire

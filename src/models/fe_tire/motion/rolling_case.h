@@ -36,6 +36,9 @@ struct RollingPatchPoint {
   double slide_x, slide_y;  // m/s, velocity over the ground; 0 if it sticks
   double area;              // m^2
   bool sticks;
+  double limit;   // Pa, mu p
+  double length;  // m, of the point's area around; the rest of the area is its width
+  int line;       // index of its line around, from 0
 };
 
 /// Forces of the ground on the tire; moments about the contact center, where the wheel's middle
@@ -59,7 +62,7 @@ struct RollingState {
   double residual = 0.0;  // N
   int iterations = 0;     // passes over the elements
   int factors = 0;        // factorizations
-  int passes = 0;         // active sets
+  int passes = 0;         // solutions of the contact patch
   int parts = 0;          // parts of the path from the state before
 
   /// Distance of the wheel center from the contact center, m.

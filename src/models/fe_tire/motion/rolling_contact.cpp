@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -25,6 +26,41 @@ class RollingSearch {
   }
 
   Result<RollingContactState> run() {
+    const RollingContactState start = now_;
+    if (run_at_once()) return now_;
+    const int solves = now_.solves;
+    now_ = start;
+    now_.solves = solves;
+    std::ranges::fill(returns_, 0);
+    return run_in_passes();
+  }
+
+ private:
+  /// Newton's method in which points are released and return after every solution. Returns false if
+  /// it does not settle: states may cycle, or a tangent is singular.
+  bool run_at_once() {
+    const double nearby = options_.nearby * body_.force_scale();
+    evaluate(Directions::of_trial, true);
+    Directions directions = R_.norm() <= nearby ? Directions::of_trial : Directions::kept;
+    for (int k = 0; k < options_.most_at_once; ++k) {
+      evaluate(directions, true);
+      Eigen::VectorXd dq;
+      ++now_.solves;
+      if (!body_.solve(now_.q, now_.input, now_.tractions, R_, dq)) return false;
+      if (!step(directions, dq)) return false;
+      const bool has_turned = directions == Directions::of_trial;
+      directions = Directions::of_trial;
+      // Far from equilibrium pressures are not yet those that limit tractions.
+      if (R_.norm() > nearby) continue;
+      ++now_.passes;
+      const int changed = release() + give_back();
+      if (changed == 0 && has_turned && R_.norm() <= accepted()) return true;
+    }
+    return false;
+  }
+
+  /// Active sets of which each is solved before it changes; points return only when it has settled.
+  Result<RollingContactState> run_in_passes() {
     evaluate(Directions::kept, true);
     for (; now_.passes < options_.most_passes; ++now_.passes) {
       if (!settle(Directions::kept, 1)) return failure("its tangent is singular");
@@ -41,7 +77,6 @@ class RollingSearch {
     return failure("points neither stick nor slide");
   }
 
- private:
   double accepted() const { return options_.tolerance * body_.force_scale(); }
 
   void evaluate(Directions directions, bool with_derivatives) {
@@ -58,7 +93,7 @@ class RollingSearch {
       if (!(now_.input.p[k] > 0.0))
         grip = Grip::none;
       else if (grip == Grip::none)
-        grip = Grip::sticks;
+        grip = grip_.friction().at_rest > 0.0 ? Grip::sticks : Grip::slides;
     }
   }
 

@@ -3,8 +3,18 @@
 //
 // The body has unknowns q, of which the positions and pressures of its points follow, and the
 // residual R(q) = internal forces - forces of p and t. Newton's method on (F.1) by itself cycles
-// without end once epsilon_t times the distance of points exceeds the body's stiffness. An active
-// set does not: all points in contact stick at first,
+// without end once epsilon_t times the distance of points exceeds the body's stiffness, because
+// the law then turns tractions around within one step. With states of the points, a traction that
+// slides keeps its size, and one that sticks is not limited, until the step is done:
+//
+//   repeat:
+//     one step of Newton's method on R(q) = 0 with the states as they are; the first one keeps the
+//       directions of sliding points, the others turn them, with a line search on |R|
+//     if |R| is small: points that stick beyond mu p slide, and points that slide along their
+//       traction, or whose trial traction is below mu p, stick
+//
+// From a neighboring state this ends after two to ten steps. If it does not, an active set starts
+// again and changes more carefully:
 //
 //   repeat:
 //     solve R(q) = 0 with the states as they are: sliding points first in the directions of the
@@ -13,7 +23,7 @@
 //     nothing was released: points that slide along their traction, or whose trial traction is
 //       below mu p, stick                             -> again
 //
-// Points return only when the set has settled; a point that returns too often is left sliding.
+// A point that returns too often is left sliding.
 #pragma once
 
 #include <Eigen/Core>
@@ -54,6 +64,9 @@ struct RollingContactOptions {
   double rounding = 1e-7;
   /// Share of mu p by which a sticking point may exceed it; rounding has to be smaller.
   double excess = 1e-9;
+  int most_at_once = 40;  // largest number of steps that change states at once
+  /// Residual below which these change states, relative to the ground's forces.
+  double nearby = 1e-2;
   int most_passes = 100;     // largest number of active sets
   int most_iterations = 40;  // largest number of Newton iterations a pass
   int most_returns = 12;     // largest number of returns of a point to sticking

@@ -150,16 +150,16 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
   for (state.iterations = 1; state.iterations <= kMostIterations; ++state.iterations) {
     const auto found = step(now, at, load, enough, state);
     if (!found) return found.failure();
-    at = found->of;
     const auto share = advance(now, *found, state.pressure);
     if (!share) return share.failure();
+    at = between(at, found->of, *share);
     if (*share < 1.0) {
       linear.forget();
       before = 0.0;
       continue;
     }
     state.residual = (now.g - found->c).norm();
-    if (state.residual <= kAccepted * load && enough <= kBalanced && found->is_balanced) {
+    if (state.residual <= kAccepted * load && enough <= kBalanced) {
       state.of = at;
       state.forces = found->forces;
       state.patch = found->patch;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/fe_tire/motion/tread_body.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,6 +17,12 @@ namespace {
 /// factorized in double precision.
 constexpr double kRefined = 1e-11;
 constexpr int kMostRefinements = 6;
+/// Largest rise, m, and change of the spin of one step: a tire that slides as a whole tells no
+/// slope.
+constexpr double kMostRise = 2e-3, kMostTurn = 0.02;
+/// Depth to which the lowest point is pressed if none touches, m: its pressure is then that of a
+/// tire.
+constexpr double kTouch = 1e-5;
 
 /// Solves J x = R by a factorization in single precision, which is several times as fast, and
 /// residuals in double precision.
@@ -55,6 +62,7 @@ TreadBody::TreadBody(const TreadSurface& tread,
                      double near)
     : motion_(motion), penalty_(penalty), hub_(ground.in_ground(Eigen::Vector3d::Zero())) {
   for (int k = 0; k < 3; ++k) R_.col(k) = ground.in_ground(Eigen::Vector3d::Unit(k)) - hub_;
+  axis_ = R_.col(1);
   const Eigen::Matrix3Xd at = tread.points_at(tread.positions(u));
   const auto count = std::ssize(tread.points());
   Eigen::Matrix3Xd q(3, count);
@@ -100,21 +108,28 @@ void TreadBody::add_line(const TreadSurface& tread,
     c = static_cast<int>(section.columns.size());
     for (int k = 0; k < 3; ++k) section.columns.push_back(3 * node + k);
   }
-  section.P.setZero(3 * (last - first + 1), std::ssize(section.columns));
   for (int k = first; k <= last; ++k) {
     const TreadSurface::Point& point = tread.points()[of[k]];
+    std::map<int, Eigen::Matrix3d> by;  // column of a node's first unknown -> motion of the point
     for (int w = 0; w < point.weights; ++w) {
       const TreadSurface::Weight& weight = tread.weights(point)[w];
       const TreadSurface::Place& place = tread.places()[weight.place];
       if (place.node < 0) continue;
-      section.P.block<3, 3>(3 * (k - first), local[place.node]) += weight.w * R_ * place.T;
+      const auto [at, is_new] = by.try_emplace(local[place.node], Eigen::Matrix3d::Zero());
+      at->second += weight.w * R_ * place.T;
     }
+    PointColumns columns;
+    columns.by.resize(3, 3 * std::ssize(by));
+    for (const auto& [column, motion] : by) {
+      columns.by.middleCols<3>(std::ssize(columns.at)) = motion;
+      for (int c = 0; c < 3; ++c) columns.at.push_back(column + c);
+    }
+    section.points.push_back(std::move(columns));
     points_.push_back(of[k]);
     areas_.push_back(point.dA);
     times_.push_back(k == first ? 0.0
                                 : (lines.theta[of[k - 1]] - lines.theta[of[k]]) / motion_.spin);
   }
-  section.P_T = section.P.transpose();
   line.last = static_cast<int>(points_.size());
   lines_.lines.push_back(line);
   std::vector<int> rows = section.columns, all;
@@ -128,13 +143,23 @@ void TreadBody::set(Eigen::MatrixXd T, Eigen::VectorXd r) {
   r_ = std::move(r);
 }
 
+void TreadBody::ask(std::optional<double> load, std::optional<double> drive) {
+  load_ = load;
+  drive_ = drive;
+}
+
+int TreadBody::size() const { return spin_at() + (drive_ ? 1 : 0); }
+
 Eigen::Matrix3Xd TreadBody::positions(const Eigen::VectorXd& q) const {
   Eigen::Matrix3Xd x(3, std::ssize(points_));
+  const Eigen::Vector3d up(0.0, 0.0, rise(q));
   for (std::size_t s = 0; s < sections_.size(); ++s) {
     const RollingLines::Line& line = lines_.lines[s];
-    const Eigen::VectorXd moved = sections_[s].P * q(sections_[s].columns);
-    for (int k = line.first; k < line.last; ++k)
-      x.col(k) = x_0_[k] + moved.segment<3>(3 * (k - line.first));
+    const Eigen::VectorXd moved = q(sections_[s].columns);
+    for (int k = line.first; k < line.last; ++k) {
+      const PointColumns& point = sections_[s].points[k - line.first];
+      x.col(k) = x_0_[k] + up + point.by * moved(point.at);
+    }
   }
   return x;
 }
@@ -146,23 +171,53 @@ RollingInput TreadBody::input(const Eigen::VectorXd& q) const {
                      (-penalty_ * x.row(2).transpose()).cwiseMax(0.0),
                      Eigen::VectorXd::Ones(n),
                      Eigen::Matrix2Xd(2, n)};
+  // The lines' times are those of the spin at the start; what (F.1) needs is V_g Delta t.
+  const double faster = 1.0 + spin_change(q);
   for (Eigen::Index k = 0; k < n; ++k) {
     const Eigen::Vector2d from = x.col(k).head<2>() - hub_.head<2>();
-    input.V_g.col(k) = motion_.velocity + motion_.turn * Eigen::Vector2d(-from.y(), from.x());
+    input.V_g.col(k) =
+        (motion_.velocity + motion_.turn * Eigen::Vector2d(-from.y(), from.x())) / faster;
     if (k > 0 && x(2, k) < 0.0 && x(2, k - 1) >= 0.0)
       input.share[k] = x(2, k) / (x(2, k) - x(2, k - 1));
   }
   return input;
 }
 
+Eigen::VectorXd TreadBody::touching(Eigen::VectorXd q) const {
+  if (!load_) return q;
+  const double lowest = positions(q).row(2).minCoeff();
+  if (!(lowest < 0.0)) q[rise_at()] -= lowest + kTouch;
+  return q;
+}
+
 Eigen::VectorXd TreadBody::forces(const RollingInput& input, const GripTractions& tractions) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(std::ssize(rows_));
   for (std::size_t s = 0; s < sections_.size(); ++s) {
     const RollingLines::Line& line = lines_.lines[s];
-    Eigen::VectorXd on(3 * (line.last - line.first));
-    for (int k = line.first; k < line.last; ++k)
-      on.segment<3>(3 * (k - line.first)) << tractions.t.col(k) * areas_[k], input.p[k] * areas_[k];
-    sum(sections_[s].columns) += sections_[s].P.transpose() * on;
+    Eigen::VectorXd on = Eigen::VectorXd::Zero(std::ssize(sections_[s].columns));
+    for (int k = line.first; k < line.last; ++k) {
+      if (!(input.p[k] > 0.0)) continue;
+      const PointColumns& point = sections_[s].points[k - line.first];
+      const Eigen::Vector3d force =
+          areas_[k] * Eigen::Vector3d(tractions.t(0, k), tractions.t(1, k), input.p[k]);
+      on(point.at) += point.by.transpose() * force;
+    }
+    sum(sections_[s].columns) += on;
+  }
+  return sum;
+}
+
+/// Returns the moment of the drive about the spin axis, N m.
+double TreadBody::drive(const RollingInput& input,
+                        const GripTractions& tractions,
+                        double rise) const {
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < input.p.size(); ++k) {
+    if (!(input.p[k] > 0.0)) continue;
+    const Eigen::Vector3d force =
+        areas_[k] * Eigen::Vector3d(tractions.t(0, k), tractions.t(1, k), input.p[k]);
+    const Eigen::Vector3d arm(input.x(0, k) - hub_.x(), input.x(1, k) - hub_.y(), -hub_.z() - rise);
+    sum -= axis_.dot(arm.cross(force));
   }
   return sum;
 }
@@ -170,64 +225,189 @@ Eigen::VectorXd TreadBody::forces(const RollingInput& input, const GripTractions
 Eigen::VectorXd TreadBody::residual(const Eigen::VectorXd& q,
                                     const RollingInput& input,
                                     const GripTractions& tractions) const {
-  return T_ * q + r_ - forces(input, tractions);
+  const auto m = std::ssize(rows_);
+  Eigen::VectorXd R(size());
+  R.head(m) = T_ * q.head(m) + r_ - forces(input, tractions);
+  if (load_) {
+    double Fz = 0.0;
+    for (Eigen::Index k = 0; k < input.p.size(); ++k) Fz += areas_[k] * input.p[k];
+    R[rise_at()] = Fz - *load_;
+  }
+  if (drive_) R[spin_at()] = (drive(input, tractions, rise(q)) - *drive_) / hub_.z();
+  return R;
 }
 
-/// Returns the derivatives of the forces on a line's points with respect to its columns [3 m x
-/// columns].
-Eigen::MatrixXd TreadBody::derivatives(const Section& section,
-                                       const RollingLines::Line& line,
-                                       const RollingInput& input,
-                                       const GripTractions& tractions,
-                                       const Eigen::Matrix3Xd& x) const {
-  const int m = line.last - line.first;
-  const auto columns = section.P.cols();
-  Eigen::MatrixXd by = Eigen::MatrixXd::Zero(columns, 3 * m);  // transposed: a point is contiguous
-  Eigen::MatrixXd before = Eigen::MatrixXd::Zero(columns, 2), now = before;
-  for (int i = 0; i < m; ++i, before.swap(now)) {
-    const int k = line.first + i;
-    now.setZero();
-    if (!(input.p[k] > 0.0)) continue;
-    const GripLink& link = tractions.links[k];
-    const auto at = section.P_T.middleCols<3>(3 * i);
-    const Eigen::VectorXd dp = -penalty_ * at.col(2);
-    now.noalias() = dp * link.by_p.transpose();
-    if (i > 0) {
-      const auto last = section.P_T.middleCols<3>(3 * i - 3);
-      now.noalias() += (at.leftCols<2>() - last.leftCols<2>()) * link.by_step.transpose();
-      now.noalias() += before * link.by_before.transpose();
-      if (!(input.p[k - 1] > 0.0)) {
-        const double here = x(2, k), there = x(2, k - 1), drop = here - there;
-        const Eigen::VectorXd dshare = (here * last.col(2) - there * at.col(2)) / (drop * drop);
-        now.noalias() += dshare * link.by_share.transpose();
-      }
-    }
-    by.middleCols<2>(3 * i) = areas_[k] * now;
-    by.col(3 * i + 2) = areas_[k] * dp;
+/// Subtracts the derivatives of the forces on a line's points, and of load and drive, from the
+/// Jacobian. G_i, the derivative of all forces with respect to the traction at point i, follows
+/// from that at i + 1, against the flow:
+///   G_i = L_i + G_{i+1} by_before_{i+1},   dF = sum_i G_i [by_step (dx_i - dx_{i-1}) + ...]
+/// Successive points that stick leave nothing of G_{i+1} in the derivative by x_i, so that most
+/// points act on their own columns alone.
+class TreadBody::LineJacobian {
+ public:
+  LineJacobian(const TreadBody& body,
+               const Section& section,
+               const RollingLines::Line& line,
+               const RollingInput& input,
+               const GripTractions& tractions,
+               const Eigen::Matrix3Xd& x,
+               double rise,
+               double faster,
+               Eigen::MatrixXd& J)
+      : body_(body),
+        section_(section),
+        line_(line),
+        input_(input),
+        tractions_(tractions),
+        x_(x),
+        rise_(rise),
+        faster_(faster),
+        J_(J),
+        rows_(section.columns) {
+    if (body.drive_) rows_.push_back(body.spin_at());
+    tangent_.setZero(std::ssize(rows_), std::ssize(section.columns));
+    by_rise_.setZero(std::ssize(rows_));
+    by_spin_.setZero(std::ssize(rows_));
+    G_.setZero(std::ssize(rows_), 2);
   }
-  return by;
-}
+
+  void subtract() {
+    for (int k = line_.last - 1; k >= line_.first; --k) step(k);
+    for (Eigen::Index b = 0; b < tangent_.cols(); ++b)
+      for (Eigen::Index a = 0; a < tangent_.rows(); ++a)
+        J_(rows_[a], section_.columns[b]) -= tangent_(a, b);
+    for (Eigen::Index a = 0; a < tangent_.rows(); ++a) {
+      if (body_.load_) J_(rows_[a], body_.rise_at()) -= by_rise_[a];
+      if (body_.drive_) J_(rows_[a], body_.spin_at()) -= by_spin_[a];
+    }
+  }
+
+ private:
+  /// Derivatives by the position of a point: those that act by G_{i+1}, 2 x 3.
+  using Behind = Eigen::Matrix<double, 2, 3>;
+
+  void step(int k) {
+    const PointColumns& point = section_.points[k - line_.first];
+    const bool follows = k + 1 < line_.last && input_.p[k + 1] > 0.0;
+    const GripLink none, &next = follows ? tractions_.links[k + 1] : none;
+    Behind behind = Behind::Zero();
+    behind.col(2) = shared_;
+    behind.leftCols<2>() = -next.by_step;
+    shared_.setZero();
+    if (!(input_.p[k] > 0.0)) {
+      act_behind(point, behind);
+      G_.setZero();
+      return;
+    }
+    const GripLink& link = tractions_.links[k];
+    const double area = body_.areas_[k], stiff = -body_.penalty_;
+    const Eigen::Vector3d moment = moment_arm(k);
+    // Derivatives that act by the point's own traction: by its position, and by its rise.
+    Behind own;
+    own << link.by_step, stiff * link.by_p;
+    if (k > line_.first && !(input_.p[k - 1] > 0.0)) {
+      const double here = x_(2, k), there = x_(2, k - 1), drop = here - there;
+      own.col(2) -= there / (drop * drop) * link.by_share;
+      shared_ = here / (drop * drop) * link.by_share;
+    }
+    behind += next.by_before * own;
+    act_behind(point, behind);
+    // The point's own forces.
+    Eigen::MatrixX3d local(std::ssize(point.at), 3);
+    local = area * point.by.topRows<2>().transpose() * own;
+    local.col(2) += area * stiff * point.by.row(2).transpose();
+    const Eigen::MatrixXd block = local * point.by;
+    for (Eigen::Index b = 0; b < block.cols(); ++b) {
+      double* column = tangent_.col(point.at[b]).data();
+      for (Eigen::Index a = 0; a < block.rows(); ++a) column[point.at[a]] += block(a, b);
+    }
+    if (body_.load_)
+      for (std::size_t a = 0; a < point.at.size(); ++a)
+        by_rise_[point.at[a]] += local(static_cast<Eigen::Index>(a), 2);
+    if (body_.load_) {
+      const int row = body_.rise_at();
+      for (std::size_t b = 0; b < point.at.size(); ++b)
+        J_(row, section_.columns[point.at[b]]) +=
+            area * stiff * point.by(2, static_cast<Eigen::Index>(b));
+      J_(row, row) += area * stiff;
+    }
+    if (body_.drive_) add_drive(k, point, own, moment);
+    G_ = (G_ * next.by_before).eval();
+    for (std::size_t a = 0; a < point.at.size(); ++a)
+      G_.row(point.at[a]) +=
+          area * point.by.col(static_cast<Eigen::Index>(a)).head<2>().transpose();
+    if (body_.drive_) {
+      G_.row(G_.rows() - 1) += area / body_.hub_.z() * moment.head<2>().transpose();
+      const Eigen::Vector2d later =
+          link.by_step * input_.V_g.col(k) * (body_.lines_.time[k] / faster_);
+      by_spin_ += G_ * later;
+    }
+  }
+
+  /// Returns axis x arm; the moment of the drive is -force . (axis x arm).
+  Eigen::Vector3d moment_arm(int k) const {
+    const Eigen::Vector3d& hub = body_.hub_;
+    return body_.axis_.cross(
+        Eigen::Vector3d(input_.x(0, k) - hub.x(), input_.x(1, k) - hub.y(), -hub.z() - rise_));
+  }
+
+  void act_behind(const PointColumns& point, const Behind& behind) {
+    if (behind.isZero(0.0)) return;
+    const Eigen::Matrix2Xd by = behind * point.by;
+    for (Eigen::Index b = 0; b < by.cols(); ++b)
+      tangent_.col(point.at[b]).noalias() += G_ * by.col(b);
+    if (body_.load_) by_rise_ += G_ * behind.col(2);
+  }
+
+  void add_drive(int k, const PointColumns& point, const Behind& own, const Eigen::Vector3d& arm) {
+    const double area = body_.areas_[k], height = body_.hub_.z();
+    const Eigen::Index last = tangent_.rows() - 1;
+    Eigen::RowVector3d by = area / height * arm.head<2>().transpose() * own;
+    by[2] -= area / height * arm.z() * body_.penalty_;
+    const Eigen::Vector3d force =
+        area * Eigen::Vector3d(tractions_.t(0, k), tractions_.t(1, k), input_.p[k]);
+    const Eigen::Vector3d turned = force.cross(body_.axis_) / height;
+    const double by_height = by[2] - turned.z();  // the arm grows with the height, not with z
+    by.head<2>() += turned.head<2>();
+    for (std::size_t b = 0; b < point.at.size(); ++b)
+      tangent_(last, point.at[b]) += by.dot(point.by.col(static_cast<Eigen::Index>(b)));
+    by_rise_[last] += by_height;
+  }
+
+  const TreadBody& body_;
+  const Section& section_;
+  const RollingLines::Line& line_;
+  const RollingInput& input_;
+  const GripTractions& tractions_;
+  const Eigen::Matrix3Xd& x_;
+  double rise_, faster_;
+  Eigen::MatrixXd& J_;
+  std::vector<int> rows_;
+  Eigen::MatrixXd tangent_;
+  Eigen::VectorXd by_rise_, by_spin_;
+  Eigen::MatrixX2d G_;
+  Eigen::Vector2d shared_ = Eigen::Vector2d::Zero();  // derivative of the next share by this z
+};
 
 bool TreadBody::solve(const Eigen::VectorXd& q,
                       const RollingInput& input,
                       const GripTractions& tractions,
                       const Eigen::VectorXd& R,
                       Eigen::VectorXd& dq) {
-  Eigen::MatrixXd J = T_, tangent;
+  const auto m = std::ssize(rows_);
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(size(), size());
+  J.topLeftCorner(m, m) = T_;
   const Eigen::Matrix3Xd x = positions(q);
-  for (std::size_t s = 0; s < sections_.size(); ++s) {
-    const RollingLines::Line& line = lines_.lines[s];
-    const Section& section = sections_[s];
-    const Eigen::MatrixXd by = derivatives(section, line, input, tractions, x).transpose();
-    const int m = static_cast<int>(by.rows()), n = static_cast<int>(by.cols());
-    tangent.setZero(n, n);
-    numerics::subtract_transposed(n, n, m, section.P.data(), m, by.data(), tangent.data(), n);
-    for (int b = 0; b < n; ++b) {
-      double* column = J.col(section.columns[b]).data();
-      for (int a = 0; a < n; ++a) column[section.columns[a]] += tangent(a, b);
-    }
-  }
-  return solve_refined(J, R, dq);
+  for (std::size_t s = 0; s < sections_.size(); ++s)
+    LineJacobian(
+        *this, sections_[s], lines_.lines[s], input, tractions, x, rise(q), 1.0 + spin_change(q), J)
+        .subtract();
+  if (!solve_refined(J, R, dq)) return false;
+  double share = 1.0;
+  if (load_) share = std::min(share, kMostRise / std::abs(dq[rise_at()]));
+  if (drive_) share = std::min(share, kMostTurn / std::abs(dq[spin_at()]));
+  if (share < 1.0) dq *= share;
+  return true;
 }
 
 }  // namespace latsch::fe_tire

@@ -7,9 +7,15 @@
 // T and r come from CondensedTire; the points' positions are linear in q. The pressure is the
 // penalty (C.1). A point at the leading edge has the share of its step behind the height 0, with
 // its derivative.
+//
+// A height that follows from a load and a spin that follows from a drive are unknowns behind q:
+// the rise of the wheel center, m, and the relative change of the spin. Their equations,
+//   Fz - load = 0,   (drive - asked)/(arm) = 0,
+// border the Jacobian.
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "models/fe_tire/contact/ground.h"
@@ -57,6 +63,15 @@ class TreadBody : public RollingBody {
              Eigen::VectorXd& dq) override;
   double force_scale() const override { return scale_; }
   void set_force_scale(double scale) { scale_ = scale; }
+  /// Asks for a load, N, and a moment of the drive, N m. Each that is asked for adds an unknown.
+  void ask(std::optional<double> load, std::optional<double> drive);
+  /// Number of unknowns: those of rows(), then rise and spin where they are open.
+  int size() const;
+  /// Returns q with a rise at which points touch, if the rise is open and none does.
+  Eigen::VectorXd touching(Eigen::VectorXd q) const;
+  /// Rise of the wheel center, m, and relative change of the spin.
+  double rise(const Eigen::VectorXd& q) const { return load_ ? q[rise_at()] : 0.0; }
+  double spin_change(const Eigen::VectorXd& q) const { return drive_ ? q[spin_at()] : 0.0; }
 
   /// Returns the ground's forces at rows(), N.
   Eigen::VectorXd forces(const RollingInput& input, const GripTractions& tractions) const;
@@ -67,29 +82,34 @@ class TreadBody : public RollingBody {
   double time(int k) const { return lines_.time[k]; }
 
  private:
+  /// Columns of q on which a point depends, as places in those of its line, and its motion by them.
+  struct PointColumns {
+    std::vector<int> at;
+    Eigen::Matrix3Xd by;
+  };
   /// Points of a line and the columns of q on which they depend.
   struct Section {
     std::vector<int> columns;
-    Eigen::MatrixXd P, P_T;  // [3 points x columns], and transposed
+    std::vector<PointColumns> points;
   };
+  int rise_at() const { return static_cast<int>(rows_.size()); }
+  int spin_at() const { return rise_at() + (load_ ? 1 : 0); }
+  double drive(const RollingInput& input, const GripTractions& tractions, double rise) const;
   void add_line(const TreadSurface& tread,
                 const TreadLines& lines,
                 const std::vector<int>& of,
                 const Eigen::VectorXd& height,
                 double near);
-  Eigen::MatrixXd derivatives(const Section& section,
-                              const RollingLines::Line& line,
-                              const RollingInput& input,
-                              const GripTractions& tractions,
-                              const Eigen::Matrix3Xd& x) const;
+  class LineJacobian;
 
   GroundMotion motion_;
   double penalty_, scale_ = 1.0;
-  Eigen::Vector3d hub_;
-  Eigen::Matrix3d R_;  // turns a vector from the wheel frame to the ground's axes
+  std::optional<double> load_ = {}, drive_ = {};
+  Eigen::Vector3d hub_, axis_;  // ground's axes
+  Eigen::Matrix3d R_;           // turns a vector from the wheel frame to the ground's axes
   RollingLines lines_;
   std::vector<int> points_, rows_;
-  std::vector<double> areas_, times_, sags_;
+  std::vector<double> areas_, times_;
   std::vector<Eigen::Vector3d> x_0_;  // positions, without the offset of (T.1) along the ground
   std::vector<Section> sections_;
   Eigen::MatrixXd T_;

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/fe_tire/motion/streamlines.h"
+#include "models/fe_tire/history/streamlines.h"
 
 namespace latsch::fe_tire {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/motion/prony.h"
+#include "models/fe_tire/history/prony.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/motion/streamlines.h"
+#include "models/fe_tire/history/streamlines.h"
 
 #include <gtest/gtest.h>
 

@@ -27,7 +27,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "models/fe_tire/motion/prony.h"
+#include "models/fe_tire/history/prony.h"
 
 namespace latsch::fe_tire {
 
@@ -60,6 +60,15 @@ class Streamline {
   /// integral of H : dE along the flow by the trapezoidal rule. Shear strains are engineering
   /// strains.
   double power(double Omega, const Eigen::MatrixXd& H, const Eigen::MatrixXd& E) const;
+  /// Returns the same power of one term, whose history h is that of the stresses S, with the exact
+  /// mean of h over every step in place of the trapezoidal rule:
+  ///   mean of h from k to k+1 = phi_1 h_k + phi_2 beta (S_{k+1} - S_k),
+  /// by which a stress that is a positive multiple of its strain never gains energy.
+  double power(const PronyTerm& term,
+               double Omega,
+               const Eigen::MatrixXd& S,
+               const Eigen::MatrixXd& h,
+               const Eigen::MatrixXd& E) const;
 
  private:
   template <class Scalar>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/motion/streamlines.h"
+#include "models/fe_tire/history/streamlines.h"
 
 #include <algorithm>
 #include <cassert>
@@ -164,6 +164,27 @@ double Streamline::power(double Omega, const Eigen::MatrixXd& H, const Eigen::Ma
   for (int k = 0; k < points(); ++k) {
     const int here = from(k, forward), next = to(k, forward);
     work += 0.5 * (H.col(here) + H.col(next)).dot(E.col(next) - E.col(here));
+  }
+  return std::abs(Omega) * work;
+}
+
+double Streamline::power(const PronyTerm& term,
+                         double Omega,
+                         const Eigen::MatrixXd& S,
+                         const Eigen::MatrixXd& h,
+                         const Eigen::MatrixXd& E) const {
+  const bool forward = Omega >= 0.0;
+  const double per_turn = std::abs(Omega) * term.tau;
+  if (per_turn == 0.0) return 0.0;
+  double work = 0.0;
+  for (int k = 0; k < points(); ++k) {
+    const double a = step(k, forward) / per_turn;
+    if (std::isinf(a)) continue;
+    const StepFactors<double> factors(a);
+    const int here = from(k, forward), next = to(k, forward);
+    const auto mean =
+        factors.phi_1 * h.col(here) + factors.phi_2 * term.beta * (S.col(next) - S.col(here));
+    work += mean.dot(E.col(next) - E.col(here));
   }
   return std::abs(Omega) * work;
 }
