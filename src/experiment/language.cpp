@@ -9,6 +9,7 @@
 #include "base/document_record.h"
 #include "base/text.h"
 #include "experiment/kinds/specimen_kinds.h"
+#include "experiment/language/key_section.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/language/model_file.h"
 #include "experiment/tests/test_kinds.h"
@@ -100,7 +101,9 @@ const TestKind& kind_of(const Language& language, const Node& keys) {
 }  // namespace
 
 std::unique_ptr<Test> Language::read_test(const Node& keys, const TestSource& source) const {
-  auto test = kind_of(*this, keys).read(keys, source);
+  const TestKind& kind = kind_of(*this, keys);
+  if (kind.keys) refuse_unknown_keys(keys, kind.keys());
+  auto test = kind.read(keys, source);
   keys.close();
   return test;
 }

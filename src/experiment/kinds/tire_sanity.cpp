@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "experiment/kinds/magic_formula_ranges.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "models/magic_formula/sanity.h"
 
@@ -58,7 +59,12 @@ std::vector<FaultBeyondData> tire_faults(const Document& numbers, const Measured
     std::tie(range.p_from, range.p_to) = reach_of(values_of("p"), p.INFLPRES);
   }
   std::vector<FaultBeyondData> faults;
-  const auto found = sanity_faults(p, range);
+  const auto usual = [](std::string_view name) -> std::optional<magic_formula::UsualSpan> {
+    const auto range = usual_range_of(name);
+    if (!range) return std::nullopt;
+    return magic_formula::UsualSpan{range->lower, range->upper};
+  };
+  const auto found = sanity_faults(p, range, usual);
   const auto within = found.empty() ? found : sanity_faults(p, narrower(range));
   for (const auto& fault : found) {
     const bool is_within =

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/error.h"
+#include "base/text.h"
+
 namespace latsch::experiment {
 namespace {
 
@@ -103,6 +106,43 @@ bool matches(const std::string& path, const std::string& pattern) {
   if (one != "*" && one != first) return false;
   if (rest.empty() || others.empty()) return rest.empty() && others.empty();
   return matches(rest, others);
+}
+
+namespace {
+
+/// Adds the names of the keys that a section describes or refuses at the root of its table; "*" if
+/// it accepts any name.
+void add_root_keys(const KeySection& section,
+                   std::vector<const KeySection*>& seen,
+                   std::vector<std::string>& names) {
+  if (std::ranges::find(seen, &section) != seen.end()) return;
+  seen.push_back(&section);
+  const auto add = [&](const std::string& joined) {
+    for (const std::string& path : paths_of(joined)) names.push_back(split_path(path).first);
+  };
+  for (const KeySentence& sentence : section.sentences) add(sentence.path);
+  for (const std::string& path : section.refused) add(path);
+  for (const SharedKeys& shared : section.shared) {
+    if (shared.below.empty()) {
+      add_root_keys(shared.section(), seen, names);
+    } else {
+      names.push_back(split_path(shared.below).first);
+    }
+  }
+}
+
+}  // namespace
+
+void refuse_unknown_keys(const Node& table, const KeySection& section) {
+  std::vector<const KeySection*> seen;
+  std::vector<std::string> names = {"kind"};
+  add_root_keys(section, seen, names);
+  if (std::ranges::find(names, "*") != names.end()) return;
+  for (const std::string& key : table.keys()) {
+    if (std::ranges::find(names, key) != names.end()) continue;
+    const std::string path = table.path().empty() ? key : table.path() + "." + key;
+    throw InputError(table.place(key), "unknown key " + in_quotes(path) + did_you_mean(key, names));
+  }
 }
 
 KeyTable::KeyTable(const std::vector<const KeySection*>& sections) {

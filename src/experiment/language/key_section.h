@@ -49,6 +49,11 @@ struct KeySection {
       {};
 };
 
+/// Throws InputError for the first key of the table that its section does not describe, with the
+/// key that is meant. A reader that stops at a missing key never comes to a mistyped one, so this
+/// runs before it. Keys of inner tables are not examined. No key counts as read.
+void refuse_unknown_keys(const Node& table, const KeySection& section);
+
 /// One form in which a reader accepts a key: the data of DeclaredKey except value and default.
 struct KeyForm {
   DeclaredKey::Kind kind = DeclaredKey::Kind::presence;

@@ -18,12 +18,17 @@
 //   aligning moment       falls beyond its peak, and beyond 0 it stays below half of the peak
 //   factors               of pressure and camber polynomials stay positive: no pole, no change
 //                         of sign
-// The coefficients that cause a failed check are found by trial. Each coefficient that may be the
-// cause is set to a neutral value (0 for a coefficient of load, camber or pressure). The one that
-// removes the violation, or most of it, is reported; then the next one is sought, at most three.
+// The coefficients that cause a failed check are found by trial. Each coefficient is set to a
+// neutral value (0 for a coefficient of load, camber or pressure, else a usual value). If that of
+// one coefficient alone removes the violation, all such coefficients are possible causes, and the
+// three of the most unusual values are reported. If none does, the one that removes most of it is
+// reported; then the next one is sought, at most three.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "models/magic_formula/parameters.h"
@@ -48,12 +53,22 @@ struct SanityFault {
   std::string row;  // name of the check, for example "friction over load"
   // Description of the fault, for example "lateral friction rises with load: 1.1 at 600 N, ...".
   std::string words;
-  // Coefficients that cause it, strongest first; may be empty.
+  // Coefficients that cause it: each alone, that of the most unusual value first, or all together,
+  // the strongest first; may be empty.
   std::vector<std::string> coefficients;
 };
 
+/// Usual values of a coefficient, SI.
+struct UsualSpan {
+  double lower, upper;
+};
+/// Returns the usual values of a coefficient by its name; nullopt if none are known.
+using UsualOf = std::function<std::optional<UsualSpan>(std::string_view)>;
+
 /// Returns the checks that fail, in the order of the list above. Forces that the tire does not have
-/// are not checked.
-std::vector<SanityFault> sanity_faults(const Parameters& parameters, const DataRange& range);
+/// are not checked. Without `usual`, only coefficients of a check's own formulas are tried.
+std::vector<SanityFault> sanity_faults(const Parameters& parameters,
+                                       const DataRange& range,
+                                       const UsualOf& usual = {});
 
 }  // namespace latsch::magic_formula
