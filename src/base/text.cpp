@@ -50,12 +50,14 @@ std::optional<std::string> nearest(std::string_view name,
   int least = 0;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > kLongestName) continue;
-    const int distance = edit_distance(wanted, lower_case(candidate));
     const std::size_t longer = std::max(name.size(), candidate.size());
     // A name of one letter must match exactly; of a longer one, at most half may be wrong.
     const std::size_t shorter = std::min(name.size(), candidate.size());
     const std::size_t most = std::min((longer + 2) / 3, std::max<std::size_t>(shorter / 2, 1));
     const int tolerated = longer < 2 ? 0 : static_cast<int>(most);
+    // The distance is at least the difference of the lengths.
+    if (static_cast<int>(longer - shorter) > tolerated) continue;
+    const int distance = edit_distance(wanted, lower_case(candidate));
     if (distance <= tolerated && (!best || distance < least)) {
       best = candidate;
       least = distance;

@@ -40,7 +40,8 @@ const Language& language() {
                                 &kAxleKcTest,
                                 &kMassPropertiesTest,
                                 &kInflationTest,
-                                &kRollingTest}};
+                                &kRollingTest,
+                                &kRollingFootprintTest}};
   return all;
 }
 

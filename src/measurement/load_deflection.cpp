@@ -65,6 +65,12 @@ std::string way_out_of(const LoadDeflectionCurve& curve, const MeasurementFault&
     if (position > 0.0 && (least == 0.0 || position < least)) least = position;
   if (curve.position[point] <= 0.0)
     return least == 0.0 ? "" : keep("select", format_number(0.5 * least / kPerMm, 3) + " mm ..");
+  const bool all_negative = std::all_of(
+      curve.force.begin(), curve.force.end(), [](double force) { return force <= 0.0; });
+  if (all_negative && curve.force[point] < 0.0)
+    return "; no force is positive: axes = \"sae\" in a [measurement.NAME] of the file reads a "
+           "record of SAE axes, and a minus before the column in its table columns turns the force "
+           "alone";
   const bool is_point = std::isfinite(curve.position[point]) && curve.force[point] > 0.0;
   const bool has_spread = point < curve.spread.size() && !(curve.spread[point] >= 0.0);
   return is_point && !has_spread ? keep("sweep", "rising") : "";

@@ -63,6 +63,24 @@ std::string kph(double speed) { return format_quantity(speed, "km/h", 5); }
                                settings.trim));
 }
 
+/// Throws InputError if the drum never turns forward, with the reason and a way out.
+void require_forward(const DrumRecord& record, const std::vector<double>& smooth) {
+  constexpr double kStill = 0.1;  // m/s, below which a drum stands
+  const auto [least, most] = std::minmax_element(smooth.begin(), smooth.end());
+  if (*most > kStill) return;
+  const bool is_backward = *least < -kStill;
+  throw InputError(
+      {record.source, 0},
+      fmt::format("has a speed from {} to {}: the drum {}",
+                  kph(*least),
+                  kph(*most),
+                  is_backward
+                      ? "turns backward, or its sensor counts backward. Expected a positive speed: "
+                        "if only the sign is wrong, write the speed with the other sign; if the "
+                        "drum did turn backward, turn the sign of the longitudinal force, too"
+                      : "stands still; expected a drum at constant speed"));
+}
+
 }  // namespace
 
 std::vector<double> smooth_speed(const DrumRecord& record,
@@ -83,7 +101,9 @@ std::vector<double> smooth_speed(const DrumRecord& record,
     throw InputError({record.source, 0},
                      fmt::format("has {} samples, too few to low-pass the speed", record.samples));
   }
-  return filter_forward_backward(sections, speed);
+  std::vector<double> smooth = filter_forward_backward(sections, speed);
+  require_forward(record, smooth);
+  return smooth;
 }
 
 std::vector<Plateau> find_plateaus(const DrumRecord& record,

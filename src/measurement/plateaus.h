@@ -30,7 +30,7 @@ struct Plateau {
 };
 
 /// Returns the low-passed speed of a record. Throws InputError if the record is too short for the
-/// filter or the filter frequency is not below half the rate.
+/// filter, the filter frequency is not below half the rate, or the drum never turns forward.
 std::vector<double> smooth_speed(const DrumRecord& record,
                                  const std::string& speed_channel,
                                  const PlateauSettings& settings);

@@ -155,7 +155,9 @@ RunOptions counting_options(const correlation::Study& study, const std::string& 
   RunOptions options = run_options(study, /*length_known=*/false);
   auto bar = std::make_shared<RunningNote>();
   options.on_progress = [bar, what](const RunProgress& progress) {
-    bar->update(progress.known, progress.planned, what + ", " + troubles(progress));
+    bar->update(progress.known,
+                progress.planned,
+                (progress.work.empty() ? what : progress.work) + ", " + troubles(progress));
   };
   return options;
 }

@@ -91,7 +91,9 @@ void take_stated(const std::string& text, std::vector<Column>& columns) {
 }
 
 bool is_called(const Channel& channel, const Column& column) {
-  const auto framed = lower(channel.name);
+  auto framed = lower(channel.name);
+  for (char& c : framed)
+    if (c == ' ' || c == '-' || c == '.') c = '_';
   for (const std::string& usual : column.usual) {
     if (framed == usual) return true;
     if (column.unit[0] == 'N')
@@ -100,6 +102,19 @@ bool is_called(const Channel& channel, const Column& column) {
   }
   const auto known = recognized(channel.name);  // a name known from a laboratory, such as "Radlast"
   return known && known->meaning->name == (column.ours == "speed" ? "Vx" : column.ours);
+}
+
+/// Returns what to do about a column whose unit has another dimension; "" if nothing is known.
+std::string way_out_of(const Channel& found, const Column& column) {
+  const Unit unit = Unit::of(found.unit);
+  if (column.ours != "speed") return "";
+  if (unit.same_dimension(Unit::of("rpm")) || unit.same_dimension(Unit::of("Hz")))
+    return fmt::format(
+        ". This is the rate at which the drum turns: write its speed at the circumference, rate "
+        "times pi times diameter, as a column in m/s; 1 {} at a diameter of 2 m is {:.4g} m/s",
+        found.unit,
+        unit.to_si(1.0) * (unit.same_dimension(Unit::of("Hz")) ? 2.0 * std::numbers::pi : 1.0));
+  return "";
 }
 
 /// Returns the unit that a column's name ends with, such as km/h for "V_kph", if the file states no
@@ -133,11 +148,12 @@ std::vector<Column> columns_of(const Channels& record,
         !Unit::of(found->unit).same_dimension(Unit::of(column.unit)))
       throw InputError({file.string(), 0},
                        fmt::format("has {} in the unit {}, which is no unit of the {} of a drum; "
-                                   "expected a column in {} or a unit like it",
+                                   "expected a column in {} or a unit like it{}",
                                    in_quotes(column.written),
                                    found->unit,
                                    column.ours,
-                                   column.unit));
+                                   column.unit,
+                                   way_out_of(*found, column)));
     if (!column.written.empty() && !found)
       throw InputError({file.string(), 0},
                        fmt::format("has no column {}{}; it has {}",

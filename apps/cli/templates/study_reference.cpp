@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -165,6 +166,20 @@ std::string section_words(const KeySection& section, const std::vector<TabledKey
   return text;
 }
 
+/// Returns the words of a heading, in lower case; letters, digits and underscores make a word.
+std::vector<std::string> words_of(const std::string& heading) {
+  std::vector<std::string> words(1);
+  for (const char c : heading) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
 const char* kind_name(Kind kind) {
   switch (kind) {
     case Kind::presence:
@@ -235,6 +250,29 @@ std::string study_reference(const KeyTable& keys) {
   for (const auto& [section, of_section] : keys.sections())
     text += section_words(*section, of_section);
   return text;
+}
+
+std::string study_reference_on(const KeyTable& keys, const std::string& word) {
+  std::string text;
+  for (const auto& [section, of_section] : keys.sections()) {
+    const std::vector<std::string> words = words_of(section->heading);
+    if (std::find(words.begin(), words.end(), word) != words.end())
+      text += section_words(*section, of_section);
+  }
+  return text.empty() ? text : text.substr(1);
+}
+
+std::vector<std::string> study_reference_words(const KeyTable& keys) {
+  std::vector<std::string> names;
+  for (const auto& [section, of_section] : keys.sections()) {
+    const std::string& heading = section->heading;
+    const std::size_t begin = heading.find_first_of("[\"");
+    if (begin == std::string::npos) continue;
+    const std::vector<std::string> words = words_of(heading.substr(begin));
+    if (!words.empty() && std::find(names.begin(), names.end(), words.front()) == names.end())
+      names.push_back(words.front());
+  }
+  return names;
 }
 
 Json study_keys_json(const KeyTable& keys) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "experiment/language/key_section.h"
 #include "formats/text/json.h"
@@ -12,6 +13,14 @@ namespace latsch::cli {
 /// Returns the reference as a Markdown page: a section for each table of a study, with an example
 /// and a row for each key.
 std::string study_reference(const experiment::KeyTable& keys);
+
+/// Returns the sections, in the form of the page, whose headings contain the word: a kind of test
+/// such as "rolling", or a table such as "optimizer". Returns an empty text if there is none.
+std::string study_reference_on(const experiment::KeyTable& keys, const std::string& word);
+
+/// Returns the names of tests and tables that study_reference_on() finds: all words that stand in
+/// quotation marks or brackets in a heading.
+std::vector<std::string> study_reference_words(const experiment::KeyTable& keys);
 
 /// Returns the reference for programs: a list of sections, each with the path of its table, its
 /// text and its keys. A key has its path below the table, its description, the forms of its values

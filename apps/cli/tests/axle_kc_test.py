@@ -4,6 +4,7 @@ and with rigid joints those of the rigid linkage in the test kinematics. The com
 differences."""
 import csv
 import io
+import math
 import pathlib
 import re
 import shutil
@@ -170,6 +171,71 @@ class AxleKc(unittest.TestCase):
             done = subprocess.run([LATSCH, "test", str(STUDIES / "kerb/baseline.toml"), test], capture_output=True, text=True)
             self.assertNotEqual(done.returncode, 0)
             self.assertIn(word, done.stderr)
+
+
+class AxesOfTables(unittest.TestCase):
+    """A table of both wheels whose study states no axes: the axes are offered, whatever the number of its rows."""
+    # signs by which the columns of a table in these axes differ from iso
+    TURNED = {"iso": "", "sae": "Fy Fz My Mz dy dz", "adapted_sae": "Fy My Mz dy dz", "adams": "Fx Fy Mx My dx dy"}
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="latsch_axes_"))
+        shutil.copytree(STUDIES / "kerb", cls.folder / "kerb", ignore=shutil.ignore_patterns("*.latsch", "*.html"))
+        cls.rows = {}
+        for rows in (4, 14):
+            value = lambda k, most, i: most * math.sin(1.3 * k + (2.1 + 0.37 * k) * i)
+            loads = {f"{name}_{side}": [value(3 * n + (side == "R"), most, i) + (3000 if name == "Fz" else 0) for i in range(rows)]
+                     for n, (name, most) in enumerate((("Fx", 1500), ("Fy", 2000), ("Fz", 900), ("Mz", 60))) for side in "LR"}
+            stated = ", ".join(name + " = [" + ", ".join(f'"{x:.6g} {"N m" if name[0] == "M" else "N"}"' for x in values) + "]"
+                               for name, values in loads.items())
+            cls.rows[rows] = run("kerb/proposed.toml", '{kind = "axle_kc", axle = "rear", springs = "locked", ' + stated + "}")
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def study(self, axes, rows, lines="", head=lambda name: name, at=""):
+        """Writes a study of a table in these axes and returns what check and simulate say."""
+        table = {name: values for name, values in self.rows[rows].items() if re.match("[FM][xyz]_|d[xyz]_|toe|camber|caster", name)}
+        unit = lambda name: {"F": "N", "M": "N m", "d": "m"}.get(name[0], "rad")
+        signs = {name: -1 if name[:2] in self.TURNED[axes].split() else 1 for name in table}
+        text = ",".join(f"{head(name)} [{unit(name)}]" for name in table) + "\n"
+        for i in range(rows):
+            text += ",".join(f"{signs[name] * values[i]:.12g}" for name, values in table.items()) + "\n"
+        (self.folder / "rig.csv").write_text(text)
+        study = self.folder / "study.toml"
+        study.write_text('model = "kerb/proposed.toml"\n[measurement.rig]\nfile = "rig.csv"\n' + lines + '\n[test.t]\nkind = "axle_kc"\n'
+                         f'axle = "rear"\nsprings = "locked"\nloads = {{from = "measurement.rig"}}\n{at}\n'
+                         '[variable.v]\npath = "chassis.mass"\nlower = "100 kg"\nupper = "2000 kg"\ninitial = "700 kg"\n' +
+                         "".join(f'[experiment.{name}]\nkind = "curve"\ny = "t/{name}"\nmeasurement = "rig"\n' for name in ("dx_L", "dy_R", "toe_L", "camber_R")))
+        done = subprocess.run([LATSCH, "check", study], capture_output=True, text=True)
+        return done.stdout + done.stderr
+
+    def test_every_table_is_offered_the_axes_that_it_is_in(self):
+        for rows in (4, 14):
+            for axes in ("sae", "adapted_sae", "adams"):
+                with self.subTest(rows=rows, axes=axes):
+                    self.assertRegex(self.study(axes, rows), f'axes = ("iso", )?("iso" or )?"{axes}"')
+                    self.assertNotRegex(self.study(axes, rows, f'axes = "{axes}"'), "states no axes|the signs agree")
+        self.assertNotRegex(self.study("iso", 4, 'axes = "iso"'), "states no axes|the signs agree")
+
+    def test_only_loads_of_wheels_are_told_as_absent_beside_those_of_wheels(self):
+        said = self.study("iso", 14, 'axes = "iso"')
+        self.assertIn("Mx_L is taken as 0 by test t", said)
+        self.assertNotIn("Fx is taken as 0", said)
+        self.assertNotIn("Mx is taken as 0", said)
+
+    def test_loads_in_another_frame_are_refused(self):
+        framed = lambda frame: lambda name: name[:2] + frame + name[2:] if name[0] in "FM" else name
+        self.assertNotIn("the test takes it", self.study("iso", 14, 'axes = "iso"', framed("W")))
+        said = self.study("iso", 14, 'axes = "iso"', framed("H"))
+        self.assertIn("Fx_L is in axes H, at the wheel center, but the test takes it in axes W, at the contact patch", said)
+        self.assertIn('say at = "wheel_center" in the test', said)
+        self.assertNotIn("in_frame", said)
+        self.assertNotIn("the test takes it", self.study("iso", 14, 'axes = "iso"', framed("H"), 'at = "wheel_center"'))
+        self.assertIn("is in axes H, at the wheel center", self.study("iso", 14, 'axes = "iso"\nframe = "H"'))
+        self.assertNotIn("the test takes it", self.study("iso", 14, 'axes = "iso"\nframe = "W"'))
 
 
 if __name__ == "__main__":

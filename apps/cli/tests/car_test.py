@@ -156,7 +156,7 @@ class OnRoads(Cars):
         def said(front, rear, road=level, speed="30 m/s"):
             """Runs a car whose floor is 30 mm high over a map of heights in mm."""
             rows = ", ".join(f'["{f} mm", "{r} mm", 1.0, 1.2]' for f in front for r in rear)
-            self.car.write_text(original + '\n[aero]\narea = "1.2 m^2"\ndensity = "1.2 kg/m^3"\n'
+            self.car.write_text(original + '\n[aero]\narea = "0.1 m^2"\ndensity = "1.2 kg/m^3"\n'
                                 f'floor = ["30 mm", "30 mm"]\nmap = [{rows}]\n')
             test = self.folder / "drive.toml"
             test.write_text(f'kind = "kerb"\nspeed = "{speed}"\nrun_in = "0.04 s"\nduration = "0.07 s"\n{road}')
@@ -170,7 +170,7 @@ class OnRoads(Cars):
         self.assertIn("at the rear axle", outside)
         self.assertNotIn("at the front axle", outside)
         # The chassis rises on the kerb and leaves the map for a part of the run.
-        self.assertIn(" % of the time)", part := said((10, 30.5), (10, 60), "[kerb]\n" + self.KERB))
+        self.assertIn(" % of the time)", part := said((10, 25), (10, 60), "[kerb]\n" + self.KERB))
         self.assertNotIn("(100 %", part)
         # A car at rest has no air forces.
         self.assertEqual(said((40, 60), (60, 90), level, "0 m/s"), "")
@@ -221,6 +221,11 @@ class OnPosts(Cars):
         self.assertAlmostEqual(max(record["post_FL"]), 2e-3, delta=1e-5)
         self.assertEqual(record["post_FL"], record["post_RR"])
         self.assertLess(max(map(abs, record["heave"])), 1e-4)
+        # The columns may have usual names in any case.
+        named = ["Zeit [s],POST_FL [mm],post FR [mm],Post-RL [mm],post_rr [mm]", *rows[1:]]
+        (self.folder / "heights.csv").write_text("\n".join(named) + "\n")
+        self.assertEqual(self.columns(self.folder / "warp.toml")["post_FL"], record["post_FL"])
+        (self.folder / "heights.csv").write_text("\n".join(rows) + "\n")
         edit(self.folder / "heights.csv", (r"\n0.250,", "\n0.2504,"))
         self.assertIn("not even in time at sample 251", self.latsch("test", self.car, self.folder / "warp.toml", code=WRONG_INPUT))
         # The message names where a gap in the recorded heights is, and says if the times do not begin at 0.

@@ -201,6 +201,26 @@ class Drum(unittest.TestCase):
             self.assertEqual(refused.returncode, WRONG_INPUT, (arguments, refused.stdout))
             self.assertIn(part, refused.stderr)
 
+    def test_a_speed_of_another_sign_or_kind_is_refused_by_its_reason(self):
+        with open(self.folder / "raw.csv") as raw:
+            rows = list(csv.reader(raw))[1:]
+        times = [float(row[0]) for row in rows]
+        for name, header, speed, parts in [
+            ("backward", "speed [m/s]", lambda t: -SPEED, ["turns backward", "with the other sign"]),
+            ("still", "speed [m/s]", lambda t: 0.0, ["stands still"]),
+            ("rpm", "drum speed [rpm]", lambda t: SPEED / DRUM * 2 * 60 / (2 * math.pi),
+             ['"drum speed" in the unit rpm', "rate times pi times diameter"]),
+            ("hertz", "Drum-Speed [Hz]", lambda t: SPEED / DRUM / math.pi,
+             ['"Drum-Speed" in the unit Hz', "rate times pi times diameter"]),
+        ]:
+            with open(self.folder / f"{name}.csv", "w") as out:
+                out.write(f"time [s],{header},Fz [N],Fx [N]\n")
+                out.writelines(f"{t},{speed(t):.6f},4000,0\n" for t in times)
+            refused = self.new("refused", f"{name}.csv", "--cleat", "10 mm x 20 mm")
+            self.assertEqual(refused.returncode, WRONG_INPUT, (name, refused.stdout))
+            for part in parts:
+                self.assertIn(part, refused.stderr)
+
     def test_a_window_that_leaves_nothing_is_said(self):
         self.assertEqual(self.latsch("process", "rig.toml").returncode, DONE)
         text = STUDY.replace('shift = "-179 ms"', 'shift = "3 s"')

@@ -112,6 +112,64 @@ class ExactFit(unittest.TestCase):
             self.assertIn("no search of this study has ended", latsch("identify", study, "--short"))
             latsch("run", study)
             self.assertNotIn("no search of this study has ended", latsch("identify", study, "--short"))
+            # The progress names the work of each phase and estimates its length from the first trial on.
+            words = latsch("identify", study)
+            first = re.search(r"(?m)^(\d+)/(\d+) \(\d+ %\), .*derivatives around the best trial, ", words)
+            self.assertTrue(first, words)
+            self.assertGreater(int(first[2]), 2 * 3 * 9, "fewer than the profiles need")
+            self.assertRegex(words, r"(?m)^\d+/\d+ \(100 %\), .*profiles, the other variables refitted, ")
+
+    def assert_systematic(self, variables, **options):
+        """Fits a model that cannot follow the measurement; returns words and answer. No variable may be free, and the
+        words say that the residuals are no noise."""
+        words, answer = self.fit(variables, more="exponent = 2", **options)
+        self.assertNotIn("anywhere", words)
+        self.assertNotIn("Neighboring values share noise", words)
+        self.assertIn("The residuals are a systematic misfit and no noise", words)
+        return words, answer
+
+    def test_a_true_value_beyond_a_bound_leaves_the_other_variables_known(self):
+        cases = {"a upper": {"a": (0, 1.5, 1), "b": (-5, 0, -1), "c": (0, 2, 1)},
+                 "a far": {"a": (0, 0.8, 0.5), "b": (-5, 0, -1), "c": (0, 2, 1)},
+                 "a lower": {"a": (3, 10, 5), "b": (-5, 0, -1), "c": (0, 2, 1)},
+                 "b upper": {"a": (0, 10, 1), "b": (-5, -2, -3), "c": (0, 2, 1)},
+                 "c lower": {"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0.8, 2, 1)}}
+        for case, variables in cases.items():
+            with self.subTest(case):
+                words, answer = self.assert_systematic(variables)
+                name = case[0]
+                self.assertRegex(words, rf"(?m)^  {name} is held at its bound: beyond it, \d+ % of the sum of squares")
+                for row in answer["variables"]:
+                    if row["name"] == name:
+                        self.assertEqual(row["interval_from"], "data and a bound")
+                        continue
+                    low, high = row["interval"]
+                    lower, upper, _ = variables[row["name"]]
+                    self.assertLess(high - low, 0.5 * (upper - lower), row)
+
+    def test_a_model_of_another_shape_leaves_no_variable_free(self):
+        variables = {"a": (0, 10, 1), "b": (-5, 0, -1), "c": (0, 2, 1)}
+        shapes = {"two exponentials": lambda t: math.exp(-4 * t) + math.exp(-0.7 * t) + 0.5,
+                  "bump": lambda t: exponential(t) + 0.2 * math.exp(-(t - 2) ** 2),
+                  "wave": lambda t: exponential(t) + 0.1 * math.sin(3 * t)}
+        for shape, measured in shapes.items():
+            with self.subTest(shape):
+                words, _ = self.assert_systematic(variables, measured=measured)
+                self.assertNotIn("is held", words)
+
+    def test_a_neighbor_with_a_smaller_target_says_why_the_search_did_not_end_there(self):
+        # The target counts errors with exponent 1, the search makes the sum of squares small.
+        words, _ = self.fit({"a": (0, 1.5, 1), "b": (-5, 0, -1), "c": (0, 2, 1)})
+        self.assertIn("The search ended at a minimum", words)
+        self.assertRegex(words, r"A neighboring trial has a smaller target: .* Its sum of squared errors, .* is larger")
+
+    def test_an_exact_program_over_ranges_too_wide_is_not_called_noisy(self):
+        for wide in ("1e4", "1e9"):
+            with self.subTest(wide):
+                words, answer = self.fit({"a": (f"-{wide}", wide, 1), "b": (f"-{wide}", 0, -1), "c": (f"-{wide}", wide, 1)})
+                self.assertGreater(answer["target"], 1e-3, "the search finds the truth: choose wider bounds")
+                self.assertIn("without having seen a minimum", words)
+                self.assertIn("narrow its bounds or give it a logarithmic scale", words)
 
     def test_a_range_too_wide_is_resolved_or_said_to_be(self):
         for wide in ("1e9", "1e12"):

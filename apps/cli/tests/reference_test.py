@@ -46,6 +46,31 @@ class Reference(unittest.TestCase):
         self.assertRegex(own, r"\| `magic_formula` \| Magic Formula \| a \.tir file \|")
         self.assertRegex(own, r"\| `footprint` \| .* \| fe_tire, inp_tire, ring_tire, rigid_ring, magic_formula \|")
 
+    def test_one_kind_of_test_or_table_is_printed_alone(self):
+        whole = PAGE.read_text()
+        for topic, part, heading in (
+            ("test", "rolling", '## Test "rolling"'),
+            ("study", "optimizer", "## [optimizer]"),
+            ("study", "variable", "## [variable.NAME]"),
+            ("study", "suite", "## A suite"),
+        ):
+            text = said("help", topic, part)
+            self.assertTrue(text.startswith(heading), text[:80])
+            self.assertLess(len(text), 0.2 * len(whole))
+            for section in ("## " + one for one in text.split("## ")[1:]):
+                self.assertIn(section.strip(), whole)
+
+    def test_every_kind_of_test_has_its_keys(self):
+        for heading in sections():
+            if name := re.match(r'Test "(\w+)"', heading):
+                self.assertIn(heading, said("help", "test", name[1]))
+
+    def test_an_unknown_part_is_answered_with_what_there_is(self):
+        done = subprocess.run([LATSCH, "help", "test", "roling"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('did you mean "rolling"', done.stderr)
+        self.assertIn("optimizer", done.stderr)
+
     def test_programs_get_kind_unit_range_choices_default_and_sentence_of_every_key(self):
         found = sections()
         keys = [key for section in found.values() for key in section["keys"]]

@@ -33,6 +33,46 @@ class RotatingTire(Coarse):
         (self.folder / "with_rim.toml").write_text(text + rim)
         return "with_rim.toml"
 
+    def with_keys(self, **keys):
+        """Writes a tire with these lines in tables: rubber_matrix = "loss_factor = 0.1"."""
+        text = (self.folder / "tire.toml").read_text()
+        for table, line in keys.items():
+            head = "[" + table.replace("__", ".") + "]\n"
+            self.assertIn(head, text)
+            text = text.replace(head, head + line + "\n")
+        (self.folder / "lossy.toml").write_text(text)
+        return "lossy.toml"
+
+    def tables(self, kind):
+        return [line.strip()[1:-1] for line in (self.folder / "tire.toml").read_text().splitlines()
+                if line.startswith("[" + kind + ".")]
+
+
+class Damped(RotatingTire):
+    def lossy(self):
+        return self.with_keys(**{table.replace(".", "__"): "loss_factor = 0.15" for table in self.tables("rubber")})
+
+    def test_rubber_damps_and_stiffens_the_modes_of_a_standing_and_an_unloaded_tire(self):
+        lossy = self.lossy()
+        for load in ("", ', deflection = "8 mm"'):
+            relaxed = self.channels('{kind = "modes", count = 5%s}' % load, lossy)
+            damped = self.channels('{kind = "modes", count = 5, damping = true%s}' % load, lossy)
+            self.assertNotIn("damping", relaxed)
+            for f, slow, share in zip(damped["frequency"], relaxed["frequency"], damped["damping"]):
+                self.assertGreater(f, slow)
+                self.assertTrue(0.002 < share < 0.075, share)
+
+    def test_relaxed_moduli_are_told(self):
+        said = self.latsch("test", self.folder / self.lossy(), '{kind = "modes", count = 2}')
+        self.assertIn("relaxed moduli", said)
+        self.assertIn("damping = true", said)
+        self.assertNotIn("relaxed moduli", self.latsch("test", self.folder / "tire.toml", '{kind = "modes", count = 2}'))
+
+    def test_what_cannot_be_damped_is_refused(self):
+        self.refused('{kind = "modes", count = 2, damping = true, speed = "20 rad/s"}', "damping", "rim held")
+        said = self.latsch("test", self.folder / "tire.toml", '{kind = "modes", count = 2, damping = true}', code=FAILED)
+        self.assertIn("loss_factor", said)
+
 
 class Spinning(RotatingTire):
     def test_waves_split_by_twice_n_times_the_speed_at_most(self):
@@ -153,20 +193,6 @@ class Losses(RotatingTire):
 
     ROLLING = '{kind = "rolling", load = "2 kN", speed = "36 km/h", friction = 0.8}'
 
-    def with_keys(self, **keys):
-        """Writes a tire with these lines in tables: rubber_matrix = "loss_factor = 0.1"."""
-        text = (self.folder / "tire.toml").read_text()
-        for table, line in keys.items():
-            head = "[" + table.replace("__", ".") + "]\n"
-            self.assertIn(head, text)
-            text = text.replace(head, head + line + "\n")
-        (self.folder / "lossy.toml").write_text(text)
-        return "lossy.toml"
-
-    def tables(self, kind):
-        return [line.strip()[1:-1] for line in (self.folder / "tire.toml").read_text().splitlines()
-                if line.startswith("[" + kind + ".")]
-
     def rolled(self, tire):
         return {name: values[0] for name, values in self.channels(self.ROLLING, tire).items()}
 
@@ -209,6 +235,63 @@ class Losses(RotatingTire):
                 said = self.latsch("test", self.folder / tire, self.ROLLING, code=WRONG_INPUT)
                 for part in (*parts, "lossy.toml:"):
                     self.assertIn(part, said)
+
+
+class RollingFootprint(RotatingTire):
+    """The patch of a tire that rolls: its sums are the forces of the test "rolling"."""
+
+    STATES = 'load = "2 kN", speed = "36 km/h", friction = 0.8, alpha = ["0 deg", "2 deg"]'
+
+    def points(self):
+        table = self.folder / "points.csv"
+        self.latsch("test", self.folder / "tire.toml", '{kind = "rolling_footprint", %s}' % self.STATES,
+                    "--details", table)
+        head, *rows = table.read_text().splitlines()
+        names = [name.split(" ")[0].strip('"') for name in head.split(",")]
+        return [dict(zip(names, map(float, row.split(",")))) for row in rows]
+
+    def test_its_means_are_those_of_the_forces(self):
+        rolled = self.channels('{kind = "rolling", %s}' % self.STATES)
+        prints = self.channels('{kind = "rolling_footprint", %s}' % self.STATES)
+        for k in range(2):
+            self.assertEqual(prints["load"][k], rolled["Fz"][k])
+            self.assertEqual(prints["loss_friction"][k], rolled["loss_friction"][k])
+            self.assertAlmostEqual(prints["sticking"][k], rolled["sticking"][k], delta=1e-9)
+            self.assertAlmostEqual(prints["area"][k] * prints["mean_pressure"][k], rolled["Fz"][k], delta=1e-6)
+        # Sideslip uses more of the friction, and all sliding points use all of theirs.
+        self.assertGreater(prints["grip_level"][1], 2.0 * prints["grip_level"][0])
+        self.assertGreater(prints["sliding_speed"][1], prints["sliding_speed"][0])
+
+    def test_points_obey_the_law_of_friction(self):
+        points = self.points()
+        self.assertEqual({at["state"] for at in points}, {1.0, 2.0})
+        for at in points:
+            shear = math.hypot(at["shear_x"], at["shear_y"])
+            self.assertAlmostEqual(at["grip"], min(1.0, shear / (0.8 * at["pressure"])), delta=1e-6)
+            slide = math.hypot(at["slide_x"], at["slide_y"])
+            if slide > 1e-9:
+                self.assertAlmostEqual(at["grip"], 1.0, delta=1e-6)
+                # Friction acts against the sliding.
+                self.assertAlmostEqual(at["shear_x"] * at["slide_x"] + at["shear_y"] * at["slide_y"],
+                                       -shear * slide, delta=1e-6 * shear * slide + 1e-9)
+
+    def test_one_sensor_below_the_whole_patch_reads_the_forces(self):
+        rolled = self.channels('{kind = "rolling", %s}' % self.STATES)
+        side = 0.1
+        read = self.channels('{kind = "rolling_footprint", %s, sensor = "100 mm", sensors = [%s]}' % (
+            self.STATES, ", ".join('["%g mm", "%g mm"]' % (x, y) for x in (-100, 0, 100) for y in (-100, 0, 100))))
+        for k in range(2):
+            for name, force in (("pressure", "Fz"), ("shear_y", "Fy")):
+                total = sum(read[name][9 * k:9 * k + 9]) * side * side
+                self.assertAlmostEqual(total, rolled[force][k], delta=1e-6 * rolled["Fz"][k])
+
+    def test_requests_without_meaning_are_refused(self):
+        for keys, *parts in (('sensor = "1 m"', "sensor", "0.1"), ('sensors = [["1 mm"]]', "sensors"),
+                             ('sensors = [["1 N", "2 mm"]]', "sensors"), ('senors = [["1 mm", "2 mm"]]', "senors")):
+            with self.subTest(keys):
+                self.refused('{kind = "rolling_footprint", %s, %s}' % (self.STATES, keys), *parts)
+        self.refused('{kind = "rolling_footprint", load = "2 kN", speed = "36 km/h", friction = 0, alpha = "1 deg"}',
+                     "friction")
 
 
 if __name__ == "__main__":

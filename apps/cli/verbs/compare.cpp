@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -53,15 +54,32 @@ void write_measurements(const ComparisonFile& file, const fs::path& folder) {
   }
 }
 
+/// Returns the ledgers of the recordings that the tests name, each once.
+std::vector<Ledger> ledgers_of_recordings(const ComparisonFile& file) {
+  std::vector<Ledger> all;
+  for (const correlation::ComparisonTest& test : file.tests)
+    for (Ledger& ledger : test.measurement ? test.measurement->ledgers() : std::vector<Ledger>())
+      if (std::none_of(
+              all.begin(), all.end(), [&](const Ledger& one) { return one.file == ledger.file; }))
+        all.push_back(std::move(ledger));
+  return all;
+}
+
+/// Reports how the files that the comparison names were read: the recordings, then the others.
+void say_files(const std::string& name, std::vector<Ledger> recordings) {
+  auto others = correlation::ledgers_of_named_files(name, "the comparison", recordings);
+  for (Ledger& ledger : others) recordings.push_back(std::move(ledger));
+  say_ledgers(recordings, LinesTo::output, "Files");
+}
+
 void compare(const std::string& name,
              const experiment::Language& language,
              const std::string& measurements,
              std::string output,
              int threads) {
   expect_no_pipe(name);
-  say_ledgers(
-      correlation::ledgers_of_named_files(name, "the comparison", {}), LinesTo::output, "Files");
   const bool models = correlation::compares_models(name);
+  if (models) say_files(name, {});
   if (threads > 0 && !models)
     throw InputError({name, 0},
                      "compares tires one after the other, so that their times are comparable; "
@@ -71,6 +89,7 @@ void compare(const std::string& name,
     return compare_models(
         name, language, measurements, output, threads > 0 ? threads : kUsualThreads);
   const ComparisonFile file = correlation::read_comparison_file(name, language);
+  say_files(name, ledgers_of_recordings(file));
   for (const correlation::ComparedTire& tire : file.tires)
     examine_model(*tire.kind, tire.numbers, tire.file.string());
   if (!measurements.empty()) return write_measurements(file, measurements);

@@ -37,30 +37,67 @@ void help_on_study(const experiment::Language& language) {
   }
 }
 
-void help(const CommandLine& app, const experiment::Language& language, const std::string& topic) {
+void print_text(const std::string& text) {
+  if (answers_in_json()) {
+    answer()["text"] = text;
+  } else {
+    put(text);
+  }
+}
+
+/// Prints the keys of one kind of test or of one table of a study. Throws an InputError if no
+/// section of the reference is about `part`.
+void help_on_part(const experiment::Language& language, const std::string& part) {
+  const experiment::KeyTable keys = correlation::read_study_keys(language);
+  const std::string text = study_reference_on(keys, part);
+  if (text.empty()) {
+    const std::vector<std::string> words = study_reference_words(keys);
+    throw InputError(fmt::format("no help on the keys of {}{}\nthere is help on {}",
+                                 in_quotes(part),
+                                 did_you_mean(part, words),
+                                 fmt::join(words, ", ")));
+  }
+  print_text(text);
+}
+
+void help(const CommandLine& app,
+          const experiment::Language& language,
+          const std::string& topic,
+          const std::string& part) {
+  if (!part.empty()) {
+    if (topic != "study" && topic != "test")
+      throw InputError(in_quotes(topic) + " has no part " + in_quotes(part) +
+                       "; only \"study\" and \"test\" are followed by a part");
+    return help_on_part(language, part);
+  }
   if (topic == "study") return help_on_study(language);
   const auto text = app.help(topic);
   if (!text) {
     std::vector<std::string> topics = app.verbs();
     topics.emplace_back("study");
     throw InputError("no help on " + in_quotes(topic) + did_you_mean(topic, topics) +
-                     "\nlatsch help lists the verbs");
+                     "\nlatsch help lists the verbs; latsch help study PART has the keys of one "
+                     "kind of test or table");
   }
-  if (answers_in_json()) {
-    answer()["text"] = *text;
-  } else {
-    put(*text);
-  }
+  print_text(*text);
 }
 
 }  // namespace
 
 void add_help(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("help", "What a verb takes, or what may stand in a study");
-  verb.footer("Examples:\n  latsch help run\n  latsch help study");
+  verb.footer(
+      "Examples:\n  latsch help run\n  latsch help study\n"
+      "  latsch help study optimizer    the keys of one table of a study\n"
+      "  latsch help test rolling       the keys of one kind of test");
   auto topic = std::make_shared<std::string>();
+  auto part = std::make_shared<std::string>();
   verb.add_option("topic", *topic, "A verb, or \"study\"; without it all verbs");
-  verb.callback([&app, &program, topic] { help(app, program.language, *topic); });
+  verb.add_option("part",
+                  *part,
+                  "After \"study\" or \"test\": a kind of test such as \"footprint\", or a "
+                  "table such as \"variable\"");
+  verb.callback([&app, &program, topic, part] { help(app, program.language, *topic, *part); });
 }
 
 }  // namespace latsch::cli

@@ -34,9 +34,11 @@
 #include "correlation/study/study_start.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/estimated_noise.h"
+#include "correlation/target/residuals.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/executors/launch.h"
 #include "evaluation/journal/journal_lock.h"
+#include "optimization/problem/infinity.h"
 
 namespace latsch::cli {
 namespace {
@@ -76,6 +78,30 @@ void print_remarks(const Study& study, const DesignPoint& best, const Journal& j
   }
 }
 
+/// Returns the sum of squared residuals at a point of the journal.
+double sum_of_squares(const Study& study, const DesignPoint& point, const Journal& journal) {
+  const auto score =
+      correlation::residual_objective(study)(point, correlation::recording_at(point, journal));
+  return score ? score->value : kInfinity;
+}
+
+/// Says that a trial beside the end of the search has a smaller target, and why the search did not
+/// end there.
+void print_better_neighbor(const Study& study,
+                           const DesignPoint& end,
+                           const DesignPoint& better,
+                           double target,
+                           const Journal& journal) {
+  const bool has_less =
+      sum_of_squares(study, better, journal) < sum_of_squares(study, end, journal);
+  say("A neighboring trial {}: target {:.4f} %; the values below are its values{}\n",
+      has_less ? "is better" : "has a smaller target",
+      target * 100.0,
+      has_less ? ", because the search ended before it reached the least target"
+               : ". Its sum of squared errors, which intervals and most searches refer to, is "
+                 "larger: the target counts errors with another exponent");
+}
+
 /// Prints the identified values, with their intervals if these are requested and available. Returns
 /// false if a signal interrupted the computation of the intervals.
 bool print_values(const Study& study,
@@ -108,8 +134,7 @@ bool print_values(const Study& study,
     if ((*result)->best != point) {
       const auto better = correlation::best_trial(study, journal);
       answer()["target"] = better->target;
-      say("A neighboring trial is better: target {:.4f} %; the values below are its values\n",
-          better->target * 100.0);
+      print_better_neighbor(study, point, (*result)->best, better->target, journal);
     }
     answer()["variables"] = answer_of(study, **result);
     print_intervals(study, **result);

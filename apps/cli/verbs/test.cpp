@@ -284,7 +284,7 @@ void add_test(CommandLine& app, Program& program) {
       "MODEL is a file with a model, or a study at its best point; TEST a file (or its keys "
       "in\nbraces) that says its\n" +
       tests +
-      "and the keys that latsch help study has for it; latsch test --list says which models can "
+      "and the keys that `latsch help test KIND` lists; latsch test --list says which models can "
       "do\nwhich.\n\n"
       "--signs turns what a suspension's test puts out into the signs of others, a view alone:\n"
       "  iso    x forward, y left, z up (ISO 8855): steer and rack positive to the left\n"

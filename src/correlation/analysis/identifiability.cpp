@@ -30,13 +30,15 @@ double value_at(const DesignSpace& space, int variable, double u) {
 /// Counts the trials of all rounds, and how many there will be.
 class Forecast {
  public:
-  RunProgress of(RunProgress progress, double share) {
-    // share of the work before which no forecast of the number of trials is made
+  RunProgress of(RunProgress progress, const WorkDone& done) {
+    // share of the work before which no forecast of the number of trials is made from it
     constexpr double kTellsSomething = 0.03;
     known_ = progress.known;
-    const auto total = std::lround(static_cast<double>(known_) / std::max(share, kTellsSomething));
     progress.known += before_;
-    progress.planned = share >= kTellsSomething ? before_ + total : 0;
+    progress.planned = done.share >= kTellsSomething
+                           ? before_ + std::lround(static_cast<double>(known_) / done.share)
+                           : (done.left > 0 ? progress.known + done.left : 0);
+    progress.work = done.work;
     return progress;
   }
   void round_done() {
@@ -141,11 +143,38 @@ void remark_on_noise(const Confidence& c, Sentences& all) {
         "There are no more measured values than variables, so the fit does not show how exact "
         "they are: no interval is known. State the noise of the experiments.");
   }
-  if (c.is_colored) {
+  if (c.is_pattern) {
+    all.emplace_back(
+        "The residuals are a systematic misfit and no noise: they vary smoothly along the curves, "
+        "or a bound causes them. The intervals follow from their size; they do not say how far the "
+        "values are from those of a model that fits.");
+  } else if (c.is_colored) {
     all.emplace_back(
         "Neighboring values share noise: the intervals count them as correspondingly fewer "
         "values.");
   }
+}
+
+/// Adds a remark if bounds keep the fit from most of the improvement that the slopes predict.
+void remark_on_bounds(const Study& study, const Confidence& c, Sentences& all) {
+  constexpr double kMuch = 0.5;  // share of the sum of squares
+  if (!(c.share_beyond_bounds > kMuch)) return;
+  const std::string held =
+      names_where(study, [&](int i) { return c.held[static_cast<size_t>(i)] != Bound::none; });
+  const bool is_one = held.find(" and ") == std::string::npos;
+  all.push_back(fmt::format(
+      "{} {} held at {}: beyond {}, {:.0f} % of the sum of squares would vanish, by the slopes. "
+      "All "
+      "other intervals hold for {} at {}; the true values lie outside of the bounds, or the model "
+      "is wrong.",
+      held,
+      is_one ? "is" : "are",
+      is_one ? "its bound" : "their bounds",
+      is_one ? "it" : "them",
+      // 100 % would claim that the fit is exact beyond the bound
+      std::min(99.0, 100.0 * c.share_beyond_bounds),
+      held,
+      is_one ? "this bound" : "these bounds"));
 }
 
 /// Adds remarks about variables whose interval or derivative is doubtful.
@@ -231,6 +260,7 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   Sentences all;
   remark_on_losses(c, all);
   remark_on_noise(c, all);
+  remark_on_bounds(study, c, all);
   remark_on_variables(study, what, all);
   remark_on_refinement(study, what, all);
   if (c.left_to_gain > kEarly * c.threshold()) {
@@ -255,11 +285,11 @@ std::optional<Result<Identifiability>> identify(const Study& study,
   enough.on_failure.then = FailurePolicy::Then::proceed;
   const Objective residuals = residual_objective(study);
   Forecast forecast;
-  const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const Share& share) {
+  const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const Standing& standing) {
     TrialStore* store = refits ? static_cast<TrialStore*>(refits) : &journal;
     const Objective objective = refits ? refits->objective() : residuals;
     enough.on_progress = [&](const RunProgress& progress) {
-      if (options.on_progress) options.on_progress(forecast.of(progress, share()));
+      if (options.on_progress) options.on_progress(forecast.of(progress, standing()));
     };
     const bool converged =
         run_optimizer(optimizer, objective, executor, store, enough).end == RunEnd::converged;

@@ -55,8 +55,8 @@ std::optional<Interval> interval_of(const Study& study,
 std::string interval_source(const Study& study, const Identifiability& what, int variable);
 
 /// Returns warnings, one sentence each: values beyond the scale of their robust loss, residuals
-/// larger than their stated noise, noise that neighboring values share, inaccurate derivatives, a
-/// search that ended early, refits that did not converge.
+/// larger than their stated noise, noise that neighboring values share, a systematic misfit, bounds
+/// that keep the fit off, inaccurate derivatives, a search that ended early, refits that did not converge.
 std::vector<std::string> remarks(const Study& study, const Identifiability& what);
 
 /// Runs the missing trials. Returns nullopt if a stop was requested, a Failure if the model fails

@@ -86,6 +86,10 @@ class UsedRows {
   const std::vector<Eigen::Index>& rows_;
 };
 
+WorkDone omitting(const CrossValidation& validation) {
+  return {"fits that omit one experiment", validation.share_done(), 0};
+}
+
 /// Omits each experiment in turn, using the reduced rows of the trials (reduced_rows.h).
 bool cross_validate_reduced(const IdentificationTrials& trials,
                             Identifiability& result,
@@ -123,7 +127,21 @@ bool cross_validate_reduced(const IdentificationTrials& trials,
   CrossValidation& validation = *result.cross_validation;
   RefitTrials refits = trials.refits(rows, at);
   InRounds<CrossValidation> rounds(study.space, validation, /*reduced=*/true);
-  return trials.drive(rounds, &refits, [&] { return validation.share_done(); });
+  return trials.drive(rounds, &refits, [&] { return omitting(validation); });
+}
+
+WorkDone standing_of(const Identification& identification) {
+  switch (identification.phase()) {
+    case Identification::Phase::derivatives:
+      return {"derivatives around the best trial", 0.0, identification.expected_left()};
+    case Identification::Phase::refit:
+      return {"refit of all variables", 0.0, identification.expected_left()};
+    case Identification::Phase::profiles:
+      break;
+  }
+  return {"profiles, the other variables refitted",
+          identification.share_done(),
+          identification.expected_left()};
 }
 
 bool cross_validate(const IdentificationTrials& trials, Identifiability& result) {
@@ -142,7 +160,7 @@ bool cross_validate(const IdentificationTrials& trials, Identifiability& result)
       study.space, identification.refitted(), group, tolerance, study.free);
   UsedRows used(*result.cross_validation, identification.residuals_used());
   InRounds<UsedRows> rounds(study.space, used);
-  return trials.drive(rounds, nullptr, [&] { return result.cross_validation->share_done(); });
+  return trials.drive(rounds, nullptr, [&] { return omitting(*result.cross_validation); });
 }
 
 }  // namespace
@@ -171,15 +189,15 @@ bool analyze(const IdentificationTrials& trials, Identifiability& result) {
       refits.emplace(trials.refits({identification.residuals_used()}, identification.refitted()));
     const auto ends = [&] { return identification.is_profiling() != profiling; };
     InRounds<Identification> rounds(trials.study.space, identification, reduced, ends);
-    const auto share = [&] { return profiling ? identification.share_done() : 0.0; };
-    if (!trials.drive(rounds, refits ? &*refits : nullptr, share)) return false;
+    const auto standing = [&] { return standing_of(identification); };
+    if (!trials.drive(rounds, refits ? &*refits : nullptr, standing)) return false;
   }
   if (identification.profiles().empty()) return true;
   return cross_validate(trials, result);
 }
 
 Drive reading(const Study& study, const Journal& journal) {
-  return [&study, &journal](Optimizer& optimizer, RefitTrials* refits, const Share&) {
+  return [&study, &journal](Optimizer& optimizer, RefitTrials* refits, const Standing&) {
     const TrialStore& store = refits ? static_cast<const TrialStore&>(*refits) : journal;
     const Objective objective = refits ? refits->objective() : residual_objective(study);
     return replay(optimizer, objective, store, kMostIdentificationTrials).end == RunEnd::converged;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "correlation/analysis/identifiability.h"
 #include "correlation/analysis/refit_trials.h"
@@ -17,13 +18,18 @@ namespace latsch::correlation {
 
 inline constexpr long kMostIdentificationTrials = 100'000;  // limit on the trials of one optimizer
 
-/// Returns the share of the optimizer's trials that are done, from 0 to 1; 0 if unknown.
-using Share = std::function<double()>;
+/// What an analysis does at the moment and how far it is.
+struct WorkDone {
+  std::string work;    // such as "profiles"
+  double share = 0.0;  // share of the optimizer's trials that are done, from 0 to 1; 0: unknown
+  long left = 0;       // if the share is unknown: estimated number of trials to come, 0: unknown
+};
+using Standing = std::function<WorkDone()>;
 
 /// Evaluates trials, or reads stored ones, until the optimizer proposes no more; returns false if
 /// it was stopped. `refits` stores and scores reduced trials; nullptr: whole trials are stored in
 /// the journal of the study.
-using Drive = std::function<bool(Optimizer&, RefitTrials* refits, const Share& share)>;
+using Drive = std::function<bool(Optimizer&, RefitTrials* refits, const Standing&)>;
 
 /// Returns a function that reads stored trials but runs none.
 Drive reading(const Study& study, const Journal& journal);

@@ -51,9 +51,9 @@ bool comes_by(const Study& study,
               Depth depth) {
   bool seen = false;
   const Drive read = reading(study, journal);
-  const Drive drive = [&](Optimizer& optimizer, RefitTrials* refits, const Share& share) {
+  const Drive drive = [&](Optimizer& optimizer, RefitTrials* refits, const Standing& standing) {
     Watched watched(optimizer, point, seen);
-    return read(watched, refits, share) && !seen;
+    return read(watched, refits, standing) && !seen;
   };
   Identifiability result{
       start, Identification(study.space, start, options_for(study, depth)), std::nullopt};

@@ -52,10 +52,19 @@ ComparedSpecimen read_specimen(const Node& table,
   return specimen;
 }
 
+/// Returns the recording that the key `measurement` names: a [measurement.NAME], or else a file.
+std::shared_ptr<const Measurement> read_recording(const Node& table,
+                                                  const fs::path& folder,
+                                                  const Laboratory& laboratory) {
+  if (auto stated = find(laboratory, table.text("measurement"))) return stated;
+  return std::make_shared<Measurement>(read_measurement(existing(table, "measurement", folder)));
+}
+
 ComparisonTest read_test(const Node& table,
                          const fs::path& folder,
                          const experiment::Language& language,
                          const std::vector<const experiment::SpecimenKind*>& kinds,
+                         const Laboratory& laboratory,
                          bool specimen) {
   const fs::path file = existing(table, "file", folder);
   const auto test = language.read_test(file);
@@ -70,7 +79,7 @@ ComparisonTest read_test(const Node& table,
     table.reject("measurement",
                  specimen ? "is given beside [specimen], expected one of them"
                           : "is missing: there is no [specimen] in its place");
-  if (!specimen) one.measurement = existing(table, "measurement", folder);
+  if (!specimen) one.measurement = read_recording(table, folder, laboratory);
   return one;
 }
 
@@ -118,9 +127,17 @@ ComparisonFile read_comparison_file(const fs::path& file, const experiment::Lang
   std::vector<const experiment::SpecimenKind*> kinds;
   for (const ComparedTire& tire : comparison.tires) kinds.push_back(tire.kind);
   if (comparison.specimen) kinds.push_back(comparison.specimen->tire.kind);
+  const Laboratory laboratory =
+      root.has("measurement") ? read_laboratory(root, folder) : Laboratory();
   for (const Node& table : root.named_tables("test"))
     comparison.tests.push_back(
-        read_test(table, folder, language, kinds, comparison.specimen.has_value()));
+        read_test(table, folder, language, kinds, laboratory, comparison.specimen.has_value()));
+  for (const ComparisonTest& test : comparison.tests) {
+    if (!test.measurement) continue;
+    test.measurement->note_use("time", "test " + test.name);
+    for (const std::string& channel : comparison.channels)
+      test.measurement->note_use(channel, "test " + test.name);
+  }
   if (comparison.tests.empty())
     root.reject("test", "is missing, expected at least one [test.NAME] with its file");
   for (const ComparisonTest& test : comparison.tests) {

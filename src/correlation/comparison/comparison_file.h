@@ -17,8 +17,12 @@
 //   [test.slow]
 //   file = "slow.toml"                   # experiment/rigs/drum_rig.h
 //   measurement = "slow_measured.csv"    # time and the channels, in the frame of the test
-//                                        # (experiment/rigs/hub_frame.h); not beside [specimen]
+//                                        # (experiment/rigs/hub_frame.h); not beside [specimen].
+//                                        # A [measurement.NAME] of this file is named instead
 //   fitted = true                        # the tires were fitted to it; a remark, default false
+//
+//   [measurement.slow]                   # as in a study: axes, columns, frame, in_frame ...
+//   file = "slow_measured.csv"           # (laboratory/measurement.h)
 //
 //   [tire.rigid_ring]                    # as many as there are
 //   title = "Rigid ring"
@@ -30,11 +34,13 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/document.h"
+#include "correlation/laboratory/measurement.h"
 #include "experiment/language.h"
 #include "experiment/rigs/drum_rig.h"
 #include "measurement/rig_response_fit.h"
@@ -52,7 +58,8 @@ struct ComparedTire {
 struct ComparisonTest {
   std::string name, in_words;
   experiment::DrumTest drum;
-  std::filesystem::path measurement;  // empty: the specimen is simulated instead
+  /// recording of the test; nullptr: the specimen is simulated instead
+  std::shared_ptr<const Measurement> measurement;
   bool fitted = false;
 };
 

@@ -2,9 +2,11 @@
 // The measured forces of a drum test, checked before tires are compared with them.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "correlation/laboratory/measurement.h"
+#include "measurement/axes.h"
 
 namespace latsch::correlation {
 
@@ -13,11 +15,13 @@ struct MeasuredDrum {
   double highest = 0.0;                     // Hz, half the rate of the recording
 };
 
-/// Reads the channels of a table and interpolates them at the times of a test, s. Throws InputError
-/// that names the file if the table has no samples, does not cover the times, or misses samples, if
-/// its time does not rise, and if a channel is constant or cannot be that of a tire.
-MeasuredDrum measured_drum(const std::filesystem::path& file,
+/// Returns the channels of a recording at the times of a test, s. `frame` is that of the test's
+/// forces. Throws InputError that names file and line if the recording lacks a channel, has it
+/// in another frame, has no samples, does not cover the times, or misses samples, if its time
+/// does not rise, and if a channel is constant or cannot be that of a tire.
+MeasuredDrum measured_drum(const Measurement& recording,
                            const std::vector<std::string>& channels,
-                           const std::vector<double>& times);
+                           const std::vector<double>& times,
+                           AxisFrame frame);
 
 }  // namespace latsch::correlation

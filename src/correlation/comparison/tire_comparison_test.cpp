@@ -90,7 +90,43 @@ TEST_F(ComparedTires, RecordingsStandInTheSpecimensPlace) {
   EXPECT_EQ(found.tests[0].measured[0].force.front(), 4000.0);
   EXPECT_THROW(file(test), InputError);  // neither measurement nor specimen
   write("measured.csv", "time [ms],Fz [kN]\n0,4\n1,4\n");
-  EXPECT_THROW(compare_tires(read), InputError);  // the measurement is too short
+  const auto cut = file(test + "measurement = \"measured.csv\"\n");
+  EXPECT_THROW(compare_tires(cut), InputError);  // the measurement is too short
+}
+
+// A recording is read as in a study: usual names of channels, TYDEX, other axes, frames.
+TEST_F(ComparedTires, RecordingsAreReadThroughTheDoorOfAStudy) {
+  const auto table = [](const std::string& head, double sign) {
+    std::string text = head + "\n";
+    for (int i = -50; i < 300; ++i)
+      text += std::to_string(i) + "," + std::to_string(sign * (i % 2 == 0 ? 3900 : 4000)) + "\n";
+    return text;
+  };
+  const std::string test = "channels = [\"Fz\"]\n[test.cleat]\nfile = \"drum.toml\"\n";
+  const auto first = [&](const std::string& keys) {
+    return compare_tires(file(test + keys)).tests[0].measured[0].force.front();
+  };
+  const std::string plain = "measurement = \"measured.csv\"\n",
+                    named = "measurement = \"rig\"\n[measurement.rig]\nfile = \"measured.csv\"\n";
+  for (const char* head : {"time [ms],FZC [N]", "RUNTIME [ms],FZ [N]", "Zeit [ms],Radlast [N]"}) {
+    write("measured.csv", table(head, 1.0));
+    EXPECT_EQ(first(plain), 4000.0) << head;
+  }
+  write("measured.csv", table("Zeit [ms],Radlast [N]", -1.0));
+  EXPECT_EQ(first(named + "axes = \"sae\"\n"), 4000.0);
+  write("measured.csv", table("Zeit [ms],Kanal 7 [N]", 1.0));
+  EXPECT_EQ(first(named + "columns = {Fz = \"Kanal 7\"}\n"), 4000.0);
+  // The test records axes C, in which a moment is about another point than in axes W.
+  write("measured.csv", table("time [ms],MxW [N m]", 1.0));
+  const std::string moment = "channels = [\"Mx\"]\n[test.cleat]\nfile = \"drum.toml\"\n" + plain;
+  try {
+    compare_tires(file(moment));
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("measured.csv:1: column \"MxW\" is in axes W"), text.npos) << text;
+    EXPECT_NE(text.find("in_frame = \"C\""), text.npos) << text;
+  }
 }
 
 TEST_F(ComparedTires, RangesThatATireLeavesAreSaidWithTheirTests) {

@@ -220,7 +220,8 @@ TEST_F(MeasurementDoubts, TheHeightOfTheCenterIsNoLoadedRadiusOfAWheelThatLeans)
   EXPECT_EQ(radius(tydex_of_heights(leans), "columns = {loaded_radius = \"DSTGRWHC\"}"), flat);
   EXPECT_EQ(radius(tydex_of_heights(""), ""), flat);
   const auto remark = [&](const std::string& text, const std::string& lines) {
-    for (const LedgerRow& row : read(text, lines, "rig.tdx").ledgers().front().rows)
+    const std::vector<Ledger> ledgers = read(text, lines, "rig.tdx").ledgers();
+    for (const LedgerRow& row : ledgers.front().rows)
       if (row.written == "DSTGRWHC") return row.remark;
     return std::string();
   };

@@ -106,6 +106,24 @@ std::vector<OtherColumn> columns_in(const Ledger& ledger, const Measurement::Tol
   return columns;
 }
 
+/// True for a load that a user did not need: a load of one wheel beside those of an axle, or a load
+/// of an axle beside those of its wheels, which the user takes from the recording.
+bool is_needless(const Measurement::Absent& absent, const Ledger& ledger) {
+  const std::string force = force_without_frame(absent.channel);
+  if (force.empty()) return false;
+  const bool is_of_wheel = force.size() > 2;
+  bool others = false;
+  for (const LedgerRow& row : ledger.rows) {
+    const std::string load = force_without_frame(row.taken_as.empty() ? row.written : row.taken_as);
+    if (load.empty() || row.written.empty() ||
+        std::find(row.used_by.begin(), row.used_by.end(), absent.by) == row.used_by.end())
+      continue;
+    if ((load.size() > 2) == is_of_wheel) return false;
+    others = true;
+  }
+  return others;
+}
+
 }  // namespace
 
 std::vector<LedgerDoubt> Measurement::unknown_keys() const {
@@ -174,6 +192,7 @@ std::vector<Ledger> Measurement::ledgers() const {
   std::vector<Ledger> ledgers = *told_.ledgers;
   if (ledgers.empty()) return ledgers;
   for (const Absent& absent : *absent_) {
+    if (is_needless(absent, ledgers.front())) continue;
     const std::string instead =
         absent.otherwise.empty() ? "left out" : "taken as " + absent.otherwise;
     LedgerRow row;

@@ -41,6 +41,8 @@ struct ModalTest {
   std::optional<SpinSpeed> speed = {};  // none: at rest
   fe_tire::RimMotion rim = fe_tire::RimMotion::held;
   bool standing_wave = false;  // true: the standing-wave speed is computed, too
+  /// true: modes of a finite-element tire with the losses and the dynamic moduli of its file
+  bool is_damped = false;
 
   bool loaded() const { return deflection || load; }
   /// True if the tire spins, its rim moves or its standing-wave speed is asked for.

@@ -26,6 +26,8 @@
 #include "experiment/tests/pictures/four_post_pictures.h"
 #include "experiment/tests/test_kinds.h"
 #include "formats/tables/csv_table.h"
+#include "formats/text/letter_case.h"
+#include "measurement/meaning/channel_words.h"
 
 namespace latsch::experiment {
 namespace {
@@ -170,6 +172,20 @@ void read_steps(const Node& root, FourPostTest& test) {
     root.reject("sample_step", "is no multiple of step");
 }
 
+/// Returns the column of a table that is the channel: of its name in any case and with blanks or
+/// hyphens, or of a usual name of the time; the channel's name if there is none.
+std::string column_of(const formats::CsvTable& table, const std::string& channel) {
+  const auto columns = table.columns();
+  if (std::find(columns.begin(), columns.end(), channel) != columns.end()) return channel;
+  for (const std::string& column : columns) {
+    std::string plain = formats::lower(column);
+    std::replace_if(
+        plain.begin(), plain.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+    if (same_channel(column, channel) || plain == formats::lower(channel)) return column;
+  }
+  return channel;
+}
+
 /// Lists the columns of a table and marks those in `taken` as used.
 Ledger ledger_of_heights(const formats::CsvTable& table,
                          const std::vector<MeasuredCondition>& taken) {
@@ -181,7 +197,7 @@ Ledger ledger_of_heights(const formats::CsvTable& table,
     row.column = column.place;
     row.unit_written = column.unit;
     for (const MeasuredCondition& one : taken) {
-      if (column.name != one.channel) continue;
+      if (column.name != column_of(table, one.channel)) continue;
       row.taken_as = one.channel;
       row.unit = one.unit;
       row.meaning = one.channel == "time" ? "time" : "height of a post, upward";
@@ -205,7 +221,7 @@ Channels heights_of(const Node& root, const TestSource& source, std::vector<Ledg
   const auto table = formats::CsvTable::read(source.file(root, "posts"));
   Channels channels;
   for (const MeasuredCondition& one : conditions)
-    channels.add({one.channel, one.unit, table.numbers(one.channel, one.unit)});
+    channels.add({one.channel, one.unit, table.numbers(column_of(table, one.channel), one.unit)});
   ledgers.push_back(ledger_of_heights(table, conditions));
   return channels;
 }

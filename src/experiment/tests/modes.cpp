@@ -10,6 +10,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/fe_tire/spin_speed.h"
+#include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/tests/load_deflection.h"
 #include "experiment/tests/test_kinds.h"
 
@@ -78,7 +79,7 @@ std::vector<ChannelInfo> ModesTest::channels() const {
 }
 
 std::vector<std::string> ModesTest::needs() const {
-  if (test_.moves()) return {IsFeTire::kName};
+  if (test_.moves() || test_.is_damped) return {IsFeTire::kName};
   if (test_.ground.mu > 0.0 || test_.points.cols() > 0) return {TakesConditions::kName};
   return kModesTest.needs;
 }
@@ -93,6 +94,26 @@ Result<Channels> ModesTest::run(Specimen& specimen) const { return run_with_slop
 
 Result<Channels> ModesTest::run_with_slopes(Specimen& specimen, const Asked& asked) const {
   return specimen.find<Vibrates>()->vibrate(test_, asked);
+}
+
+std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
+  auto* tire = specimen.find<IsFeTire>();
+  if (!tire || test_.is_damped) return {};
+  bool is_elastic = true;
+  (void)tire->drive(
+      [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+        is_elastic = rig.losses().is_elastic();
+        return Channels();
+      },
+      true,
+      {});
+  if (is_elastic) return {};
+  return {
+      test_.moves()
+          ? "modes: losses of rubber and layers are not counted in a tire that spins or whose "
+            "rim moves; frequencies are those of the relaxed moduli"
+          : "modes: frequencies are those of the relaxed moduli of rubber and layers; damping = "
+            "true in the test counts their losses and their moduli at each frequency"};
 }
 
 namespace {
@@ -167,6 +188,11 @@ std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source
     test.count = static_cast<int>(root.integer("count", 1, kMost, test.count));
   }
   read_motion(root, test);
+  test.is_damped = root.flag("damping", false);
+  if (test.is_damped && test.moves())
+    root.reject("damping",
+                "is true for a tire that spins or whose rim moves, expected false, because losses "
+                "are counted in modes at rest with the rim held");
   if (const auto from = find_measured(root, "points"))
     test.points = measured_points(*from, source.measured);
   else if (root.has("points"))

@@ -15,6 +15,7 @@
 // The keys are in experiment/tests/keys/modes_keys.cpp.
 #pragma once
 
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/load_case.h"
 
@@ -23,7 +24,7 @@ namespace latsch::experiment {
 /// Number of additional modes, so that each measured mode finds its neighbors in frequency.
 constexpr long kMoreModesThanMeasured = 8;
 
-class ModesTest : public Test {
+class ModesTest : public Test, public TellsLimits {
  public:
   explicit ModesTest(ModalTest settings) : test_(std::move(settings)) {}
 
@@ -35,10 +36,12 @@ class ModesTest : public Test {
   Result<Channels> run(Specimen& specimen) const override;
   /// The identifiers of a mode and its shape have no derivatives.
   bool tells_slopes(const SpecimenKind&, const std::string& channel) const override {
-    return test_.ground.mu == 0.0 && test_.camber == 0.0 && !test_.moves() && channel != "n" &&
-           channel != "type" && channel != "phase" && channel != "shape";
+    return test_.ground.mu == 0.0 && test_.camber == 0.0 && !test_.moves() && !test_.is_damped &&
+           channel != "n" && channel != "type" && channel != "phase" && channel != "shape";
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
+  /// Says that the modes are those of relaxed moduli if the tire's file states losses.
+  std::vector<std::string> limits(Specimen& specimen) const override;
 
  private:
   RigSettings rig_settings() const override { return &test_; }

@@ -38,6 +38,7 @@ class Contradictions {
     compare_points();
     compare_headings();
     compare_heights();
+    compare_globe();
   }
 
  private:
@@ -282,6 +283,33 @@ class Contradictions {
                      "is spread over the {:.4g} m of the line",
                      format_number(stated.number),
                      start + rise,
+                     length()));
+  }
+
+  /// Compares the distance of start and end on the globe with the length of the line, which is at
+  /// least that distance.
+  void compare_globe() {
+    for (const char* end : {"start", "end"})
+      for (const char* angle : {"lat", "lon"})
+        if (!has_road(fmt::format("reference_line_{}_{}", end, angle).c_str())) return;
+    constexpr double kRadius = 6.371e6;                      // m, mean radius of the earth
+    constexpr double kOfGlobe = 1e-2, kLeastOfGlobe = 10.0;  // share; m, as few digits are usual
+    const auto radians = [&](const char* name) { return road(name) * std::numbers::pi / 180.0; };
+    const double first = radians("reference_line_start_lat"),
+                 last = radians("reference_line_end_lat"),
+                 east = radians("reference_line_end_lon") - radians("reference_line_start_lon");
+    // haversine formula
+    const double h = std::pow(std::sin((last - first) / 2.0), 2) +
+                     std::cos(first) * std::cos(last) * std::pow(std::sin(east / 2.0), 2);
+    const double apart = 2.0 * kRadius * std::asin(std::min(1.0, std::sqrt(std::abs(h))));
+    if (apart <= length() * (1.0 + kOfGlobe) + kLeastOfGlobe) return;
+    const auto& stated = header_.road.find("reference_line_end_lat")->second;
+    warn(stated.line,
+         stated.file,
+         fmt::format("start and end of the reference line are {:.4g} m apart by latitude and "
+                     "longitude, but the line is {:.4g} m long: its length counts, and the "
+                     "position on the globe does not",
+                     apart,
                      length()));
   }
 

@@ -142,5 +142,17 @@ TEST(OpenCrgContradictions, ModifiersAreNoContradictions) {
   EXPECT_TRUE(said(scaled).empty());
 }
 
+// One degree of latitude is 111.195 km on a sphere of radius 6371 km.
+TEST(OpenCrgContradictions, StartAndEndOnTheGlobeAreAtMostTheLengthOfTheLineApart) {
+  const auto globe = [](const std::string& end_lat, const std::string& end_lon) {
+    return crg(kRows + "reference_line_start_lat = 48\nreference_line_start_lon = 11\n" +
+               "reference_line_end_lat = " + end_lat + "\nreference_line_end_lon = " + end_lon +
+               "\n");
+  };
+  EXPECT_TRUE(said(globe("48.00003", "11")).empty());
+  expect_one(globe("49", "11"), "1.112e+05 m apart by latitude and longitude");
+  expect_one(globe("48", "12"), "the line is 4 m long");
+}
+
 }  // namespace
 }  // namespace latsch::formats

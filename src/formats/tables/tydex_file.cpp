@@ -115,6 +115,11 @@ class Reading {
     if (std::find(kKeywords.begin(), kKeywords.end(), word) == kKeywords.end()) {
       fail(line_, "unknown keyword " + in_quotes(word) + did_you_mean(word, kKeywords));
     }
+    if (keyword_ == "**END")
+      fail(line_,
+           in_quotes(word) +
+               " stands behind **END, which ends the file: move **END behind the "
+               "last section, or delete what follows it");
     if (word.starts_with("**MODEL")) {
       file_.model.push_back({word, {}});
     } else if (!seen_.insert(word).second) {

@@ -246,6 +246,9 @@ TEST(TydexFile, TextBehindTheEndIsTold) {
   EXPECT_TRUE(doubts("").empty());
   EXPECT_TRUE(doubts("\n! a comment\n  \n").empty());
   const auto told = doubts("\n0.2 2.5 3.0\n0.3 3.5 4.0\n");
+  expect_tydex_message(kHead + kChannels + kData + "**COMMENTS\nmore\n",
+                       "rig.tdx:16: ",
+                       "\"**COMMENTS\" stands behind **END");
   ASSERT_EQ(told.size(), 1u);
   EXPECT_EQ(told[0].place.line, 17);
   EXPECT_NE(told[0].sentence.find("2 lines behind **END are not read"), std::string::npos)

@@ -132,6 +132,22 @@ TEST(TirFile, AKeyInAnUnknownSectionAndACoefficientOfZeroAreReported) {
   EXPECT_FALSE(says(parse_tir(kSmall, "t.tir"), "the tire has no"));
 }
 
+// A file of 20,000 unknown keys gave as many notes, each found in a list built anew.
+TEST(TirFile, ThousandsOfUnknownKeysAreCountedInOneNoteAndListedInTheLedger) {
+  constexpr int kKeys = 20'000;
+  std::string lines = "[VERTICAL]\n";
+  for (int i = 0; i < kKeys; ++i) lines += fmt::format("XQ_{}=1\n", i);
+  const TirFile tir = parse_tir(with_line(lines), "t.tir");
+  const auto is_unknown = [](const std::string& note) {
+    return note.find("not known here") != note.npos;
+  };
+  EXPECT_EQ(std::ranges::count_if(tir.notes, is_unknown), 101);
+  // kSmall has one unknown key of its own.
+  EXPECT_TRUE(says(tir, fmt::format("from this line on, {} more keys", kKeys + 1 - 100)));
+  const Ledger ledger = ledger_of(tir);
+  EXPECT_EQ(std::ranges::count(ledger.rows, LedgerState::doubtful, &LedgerRow::state), kKeys + 1);
+}
+
 TEST(TirFile, AModeThatDoesNotExistIsReported) {
   const std::string version = "FITTYP=61 $ version\n";
   EXPECT_TRUE(says(parse_tir(replaced(version, version + "USE_MODE=99\n"), "t.tir"),

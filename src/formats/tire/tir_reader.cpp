@@ -74,15 +74,22 @@ const std::set<std::string_view>& home_sections() {
 }
 
 /// Returns all keys that a misspelled key may have been, for suggestions.
-std::vector<std::string> all_keys() {
-  std::vector<std::string> keys = other_spellings();
-  for (const ParameterField& field : magic_formula::parameter_fields())
-    keys.emplace_back(field.name);
-  for (const std::string& key : keys_with_reason()) keys.push_back(key);
-  for (const char* key : {"FITTYP", "TYRESIDE", "USE_MODE", "PROPERTY_FILE_FORMAT", "LIP", "LCZ"})
-    keys.emplace_back(key);
-  return keys;
+const std::vector<std::string>& all_keys() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> keys = other_spellings();
+    for (const ParameterField& field : magic_formula::parameter_fields())
+      keys.emplace_back(field.name);
+    for (const std::string& key : keys_with_reason()) keys.push_back(key);
+    for (const char* key : {"FITTYP", "TYRESIDE", "USE_MODE", "PROPERTY_FILE_FORMAT", "LIP", "LCZ"})
+      keys.emplace_back(key);
+    return keys;
+  }();
+  return all;
 }
+
+// Number of unknown keys that are noted one by one, each with the key that was probably intended.
+// The others are counted in one note, because a file of thousands is of another kind.
+constexpr long kMostUnknownNoted = 100;
 
 /// Returns a suggestion for a misspelled key. Short names of coefficients differ by single letters,
 /// so only one wrong letter is allowed for them.
@@ -108,6 +115,12 @@ class TirReader {
     tir_.pac2002 = dialect.pac2002;
     tir_.notes = dialect.notes;
     for (const TeimOrbitSection& section : tir_.source.sections()) read_section(section);
+    if (unknown_ > kMostUnknownNoted)
+      note(line_of_more_unknown_,
+           fmt::format("from this line on, {} more keys are not known here; they have no effect, "
+                       "and an exported file keeps them (latsch show FILE --json lists all of "
+                       "them): is this a file of another tire model?",
+                       unknown_ - kMostUnknownNoted));
     read_mode(*model);
     read_side(*model);
     check_scales();
@@ -252,13 +265,15 @@ class TirReader {
       tir_.keys.push_back(
           {section.name(), entry.key, entry.line, "", unused ? unused->text : kUnknownKey});
     }
-    if (field == nullptr && !unused)
+    if (field == nullptr && !unused && ++unknown_ <= kMostUnknownNoted)
       note(entry.line,
            fmt::format(
                "[{}] {} is not known here; it has no effect, and an exported file keeps it{}",
                section.name(),
                entry.key,
                suggestion(entry.key)));
+    if (field == nullptr && !unused && unknown_ == kMostUnknownNoted + 1)
+      line_of_more_unknown_ = entry.line;
     if (unused && unused->told)
       note(entry.line,
            fmt::format("{} = {} has no effect: {}", entry.key, entry.value, unused->text));
@@ -521,6 +536,8 @@ class TirReader {
   TeimOrbitUnits units_;
   std::map<std::string, const TeimOrbitEntry*> found_;
   std::map<std::string, std::pair<double, int>> scales_;  // value, line
+  long unknown_ = 0;                                      // keys that are not known
+  int line_of_more_unknown_ = 0;  // line of the first one that is not noted by itself
 };
 
 }  // namespace

@@ -130,7 +130,7 @@ S named(std::string_view name) {
 /// its sign depends on the axes.
 S sense_of(std::string_view quantity) {
   if (const S exact = named(quantity); exact != S::unknown) return exact;
-  const std::size_t at = quantity.rfind('_');
+  const std::size_t at = quantity.find_last_of("_ ");
   const std::string_view wheel = at == quantity.npos ? "" : quantity.substr(at + 1);
   const bool has_wheel = std::any_of(
       kWheels.begin(), kWheels.end(), [&](std::string_view one) { return wheel == one; });

@@ -113,6 +113,7 @@ TEST(ChannelSense, WhatIsDefinedWithoutAxesIsKnownAndStays) {
   for (const char* name : {"toe",
                            "camber_L",
                            "Camber",
+                           "Camber L",
                            "camber_right",
                            "caster",
                            "travel_R",

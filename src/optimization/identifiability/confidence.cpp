@@ -37,6 +37,10 @@ constexpr double kPulled = 0.05;
 /// its standard deviation. In a fit without noise, rounding errors decide about smaller distances.
 constexpr double kHeldBy = 1e-3;
 
+/// If the variables that bounds hold explain more than this share of S, the residuals are the misfit
+/// that the bounds cause, and the remainder is mostly the error of the linear approximation.
+constexpr double kMisfit = 0.5;
+
 struct Spectrum {
   Eigen::VectorXd values;
   Eigen::MatrixXd directions;
@@ -105,6 +109,16 @@ std::vector<Bound> held_variables(const Eigen::VectorXd& u,
     if (!(std::abs(gradient[i]) > kHeldBy * s * own)) bound = Bound::none;
   }
   return bounds;
+}
+
+/// Returns the share of the sum of squares of r that the held variables explain beside the free
+/// ones, whose columns are J(all, free).
+double share_of_held(const Eigen::VectorXd& r,
+                     const Eigen::MatrixXd& J,
+                     const std::vector<int>& free) {
+  if (std::ssize(free) == J.cols()) return 0.0;
+  const double without = beside(J(Eigen::all, free), r).squaredNorm();
+  return without > 0.0 ? 1.0 - beside(J, r).squaredNorm() / without : 0.0;
 }
 
 /// Returns the distance from a bound inward at which the growth of S, 2 g d + h d^2, reaches the
@@ -356,12 +370,18 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   double rounding = options.sigma ? kNoNoise * *options.sigma : options.least_noise;
   if (rows.beyond() > 0)
     rounding = std::max(rounding, kPulled * rows.psi().norm() / std::sqrt(at.r.size()));
-  const ResidualNoise noise(rows.psi(), rows.X(), options.traits, rounding);
+  ResidualNoise noise(rows.psi(), rows.X(), options.traits, rounding);
   take_spread(noise, options, rows, c);
   c.held = held_variables(at.u, H, gradient, c.sigma);
   std::vector<int> free;
   for (int i = 0; i < n; ++i)
     if (c.held[static_cast<size_t>(i)] == Bound::none) free.push_back(i);
+  c.share_beyond_bounds = share_of_held(rows.psi(), rows.X(), free);
+  if (c.share_beyond_bounds > kMisfit) {
+    noise.take_for_pattern();
+    take_spread(noise, options, rows, c);
+  }
+  c.is_pattern = noise.is_pattern();
   const bool stated = options.sigma && c.excess == 1.0;
   const double p = 0.5 + 0.5 * options.level, nu = noise.freedom();
   c.t = numerics::student_t_quantile(p, stated || nu <= 0.0 ? kInfinity : nu);

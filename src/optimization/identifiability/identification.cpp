@@ -18,6 +18,9 @@ constexpr double kTolerance = 0.02;
 // Largest number of evaluations of the refit, to which two for each variable are added.
 constexpr int kEvaluationsOfTheRefit = 30;
 constexpr int kEvaluationsOfAShortRefit = 5;
+/// Usual numbers of steps of a branch of a profile, and of evaluations of a step beside those for
+/// derivatives. They serve the forecast of the remaining time alone.
+constexpr int kUsualRungs = 9, kUsualRefitOfARung = 2;
 constexpr int kMostWeakRounds = 3;
 // Smallest improvement for which all rounds start again at the better point, as a share of the
 // threshold. A smaller improvement moves an interval by at most a sixth of its width.
@@ -248,6 +251,14 @@ void Identification::take_slopes() {
   linearized(std::move(at));
 }
 
+/// Returns the improvement of S for which all rounds start again at the better point. If neighbors
+/// share noise, a threshold may exceed S itself, which must not hide that the point is no minimum.
+double Identification::worthwhile() const {
+  const double threshold = confidence_->threshold();
+  return kWorthwhile *
+         (confidence_->is_colored ? std::min(threshold, at_->sum_of_squares()) : threshold);
+}
+
 /// Completes round 1 with derivatives `at`, apart from the check of weak directions.
 void Identification::linearized(Linearization at) {
   wanted_.clear();
@@ -289,7 +300,7 @@ void Identification::weak_directions_observed(const std::vector<Result<Evaluated
 void Identification::after_slopes() {
   const double promised = confidence_->left_to_gain;
   const bool stays =
-      centers_ >= options_.most_centers || !(promised > kWorthwhile * confidence_->threshold());
+      centers_ >= options_.most_centers || !(promised > worthwhile());
   if (!options_.profiles && stays) {
     continues_at_better_point();
     return;
@@ -308,7 +319,7 @@ void Identification::after_slopes() {
 
 bool Identification::continues_at_better_point() {
   const double gain = at_->sum_of_squares() - least_;
-  if (centers_ >= options_.most_centers || !(gain > kWorthwhile * confidence_->threshold()))
+  if (centers_ >= options_.most_centers || !(gain > worthwhile()))
     return false;
   ++centers_;
   begin_at(least_point_);
@@ -348,6 +359,25 @@ void Identification::begin_profiles() {
     }
   }
   ask_branches();
+}
+
+Identification::Phase Identification::phase() const {
+  if (is_profiling()) return Phase::profiles;
+  return refit_ ? Phase::refit : Phase::derivatives;
+}
+
+long Identification::expected_left() const {
+  if (wanted_.empty()) return 0;
+  const long n = std::ssize(free_);
+  long left = std::ssize(wanted_);
+  if (phase() == Phase::derivatives && options_.profiles) left += n;  // the refit
+  if (!options_.profiles) return left;
+  long rungs = 0;
+  for (const ProfileBranch& branch : branches_) rungs += branch.rungs_left();
+  if (branches_.empty()) rungs = 2 * n * kUsualRungs;
+  // A rung recomputes derivatives of some other variables unless the model returns them.
+  const long a_rung = kUsualRefitOfARung + (at_ && at_->is_exact ? 0 : (n - 1) / 2);
+  return left + rungs * a_rung;
 }
 
 double Identification::share_done() const {

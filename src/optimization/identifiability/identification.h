@@ -92,6 +92,14 @@ class Identification {
   /// True if the wanted points are those of profiles. If refitted() is exact, their outcomes may
   /// then be passed as reduced_rows() with all used residuals in one group.
   bool is_profiling() const { return !branches_.empty() && !wanted_.empty(); }
+  /// What the wanted points are for.
+  enum class Phase { derivatives, refit, profiles };
+  /// Returns the phase of the wanted points.
+  Phase phase() const;
+  /// Returns the estimated number of evaluations to come in this and all later phases, from usual
+  /// numbers of evaluations for each variable. A better point that starts all phases again, and
+  /// profiles along narrow valleys, take more.
+  long expected_left() const;
   /// Returns the share of the steps of all profiles that is done, estimated from the remaining
   /// length of each profile. Steps that are halved or repeated are not included.
   double share_done() const;
@@ -117,6 +125,7 @@ class Identification {
   void weak_directions_observed(const std::vector<Result<Evaluated>>& evaluated);
   void after_slopes();
   double felt() const;
+  double worthwhile() const;
   void look_for_better(const std::vector<Result<Evaluated>>& evaluated);
   bool continues_at_better_point();
   DesignPoint moved(int variable, double offset) const;

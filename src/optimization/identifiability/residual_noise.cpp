@@ -29,6 +29,16 @@ constexpr double kMostZ = 4.5;  // largest z = atanh(kappa): |kappa| is at most 
 /// are far larger than all others, they determine the spread, and noise of a thousandth of it does
 /// not influence them.
 constexpr double kFarOff = 1e-3;
+/// Limits for residuals that form a smooth pattern: largest deviation of a residual, as a multiple
+/// of the spread that the residuals show, and least degrees of freedom. An autoregression takes a
+/// smooth pattern for noise so slow that its level may be any number.
+constexpr double kMostUnseen = 2.0, kFewestFreedom = 3.0;
+/// Largest ratio of the second differences of a pattern to its first ones. It is at least 1.2 for
+/// the sums of independent errors, the slowest noise, and 2 sin(w / 2) for a wave of w per sample.
+constexpr double kSmooth = 0.8;
+// Largest number of neighbors that are averaged before differences are taken, so that weak noise on
+// a pattern does not hide it, and fewest averages that tell a pattern from noise.
+constexpr Eigen::Index kMostAveraged = 4, kFewestAverages = 8;
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kFirstCuts = 16, kLaterCuts = 9;  // numbers of steps of the golden-section search
 constexpr double kDerivative = 0.05;            // step in z of numerical derivatives
@@ -136,8 +146,9 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
     curve_sums_.push_back(sums(curve, curve.process));
     add(all, curve_sums_.back(), 1.0);
   }
-  if (freedom_ > 0.0 && !curves_.empty() && sigma_of(all) > least_seen &&
-      !is_exact_but_for_few(x_, Q_, std::max(least_seen, kFarOff * sigma_of(all)))) {
+  const double as_seen = sigma_of(all);
+  if (freedom_ > 0.0 && !curves_.empty() && as_seen > least_seen &&
+      !is_exact_but_for_few(x_, Q_, std::max(least_seen, kFarOff * as_seen))) {
     for (size_t k = 0; k < curves_.size(); ++k) {
       add(all, curve_sums_[k], -1.0);
       fit(curves_[k], all);
@@ -146,6 +157,36 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
     }
   }
   sigma_ = sigma_of(all);
+  seen_ = as_seen;
+  if (!is_white() && forms_pattern()) take_for_pattern();
+}
+
+void ResidualNoise::take_for_pattern() {
+  if (is_white()) return;
+  is_pattern_ = true;
+  sigma_ = std::min(sigma_, kMostUnseen * seen_);
+}
+
+/// True if the part of the residuals that the fit cannot change is smooth along the curves whose
+/// neighbors share noise: the differences of its differences are smaller than these.
+bool ResidualNoise::forms_pattern() const {
+  const Eigen::VectorXd left = x_ - Q_ * (Q_.transpose() * x_);
+  for (Eigen::Index averaged = 1; averaged <= kMostAveraged; ++averaged) {
+    double first = 0.0, second = 0.0;
+    for (const Curve& curve : curves_) {
+      const Eigen::Index count = std::ssize(curve.rows) / averaged;
+      if (curve.process.order() == 0 || count < kFewestAverages) continue;
+      const Eigen::VectorXd own = left(curve.rows);
+      const Eigen::VectorXd means =
+          own.head(count * averaged).reshaped(averaged, count).colwise().mean();
+      const Eigen::VectorXd steps = means.tail(count - 1) - means.head(count - 1);
+      first += steps.squaredNorm() / static_cast<double>(count - 1);
+      second += (steps.tail(count - 2) - steps.head(count - 2)).squaredNorm() /
+                static_cast<double>(count - 2);
+    }
+    if (first > 0.0 && second < kSmooth * kSmooth * first) return true;
+  }
+  return false;
 }
 
 bool ResidualNoise::is_white() const {
@@ -301,7 +342,8 @@ double ResidualNoise::freedom_of(const Eigen::VectorXd& y, bool known) const {
     }
     spread += slope.dot(curves_[k].variance * slope);
   }
-  return spread > 0.0 ? 2.0 / spread : std::numeric_limits<double>::infinity();
+  const double freedom = spread > 0.0 ? 2.0 / spread : std::numeric_limits<double>::infinity();
+  return is_pattern_ ? std::max(kFewestFreedom, freedom) : freedom;
 }
 
 }  // namespace latsch

@@ -18,7 +18,10 @@
 //
 // Limits: neighbors count as equally far apart, and a curve with fewer than kFewestSamples samples
 // beyond the number of variables counts as white. Deviations that a model cannot reproduce look
-// like slow noise and are treated as noise.
+// like slow noise. If they are smooth along their curves, they are recognized as a pattern: an
+// autoregression would take them for noise so slow that its level may be any number, and every
+// variable would be free. Noise stronger than a tenth of a pattern hides it, and then it counts as
+// noise.
 #pragma once
 
 #include <Eigen/Core>
@@ -59,6 +62,13 @@ class ResidualNoise {
   /// Number of residuals minus the number of variables they determine.
   double freedom() const { return freedom_; }
   bool is_white() const;
+  /// True if the residuals vary smoothly along their curves, as the misfit of a model does and noise
+  /// does not, or if they were taken for such a pattern. Their deviation is then at most twice the
+  /// spread that they show.
+  bool is_pattern() const { return is_pattern_; }
+  /// Takes residuals whose neighbors are correlated for a misfit of the model, because something
+  /// else than their shape shows that they are no noise.
+  void take_for_pattern();
 
   /// Scales the columns of Y so that the squared norm of a column y becomes  y' D R D y,  the
   /// variance of y' r in units of sigma^2.
@@ -89,6 +99,7 @@ class ResidualNoise {
   double deviance(const Sums& all) const;
   double deviance_with(const Sums& rest, const Curve& curve, const std::vector<double>& z) const;
   double sigma_of(const Sums& all) const;
+  bool forms_pattern() const;
   void fit(Curve& curve, const Sums& rest) const;
   double log_variance(const Eigen::VectorXd& y,
                       size_t curve,
@@ -99,6 +110,8 @@ class ResidualNoise {
   Eigen::VectorXd deviations_, x_;
   Eigen::MatrixXd Q_;  // orthonormal columns that span G
   double freedom_ = 0.0, sigma_ = 0.0;
+  double seen_ = 0.0;  // spread of the residuals if they are independent
+  bool is_pattern_ = false;
   std::vector<Curve> curves_;  // all curves, including those whose noise turns out to be white
   std::vector<Eigen::Index> alone_;
   Sums alone_sums_;

@@ -25,6 +25,11 @@ constexpr int kMostRounds = 8;  // largest number of rounds
 /// Largest change of the residuals over a move, as a multiple of their norm, from which slopes are
 /// computed. A move that changes them by more is too long.
 constexpr double kTooBlunt = 100.0;
+/// Length of an axis, as a share of the ranges, below which the range of a variable counts as too
+/// wide if the residuals are still as large as at the start. For smaller residuals it is shorter in
+/// proportion. A larger value would call exact fits of noisy simulations too wide, a smaller one would
+/// call steep simulations noisy.
+constexpr double kSteep = 0.01;
 constexpr int kMostSharpened = 4;  // largest number of axes shortened in a round
 // Largest number of steps of a round; further steps would gain too little.
 constexpr int kMostStepsOfARound = 20;
@@ -73,14 +78,21 @@ std::optional<Wanted> FreshSlopes::next(TrustBox& box, const PendingPoints<Wante
       ending_ = is_blind_ && box.f() <= options_.f_least ? Ending::explained
                 : is_blind_                              ? Ending::blind
                 : is_promising && has_failed_            ? Ending::edge
-                : noise > 0.0                            ? Ending::noise
-                : is_promising                           ? Ending::rough
-                                                         : Ending::verified;
+                : noise > 0.0  ? (is_wide(box) ? Ending::wide : Ending::noise)
+                : is_promising ? Ending::rough
+                               : Ending::verified;
       return std::nullopt;
     }
     if (goes_farther) change_ = kFarther;
     begin_round(box, m.jacobian(Eigen::VectorXd::Zero(frame_.axes())) * frame_.inverse);
   }
+}
+
+/// True if residuals that scatter around their model need not be noisy: a move by a tiny share of
+/// the ranges already changes them by their size, or their scatter exceeds the target itself.
+bool FreshSlopes::is_wide(const TrustBox& box) const {
+  const double left = std::sqrt(box.f() / options_.f_first);
+  return frame_.T.colwise().norm().minCoeff() < kSteep * left || deviation_ > box.f();
 }
 
 void FreshSlopes::shorten(int axis, double factor) {

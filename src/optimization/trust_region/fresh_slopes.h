@@ -9,7 +9,8 @@
 // The range of a variable may be so wide that a probe changes the residuals by hundreds of times
 // their size, or makes them explode. Such a probe does not help to judge a minimum. The axis is
 // then shortened until the residuals change by about their size, and probed again. If an axis has
-// no usable probe, the search cannot confirm that it ended at a minimum: Ending::blind.
+// no usable probe, the search cannot confirm that it ended at a minimum: Ending::blind. Residuals
+// that scatter because an axis is a small share of the ranges are not called noisy: Ending::wide.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,6 +27,7 @@ class FreshSlopes {
     double shortest;     // shortest move for slopes, as a share of a width
     double noise_alone;  // see ResidualTrustRegionOptions
     double f_least;      // once the target is below this value, no further round follows
+    double f_first;      // value of the target at the start of the search
   };
 
   /// Begins a verification around the center of the box.
@@ -56,6 +58,7 @@ class FreshSlopes {
 
  private:
   void begin_round(const TrustBox& box, const Eigen::MatrixXd& J);
+  bool is_wide(const TrustBox& box) const;
   bool pays_another_round(const TrustBox& box) const;
   void shorten(int axis, double factor);
   bool sharpen(const TrustBox& box);

@@ -11,7 +11,12 @@ std::string in_words(Ending ending) {
       return "at a minimum: slopes recomputed around the best point predict no improvement";
     case Ending::noise:
       return "in the noise: slopes recomputed around the best point predict no gain above noise "
-             "and ripple of the simulations";
+             "and ripple of the simulations; if these are exact to rounding, the range of a "
+             "variable is too wide: narrow its bounds";
+    case Ending::wide:
+      return "without having seen a minimum: less than a thousandth of the range of a variable "
+             "changes the residuals by more than their size, so their slopes are not known; narrow "
+             "its bounds or give it a logarithmic scale";
     case Ending::edge:
       return "at the edge of failed trials: steps that would gain fail";
     case Ending::rough:

@@ -175,10 +175,11 @@ bool TrustRegionRun::begin_verification() {
     return false;
   }
   const double shortest = tuning_.verification.shortest * options_.step_tolerance;
-  verification_.emplace(
-      box_,
-      FreshSlopes::Options{
-          .shortest = shortest, .noise_alone = options_.noise_alone, .f_least = nothing_left()});
+  verification_.emplace(box_,
+                        FreshSlopes::Options{.shortest = shortest,
+                                             .noise_alone = options_.noise_alone,
+                                             .f_least = nothing_left(),
+                                             .f_first = f_first_});
   if (!verification_->has_axes()) {
     ending_ = Ending::verified;
     verification_.reset();

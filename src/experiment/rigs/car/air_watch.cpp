@@ -4,12 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace latsch::experiment {
 
+namespace {
+
+// m/s; a slower car stands, and its air forces are below a millionth of those at 1 m/s
+constexpr double kSlowest = 1e-3;
+
+}  // namespace
+
 void AirWatch::see(const car::Car& car, const car::CarState& state) {
   const auto heights = car.floor_heights(state);
-  if (!heights || state.bodies.rates[6 * car.parts().chassis] == 0.0) return;
+  if (!heights || std::abs(state.bodies.rates[6 * car.parts().chassis]) < kSlowest) return;
   const auto map = car.parameters().aero->heights();
   bool is_outside = false;
   for (std::size_t i = 0; i < axles_.size(); ++i) {

@@ -41,7 +41,7 @@ struct RollingTest {
 struct RolledState {
   fe_tire::RollingState state;
   double kappa = 0.0;             // against the free wheel
-  fe_tire::RollingLosses losses;  // of rubber and cords
+  fe_tire::RollingLosses losses;  // powers that rubber and cords lose
 };
 
 /// Channels of the test, one value for each state: the states "alpha" (rad), "kappa" (against the

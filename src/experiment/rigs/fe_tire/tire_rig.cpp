@@ -15,6 +15,7 @@
 #include "experiment/rigs/fe_tire/channel_slopes.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "experiment/rigs/mode_record.h"
+#include "models/fe_tire/motion/damped_tire.h"
 
 namespace latsch::experiment {
 namespace {
@@ -116,11 +117,30 @@ Result<TireRig::Vibrating> TireRig::vibrate(const ModalTest& test) {
     if (!state) return state.failure();
     found.state = std::move(*state);
   }
-  auto modes =
-      found.state ? tire_.modes(*found.state, test.count) : tire_.modes(*inflated, test.count);
-  if (!modes) return modes.failure();
-  found.modes = std::move(*modes);
+  if (const Status done = add_modes(found, *inflated, test); !done) return done.failure();
   return found;
+}
+
+Status TireRig::add_modes(Vibrating& found, const Inflated& inflated, const ModalTest& test) {
+  const int count = test.count;
+  if (!test.is_damped) {
+    auto modes = found.state ? tire_.modes(*found.state, count) : tire_.modes(inflated, count);
+    if (!modes) return modes.failure();
+    found.modes = std::move(*modes);
+    return {};
+  }
+  if (losses_.is_elastic())
+    return Failure{
+        "modes: damping = true, but the tire's file states no prony or loss_factor of a rubber or "
+        "a layer: state one, or leave damping out"};
+  fe_tire::DampedTire damped(tire_, losses_);
+  auto modes = found.state ? damped.modes(*found.state, count) : damped.modes(inflated, count);
+  if (!modes) return modes.failure();
+  for (fe_tire::DecayingMode& mode : *modes) {
+    found.modes.push_back(std::move(mode.mode));
+    found.damping.push_back(mode.damping);
+  }
+  return {};
 }
 
 Result<TireState> TireRig::stand(const ModalTest& test, const Inflated& inflated) {
@@ -153,6 +173,7 @@ Channels TireRig::channels_of(const ModalTest& test, const Vibrating& found) {
     records.push_back(std::move(record));
   }
   Channels channels = to_channels(records);
+  if (!found.damping.empty()) channels.add({"damping", "1", found.damping});
   if (!found.state) return channels;
   const Standing standing = tire_.stand(*found.state);
   channels.add({"deflection", "m", {standing.deflection}});
@@ -230,6 +251,7 @@ Result<Channels> TireRig::run(const ModalTest& test,
   const auto found = vibrate(test);
   if (!found) return found.failure();
   const Channels channels = channels_of(test, *found);
+  if (test.is_damped) return channels;  // TireSlopes knows elastic modes alone
   if (!found->state) {
     const auto of_modes = slopes.of_modes(**inflated_, found->modes);
     if (!of_modes) return of_modes.failure();

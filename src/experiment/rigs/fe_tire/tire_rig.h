@@ -68,9 +68,12 @@ class TireRig {
   struct Vibrating {
     std::optional<fe_tire::TireState> state;  // on the ground; none: not in contact
     std::vector<fe_tire::Mode> modes;
+    std::vector<double> damping;  // shares of critical damping; empty: nothing relaxes
   };
   Result<Vibrating> vibrate(const ModalTest& test);
   Result<fe_tire::TireState> stand(const ModalTest& test, const fe_tire::Inflated& inflated);
+  /// Adds the lowest modes, damped if the test asks for it.
+  Status add_modes(Vibrating& found, const fe_tire::Inflated& inflated, const ModalTest& test);
   Channels channels_of(const ModalTest& test, const Vibrating& found);
   Result<Channels> run_spinning(const ModalTest& test);
   struct StandSlopes;  // slopes of the standing state of a modal test

@@ -13,7 +13,8 @@ Vibration modes of a tire with its rim held, off the ground or standing on it; o
 finite-element tire off the ground also while it spins, and with a rim that moves.
 
 Channels, one value for each mode: "frequency" (Hz), and "n", "type" and "phase" as
-numbers; "shape" at the points; "damping" (of critical) if the model has it;
+numbers; "shape" at the points; "damping" (of critical) of a flexible ring, and of a finite-element
+tire if the key `damping` is true;
 on the ground one value of "deflection", "loaded_radius" (m) and "force" (N) if the model
 computes them.
 
@@ -45,6 +46,10 @@ spin, -1 against it, 0 neither), "shape_later", the shape a quarter of a period 
               {"standing_wave",
                "`true` computes the speed of rotation at which a wave stands still beside the "
                "wheel, among waves of at least three sectors of the mesh."},
+              {"damping",
+               "`true`: rubber and layers of a finite-element tire whose file states `prony` or "
+               "`loss_factor` relax. \"damping\" is then a channel, and every frequency is that of "
+               "the moduli at this frequency. The tire is at rest with its rim held."},
               {"points",
                "Points in the wheel frame, on the undeformed tire, at which shapes are recorded; "
                "`{from = \"measurement.shapes\"}` takes its x, y, z. Without points no shapes are "
@@ -62,6 +67,7 @@ points = [["0 mm", "50 mm", "310 mm"]]
 )toml",
               R"toml(kind = "modes"
 deflection = "15 mm"
+damping = true
 )toml",
               R"toml(kind = "modes"
 speed = "100 km/h"

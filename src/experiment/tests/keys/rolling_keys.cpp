@@ -4,6 +4,7 @@
 namespace latsch::experiment {
 
 const KeySection& pressure_keys();
+const KeySection& rolling_state_keys();
 
 const KeySection& rolling_keys() {
   static const KeySection section = {
@@ -28,30 +29,7 @@ relaxed ones. The losses are of first order in the loss factor: shape and forces
 elastic rubber, so "Fx" and "balance" do not contain them. A tire that states neither has the
 rolling resistance of friction alone.
 )md",
-      .sentences =
-          {
-              {"load", "Loads of the wheel, Fz."},
-              {"speed",
-               "Speeds of the wheel center along the wheel's heading; centrifugal forces act. "
-               "Beside "
-               "`states` one speed, which replaces the table's column Vx, as `pressure` replaces "
-               "p."},
-              {"friction",
-               "Coefficient of friction with the ground. With 0 no state may have a slip; the "
-               "wheel then spins with its speed over the inflated radius less a third of the "
-               "deflection."},
-              {"kappa",
-               "Slips against the free wheel at the same load, speed and camber; -1 is a locked "
-               "wheel.",
-               "none: the wheel rolls freely"},
-              {"alpha", "Slip angles; a positive one gives a negative Fy.", "0"},
-              {"camber", "Inclinations about x, top to the right.", "0"},
-              {"turn_slip", "Turn slips, minus the turning rate over the speed.", "0"},
-              {"states",
-               "Table of states in place of these lists: columns Fz, kappa, alpha, gamma, phit, "
-               "Vx, p as for the test steady_states; `{from = \"measurement.run\"}` takes those "
-               "of a measurement. Without a column kappa the wheel rolls freely."},
-          },
+      .sentences = {},
       .samples =
           {
               R"toml(kind = "rolling"
@@ -75,7 +53,7 @@ speed = "60 km/h"
 friction = 1.0
 )toml",
           },
-      .shared = {{"", pressure_keys}},
+      .shared = {{"", rolling_state_keys}, {"", pressure_keys}},
   };
   return section;
 }

@@ -33,8 +33,11 @@ Channels element_channels(const std::vector<StandingFootprint>& states) {
   return channels;
 }
 
-/// Draws the pressure seen from above, forward to the right; millimeters and bar.
-std::string pressure_picture(const Footprint& print, double most) {
+}  // namespace
+
+std::string footprint_map(const Footprint& print,
+                          const std::vector<double>& values,
+                          const FootprintMap& map) {
   constexpr double kLeft = 64.0, kTop = 28.0, kScale = 2.2;  // pixels, pixels a millimeter
   double x = 10.0, y = 10.0;
   for (const FootprintElement& at : print.elements) {
@@ -42,26 +45,31 @@ std::string pressure_picture(const Footprint& print, double most) {
     y = std::max(y, 1e3 * (std::abs(at.y) + 0.5 * at.width) + 5.0);
   }
   const double right = kLeft + 2.0 * kScale * x, bottom = kTop + 2.0 * kScale * y;
-  report::Svg svg(right + 110.0, bottom + 48.0, "Pressure in the footprint");
+  report::Svg svg(right + 110.0, bottom + 48.0, map.title);
   const Axis along(-x, x, kLeft, right), across(-y, y, bottom, kTop);
   draw_frame(svg, along, across, "x [mm]", "y [mm]");
-  for (const FootprintElement& at : print.elements) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const FootprintElement& at = print.elements[k];
     const report::Point corner(along.at(1e3 * (at.x - 0.5 * at.length)),
                                across.at(1e3 * (at.y + 0.5 * at.width)));
-    svg.rectangle(
-        corner,
-        kScale * 1e3 * at.length,
-        kScale * 1e3 * at.width,
-        fmt::format("fill=\"{}\"", report::viridis(at.pressure / most)),
-        fmt::format(
-            "x {:.1f} mm, y {:.1f} mm: {:.2f} bar", 1e3 * at.x, 1e3 * at.y, at.pressure / 1e5));
+    svg.rectangle(corner,
+                  kScale * 1e3 * at.length,
+                  kScale * 1e3 * at.width,
+                  fmt::format("fill=\"{}\"", report::viridis(values[k] / map.most)),
+                  fmt::format("x {:.1f} mm, y {:.1f} mm: {:.{}f} {}",
+                              1e3 * at.x,
+                              1e3 * at.y,
+                              values[k] / map.factor,
+                              map.digits,
+                              map.unit));
   }
-  draw_color_bar(
-      svg, {right + 24.0, kTop}, bottom - kTop, Axis(0.0, most / 1e5, bottom, kTop), "bar");
+  draw_color_bar(svg,
+                 {right + 24.0, kTop},
+                 bottom - kTop,
+                 Axis(0.0, map.most / map.factor, bottom, kTop),
+                 map.unit);
   return svg.str();
 }
-
-}  // namespace
 
 Test::Details footprint_details(const std::vector<StandingFootprint>& states) {
   double most = 1e-9;
@@ -70,9 +78,11 @@ Test::Details footprint_details(const std::vector<StandingFootprint>& states) {
   Test::Details details;
   for (const StandingFootprint& state : states) {
     const Footprint& print = state.footprint;
+    std::vector<double> pressures;
+    for (const FootprintElement& at : print.elements) pressures.push_back(at.pressure);
     details.pictures.push_back(
         {fmt::format("{:.0f} N", print.load),
-         pressure_picture(print, most),
+         footprint_map(print, pressures, {"Pressure in the footprint", "bar", 1e5, 2, most}),
          fmt::format("Deflection {:.2f} mm; {:.1f} mm long, {:.1f} mm wide, {:.1f} cm², mean "
                      "pressure {:.2f} bar. From above, forward to the right; pressure over the "
                      "tread with its grooves.",

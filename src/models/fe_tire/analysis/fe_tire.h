@@ -175,6 +175,7 @@ class FeTire {
   friend class SpinningTire;
   friend class RollingTire;
   friend class LossMeter;
+  friend class DampedTire;
   friend struct Varied;
   struct Impl;
   std::unique_ptr<Impl> impl_;

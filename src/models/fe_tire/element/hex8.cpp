@@ -76,7 +76,7 @@ bool evaluate(const HexShape& shape,
 
 Matrix8 mass(const HexShape& shape, const Materials& materials, const Element& element) {
   const double point = shape.kind == ElementKind::solid_shell ? kMassPoint : kGauss;
-  Matrix8 M = rebar_mass(shape.X, materials, element, point);
+  Matrix8 M = rebar_mass(shape, materials, element, point);
   const double density = materials.solids[element.solid].density;
   for (int q = 0; q < 8; ++q) {
     const Vector8 N = shape_functions(point * kXi[q], point * kEta[q], kGauss * kZeta[q]);

@@ -29,6 +29,10 @@ struct HexShape;  // defined in hex8_shape.h; a plain value of fixed size
 /// Computes the shape from the coordinates [3 x 8], m, of the element's corners without load.
 /// `wall`: thickness of the wall, see Element::wall.
 HexShape make_shape(ElementKind kind, const Matrix38& X, double wall = 0.0);
+/// Computes the shape of a solid-shell in a sector of a ring, whose edges along xi count as arcs
+/// around the spin axis (hex8_shape.cpp). Corners with xi = +1 are those with xi = -1, turned by
+/// 2 h rad about the spin axis; X [3 x 8], m, is in the frame of the plane xi = -1.
+HexShape make_arc_shape(const Matrix38& X, double h, double wall);
 
 /// Returns the number of enhanced strain parameters that an element of this kind stores between
 /// evaluations. They are only the starting point of an inner iteration, not a history of the

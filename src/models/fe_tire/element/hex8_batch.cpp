@@ -73,6 +73,37 @@ void place_corners(const EdgeTie& tie, double (&u)[24][ElementBatch::kLanes]) {
   }
 }
 
+/// Computes the displacements in the prism of an arc from those of the corners, by (R.1) of
+/// hex8_shape.cpp.
+void place_in_prism(const ArcMap& map, double (&u)[24][ElementBatch::kLanes]) {
+  for (const auto& ends : kArcEnds) {
+    for (int lane = 0; lane < ElementBatch::kLanes; ++lane) {
+      double x[2], z[2];
+      for (int k = 0; k < 2; ++k) {
+        x[k] = u[3 * ends[k]][lane];
+        z[k] = u[3 * ends[k] + 2][lane];
+      }
+      for (int k = 0; k < 2; ++k) {
+        const int l = 1 - k;
+        const auto &own = map.own[k], &other = map.other[k];
+        u[3 * ends[k]][lane] =
+            (own[0] * x[k] - own[1] * z[k]) + (other[0] * x[l] - other[1] * z[l]);
+        u[3 * ends[k] + 2][lane] =
+            (own[1] * x[k] + own[0] * z[k]) + (other[1] * x[l] + other[0] * z[l]);
+      }
+    }
+  }
+}
+
+/// Computes what the kernels take, displacements of corners in the prism, from those of the nodes.
+void place_corners(const ElementLaw& law, double (&u)[24][ElementBatch::kLanes]) {
+  if (law.tie.eta != 0) place_corners(law.tie, u);
+  if (law.shape->arc.is_arc) place_in_prism(law.shape->arc, u);
+}
+
+/// Returns true if the kernels take the displacements of an element's nodes as they are.
+bool takes_nodes(const ElementLaw& law) { return law.tie.eta == 0 && !law.shape->arc.is_arc; }
+
 /// Converts forces on tied corners to forces on nodes. `at(k)` returns the lanes of component k.
 template <class At>
 void gather_corners(const EdgeTie& tie, At at) {
@@ -119,12 +150,14 @@ unsigned evaluate(const ElementLaw& law,
                   ElementBatch& batch) {
   const bool is_comparison = law.shape->kind == ElementKind::full_integration;
   batch.stiffness = stiffness == Stiffness::rough && is_comparison ? Stiffness::exact : stiffness;
-  if (law.tie.eta == 0) return evaluate_corners(law, surroundings, batch);
+  if (takes_nodes(law)) return evaluate_corners(law, surroundings, batch);
+  fill_lanes(batch);
   double nodes[24][ElementBatch::kLanes];
   std::copy_n(&batch.u[0][0], 24 * ElementBatch::kLanes, &nodes[0][0]);
-  place_corners(law.tie, batch.u);
+  place_corners(law, batch.u);
   const unsigned valid = evaluate_corners(law, surroundings, batch);
   std::copy_n(&nodes[0][0], 24 * ElementBatch::kLanes, &batch.u[0][0]);
+  if (law.tie.eta == 0) return valid;
   gather_corners(law.tie, [&](int k) { return batch.f[k]; });
   if (batch.stiffness != Stiffness::none) gather_corners(law.tie, batch.K);
   return valid;
@@ -134,20 +167,20 @@ namespace {
 
 /// Calls `kernel` with the positions and motions of the corners in place of those of the nodes.
 template <class Kernel>
-auto at_corners(const EdgeTie& tie,
+auto at_corners(const ElementLaw& law,
                 ElementBatch& batch,
                 std::span<ElementMotion> motions,
                 const Kernel& kernel) {
   fill_lanes(batch);
-  if (tie.eta == 0) return kernel();
+  if (takes_nodes(law)) return kernel();
   double nodes[24][ElementBatch::kLanes];
   std::copy_n(&batch.u[0][0], 24 * ElementBatch::kLanes, &nodes[0][0]);
   static thread_local std::vector<ElementMotion> of_nodes;
   of_nodes.assign(motions.begin(), motions.end());
-  place_corners(tie, batch.u);
+  place_corners(law, batch.u);
   for (ElementMotion& motion : motions) {
-    place_corners(tie, motion.mode);
-    place_corners(tie, motion.along);
+    place_corners(law, motion.mode);
+    place_corners(law, motion.along);
   }
   const auto result = kernel();
   std::copy_n(&nodes[0][0], 24 * ElementBatch::kLanes, &batch.u[0][0]);
@@ -164,7 +197,7 @@ bool add_curvatures(const ElementLaw& law,
                     const ElementSurroundings& surroundings,
                     ElementBatch& batch,
                     std::span<ElementMotion> motions) {
-  const bool done = at_corners(law.tie, batch, motions, [&] {
+  const bool done = at_corners(law, batch, motions, [&] {
     return LATSCH_KERNEL(curve_batch)(law, surroundings, batch, motions);
   });
   if (law.tie.eta == 0) return done;
@@ -175,7 +208,7 @@ bool add_curvatures(const ElementLaw& law,
 
 bool follow_along(const ElementLaw& law, ElementBatch& batch, std::span<ElementMotion> motions) {
   return at_corners(
-      law.tie, batch, motions, [&] { return LATSCH_KERNEL(follow_batch)(law, batch, motions); });
+      law, batch, motions, [&] { return LATSCH_KERNEL(follow_batch)(law, batch, motions); });
 }
 
 void sum_motions(std::span<const VariedElement> varied,
@@ -184,12 +217,12 @@ void sum_motions(std::span<const VariedElement> varied,
                  std::span<ElementMotion> motions,
                  double (*sums)[ElementBatch::kLanes]) {
   const auto same_tie = [](const VariedElement& a, const VariedElement& b) {
-    return a.law->tie == b.law->tie;
+    return a.law->tie == b.law->tie && a.law->shape->arc == b.law->shape->arc;
   };
   while (!varied.empty()) {  // elements may differ in the tie itself
     std::size_t count = 1;
     while (count < varied.size() && same_tie(varied[count], varied.front())) ++count;
-    at_corners(varied.front().law->tie, batch, motions, [&] {
+    at_corners(*varied.front().law, batch, motions, [&] {
       LATSCH_KERNEL(sum_motions_batch)(varied.first(count), open_edges, batch, motions, sums);
       return true;
     });

@@ -151,8 +151,13 @@ bool curve_register(const ElementLaw& law,
     // The energy of the gas is cubic in the positions. The second derivative of its forces along a
     // motion is therefore twice the forces with the motion in place of the positions.
     if (around.pressure != 0.0)
-      add_pressure(kNowhere, phi, around.open_edges, 2.0 * around.pressure, false, sums);
-    if (around.turned != 0) turn_forces(around, sums);
+      add_pressure(kNowhere,
+                   phi,
+                   {around.open_edges, law.shape->arc.is_arc},
+                   2.0 * around.pressure,
+                   false,
+                   sums);
+    forces_to_frames(law.shape->arc, around, sums);
     for (int n = 0; n < 24; ++n) sums.f[n].save(motion.curvature[n] + first);
     for (int j = 0; j < kEnhanced; ++j) {
       alpha1[j].save(motion.mode_alpha[j] + first);

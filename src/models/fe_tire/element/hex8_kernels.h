@@ -44,6 +44,97 @@ void turn_stiffness(const ElementSurroundings& around, NodalSums& sums) {
   }
 }
 
+/// Complex factors that give the forces on both ends of an arc, in the frames of the nodes, from
+/// those in the prism: f[k] = sum_j of_end[k][j] f~[j], for x + i z. They contain the transposed
+/// map (R.1) of hex8_shape.cpp and the rotation of the nodes in the next sector.
+struct ArcForces {
+  double of_end[2][2][2];  // [end][end in the prism][real, imaginary]
+};
+
+LATSCH_INLINE ArcForces arc_forces(const ArcMap& map, const ElementSurroundings& around) {
+  ArcForces forces;
+  for (int k = 0; k < 2; ++k) {
+    const bool turned = around.turned >> kArcEnds[0][k] & 1;
+    const double c = turned ? around.cosine : 1.0, s = turned ? around.sine : 0.0;
+    for (int j = 0; j < 2; ++j) {
+      const double re = j == k ? map.own[k][0] : map.other[j][0];
+      const double im = j == k ? -map.own[k][1] : -map.other[j][1];
+      forces.of_end[k][j][0] = c * re - s * im;
+      forces.of_end[k][j][1] = c * im + s * re;
+    }
+  }
+  return forces;
+}
+
+/// Replaces the components v[0] + i v[1] at the first end and v[2] + i v[3] at the second end.
+LATSCH_INLINE void leave_prism(const ArcForces& forces, V* const (&v)[4]) {
+  V result[4];
+  for (int k = 0; k < 2; ++k) {
+    const auto& from = forces.of_end[k];
+    result[2 * k] =
+        from[0][0] * *v[0] - from[0][1] * *v[1] + (from[1][0] * *v[2] - from[1][1] * *v[3]);
+    result[2 * k + 1] =
+        from[0][1] * *v[0] + from[0][0] * *v[1] + (from[1][1] * *v[2] + from[1][0] * *v[3]);
+  }
+  for (int n = 0; n < 4; ++n) *v[n] = result[n];
+}
+
+/// Converts the forces in the prism of an arc to those on the nodes in their frames.
+LATSCH_INLINE void leave_prism(const ArcForces& forces, NodalSums& sums) {
+  for (const auto& [a, b] : kArcEnds) {
+    leave_prism(forces, {&sums.f[3 * a], &sums.f[3 * a + 2], &sums.f[3 * b], &sums.f[3 * b + 2]});
+  }
+}
+
+/// Converts the stiffness in the prism of an arc to that between the nodes in their frames.
+void stiffness_leaves_prism(const ArcForces& forces, NodalSums& sums) {
+  const auto at = [&](int row, int column) -> V& {
+    return sums
+        .K[row >= column ? ElementBatch::entry(row, column) : ElementBatch::entry(column, row)];
+  };
+  for (const auto& [a, b] : kArcEnds) {
+    const int rows[4] = {3 * a, 3 * a + 2, 3 * b, 3 * b + 2};
+    for (int column = 0; column < 24; ++column) {
+      if (std::find(rows, rows + 4, column) != rows + 4) continue;
+      leave_prism(
+          forces,
+          {&at(rows[0], column), &at(rows[1], column), &at(rows[2], column), &at(rows[3], column)});
+    }
+    V block[4][4];
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) block[i][j] = at(rows[i], rows[j]);
+    }
+    for (int j = 0; j < 4; ++j)
+      leave_prism(forces, {&block[0][j], &block[1][j], &block[2][j], &block[3][j]});
+    for (auto& row : block) leave_prism(forces, {&row[0], &row[1], &row[2], &row[3]});
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j <= i; ++j) at(rows[i], rows[j]) = block[i][j];
+    }
+  }
+}
+
+/// Expresses the forces on an element in the frames of its nodes.
+LATSCH_INLINE void forces_to_frames(const ArcMap& map,
+                                    const ElementSurroundings& around,
+                                    NodalSums& sums) {
+  if (map.is_arc) {
+    leave_prism(arc_forces(map, around), sums);
+  } else if (around.turned != 0) {
+    turn_forces(around, sums);
+  }
+}
+
+/// Expresses the stiffness of an element in the frames of its nodes.
+LATSCH_INLINE void stiffness_to_frames(const ArcMap& map,
+                                       const ElementSurroundings& around,
+                                       NodalSums& sums) {
+  if (map.is_arc) {
+    stiffness_leaves_prism(arc_forces(map, around), sums);
+  } else if (around.turned != 0) {
+    turn_stiffness(around, sums);
+  }
+}
+
 /// State of a solid-shell element, from which its stiffness is computed.
 template <class V>
 struct ElementState {
@@ -76,9 +167,9 @@ void finish_stiffness(const ElementLaw& law,
     V x[24];
     for (int k = 0; k < 24; ++k) x[k] = load(batch.u[k] + first) + X[k];
     for (V& f : sums.f) f = 0.0;
-    add_pressure(X, x, around.open_edges, around.pressure, true, sums);
+    add_pressure(X, x, {around.open_edges, law.shape->arc.is_arc}, around.pressure, true, sums);
   }
-  if (around.turned != 0) turn_stiffness(around, sums);
+  stiffness_to_frames(law.shape->arc, around, sums);
   for (int n = 0; n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.K[n] + first);
 }
 
@@ -130,9 +221,10 @@ unsigned evaluate_solid_shell(const ElementLaw& law,
   const Mask valid = add_solid_shell_forces(law, state.shell, state.cords, alpha, modal);
   to_nodes(modal, sums);
   if (around.pressure != 0.0) {
-    add_pressure(shape.X.data(), x, around.open_edges, around.pressure, false, sums);
+    add_pressure(
+        shape.X.data(), x, {around.open_edges, shape.arc.is_arc}, around.pressure, false, sums);
   }
-  if (around.turned != 0) turn_forces(around, sums);
+  forces_to_frames(shape.arc, around, sums);
   for (int j = 0; j < kEnhanced; ++j) alpha[j].save(batch.alpha[j] + first);
   for (int n = 0; n < 24; ++n) sums.f[n].save(batch.f[n] + first);
   if (batch.stiffness == Stiffness::exact) {
@@ -167,12 +259,10 @@ unsigned evaluate_comparison(const ElementLaw& law,
   if (stiffness) stiffness_to_nodes(modal, sums);
   const Mask valid = add_full_integration(law, stiffness, x, sums);
   if (around.pressure != 0.0) {
-    add_pressure(shape.X.data(), x, around.open_edges, around.pressure, stiffness, sums);
+    add_pressure(shape.X.data(), x, {around.open_edges, false}, around.pressure, stiffness, sums);
   }
-  if (around.turned != 0) {
-    turn_forces(around, sums);
-    if (stiffness) turn_stiffness(around, sums);
-  }
+  forces_to_frames(shape.arc, around, sums);
+  if (stiffness) stiffness_to_frames(shape.arc, around, sums);
   for (int n = 0; n < 24; ++n) sums.f[n].save(batch.f[n] + first);
   for (int n = 0; stiffness && n < ElementBatch::kEntries; ++n) sums.K[n].save(batch.K[n] + first);
   return lanes_of(valid) << first;
@@ -215,7 +305,7 @@ void pressure_at(const double* x, double p, double* f, double* K) {
   for (V& v : sums.K) v = 0.0;
   V at[12];
   for (int k = 0; k < 12; ++k) at[k] = x[k];
-  add_pressure(x, at, 0, p, true, sums);
+  add_pressure(x, at, {}, p, true, sums);
   double lanes[V::kWidth];
   for (int k = 0; k < 12; ++k) {
     sums.f[k].save(lanes);

@@ -187,9 +187,10 @@ void sum_gas(const ElementLaw& law,
              V* sums) {
   static constexpr double kNowhere[24] = {};
   const double* X = law.shape->X.data();
+  const GasEdges edges{open_edges, law.shape->arc.is_arc};
   NodalSums rest, here;
   for (V& f : rest.f) f = 0.0;
-  add_pressure(X, at.x, open_edges, pressure, false, rest);
+  add_pressure(X, at.x, edges, pressure, false, rest);
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const MotionStrains::Motion& motion = at.motions[i];
     for (int n = 0; n < 12; ++n) sums[i] += rest.f[n] * motion.zeta[n];
@@ -199,8 +200,8 @@ void sum_gas(const ElementLaw& law,
       moved[n] = at.x[n] + motion.phi[n];
       here.f[n] = -rest.f[n];
     }
-    add_pressure(X, moved, open_edges, pressure, false, here);
-    add_pressure(kNowhere, motion.phi, open_edges, -pressure, false, here);
+    add_pressure(X, moved, edges, pressure, false, here);
+    add_pressure(kNowhere, motion.phi, edges, -pressure, false, here);
     for (int n = 0; n < 12; ++n) sums[i] += here.f[n] * motion.phi[n];
   }
 }

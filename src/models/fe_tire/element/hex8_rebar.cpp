@@ -45,6 +45,7 @@ constexpr double kLeastProjection = 1e-3;
 struct Surface {
   Eigen::Vector3d X0;
   Eigen::Matrix3d Y;  // columns X_1, X_2, X_12
+  bool is_arc;        // true: surface in the prism of an arc (hex8_shape.cpp)
 
   Eigen::Vector3d position(double xi, double eta) const {
     return X0 + Y * Eigen::Vector3d(xi, eta, xi * eta);
@@ -71,8 +72,9 @@ Direction direction(const Surface& surface, double xi, double eta, double angle)
   return {d.cross(G2).dot(n) / dA, G1.cross(d).dot(n) / dA, dA};
 }
 
-Surface surface_at(const Matrix38& X, double zeta) {
-  Surface surface{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero()};
+Surface surface_at(const HexShape& shape, double zeta) {
+  const Matrix38& X = shape.X;
+  Surface surface{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Zero(), shape.arc.is_arc};
   for (int a = 0; a < 8; ++a) {
     const double h = 0.125 * (1.0 + kZeta[a] * zeta);
     surface.X0 += h * X.col(a);
@@ -84,17 +86,20 @@ Surface surface_at(const Matrix38& X, double zeta) {
 }
 
 /// Evaluates equation (1): W and dA (stored in dV) at the four points. Returns the mean of (xi,
-/// eta) over the area.
+/// eta) over the area. Along an arc, tangents are those at xi = 0; only the strain across the arc,
+/// g_2 . g_2, varies along it, by twice the product y_2 . y_12.
 Eigen::Vector2d set_points(const Surface& surface, double angle, CordSheet::Point* points) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double area = 0.0;
   for (int q = 0; q < 4; ++q) {
     const double xi = kGauss * kXi[q], eta = kGauss * kEta[q];
-    const Direction d = direction(surface, xi, eta, angle);
-    const double v[3] = {d.a1, d.a2, d.a1 * eta + d.a2 * xi};
+    const double at = surface.is_arc ? 0.0 : xi;
+    const Direction d = direction(surface, at, eta, angle);
+    const double v[3] = {d.a1, d.a2, d.a1 * eta + d.a2 * at};
     for (int m = 0; m < 3; ++m) {
       for (int n = 0; n < 3; ++n) points[q].W[m][n] = v[m] * v[n];
     }
+    if (surface.is_arc) points[q].W[1][2] = points[q].W[2][1] += d.a2 * d.a2 * xi;
     points[q].p[0] = points[q].p[1] = 0.0;
     points[q].dV = d.dA;
     area += d.dA;
@@ -115,7 +120,8 @@ void assume(const Surface& surface,
   const Eigen::Vector2d s = metric.inverse() * Y.leftCols<2>().transpose() * Y.col(2);
   for (int q = 0; q < 4; ++q) {
     const double xi = kGauss * kXi[q] - mean[0], eta = kGauss * kEta[q] - mean[1];
-    const double p = center.a1 * center.a2 * xi, r = center.a1 * center.a2 * eta;
+    const double p = surface.is_arc ? 0.0 : center.a1 * center.a2 * xi;
+    const double r = center.a1 * center.a2 * eta;
     auto& W = points[q].W;
     const double square = W[2][2], z[3] = {-s[0], -s[1], 1.0};
     for (int m = 0; m < 3; ++m) {
@@ -151,7 +157,7 @@ std::vector<CordSheet> cord_sheets(const HexShape& shape,
     CordSheet& sheet = sheets.emplace_back();
     sheet.zeta = rebar.zeta;
     sheet.layer = materials.layers[rebar.layer];
-    const Surface surface = surface_at(shape.X, rebar.zeta);
+    const Surface surface = surface_at(shape, rebar.zeta);
     const Eigen::Vector2d mean = set_points(surface, sheet.layer.angle, sheet.points);
     if (shape.kind == ElementKind::solid_shell) {
       assume(surface, sheet.layer.angle, mean, shape.solid_shell, sheet.points);
@@ -161,27 +167,28 @@ std::vector<CordSheet> cord_sheets(const HexShape& shape,
   return sheets;
 }
 
-std::vector<CordMass> cord_masses(const Matrix38& X,
+std::vector<CordMass> cord_masses(const HexShape& shape,
                                   const Materials& materials,
                                   const Element& element) {
   std::vector<CordMass> points;
   for (const RebarPlacement& rebar : element.rebars) {
     const CordLayer& layer = materials.layers[rebar.layer];
-    const Surface surface = surface_at(X, rebar.zeta);
+    const Surface surface = surface_at(shape, rebar.zeta);
     for (int q = 0; q < 4; ++q) {
-      const double dA = direction(surface, kGauss * kXi[q], kGauss * kEta[q], 0.0).dA;
+      const double xi = surface.is_arc ? 0.0 : kGauss * kXi[q];
+      const double dA = direction(surface, xi, kGauss * kEta[q], 0.0).dA;
       points.push_back({q, rebar.zeta, layer.density * layer.thickness * dA});
     }
   }
   return points;
 }
 
-Matrix8 rebar_mass(const Matrix38& X,
+Matrix8 rebar_mass(const HexShape& shape,
                    const Materials& materials,
                    const Element& element,
                    double point) {
   Matrix8 M = Matrix8::Zero();
-  for (const CordMass& cords : cord_masses(X, materials, element)) {
+  for (const CordMass& cords : cord_masses(shape, materials, element)) {
     const Vector8 N =
         shape_functions(point * kXi[cords.point], point * kEta[cords.point], cords.zeta);
     M.noalias() += cords.mass * N * N.transpose();

@@ -17,13 +17,13 @@ struct CordMass {
   double mass = 0.0;  // kg
 };
 /// Returns the four mass points of every cord layer in an element.
-std::vector<CordMass> cord_masses(const Matrix38& X,
+std::vector<CordMass> cord_masses(const HexShape& shape,
                                   const Materials& materials,
                                   const Element& element);
 
 /// Returns the mass matrix [kg] of the cords between nodes. `point`: parent coordinate of the 2x2
 /// points.
-Matrix8 rebar_mass(const Matrix38& X,
+Matrix8 rebar_mass(const HexShape& shape,
                    const Materials& materials,
                    const Element& element,
                    double point);

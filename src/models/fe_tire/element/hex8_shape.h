@@ -55,9 +55,25 @@ struct SolidShellShape : SolidShellOperators<double> {
   double length, thickness;  // m, dimensions along eta and zeta
 };
 
+/// Map from the displacements of an element's corners to those of the straight prism in which an
+/// arc is computed: (R.1) of hex8_shape.cpp.
+struct ArcMap {
+  bool is_arc = false;  // false: the element is a brick between chords, and the map is the identity
+  // Complex factors, for x + i z, of the corner itself and of the corner at the other end of its
+  // edge along xi, by end (0: xi = -1, 1: xi = +1) and part (real, imaginary).
+  double own[2][2] = {{1.0, 0.0}, {1.0, 0.0}}, other[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
+  bool operator==(const ArcMap&) const = default;
+};
+/// Corners at both ends of the edges along xi, xi = -1 first.
+inline constexpr int kArcEnds[4][2] = {{0, 1}, {3, 2}, {4, 5}, {7, 6}};
+
 struct HexShape {
   ElementKind kind = ElementKind::full_integration;
-  Matrix38 X;  // m
+  Matrix38 corners;  // m, coordinates in the frame of the sector
+  /// m, coordinates in which strains are computed: those of the prism if `arc` says so, otherwise
+  /// those of the corners.
+  Matrix38 X;
+  ArcMap arc;
   // Volume of each Gauss point, m^3; not positive if the element is inverted.
   std::array<double, 8> dV;
   double dN[8][3][8];  // 1/m, gradients [point][direction][node] in the axes of the point
@@ -71,6 +87,17 @@ struct HexShape {
 Vector8 shape_functions(double xi, double eta, double zeta);
 /// Returns the derivatives of the shape functions by xi, eta, zeta (one row each).
 Matrix38 parent_gradients(double xi, double eta, double zeta);
+/// Returns dX/dxi, dX/deta, dX/dzeta as columns. `is_arc`: X is the prism of an arc, in which the
+/// sections xi = const count as parallel (hex8_shape.cpp).
+Eigen::Matrix3d parent_jacobian(
+    const Matrix38& X, double xi, double eta, double zeta, bool is_arc = false);
+/// Returns the map (R.1) for displacements in the frame of the plane xi = -1, of a sector with the
+/// angle 2 h between its section planes, rad. The axes of the result are those of the middle.
+ArcMap arc_map(double h);
+
+/// Returns the coordinates of the prism for corners with the coordinates X [3 x 8] in the frame of
+/// the plane xi = -1. The units remain.
+Matrix38 in_prism(const ArcMap& map, const Matrix38& X);
 /// Returns the cylindrical axes at X as columns: radial, circumferential, axial. On the spin axis,
 /// where they are undefined, returns those of the lowest point of a wheel.
 Eigen::Matrix3d cylindrical_triad(const Eigen::Vector3d& X);

@@ -8,7 +8,8 @@
 namespace latsch::fe_tire {
 
 /// Computes the operators of the solid-shell. `wall`: thickness of the wall, see Element::wall.
-SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall = 0.0);
+/// `is_arc`: X is the prism of an arc, see parent_jacobian().
+SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall = 0.0, bool is_arc = false);
 SolidShellOperators<float> rounded(const SolidShellOperators<double>& operators);
 
 /// Returns the factor, at least one half, by which the shear stiffness along eta is reduced for an

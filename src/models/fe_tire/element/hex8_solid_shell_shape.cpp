@@ -26,6 +26,9 @@ constexpr int kSquareCount = SolidShellShape::kSquares;
 constexpr int kModes = 12 + SolidShellShape::kEnhanced;
 
 using ModeOperator = Eigen::Matrix<double, 6, kModes>;
+/// Coefficients e that belong to strains along xi.
+constexpr int kAlongXi[] = {3, 5, 6, 8, 11};
+
 using solid_shell::kPairs;
 using voigt::kColumn, voigt::kRow;
 
@@ -120,7 +123,7 @@ double bending_of_shear(double h, double t) {
   return t > 0.0 ? 1.0 / (1.0 + std::min(0.25 * (h / t) * (h / t), kMost)) : 1.0;
 }
 
-SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall) {
+SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall, bool is_arc) {
   SolidShellShape s = {};
   const Eigen::Matrix<double, 7, 8> h = solid_shell::modal_matrix();
   const Eigen::Matrix3d R = cylindrical_triad(X.rowwise().mean());
@@ -136,7 +139,7 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall) {
   for (int q = 0; q < 8; ++q) {
     const double xi = kGauss * kXi[q], eta = kGauss * kEta[q], zeta = kGauss * kZeta[q];
     const Matrix38 parent = parent_gradients(xi, eta, zeta);
-    const Eigen::Matrix3d J = X * parent.transpose();
+    const Eigen::Matrix3d J = parent_jacobian(X, xi, eta, zeta, is_arc);
     const Eigen::Matrix3d to_center = J.inverse() * R;
     dV[q] = J.determinant();
     s.volume += dV[q];
@@ -154,12 +157,17 @@ SolidShellShape make_solid_shell_shape(const Matrix38& X, double wall) {
                           (Vector6() << 1.0, 1.0, 1.0, 0.5, 0.5, 0.5).finished());
     s.e0[e] += g_m.dot(g_n);
   }
+  // A strain that is constant in cylindrical axes does not vary along the arc.
+  for (const int e : kAlongXi) {
+    if (is_arc) H.row(e).setZero();
+  }
   const Eigen::Matrix3d J0 = X * parent_gradients(0.0, 0.0, 0.0).transpose();
   const Eigen::Matrix3d axes = set_axes(s, J0, R);
   const Matrix6 shear =
       scaled_shear(axes.col(1), axes.col(2), std::sqrt(bending_of_shear(s.length, wall)));
   for (int q = 0; q < 8; ++q) {
-    const Vector8 N = shape_functions(kGauss * kXi[q], kGauss * kEta[q], kGauss * kZeta[q]);
+    const Vector8 N =
+        shape_functions(is_arc ? 0.0 : kGauss * kXi[q], kGauss * kEta[q], kGauss * kZeta[q]);
     const Matrix6 turn = strain_transform(R.transpose() * cylindrical_triad(X * N)) * shear;
     const ModeOperator fluctuation = A[q] - mean;
     Eigen::Matrix<double, 6, SolidShellShape::kColumns, Eigen::RowMajor> P;

@@ -71,15 +71,45 @@ LATSCH_INLINE void add_face_pressure(
   }
 }
 
+/// Edges of the pressurized face at which further faces close the volume of the gas.
+struct GasEdges {
+  unsigned open = 0;    // sealed edges; bit k: from node k to node k + 1
+  bool is_arc = false;  // true: the edges along eta are walled off to the axis, see add_pressure()
+};
+
+/// Adds the forces of pressure on the triangle between the center of the wheel and the edge from
+/// `from` to `to`. Nodes are -1 if the corner is fixed.
+LATSCH_INLINE void add_wall_pressure(const V* from,
+                                     const V* to,
+                                     int from_node,
+                                     int to_node,
+                                     double p,
+                                     bool stiffness,
+                                     NodalSums& sums) {
+  const int node[4] = {from_node, to_node, -1, -1};
+  V wall[12];
+  for (int i = 0; i < 3; ++i) {
+    wall[i] = from[i];
+    wall[3 + i] = to[i];
+    wall[6 + i] = wall[9 + i] = 0.0;
+  }
+  add_face_pressure(wall, node, p, stiffness, sums);
+}
+
 /// Adds the forces of pressure on the face of nodes 0-3 at x[3 a + i], and on the seals of its open
-/// edges (bit k: from node k to node k + 1). A seal is a strip between the current position of an
-/// edge and its position in the element X without load.
+/// edges. A seal is a strip between the current position of an edge and its position in the element
+/// X without load. The prisms of neighboring arcs do not meet, so each of them is closed by walls
+/// between its sides and the center of the wheel. Then the gas has a potential in every element.
 void add_pressure(
-    const double* X, const V* x, unsigned open_edges, double p, bool stiffness, NodalSums& sums) {
+    const double* X, const V* x, const GasEdges& edges, double p, bool stiffness, NodalSums& sums) {
   constexpr int kFace[4] = {0, 1, 2, 3};
   add_face_pressure(x, kFace, p, stiffness, sums);
+  if (edges.is_arc) {
+    add_wall_pressure(x + 6, x + 3, 2, 1, p, stiffness, sums);
+    add_wall_pressure(x, x + 9, 0, 3, p, stiffness, sums);
+  }
   for (int k = 0; k < 4; ++k) {
-    if (!(open_edges >> k & 1)) continue;
+    if (!(edges.open >> k & 1)) continue;
     const int a = k, b = (k + 1) % 4;
     // The edge runs in the direction opposite to that in the face.
     const int node[4] = {b, a, -1, -1};
@@ -91,6 +121,10 @@ void add_pressure(
       strip[9 + i] = X[3 * b + i];
     }
     add_face_pressure(strip, node, p, stiffness, sums);
+    if (edges.is_arc) {
+      add_wall_pressure(strip + 6, strip + 3, -1, a, p, stiffness, sums);
+      add_wall_pressure(strip, strip + 9, b, -1, p, stiffness, sums);
+    }
   }
 }
 

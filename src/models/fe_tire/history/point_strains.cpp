@@ -96,7 +96,7 @@ Eigen::Vector4d cord_strains(const CordSheet& sheet, const Modal& x, const doubl
 PointStrains point_strains(const ElementLaw& law, Matrix38 u, const double* alpha) {
   const HexShape& shape = *law.shape;
   place_tied_corners(law.tie, u);
-  const Matrix38 x = shape.X + u;
+  const Matrix38 x = shape.X + in_prism(shape.arc, u);
   const Modal modal = x * solid_shell::modal_matrix().transpose();
   const bool is_shell = shape.kind == ElementKind::solid_shell;
   PointStrains strains;

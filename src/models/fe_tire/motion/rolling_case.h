@@ -36,6 +36,9 @@ struct RollingPatchPoint {
   double slide_x, slide_y;  // m/s, velocity over the ground; 0 if it sticks
   double area;              // m^2
   bool sticks;
+  double limit;   // Pa, mu p
+  double length;  // m, of the point's area around; the rest of the area is its width
+  int line;       // index of its line around, from 0
 };
 
 /// Forces of the ground on the tire; moments about the contact center, where the wheel's middle

@@ -2,8 +2,33 @@
 #include "models/fe_tire/motion/rolling_forces.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace latsch::fe_tire {
+
+namespace {
+
+/// Line of every point, and the length around for which it stands: half the way between its
+/// neighbors on the line.
+struct PlaceOnLine {
+  int line = 0;
+  double length = 0.0;  // m
+};
+
+std::vector<PlaceOnLine> places_on_lines(const RollingLines& lines, const Eigen::Matrix2Xd& x) {
+  std::vector<PlaceOnLine> places(lines.points());
+  for (std::size_t of = 0; of < lines.lines.size(); ++of) {
+    const auto [first, last] = lines.lines[of];
+    for (int k = first; k < last; ++k) {
+      const int before = std::max(first, k - 1), after = std::min(last - 1, k + 1);
+      const int steps = std::max(1, after - before);
+      places[k] = {static_cast<int>(of), (x.col(before) - x.col(after)).norm() / steps};
+    }
+  }
+  return places;
+}
+
+}  // namespace
 
 void measure(const TreadBody& body,
              const RollingContactState& contact,
@@ -17,6 +42,7 @@ void measure(const TreadBody& body,
   const Eigen::Vector3d center = hub + hub.z() / -down.z() * down;
   const RollingInput& input = contact.input;
   const GripTractions& t = contact.tractions;
+  const std::vector<PlaceOnLine> places = places_on_lines(body.lines(), input.x);
   forces = {};
   patch.clear();
   for (Eigen::Index k = 0; k < input.p.size(); ++k) {
@@ -36,7 +62,10 @@ void measure(const TreadBody& body,
                      t.w(0, k),
                      t.w(1, k),
                      area,
-                     contact.state.grip[k] == Grip::sticks});
+                     contact.state.grip[k] == Grip::sticks,
+                     t.limit[k],
+                     places[k].length,
+                     places[k].line});
   }
 }
 

@@ -10,8 +10,8 @@
 // constant or vary as in one element; their steps at the borders of sectors would be losses of
 // waves as short as a sector, of first order in its width.
 //   Strains count from those of a round state on the same mesh (the inflated tire): where sectors
-// of different width meet, a round tire's strains step by the second order of the width. A tire that
-// stays round therefore loses nothing.
+// of different width meet, a round tire's strains step by the second order of the width. A tire
+// that stays round therefore loses nothing.
 //   The state is one of elastic rubber, so the powers are of first order in the loss factor: the
 // shape is that of the relaxed rubber.
 #pragma once

@@ -81,11 +81,15 @@ FlowInertia flow_inertia(const HexShape& shape,
   FlowInertia sum{Matrix8::Zero(), Matrix8::Zero(), Matrix8::Zero()};
   const double density = materials.solids[element.solid].density;
   for (int q = 0; q < 8; ++q) {
-    add_mass(
-        shape.X, density * shape.dV[q], kGauss * kXi[q], kGauss * kEta[q], kGauss * kZeta[q], sum);
+    add_mass(shape.corners,
+             density * shape.dV[q],
+             kGauss * kXi[q],
+             kGauss * kEta[q],
+             kGauss * kZeta[q],
+             sum);
   }
-  for (const CordMass& cords : cord_masses(shape.X, materials, element)) {
-    add_mass(shape.X,
+  for (const CordMass& cords : cord_masses(shape, materials, element)) {
+    add_mass(shape.corners,
              cords.mass,
              kGauss * kXi[cords.point],
              kGauss * kEta[cords.point],

@@ -54,6 +54,14 @@ std::vector<std::array<bool, 4>> open_edges(const Mesh& mesh) {
   return open;
 }
 
+/// Computes the shape of an element. Default elements in sectors of a ring are arcs.
+HexShape shape_of(const Mesh& mesh, const Element& element, int sector, ElementKind kind) {
+  const Matrix38 X = mesh.coordinates(element, sector);
+  if (kind != ElementKind::solid_shell || mesh.sectors < 3)
+    return make_shape(kind, X, element.wall);
+  return make_arc_shape(X, 0.5 * (mesh.angle(sector + 1) - mesh.angle(sector)), element.wall);
+}
+
 }  // namespace
 
 Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)) {
@@ -62,7 +70,7 @@ Ring::Ring(Mesh mesh, ElementKind kind) : mesh_(std::move(mesh)) {
     Q_.push_back(mesh_.sector_rotation(sector));
     std::vector<HexShape>& shapes = shapes_.emplace_back();
     for (const Element& element : mesh_.elements) {
-      shapes.push_back(make_shape(kind, mesh_.coordinates(element, sector), element.wall));
+      shapes.push_back(shape_of(mesh_, element, sector, kind));
     }
   }
   alphas_ = internal_parameters(kind);

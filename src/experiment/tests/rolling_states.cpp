@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/tests/rolling_states.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "base/file.h"
+#include "experiment/language/capabilities.h"
+#include "experiment/language/test_words.h"
+#include "experiment/rigs/slip/slip_states.h"
+
+namespace latsch::experiment {
+namespace {
+
+/// Says which losses a result contains.
+std::vector<std::string> limits_of_losses(const fe_tire::LossMaterials& losses) {
+  if (losses.is_elastic())
+    return {
+        "rolling: the tire's file states neither prony nor loss_factor of a rubber or a layer, "
+        "so rolling_resistance is that of friction alone"};
+  return {
+      "rolling: loss_rubber and loss_cords are of first order in the loss factor: shape, forces "
+      "and balance are those of the relaxed (elastic) tire, and Fx holds no rolling "
+      "resistance"};
+}
+
+/// Largest number of states in a test; each takes seconds to compute.
+constexpr std::size_t kMostRows = 2000;
+constexpr double kMostSlipAngle = 1.4;  // rad; at larger angles the tire slides sideways as a whole
+
+/// Reads a key that states one value for all states or one value for each. Returns nothing if the
+/// key is missing.
+struct Column {
+  std::string key;
+  std::vector<double> values;
+  double at(std::size_t k) const { return values.size() == 1 ? values[0] : values[k]; }
+};
+
+Column column(const Node& root, const char* key, const char* unit, Range range) {
+  return {key, root.has(key) ? root.one_or_more(key, unit, range) : std::vector<double>()};
+}
+
+std::vector<RollingRow> read_rows(const Node& root) {
+  const Column load = column(root, "load", "N", Range::positive());
+  const Column speed = column(root, "speed", "m/s", Range::between(1e-3, 150.0));
+  const Column kappa = column(root, "kappa", "1", Range::between(-1.0, 5.0));
+  const Column alpha =
+      column(root, "alpha", "rad", Range::between(-kMostSlipAngle, kMostSlipAngle));
+  const Column camber = column(root, "camber", "rad", Range::between(-0.5, 0.5));
+  const Column turn = column(root, "turn_slip", "1/m", Range::between(-2.0, 2.0));
+  for (const Column* needed : {&load, &speed})
+    if (needed->values.empty())
+      root.reject(needed->key, "is required: one value for all states, or one for each");
+  std::size_t count = 1;
+  for (const Column* one : {&load, &speed, &kappa, &alpha, &camber, &turn})
+    count = std::max(count, one->values.size());
+  for (const Column* one : {&load, &speed, &kappa, &alpha, &camber, &turn})
+    if (one->values.size() > 1 && one->values.size() != count)
+      root.reject(one->key,
+                  fmt::format("has {} values where another key has {}: expected one for all "
+                              "states, or one for each",
+                              one->values.size(),
+                              count));
+  std::vector<RollingRow> rows(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    RollingRow& row = rows[k];
+    row.load = load.at(k);
+    row.speed = speed.at(k);
+    if (!kappa.values.empty()) row.kappa = kappa.at(k);
+    if (!alpha.values.empty()) row.alpha = alpha.at(k);
+    if (!camber.values.empty()) row.camber = camber.at(k);
+    if (!turn.values.empty()) row.turn_slip = turn.at(k);
+  }
+  return rows;
+}
+
+/// Reads the states of a table. Without a column of slip the wheel rolls freely. The speed and the
+/// pressure of the test are used if the test states them, or if the table has no column of them.
+std::vector<RollingRow> rows_of(const Node& root, const formats::CsvTable& table) {
+  const auto has = [&](const char* name) { return !values_of(table, name).empty(); };
+  const bool has_kappa = has("kappa");
+  const bool has_speed = has("Vx") && !root.has("speed");
+  const bool has_pressure = has("p") && !root.has("pressure");
+  for (const char* key : {"load", "kappa", "alpha", "camber", "turn_slip"})
+    if (root.has(key)) root.reject(key, "stands beside states, whose table has it: expected one");
+  const double speed = has_speed ? 0.0 : root.quantity("speed", "m/s", Range::between(1e-3, 150.0));
+  std::vector<RollingRow> rows;
+  for (const magic_formula::State& state : slip_states(table, {}).states) {
+    RollingRow row{state.Fz, has_speed ? state.Vx : speed};
+    if (has_kappa) row.kappa = state.kappa;
+    row.alpha = state.alpha;
+    row.camber = state.gamma;
+    row.turn_slip = state.phit;
+    if (has_pressure) row.pressure = state.p;
+    const auto reject = [&](const char* what, double value, const char* expected) {
+      root.reject(
+          "states",
+          fmt::format("row {} has {} = {:g}: expected {}", rows.size() + 1, what, value, expected));
+    };
+    if (!(row.load > 0.0)) reject("Fz (N)", row.load, "a load above 0");
+    if (!(row.speed > 0.0)) reject("Vx (m/s)", row.speed, "a speed above 0");
+    if (!(std::abs(row.alpha) <= kMostSlipAngle)) reject("alpha (rad)", row.alpha, "up to 1.4");
+    if (row.kappa && !(*row.kappa >= -1.0 && *row.kappa <= 5.0))
+      reject("kappa", *row.kappa, "-1 (locked) to 5");
+    if (!(std::abs(row.camber) <= 0.5)) reject("gamma (rad)", row.camber, "up to 0.5");
+    if (row.pressure && !(*row.pressure > 0.0)) reject("p (Pa)", *row.pressure, "above 0");
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Throws InputError if a slip is stated on ground without friction.
+void check_friction(const Node& root, const RollingTest& test) {
+  if (test.friction > 0.0) return;
+  for (const RollingRow& row : test.rows)
+    if (row.kappa || row.alpha != 0.0 || row.turn_slip != 0.0)
+      root.reject("friction",
+                  "is 0, and a state has a slip: frictionless ground carries neither torque nor "
+                  "side force; expected friction above 0, or no slips");
+}
+
+}  // namespace
+
+RollingStates read_rolling_states(const Node& root, const TestSource& source) {
+  RollingStates read;
+  RollingTest& test = read.test;
+  test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
+  test.pressure = read_pressure(root, source.measured);
+  std::optional<formats::CsvTable> table;
+  if (const auto measured = find_measured(root, "states")) {
+    table = formats::CsvTable::parse(std::make_shared<MappedFile>(formats::csv_text(take_measured(
+                                         *measured, measured_states(), source.measured))),
+                                     measured->text("from"));
+  } else if (root.has("states")) {
+    const auto file = source.file(root, "states");
+    table =
+        formats::CsvTable::parse(std::make_shared<MappedFile>(read_text_file(file)), file.string());
+    read.table = table;
+  }
+  test.rows = table ? rows_of(root, *table) : read_rows(root);
+  if (test.rows.empty() || test.rows.size() > kMostRows)
+    root.reject("states",
+                fmt::format("has {} states: expected 1 to {}", test.rows.size(), kMostRows));
+  check_friction(root, test);
+  return read;
+}
+
+std::vector<std::string> RollsFeTire::needs() const { return {IsFeTire::kName}; }
+
+std::vector<Ledger> RollsFeTire::ledgers(const std::string& by) const {
+  if (!states_.table) return {};
+  return {ledger_of_states(*states_.table, by)};
+}
+
+std::vector<double> RollsFeTire::driven_at(const std::string& condition) const {
+  return states_.table ? values_of(*states_.table, condition) : std::vector<double>();
+}
+
+std::string RollsFeTire::states_in_words() const {
+  return fmt::format("in {} steady states, friction {:g}{}",
+                     rolling().rows.size(),
+                     rolling().friction,
+                     inflated(rolling().pressure));
+}
+
+Result<Channels> RollsFeTire::run(Specimen& specimen) const {
+  return specimen.find<IsFeTire>()->drive(
+      [this](TireRig& rig, fe_tire::TireSlopes*) { return measure(rig); },
+      rolling().pressure.has_value(),
+      {});
+}
+
+std::vector<std::string> RollsFeTire::limits(Specimen& specimen) const {
+  std::vector<std::string> limits;
+  (void)specimen.find<IsFeTire>()->drive(
+      [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+        limits = limits_of_losses(rig.losses());
+        return Channels();
+      },
+      true,
+      {});
+  return limits;
+}
+
+Result<std::vector<std::string>> RollsFeTire::run_in_blocks(
+    Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
+  auto notes = Test::run_in_blocks(specimen, tell);
+  if (!notes) return notes;
+  for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+  return notes;
+}
+
+}  // namespace latsch::experiment
