@@ -50,7 +50,7 @@ class RollingSearch {
       if (!body_.solve(now_.q, now_.input, now_.tractions, R_, dq)) return false;
       const bool is_whole = step_at_once(directions, dq);
       const bool has_turned = directions == Directions::of_trial;
-      // Where turning directions does not lead on, a step without turning does.
+      // A step without turning follows one that turned too far.
       directions = is_whole ? Directions::of_trial : Directions::kept;
       // Far from equilibrium pressures are not yet those that limit tractions.
       if (R_.norm() > nearby) continue;

@@ -411,7 +411,7 @@ class TreadBody::LineJacobian {
   double rise_, faster_;
   Eigen::MatrixXd& J_;
   std::vector<int> rows_;
-  Eigen::MatrixXd tangent_;  // what acts by G_{i+1}; columns without it are not dense
+  Eigen::MatrixXd tangent_;  // derivatives that act by G_{i+1}; other columns are 0
   std::vector<bool> is_dense_;
   Eigen::VectorXd by_rise_, by_spin_;
   Eigen::MatrixX2d G_;
