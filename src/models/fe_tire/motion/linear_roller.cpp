@@ -24,6 +24,9 @@ constexpr double kAlong = 1e10;
 constexpr double kLocked = 1e-6;
 /// Residual of the contact, relative to the accepted one of an iteration.
 constexpr double kInside = 1e-1;
+/// Accepted residual above which a hundredth of the points may still change their states.
+constexpr double kUnsettled = 1e-4;
+constexpr int kShareLeft = 100;
 /// States of the listed points among those of all.
 GripState listed(const GripState& all, const std::vector<int>& points) {
   GripState part(static_cast<int>(points.size()));
@@ -88,7 +91,6 @@ bool LinearRoller::condense_for(TreadBody& body) {
   if (rows_ != body.rows()) {
     if (!condensed_.set(S_, body.rows())) return false;
     rows_ = body.rows();
-    q_.setZero(body.size());
   }
   Eigen::VectorXd at = nodes_;
   Eigen::VectorXd r = condensed_.reduce(at);
@@ -111,7 +113,6 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   found.d = g;
   factor_.reduce(found.d);
   nodes_ = at_nodes(found.d);
-  rows_.clear();
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
   TreadBody body(
       tread_, lines_, ground, kNormalPenalty, motion_of(of), tread_.displacements(x), kNear);
@@ -121,13 +122,16 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   body.ask(of.load, of.drive);
   if (!condense_for(body)) return Failure{"the tangent of the tread is not positive definite"};
   body.set_force_scale(load);
-  q_ = body.touching(q_);
+  const Eigen::VectorXd start = body.touching(Eigen::VectorXd::Zero(body.size()));
   const RollingGrip grip(body.lines(), of.friction, kAlong);
+  const auto points = static_cast<int>(std::ssize(body.points()));
   const RollingContactOptions limits = {.tolerance = std::max(1e-10, kInside * enough),
+                                        .most_left = enough > kUnsettled ? points / kShareLeft : 0,
+                                        .is_careful = is_careful_,
                                         .most_passes = 50,
                                         .most_iterations = 15,
                                         .most_returns = 6};
-  auto contact = fe_tire::roll(body, grip, q_, listed(states, body.points()), limits);
+  auto contact = fe_tire::roll(body, grip, start, listed(states, body.points()), limits);
   if (!contact) {
     spent_ += 2 * limits.most_passes;  // both starts, at least
     return contact.failure();
@@ -148,10 +152,9 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
 void LinearRoller::complete(const TreadBody& body,
                             const RollingContactState& contact,
                             Found& found) const {
-  const auto m = std::ssize(rows_);
   Eigen::VectorXd at = nodes_;
   condensed_.reduce(at);
-  condensed_.expand(-contact.q.head(m), at);
+  condensed_.expand(-body.to_nodes(contact.q), at);
   found.c.setZero(found.d.size());
   const Eigen::VectorXd c = body.forces(contact.input, contact.tractions);
   for (std::size_t k = 0; k < rows_.size(); ++k)

@@ -43,6 +43,9 @@ class LinearRoller {
   void forget();
   /// Begins a new state, whose active sets are limited in number.
   void begin() { spent_ = 0; }
+  /// Careful: a contact that does not settle at once is searched for by active sets, too, which
+  /// takes ten times as long.
+  void be_careful(bool careful) { is_careful_ = careful; }
   /// True if they are used up: no part of a path succeeds any more.
   bool is_spent() const { return spent_ > kMostSets; }
 
@@ -72,8 +75,8 @@ class LinearRoller {
   CondensedTire condensed_;
   std::vector<int> rows_;  // those of condensed_; empty: none
   Eigen::VectorXd nodes_;  // right-hand side at the tread's nodes
-  Eigen::VectorXd q_;      // start of the contact on rows_
   int spent_ = 0;
+  bool is_careful_ = true;
 };
 
 }  // namespace latsch::fe_tire

@@ -56,7 +56,11 @@ struct RollingState {
   double pressure = 0.0;  // Pa
   Eigen::Matrix3Xd u;     // m, [3 x nodes] of the whole ring, sector frames
   Eigen::VectorXd alpha;  // internal parameters of the elements
-  GripState grip{0};      // states of all tread points; a start for a neighboring case
+  /// The state before on a path, from which the next one is predicted: its displacements, empty if
+  /// there is none, and its case.
+  Eigen::Matrix3Xd u_before;
+  RollingCase of_before;
+  GripState grip{0};  // states of all tread points; a start for a neighboring case
   RollingForces forces;
   std::vector<RollingPatchPoint> patch;
   double residual = 0.0;  // N

@@ -28,6 +28,7 @@ class RollingSearch {
   Result<RollingContactState> run() {
     const RollingContactState start = now_;
     if (run_at_once()) return now_;
+    if (!options_.is_careful) return failure("states do not settle");
     const int solves = now_.solves;
     now_ = start;
     now_.solves = solves;
@@ -47,16 +48,36 @@ class RollingSearch {
       Eigen::VectorXd dq;
       ++now_.solves;
       if (!body_.solve(now_.q, now_.input, now_.tractions, R_, dq)) return false;
-      if (!step(directions, dq)) return false;
+      const bool is_whole = step_at_once(directions, dq);
       const bool has_turned = directions == Directions::of_trial;
-      directions = Directions::of_trial;
+      // A step without turning follows one that turned too far.
+      directions = is_whole ? Directions::of_trial : Directions::kept;
       // Far from equilibrium pressures are not yet those that limit tractions.
       if (R_.norm() > nearby) continue;
       ++now_.passes;
       const int changed = release() + give_back();
-      if (changed == 0 && has_turned && R_.norm() <= accepted()) return true;
+      if (changed <= options_.most_left && has_turned && R_.norm() <= accepted()) return true;
     }
     return false;
+  }
+
+  /// Takes the step, or a part of it if directions turn too far. Returns false for a part.
+  bool step_at_once(Directions directions, const Eigen::VectorXd& dq) {
+    const Eigen::VectorXd q = now_.q;
+    const GripState state = now_.state;
+    const double before = std::max(R_.norm(), options_.nearby * body_.force_scale());
+    double share = 1.0;
+    for (int half = 0;; ++half, share *= 0.5) {
+      now_.q = q - share * dq;
+      evaluate(directions, false);
+      const bool is_enough = directions == Directions::kept || R_.norm() <= before;
+      if (!is_enough && half < options_.most_parts) {
+        now_.state = state;
+        continue;
+      }
+      if (directions == Directions::of_trial) keep_directions();
+      return is_enough && share == 1.0;
+    }
   }
 
   /// Active sets of which each is solved before it changes; points return only when it has settled.
@@ -206,7 +227,7 @@ Result<RollingContactState> roll(RollingBody& body,
                                  const GripState& from,
                                  const RollingContactOptions& options) {
   const Result<RollingContactState> found = RollingSearch(body, grip, q, from, options).run();
-  if (found.ok()) return found;
+  if (found.ok() || !options.is_careful) return found;
   // Another start, from a penalty so soft that directions settle, ends elsewhere.
   const RollingGrip soft(grip.lines(), grip.friction(), options.softer * grip.stiffness());
   const Result<RollingContactState> near = RollingSearch(body, soft, q, from, options).run();

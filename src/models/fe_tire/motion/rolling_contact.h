@@ -65,8 +65,12 @@ struct RollingContactOptions {
   /// Share of mu p by which a sticking point may exceed it; rounding has to be smaller.
   double excess = 1e-9;
   int most_at_once = 40;  // largest number of steps that change states at once
+  int most_parts = 3;     // largest number of halvings of such a step
+  int most_left = 0;      // number of points that may change their states after the last one
   /// Residual below which these change states, relative to the ground's forces.
-  double nearby = 1e-2;
+  double nearby = 0.3;
+  /// False: if they do not settle, the search ends.
+  bool is_careful = true;
   int most_passes = 100;     // largest number of active sets
   int most_iterations = 40;  // largest number of Newton iterations a pass
   int most_returns = 12;     // largest number of returns of a point to sticking

@@ -34,8 +34,11 @@ constexpr int kMostHalvings = 4;
 constexpr double kLongest = 0.04;
 /// Accepted error of load and drive (linear_roller.h) of a state, and of the iterations before.
 constexpr double kBalanced = 1e-7, kRoughly = 1e-2;
-/// Shortest part of a path.
-constexpr double kShortestPart = 1.0 / 128.0;
+/// Shortest part of a path, and the longest one that is searched for carefully.
+constexpr double kShortestPart = 1.0 / 128.0, kCareful = 1.0 / 8.0;
+/// Largest ratio of a step to the one before that is predicted from it, and the largest share of
+/// the step that points elsewhere.
+constexpr double kFarthest = 2.0, kAside = 0.1;
 
 /// Returns the distance of the tread from the rim, m.
 double section_height(const Mesh& mesh) {
@@ -43,6 +46,32 @@ double section_height(const Mesh& mesh) {
   for (const int node : mesh.clamped)
     rim = std::min(rim, std::hypot(mesh.X(0, node), mesh.X(2, node)));
   return mesh.outer_radius() - rim;
+}
+
+/// Returns the numbers of a case that a step changes, of similar effect.
+Eigen::Vector<double, 6> numbers(const RollingCase& of, double spin, double load) {
+  return {of.slip_angle,
+          spin * of.height / of.speed,
+          of.camber,
+          of.turn_slip * of.height,
+          of.speed * of.speed / (9.81 * of.height) * 1e-3,
+          load};
+}
+
+/// Returns the ratio of the step to a case to the step before; 0 if they differ in direction.
+double ratio_of_steps(const RollingState& from, const RollingCase& to) {
+  if (from.u_before.size() == 0) return 0.0;
+  const auto load = [&](const RollingCase& of) {
+    return to.load && of.load && from.of.load ? *of.load / *from.of.load : 1.0;
+  };
+  const auto at = [&](const RollingCase& of) {
+    return numbers(of, to.drive ? 0.0 : of.spin, load(of));
+  };
+  const Eigen::Vector<double, 6> before = at(from.of) - at(from.of_before),
+                                 now = at(to) - at(from.of);
+  const double ratio = before.dot(now) / before.squaredNorm();
+  const bool is_along = (now - ratio * before).norm() <= kAside * now.norm();
+  return is_along && ratio > 0.0 && ratio <= kFarthest ? ratio : 0.0;
 }
 
 }  // namespace
@@ -78,6 +107,7 @@ struct RollingTire::Impl {
     AssembledState state;
     Eigen::VectorXd g;
   };
+  Result<Iterate> begin(const RollingState& from, RollingCase& of);
   Status evaluate(Iterate& at, double pressure, double spin, bool with_tangent);
   Result<double> advance(Iterate& now, const LinearRoller::Found& found, double pressure);
   Result<LinearRoller::Found> step(
@@ -98,6 +128,25 @@ Status RollingTire::Impl::evaluate(Iterate& at, double pressure, double spin, bo
   if (!linear.factorize(K))
     return Failure{"the tangent of the tire is not positive definite: the tire buckles"};
   return {};
+}
+
+/// Returns the state from which a case is found: that before, moved on as far as the case is. The
+/// height of a case that asks for a load moves along.
+Result<RollingTire::Impl::Iterate> RollingTire::Impl::begin(const RollingState& from,
+                                                            RollingCase& of) {
+  Iterate now{{unknowns.compress(from.u), from.alpha}, {}};
+  if (double ratio = ratio_of_steps(from, of); ratio > 0.0) {
+    const Eigen::VectorXd step = now.state.x - unknowns.compress(from.u_before);
+    ratio = std::min(ratio, longest / std::max(step.cwiseAbs().maxCoeff(), 1e-300));
+    Iterate moved{{now.state.x + ratio * step, from.alpha}, {}};
+    if (evaluate(moved, from.pressure, of.spin, false).ok()) {
+      if (of.load) of.height += ratio * (from.of.height - from.of_before.height);
+      return moved;
+    }
+  }
+  if (const Status done = evaluate(now, from.pressure, of.spin, false); !done)
+    return done.failure();
+  return now;
 }
 
 /// Moves to the state found on the linear tire, or a part of the way to it. Returns the part.
@@ -142,10 +191,10 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
   RollingState state = from;
   state.iterations = state.factors = state.passes = 0;
   const double load = std::max(of.load.value_or(std::abs(from.forces.force.z())), 1.0);
-  Iterate now{{unknowns.compress(from.u), from.alpha}, {}};
-  if (const Status done = evaluate(now, state.pressure, of.spin, false); !done)
-    return done.failure();
   RollingCase at = of;
+  auto begun = begin(from, at);
+  if (!begun) return begun.failure();
+  Iterate now = *std::move(begun);
   double before = 0.0, enough = kRoughly;
   for (state.iterations = 1; state.iterations <= kMostIterations; ++state.iterations) {
     const auto found = step(now, at, load, enough, state);
@@ -163,6 +212,8 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
       state.of = at;
       state.forces = found->forces;
       state.patch = found->patch;
+      state.u_before = from.u;
+      state.of_before = from.of;
       state.u = unknowns.expand(now.state.x);
       state.alpha = now.state.alpha;
       return state;
@@ -252,6 +303,7 @@ Result<RollingState> RollingTire::roll(const RollingState& from, const RollingCa
     RollingCase there = between(start, end, next);
     if (share > 0.0 && of.load) there.height = state.of.height;
     if (share > 0.0 && of.drive) there.spin = state.of.spin;
+    impl_->linear.be_careful(step <= kCareful);
     auto found = impl_->part(state, there);
     if (!found) {
       impl_->linear.forget();

@@ -81,6 +81,10 @@ TreadBody::TreadBody(const TreadSurface& tread,
   for (Section& section : sections_) {
     for (int& c : section.columns) c = column[c];
   }
+  turns_.resize(rows_.size() / 3);
+  for (const TreadSurface::Place& place : tread.places())
+    if (place.node >= 0 && column[3 * place.node] >= 0)
+      turns_[column[3 * place.node] / 3] = R_ * place.T;
 }
 
 /// Adds the part of a line that is near the ground, and the point before it.
@@ -110,21 +114,18 @@ void TreadBody::add_line(const TreadSurface& tread,
   }
   for (int k = first; k <= last; ++k) {
     const TreadSurface::Point& point = tread.points()[of[k]];
-    std::map<int, Eigen::Matrix3d> by;  // column of a node's first unknown -> motion of the point
+    std::map<int, double> by;  // column of a node's first unknown -> weight
     for (int w = 0; w < point.weights; ++w) {
       const TreadSurface::Weight& weight = tread.weights(point)[w];
       const TreadSurface::Place& place = tread.places()[weight.place];
-      if (place.node < 0) continue;
-      const auto [at, is_new] = by.try_emplace(local[place.node], Eigen::Matrix3d::Zero());
-      at->second += weight.w * R_ * place.T;
+      if (place.node >= 0) by[local[place.node]] += weight.w;
     }
-    PointColumns columns;
-    columns.by.resize(3, 3 * std::ssize(by));
-    for (const auto& [column, motion] : by) {
-      columns.by.middleCols<3>(std::ssize(columns.at)) = motion;
-      for (int c = 0; c < 3; ++c) columns.at.push_back(column + c);
+    PointNodes nodes;
+    for (const auto& [at, w] : by) {
+      nodes.at.push_back(at);
+      nodes.w.push_back(w);
     }
-    section.points.push_back(std::move(columns));
+    section.points.push_back(std::move(nodes));
     points_.push_back(of[k]);
     areas_.push_back(point.dA);
     times_.push_back(k == first ? 0.0
@@ -141,6 +142,19 @@ void TreadBody::add_line(const TreadSurface& tread,
 void TreadBody::set(Eigen::MatrixXd T, Eigen::VectorXd r) {
   T_ = std::move(T);
   r_ = std::move(r);
+  const int nodes = static_cast<int>(turns_.size());
+  for (int b = 0; b < nodes; ++b)
+    for (int a = 0; a < nodes; ++a)
+      T_.block<3, 3>(3 * a, 3 * b) =
+          (turns_[a] * T_.block<3, 3>(3 * a, 3 * b) * turns_[b].transpose()).eval();
+  for (int a = 0; a < nodes; ++a) r_.segment<3>(3 * a) = (turns_[a] * r_.segment<3>(3 * a)).eval();
+}
+
+Eigen::VectorXd TreadBody::to_nodes(const Eigen::VectorXd& q) const {
+  Eigen::VectorXd at(std::ssize(rows_));
+  for (int a = 0; a < std::ssize(turns_); ++a)
+    at.segment<3>(3 * a) = turns_[a].transpose() * q.segment<3>(3 * a);
+  return at;
 }
 
 void TreadBody::ask(std::optional<double> load, std::optional<double> drive) {
@@ -157,8 +171,11 @@ Eigen::Matrix3Xd TreadBody::positions(const Eigen::VectorXd& q) const {
     const RollingLines::Line& line = lines_.lines[s];
     const Eigen::VectorXd moved = q(sections_[s].columns);
     for (int k = line.first; k < line.last; ++k) {
-      const PointColumns& point = sections_[s].points[k - line.first];
-      x.col(k) = x_0_[k] + up + point.by * moved(point.at);
+      const PointNodes& point = sections_[s].points[k - line.first];
+      Eigen::Vector3d at = x_0_[k] + up;
+      for (std::size_t n = 0; n < point.at.size(); ++n)
+        at += point.w[n] * moved.segment<3>(point.at[n]);
+      x.col(k) = at;
     }
   }
   return x;
@@ -191,16 +208,22 @@ Eigen::VectorXd TreadBody::touching(Eigen::VectorXd q) const {
 }
 
 Eigen::VectorXd TreadBody::forces(const RollingInput& input, const GripTractions& tractions) const {
+  return to_nodes(forces_in_ground(input, tractions));
+}
+
+Eigen::VectorXd TreadBody::forces_in_ground(const RollingInput& input,
+                                            const GripTractions& tractions) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(std::ssize(rows_));
   for (std::size_t s = 0; s < sections_.size(); ++s) {
     const RollingLines::Line& line = lines_.lines[s];
     Eigen::VectorXd on = Eigen::VectorXd::Zero(std::ssize(sections_[s].columns));
     for (int k = line.first; k < line.last; ++k) {
       if (!(input.p[k] > 0.0)) continue;
-      const PointColumns& point = sections_[s].points[k - line.first];
+      const PointNodes& point = sections_[s].points[k - line.first];
       const Eigen::Vector3d force =
           areas_[k] * Eigen::Vector3d(tractions.t(0, k), tractions.t(1, k), input.p[k]);
-      on(point.at) += point.by.transpose() * force;
+      for (std::size_t n = 0; n < point.at.size(); ++n)
+        on.segment<3>(point.at[n]) += point.w[n] * force;
     }
     sum(sections_[s].columns) += on;
   }
@@ -227,7 +250,7 @@ Eigen::VectorXd TreadBody::residual(const Eigen::VectorXd& q,
                                     const GripTractions& tractions) const {
   const auto m = std::ssize(rows_);
   Eigen::VectorXd R(size());
-  R.head(m) = T_ * q.head(m) + r_ - forces(input, tractions);
+  R.head(m) = T_ * q.head(m) + r_ - forces_in_ground(input, tractions);
   if (load_) {
     double Fz = 0.0;
     for (Eigen::Index k = 0; k < input.p.size(); ++k) Fz += areas_[k] * input.p[k];
@@ -266,6 +289,7 @@ class TreadBody::LineJacobian {
         rows_(section.columns) {
     if (body.drive_) rows_.push_back(body.spin_at());
     tangent_.setZero(std::ssize(rows_), std::ssize(section.columns));
+    is_dense_.assign(section.columns.size(), false);
     by_rise_.setZero(std::ssize(rows_));
     by_spin_.setZero(std::ssize(rows_));
     G_.setZero(std::ssize(rows_), 2);
@@ -273,9 +297,11 @@ class TreadBody::LineJacobian {
 
   void subtract() {
     for (int k = line_.last - 1; k >= line_.first; --k) step(k);
-    for (Eigen::Index b = 0; b < tangent_.cols(); ++b)
-      for (Eigen::Index a = 0; a < tangent_.rows(); ++a)
-        J_(rows_[a], section_.columns[b]) -= tangent_(a, b);
+    for (Eigen::Index b = 0; b < tangent_.cols(); ++b) {
+      if (!is_dense_[b]) continue;
+      double* column = J_.col(section_.columns[b]).data();
+      for (Eigen::Index a = 0; a < tangent_.rows(); ++a) column[rows_[a]] -= tangent_(a, b);
+    }
     for (Eigen::Index a = 0; a < tangent_.rows(); ++a) {
       if (body_.load_) J_(rows_[a], body_.rise_at()) -= by_rise_[a];
       if (body_.drive_) J_(rows_[a], body_.spin_at()) -= by_spin_[a];
@@ -287,12 +313,11 @@ class TreadBody::LineJacobian {
   using Behind = Eigen::Matrix<double, 2, 3>;
 
   void step(int k) {
-    const PointColumns& point = section_.points[k - line_.first];
+    const PointNodes& point = section_.points[k - line_.first];
     const bool follows = k + 1 < line_.last && input_.p[k + 1] > 0.0;
     const GripLink none, &next = follows ? tractions_.links[k + 1] : none;
-    Behind behind = Behind::Zero();
-    behind.col(2) = shared_;
-    behind.leftCols<2>() = -next.by_step;
+    Behind behind;
+    behind << -next.by_step, shared_;
     shared_.setZero();
     if (!(input_.p[k] > 0.0)) {
       act_behind(point, behind);
@@ -301,8 +326,7 @@ class TreadBody::LineJacobian {
     }
     const GripLink& link = tractions_.links[k];
     const double area = body_.areas_[k], stiff = -body_.penalty_;
-    const Eigen::Vector3d moment = moment_arm(k);
-    // Derivatives that act by the point's own traction: by its position, and by its rise.
+    // Derivatives of the point's own traction by its position.
     Behind own;
     own << link.by_step, stiff * link.by_p;
     if (k > line_.first && !(input_.p[k - 1] > 0.0)) {
@@ -312,36 +336,36 @@ class TreadBody::LineJacobian {
     }
     behind += next.by_before * own;
     act_behind(point, behind);
-    // The point's own forces.
-    Eigen::MatrixX3d local(std::ssize(point.at), 3);
-    local = area * point.by.topRows<2>().transpose() * own;
-    local.col(2) += area * stiff * point.by.row(2).transpose();
-    const Eigen::MatrixXd block = local * point.by;
-    for (Eigen::Index b = 0; b < block.cols(); ++b) {
-      double* column = tangent_.col(point.at[b]).data();
-      for (Eigen::Index a = 0; a < block.rows(); ++a) column[point.at[a]] += block(a, b);
-    }
-    if (body_.load_)
-      for (std::size_t a = 0; a < point.at.size(); ++a)
-        by_rise_[point.at[a]] += local(static_cast<Eigen::Index>(a), 2);
-    if (body_.load_) {
-      const int row = body_.rise_at();
-      for (std::size_t b = 0; b < point.at.size(); ++b)
-        J_(row, section_.columns[point.at[b]]) +=
-            area * stiff * point.by(2, static_cast<Eigen::Index>(b));
-      J_(row, row) += area * stiff;
-    }
+    Eigen::Matrix3d force;
+    force << area * own, 0.0, 0.0, area * stiff;
+    act_locally(point, force);
+    const Eigen::Vector3d moment = moment_arm(k);
     if (body_.drive_) add_drive(k, point, own, moment);
     G_ = (G_ * next.by_before).eval();
     for (std::size_t a = 0; a < point.at.size(); ++a)
-      G_.row(point.at[a]) +=
-          area * point.by.col(static_cast<Eigen::Index>(a)).head<2>().transpose();
-    if (body_.drive_) {
-      G_.row(G_.rows() - 1) += area / body_.hub_.z() * moment.head<2>().transpose();
-      const Eigen::Vector2d later =
-          link.by_step * input_.V_g.col(k) * (body_.lines_.time[k] / faster_);
-      by_spin_ += G_ * later;
+      G_.middleRows<2>(point.at[a]) += area * point.w[a] * Eigen::Matrix2d::Identity();
+    if (!body_.drive_) return;
+    G_.row(G_.rows() - 1) += area / body_.hub_.z() * moment.head<2>().transpose();
+    by_spin_ += G_ * (link.by_step * input_.V_g.col(k) * (body_.lines_.time[k] / faster_));
+  }
+
+  /// Subtracts the derivatives of a point's own force by its position, and adds those of the load.
+  void act_locally(const PointNodes& point, const Eigen::Matrix3d& force) {
+    for (std::size_t b = 0; b < point.at.size(); ++b) {
+      const int first = section_.columns[point.at[b]];
+      for (int c = 0; c < 3; ++c) {
+        const Eigen::Vector3d by = point.w[b] * force.col(c);
+        double* column = J_.col(first + c).data();
+        for (std::size_t a = 0; a < point.at.size(); ++a) {
+          double* at = column + section_.columns[point.at[a]];
+          for (int row = 0; row < 3; ++row) at[row] -= point.w[a] * by[row];
+        }
+      }
+      if (!body_.load_) continue;
+      by_rise_.segment<3>(point.at[b]) += point.w[b] * force.col(2);
+      J_(body_.rise_at(), first + 2) += force(2, 2) * point.w[b];
     }
+    if (body_.load_) J_(body_.rise_at(), body_.rise_at()) += force(2, 2);
   }
 
   /// Returns axis x arm; the moment of the drive is -force . (axis x arm).
@@ -351,27 +375,31 @@ class TreadBody::LineJacobian {
         Eigen::Vector3d(input_.x(0, k) - hub.x(), input_.x(1, k) - hub.y(), -hub.z() - rise_));
   }
 
-  void act_behind(const PointColumns& point, const Behind& behind) {
+  void act_behind(const PointNodes& point, const Behind& behind) {
     if (behind.isZero(0.0)) return;
-    const Eigen::Matrix2Xd by = behind * point.by;
-    for (Eigen::Index b = 0; b < by.cols(); ++b)
-      tangent_.col(point.at[b]).noalias() += G_ * by.col(b);
-    if (body_.load_) by_rise_ += G_ * behind.col(2);
+    const Eigen::MatrixX3d by = G_ * behind;
+    for (std::size_t b = 0; b < point.at.size(); ++b) {
+      for (int c = 0; c < 3; ++c) {
+        tangent_.col(point.at[b] + c) += point.w[b] * by.col(c);
+        is_dense_[point.at[b] + c] = true;
+      }
+    }
+    if (body_.load_) by_rise_ += by.col(2);
   }
 
-  void add_drive(int k, const PointColumns& point, const Behind& own, const Eigen::Vector3d& arm) {
+  void add_drive(int k, const PointNodes& point, const Behind& own, const Eigen::Vector3d& arm) {
     const double area = body_.areas_[k], height = body_.hub_.z();
-    const Eigen::Index last = tangent_.rows() - 1;
     Eigen::RowVector3d by = area / height * arm.head<2>().transpose() * own;
     by[2] -= area / height * arm.z() * body_.penalty_;
     const Eigen::Vector3d force =
         area * Eigen::Vector3d(tractions_.t(0, k), tractions_.t(1, k), input_.p[k]);
     const Eigen::Vector3d turned = force.cross(body_.axis_) / height;
     const double by_height = by[2] - turned.z();  // the arm grows with the height, not with z
-    by.head<2>() += turned.head<2>();
+    by.head<2>() += turned.head<2>().transpose();
     for (std::size_t b = 0; b < point.at.size(); ++b)
-      tangent_(last, point.at[b]) += by.dot(point.by.col(static_cast<Eigen::Index>(b)));
-    by_rise_[last] += by_height;
+      for (int c = 0; c < 3; ++c)
+        J_(body_.spin_at(), section_.columns[point.at[b]] + c) -= point.w[b] * by[c];
+    by_rise_[tangent_.rows() - 1] += by_height;
   }
 
   const TreadBody& body_;
@@ -383,7 +411,8 @@ class TreadBody::LineJacobian {
   double rise_, faster_;
   Eigen::MatrixXd& J_;
   std::vector<int> rows_;
-  Eigen::MatrixXd tangent_;
+  Eigen::MatrixXd tangent_;  // derivatives that act by G_{i+1}; other columns are 0
+  std::vector<bool> is_dense_;
   Eigen::VectorXd by_rise_, by_spin_;
   Eigen::MatrixX2d G_;
   Eigen::Vector2d shared_ = Eigen::Vector2d::Zero();  // derivative of the next share by this z

@@ -4,9 +4,9 @@
 //
 //   R(q) = T q + r - A^T(p n + t)(x_0 + A q) dA,     q: displacements of the nodes' unknowns
 //
-// T and r come from CondensedTire; the points' positions are linear in q. The pressure is the
-// penalty (C.1). A point at the leading edge has the share of its step behind the height 0, with
-// its derivative.
+// T and r come from CondensedTire and are turned to the ground's axes, in which a point's position
+// is a mean of its nodes' with scalar weights. The pressure is the penalty (C.1). A point at the
+// leading edge has the share of its step behind the height 0, with its derivative.
 //
 // A height that follows from a load and a spin that follows from a drive are unknowns behind q:
 // the rise of the wheel center, m, and the relative change of the spin. Their equations,
@@ -49,7 +49,7 @@ class TreadBody : public RollingBody {
   /// Points of the tread in the order of the lines.
   const std::vector<int>& points() const { return points_; }
   const RollingLines& lines() const { return lines_; }
-  /// Sets T and r on rows().
+  /// Sets T and r on rows(), in the axes of the nodes' unknowns.
   void set(Eigen::MatrixXd T, Eigen::VectorXd r);
 
   RollingInput input(const Eigen::VectorXd& q) const override;
@@ -73,7 +73,9 @@ class TreadBody : public RollingBody {
   double rise(const Eigen::VectorXd& q) const { return load_ ? q[rise_at()] : 0.0; }
   double spin_change(const Eigen::VectorXd& q) const { return drive_ ? q[spin_at()] : 0.0; }
 
-  /// Returns the ground's forces at rows(), N.
+  /// Returns the displacements of rows() in the axes of the nodes' unknowns.
+  Eigen::VectorXd to_nodes(const Eigen::VectorXd& q) const;
+  /// Returns the ground's forces at rows(), N, in the same axes.
   Eigen::VectorXd forces(const RollingInput& input, const GripTractions& tractions) const;
   /// Returns the positions of the listed points, m, ground's axes [3 x points].
   Eigen::Matrix3Xd positions(const Eigen::VectorXd& q) const;
@@ -82,15 +84,16 @@ class TreadBody : public RollingBody {
   double time(int k) const { return lines_.time[k]; }
 
  private:
-  /// Columns of q on which a point depends, as places in those of its line, and its motion by them.
-  struct PointColumns {
+  /// Nodes on which a point depends, by the first of their three columns in those of its line, and
+  /// their weights.
+  struct PointNodes {
     std::vector<int> at;
-    Eigen::Matrix3Xd by;
+    std::vector<double> w;
   };
   /// Points of a line and the columns of q on which they depend.
   struct Section {
     std::vector<int> columns;
-    std::vector<PointColumns> points;
+    std::vector<PointNodes> points;
   };
   int rise_at() const { return static_cast<int>(rows_.size()); }
   int spin_at() const { return rise_at() + (load_ ? 1 : 0); }
@@ -100,6 +103,7 @@ class TreadBody : public RollingBody {
                 const std::vector<int>& of,
                 const Eigen::VectorXd& height,
                 double near);
+  Eigen::VectorXd forces_in_ground(const RollingInput& input, const GripTractions& tractions) const;
   class LineJacobian;
 
   GroundMotion motion_;
@@ -112,6 +116,7 @@ class TreadBody : public RollingBody {
   std::vector<double> areas_, times_;
   std::vector<Eigen::Vector3d> x_0_;  // positions, without the offset of (T.1) along the ground
   std::vector<Section> sections_;
+  std::vector<Eigen::Matrix3d> turns_;  // turns each node's axes to the ground's
   Eigen::MatrixXd T_;
   Eigen::VectorXd r_;
 };
