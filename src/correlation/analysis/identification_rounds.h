@@ -18,7 +18,7 @@ namespace latsch::correlation {
 
 inline constexpr long kMostIdentificationTrials = 100'000;  // limit on the trials of one optimizer
 
-/// What an analysis does at the moment and how far it is.
+/// The present work of an analysis and how far it is.
 struct WorkDone {
   std::string work;    // such as "profiles"
   double share = 0.0;  // share of the optimizer's trials that are done, from 0 to 1; 0: unknown

@@ -61,8 +61,8 @@ bool is_suspect(const Row& row, std::string_view name) {
   return std::ranges::any_of(row.suspects, [&](auto prefix) { return name.starts_with(prefix); });
 }
 
-/// Returns how far a value lies from the middle of its usual range, as a share of half its width, on
-/// a logarithmic scale if the range has one sign; 0 if no range is known.
+/// Returns how far a value lies from the middle of its usual range, as a share of half its width,
+/// on a logarithmic scale if the range has one sign; 0 if no range is known.
 double oddity(double value, const std::optional<UsualSpan>& usual) {
   if (!usual) return 0.0;
   double from = usual->lower, to = usual->upper;
