@@ -42,7 +42,8 @@ const Language& language() {
                                 &kMassPropertiesTest,
                                 &kInflationTest,
                                 &kRollingTest,
-                                &kRollingFootprintTest}};
+                                &kRollingFootprintTest,
+                                &kRollingChainTest}};
   return all;
 }
 

@@ -118,9 +118,9 @@ TEST(Arcs, CordsOfRoundStatesHaveTheSameForcesInSectorsOfAnyWidth) {
   expect_same(kRound, true, 2.4e5, 1e-7);
 }
 
-// Shear along the circumference leaves the squares of the hourglass vectors in E_22 (equation (4) of
-// hex8_solid_shell_kernel.h). Their share of these stiff, nearly incompressible elements is 0.033
-// h^2; bricks err by more than h^2.
+// Shear along the circumference leaves the squares of the hourglass vectors in E_22, equation (4)
+// of hex8_solid_shell_kernel.h. The forces of this nearly incompressible element then differ by
+// 0.033 h^2.
 TEST(Arcs, TwistedStatesHaveNearlyTheSameForces) {
   expect_same(kTwisted, false, 2.4e5, 1e-7, 0.05);
   expect_same(kTwisted, true, 2.4e5, 1e-7, 0.05);

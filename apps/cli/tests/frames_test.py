@@ -216,7 +216,7 @@ class Frames(unittest.TestCase):
         self.record(Wheel(5), "C")
         refused = self.latsch("check", self.study('frame = "C"', '"W"', ("Fy",)), code=WRONG_INPUT).stderr
         self.assertIn('put in_frame = "W" into [measurement.rig]', refused)
-        self.assertIn('frame = "C" into the file of [test.sweep]', refused)
+        self.assertIn('frame = "C" into [test.sweep] or its file', refused)
 
     def test_frames_of_a_test_are_named_once_each(self):
         self.record(Wheel(5), "C")
@@ -281,6 +281,14 @@ class Frames(unittest.TestCase):
         study.write_text((states[0] + steady).format(""))
         self.assertIn('put in_frame = "W" into [measurement.rig]',
                       self.latsch("check", study, code=WRONG_INPUT).stderr)
+        # A test without the key frame is not offered it. The load is the same in axes H and W, a moment is not.
+        self.record(wheel, "H")
+        moment = (states[0].replace('"C"', '"H"') + steady.replace("steady/Fz", "steady/Mx")).format("")
+        study.write_text(moment)
+        refused = self.latsch("check", study, code=WRONG_INPUT).stderr
+        self.assertIn('put in_frame = "W" into [measurement.rig]', refused)
+        self.assertNotIn('frame = "H" into', refused)
+        self.record(wheel, "C")
         study.write_text((states[0] + steady).format('\nin_frame = "W"'))
         answer = json.loads(self.latsch("simulate", study, "--json").stdout)["result"]["experiments"][0]["curve"]
         for kind in ("measured", "simulated"):

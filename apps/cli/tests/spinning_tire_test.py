@@ -6,6 +6,7 @@ a rim that moves.
 import json
 import math
 import pathlib
+import re
 import unittest
 
 from cli_testing import FAILED, WRONG_INPUT, Coarse
@@ -180,6 +181,15 @@ class Rolling(RotatingTire):
         for i in range(4):
             self.assertLessEqual(math.hypot(states["Fx"][i], states["Fy"][i]), 1600.0 * (1 + 1e-6))
 
+    def test_the_page_draws_what_varies(self):
+        page = self.folder / "page.html"
+        self.latsch("test", self.folder / "tire.toml", self.ROLLING % 'friction = 0.8, alpha = ["-1 deg", "1 deg"]',
+                    "--html", page)
+        text = page.read_text()
+        self.assertIn("not drawn, because constant: gamma, phit, Vx, Fz", text)
+        self.assertIn("Fy [kN] over alpha [deg]", text)
+        self.assertNotIn("Vx [m/s] over", text)
+
     def test_requests_without_meaning_are_refused(self):
         for keys, *parts in (('friction = 0, alpha = "1 deg"', "friction"), ('friction = -1', "friction", "0 to 5"),
                              ('friction = 0.8, kappa = -2', "kappa"), ('friction = 0.8, alpha = "90 deg"', "alpha"),
@@ -240,7 +250,7 @@ class Losses(RotatingTire):
 class RollingFootprint(RotatingTire):
     """The patch of a tire that rolls: its sums are the forces of the test "rolling"."""
 
-    STATES = 'load = "2 kN", speed = "36 km/h", friction = 0.8, alpha = ["0 deg", "2 deg"]'
+    STATES = 'load = "2 kN", speed = "36 km/h", friction = 0.8, alpha = ["0 deg", "8 deg"]'
 
     def points(self):
         table = self.folder / "points.csv"
@@ -292,6 +302,48 @@ class RollingFootprint(RotatingTire):
                 self.refused('{kind = "rolling_footprint", %s, %s}' % (self.STATES, keys), *parts)
         self.refused('{kind = "rolling_footprint", load = "2 kN", speed = "36 km/h", friction = 0, alpha = "1 deg"}',
                      "friction")
+
+
+class RollingChain(RotatingTire):
+    """Points around a tire that rolls: motion, strain and losses at a place of the section."""
+
+    STATES = 'load = "2 kN", speed = "36 km/h", friction = 0.8'
+
+    def test_points_lie_on_the_ground_below_the_wheel_and_hardly_slide(self):
+        rolled = self.channels('{kind = "rolling", %s}' % self.STATES)
+        chain = self.channels('{kind = "rolling_chain", %s, depth = "outer"}' % self.STATES)
+        lowest = min(range(len(chain["z"])), key=lambda k: chain["z"][k])
+        self.assertAlmostEqual(-chain["z"][lowest], rolled["R_l"][0], delta=2e-3)
+        self.assertLess(abs(chain["theta"][lowest]), 0.4)
+        # The hub travels at 10 m/s; tread on the ground moves backward at the same speed.
+        self.assertAlmostEqual(chain["v_x"][lowest], -10.0, delta=0.8)
+        top = max(range(len(chain["z"])), key=lambda k: chain["z"][k])
+        self.assertGreater(chain["v_x"][top], 9.0)
+        self.assertEqual(chain["theta"], sorted(chain["theta"]))
+
+    def test_a_layer_has_cord_forces_and_lossy_rubber_dissipates(self):
+        layer = [line[len("[layer."):-1] for line in (self.folder / "tire.toml").read_text().splitlines()
+                 if line.startswith("[layer.")][0]
+        text = (self.folder / "tire.toml").read_text()
+        (self.folder / "lossy.toml").write_text(re.sub(r"(\[rubber\..*\]\n)", r"\1loss_factor = 0.15\n", text))
+        keys = '{kind = "rolling_chain", %s, depth = "%s", position = [0, 0.4]}'
+        chain = self.channels(keys % (self.STATES, layer), "lossy.toml")
+        self.assertEqual(set(chain["position"]), {0.0, 0.4})
+        self.assertGreater(max(map(abs, chain["cord_force"])), 1.0)
+        self.assertGreater(max(chain["dissipation"]), 0.0)
+        self.assertGreaterEqual(min(chain["dissipation"]), -1e-3 * max(chain["dissipation"]))
+        elastic = self.channels(keys % (self.STATES, "outer"))
+        self.assertEqual(set(elastic["cord_force"]) | set(elastic["dissipation"]), {0.0})
+
+    def test_places_off_the_wall_are_refused(self):
+        for keys, *parts in (('position = 1.2', "position", "-1 to 1"), ('position = []', "position"),
+                             ('position = "1 mm"', "position")):
+            with self.subTest(keys):
+                self.refused('{kind = "rolling_chain", %s, %s}' % (self.STATES, keys), *parts)
+        said = self.latsch("test", self.folder / "tire.toml",
+                           '{kind = "rolling_chain", %s, depth = "belt_9"}' % self.STATES, code=FAILED)
+        for part in ("belt_9", "inner, outer or", "position 0"):
+            self.assertIn(part, said)
 
 
 if __name__ == "__main__":

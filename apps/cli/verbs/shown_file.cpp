@@ -2,6 +2,7 @@
 #include "cli/verbs/shown_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -216,6 +217,14 @@ const Channel* first_that_varies(const Channels& channels) {
   return channels.all().empty() ? nullptr : &channels.all().front();
 }
 
+/// True if the values differ by no more than the tolerance of a solver that holds them, such as the
+/// load of a tire that rolls.
+bool is_constant(const std::vector<double>& values) {
+  constexpr double kHeld = 1e-6;  // relative
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low <= kHeld * std::max(std::abs(*low), std::abs(*high));
+}
+
 }  // namespace
 
 void show_channels(const Channels& channels, bool over_first, ShownFile& shown) {
@@ -233,9 +242,14 @@ void show_channels(const Channels& channels, bool over_first, ShownFile& shown) 
   const auto unit_of = [&](const Channel& channel) {
     return over_first ? plot_unit(channel.unit, channel.values) : PlotUnit{channel.unit};
   };
+  std::vector<std::string> constant;
   for (const Channel& channel : channels.all()) {
     // channels with a single value are only in the table
     if (&channel == over || channel.values.size() < 2) continue;
+    if (over_first && is_constant(channel.values)) {
+      constant.push_back(channel.name);
+      continue;
+    }
     const PlotUnit y = unit_of(channel), x = over ? unit_of(*over) : PlotUnit{};
     report::PlotLine line{"",
                           over ? in_plot_unit(over->values, x) : std::vector<double>(),
@@ -249,6 +263,9 @@ void show_channels(const Channels& channels, bool over_first, ShownFile& shown) 
     const std::string y_title = titled(channel.name, y.unit);
     shown.plots.push_back({y_title + " over " + x_title, x_title, y_title, {std::move(line)}});
   }
+  if (!constant.empty())
+    shown.facts.push_back(
+        fmt::format("not drawn, because constant: {}", fmt::join(constant, ", ")));
 }
 
 std::vector<std::string> statistics(const Channel& channel) {

@@ -95,6 +95,22 @@ std::string radius_of_height(LabRecord& record) {
       column);
 }
 
+/// Puts the remark into the row of the loaded radius. A radius that was computed from a height is an
+/// assumption of its own, so that the summary of the file names it.
+void note_radius(const std::string& remark, LabRecord& record) {
+  const std::string name = record.find("loaded_radius")->name;
+  Ledger& ledger = record.ledgers.back();
+  if (LedgerRow* row = ledger.find_taken(name)) row->remark = remark;
+  if (remark.find("over the cosine") == remark.npos) return;
+  LedgerRow computed;
+  computed.taken_as = name;
+  computed.state = LedgerState::assumed;
+  computed.remark = fmt::format("is the height {} of the wheel center over the cosine of {}",
+                                record.written.at(name).column,
+                                record.written.at(record.find("gamma")->name).column);
+  ledger.rows.push_back(std::move(computed));
+}
+
 /// Returns the record with Latsch's names. If two columns claim one name, the first one keeps it.
 LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedColumn>& columns) {
   take_units_of_names(table);
@@ -131,8 +147,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
   note_suspects(record);
   const std::string remark = radius_of_height(record);
   record.ledgers.push_back(ledger_of(table, record));
-  if (!remark.empty())
-    record.ledgers.back().find_taken(record.find("loaded_radius")->name)->remark = remark;
+  if (!remark.empty()) note_radius(remark, record);
   return record;
 }
 

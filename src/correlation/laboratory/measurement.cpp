@@ -116,9 +116,18 @@ std::string loads_of_other_sign(const LabRecord& record, const std::string& axes
                      in_quotes(axes));
 }
 
+/// True if the record holds motions of a wheel on a K&C rig.
+bool holds_motions(const LabRecord& record) {
+  return std::any_of(record.channels.begin(), record.channels.end(), [](const Channel& channel) {
+    return channel.name.starts_with("dx") || channel.name.starts_with("toe") ||
+           channel.name.starts_with("caster");
+  });
+}
+
 void check_signs(const Node& table, const LabRecord& record, const std::string& axes) {
-  const auto fitting = conventions_that_fit(record);
+  auto fitting = conventions_that_fit(record);
   if (std::find(fitting.begin(), fitting.end(), axes) != fitting.end()) return;
+  if (!holds_motions(record)) std::erase(fitting, "adams");  // axes of cars, not of tires
   std::string found;
   for (const char* name : {"Fz", "Fy", "alpha"})
     if (const Channel* channel = record.find(name))

@@ -228,6 +228,10 @@ TEST_F(MeasurementDoubts, TheHeightOfTheCenterIsNoLoadedRadiusOfAWheelThatLeans)
   EXPECT_NE(remark(tydex_of_heights(leans), "").find("over the cosine of INCLANGL, up to 2.2 %"),
             std::string::npos)
       << remark(tydex_of_heights(leans), "");
+  const std::vector<Ledger> summed = read(tydex_of_heights(leans), "", "rig.tdx").ledgers();
+  EXPECT_NE(in_one_line(summed.front()).find("loaded_radius is the height DSTGRWHC of the wheel"),
+            std::string::npos)
+      << in_one_line(summed.front());
   EXPECT_NE(remark(tydex_of_heights(""), "").find("no inclination is in the file"),
             std::string::npos);
   EXPECT_NE(
@@ -242,7 +246,7 @@ TEST_F(MeasurementDoubts, TheHeightOfTheCenterIsNoLoadedRadiusOfAWheelThatLeans)
 
 TEST_F(MeasurementDoubts, TextBehindTheEndOfATydexIsTold) {
   const std::string text = said(read(tydex_of_heights("", "0.4 250\n"), "", "rig.tdx"), "**END");
-  EXPECT_NE(text.find("rig.tdx:10: 1 line behind **END is not read"), text.npos) << text;
+  EXPECT_NE(text.find("rig.tdx:11: 1 line behind **END is not read"), text.npos) << text;
   EXPECT_EQ(said(read(tydex_of_heights(""), "", "rig.tdx"), "**END"), "");
 }
 

@@ -9,6 +9,6 @@ namespace latsch::experiment {
 extern const TestKind kDrumCleatTest, kSlipSweepTest, kRollingStiffnessTest, kUniformityTest,
     kStaticStiffnessTest, kFootprintTest, kModesTest, kSteadyStatesTest, kSlipHistoryTest,
     kLoadDeflectionTest, kKcTest, kKinematicsTest, kFourPostTest, kKerbTest, kAxleKcTest,
-    kMassPropertiesTest, kInflationTest, kRollingTest, kRollingFootprintTest;
+    kMassPropertiesTest, kInflationTest, kRollingTest, kRollingFootprintTest, kRollingChainTest;
 
 }  // namespace latsch::experiment

@@ -256,6 +256,8 @@ TEST(FeTire, GradedSectorsGiveWhatTheSameMeshGivesWithoutThem) {
   const TireDescription description = graded_tire();
   SolverSettings settings;
   settings.tread = TreadShape::facets;  // the only surface that a mesh without sectors supports
+  // Default elements are arcs in sectors, and bricks in a mesh without them.
+  settings.element = ElementKind::full_integration;
   FeTire graded(build_mesh(description), build_materials(description), settings);
   FeTire whole(without_sectors(build_mesh(description)), build_materials(description), settings);
   const auto inflated = graded.inflate(kPressure);

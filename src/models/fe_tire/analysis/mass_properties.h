@@ -7,8 +7,10 @@
 // spin axis. The tire is rotationally periodic about it, so all diameters have the same moment; on
 // a mesh without symmetry the mean over them is used.
 //
-// Rim and air are not included. S sectors form a polygon: relative to a body of revolution the mass
-// is too small by 2/3 (pi/S)^2, 0.2 % for 60 sectors, and I_spin by half as much again.
+// Rim and air are not included. The mass is that of a body of revolution; with S sectors I_spin is
+// too small by 1/3 (pi/S)^2, 0.1 % for 60 sectors. Bricks between chords (a mesh without sectors,
+// comparison elements) form a polygon, whose mass is too small by twice as much, and I_spin by three
+// times as much.
 #pragma once
 
 #include <Eigen/Core>

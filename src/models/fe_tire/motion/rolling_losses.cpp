@@ -85,7 +85,6 @@ LossMeter::LossMeter(const FeTire& tire, LossMaterials losses, const Inflated& r
       round_(round_strains(elements_, round)) {}
 LossMeter::~LossMeter() = default;
 
-/// Strains of one section element in all sectors.
 std::vector<PointStrains> LossMeter::strains_of(int element,
                                                 const Eigen::Matrix3Xd& u,
                                                 const Eigen::VectorXd& alpha) const {
@@ -112,9 +111,9 @@ void LossMeter::add_solid(int element,
   for (const auto& [p, q] : kOnLine) {
     Line line(6, ring.sectors());
     for (int s = 0; s < ring.sectors(); ++s) {
-      const PointStrains& round = round_[ring.width(s)][element];
+      const PointStrains& still = round(s, element);
       const Vector6 E = 0.5 * (strains[s].E.col(p) + strains[s].E.col(q));
-      const Vector6 E_round = 0.5 * (round.E.col(p) + round.E.col(q));
+      const Vector6 E_round = 0.5 * (still.E.col(p) + still.E.col(q));
       line.E.col(s) = E - E_round;
       if (rubber)
         line.S.col(s) = isochoric_stress(*rubber, E) - isochoric_stress(*rubber, E_round);
@@ -144,9 +143,8 @@ void LossMeter::add_cords(int element,
       const auto [p, q] = kOnLine[pair];
       Line line(1, ring.sectors());
       for (int s = 0; s < ring.sectors(); ++s) {
-        const Eigen::Vector4d &at = strains[s].cords[k],
-                              &round = round_[ring.width(s)][element].cords[k];
-        const double e = 0.5 * (at[p] + at[q]), e_round = 0.5 * (round[p] + round[q]);
+        const Eigen::Vector4d &at = strains[s].cords[k], &still = round(s, element).cords[k];
+        const double e = 0.5 * (at[p] + at[q]), e_round = 0.5 * (still[p] + still[q]);
         line.E(0, s) = e - e_round;
         line.S(0, s) = stress(law, e).S - stress(law, e_round).S;
         const CordSheet& sheet = elements_.law(s, element).cords[k];

@@ -41,7 +41,18 @@ class LossMeter {
   LossMeter(const FeTire& tire, LossMaterials losses, const Inflated& round);
   ~LossMeter();
 
-  const std::vector<LossMaterials::Owner>& owners() const { return losses_.owners; }
+  const RingElements& elements() const { return elements_; }
+  const LossMaterials& materials() const { return losses_; }
+  /// The streamline of all places: the middles of the sectors, in the order of the sectors.
+  const Streamline& line() const { return line_; }
+  /// Returns the strains of a section element in the round state, in a sector.
+  const PointStrains& round(int sector, int element) const {
+    return round_[elements_.ring().width(sector)][element];
+  }
+  /// Returns the strains of a section element in all sectors.
+  std::vector<PointStrains> strains_of(int element,
+                                       const Eigen::Matrix3Xd& u,
+                                       const Eigen::VectorXd& alpha) const;
   /// Returns the powers lost by the tire in a state with displacements u [3 x nodes, sector frames]
   /// and enhanced strains alpha of all sectors, whose material passes with Omega, rad/s.
   RollingLosses measure(const Eigen::Matrix3Xd& u,
@@ -50,9 +61,6 @@ class LossMeter {
 
  private:
   struct Line;
-  std::vector<PointStrains> strains_of(int element,
-                                       const Eigen::Matrix3Xd& u,
-                                       const Eigen::VectorXd& alpha) const;
   void add_solid(int element,
                  const std::vector<PointStrains>& strains,
                  double Omega,
