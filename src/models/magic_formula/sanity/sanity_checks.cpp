@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/magic_formula/sanity_checks.h"
+#include "models/magic_formula/sanity/sanity_checks.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,10 @@ Lattice lattice_over(const DataRange& range, const Parameters& p) {
   return lattice;
 }
 
-Finding keeps_sign(const Parameters& p, const Lattice& at, Answer stiffness, const char* name) {
+Finding keeps_sign(const Parameters& p,
+                   const Lattice& at,
+                   NumberOfState stiffness,
+                   const char* name) {
   const MagicFormula tire(p);
   // Kya is negative, since alpha > 0 gives Fy < 0
   const double expected = stiffness == &SteadyState::Kya ? -1.0 : 1.0;
@@ -97,7 +100,10 @@ Finding keeps_sign(const Parameters& p, const Lattice& at, Answer stiffness, con
   return found;
 }
 
-Finding friction_in_bounds(const Parameters& p, const Lattice& at, Answer mu, const char* name) {
+Finding friction_in_bounds(const Parameters& p,
+                           const Lattice& at,
+                           NumberOfState mu,
+                           const char* name) {
   const MagicFormula tire(p);
   Finding found;
   for (const double Fz : at.loads)
@@ -116,7 +122,7 @@ Finding friction_in_bounds(const Parameters& p, const Lattice& at, Answer mu, co
   return found;
 }
 
-Finding friction_falls(const Parameters& p, const Lattice& at, Answer mu, const char* name) {
+Finding friction_falls(const Parameters& p, const Lattice& at, NumberOfState mu, const char* name) {
   const MagicFormula tire(p);
   Finding found;
   for (const double gamma : at.cambers)

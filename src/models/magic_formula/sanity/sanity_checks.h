@@ -12,7 +12,7 @@
 
 #include "models/magic_formula/coefficient_conditions.h"
 #include "models/magic_formula/magic_formula.h"
-#include "models/magic_formula/sanity.h"
+#include "models/magic_formula/sanity/sanity.h"
 
 namespace latsch::magic_formula {
 
@@ -38,14 +38,20 @@ struct Finding {
 };
 
 /// A number of the answer, such as the cornering stiffness.
-using Answer = double SteadyState::*;
+using NumberOfState = double SteadyState::*;
 
 /// Checks that a stiffness keeps its sign and is nowhere 0.
-Finding keeps_sign(const Parameters& p, const Lattice& at, Answer stiffness, const char* name);
+Finding keeps_sign(const Parameters& p,
+                   const Lattice& at,
+                   NumberOfState stiffness,
+                   const char* name);
 /// Checks that the friction stays in 0.2 ... 3.
-Finding friction_in_bounds(const Parameters& p, const Lattice& at, Answer mu, const char* name);
+Finding friction_in_bounds(const Parameters& p,
+                           const Lattice& at,
+                           NumberOfState mu,
+                           const char* name);
 /// Checks that the friction rises nowhere by more than 1 % above that of a lower load.
-Finding friction_falls(const Parameters& p, const Lattice& at, Answer mu, const char* name);
+Finding friction_falls(const Parameters& p, const Lattice& at, NumberOfState mu, const char* name);
 /// Checks the forces of one slip alone up to a locked wheel or 45 degrees, whatever the data: they
 /// keep the direction that they have at small slip.
 Finding force_keeps_direction(const Parameters& p, const Lattice& at, bool lateral);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "models/magic_formula/sanity_checks.h"
+#include "models/magic_formula/sanity/sanity_checks.h"
 
 namespace latsch::magic_formula {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/magic_formula/sanity.h"
+#include "models/magic_formula/sanity/sanity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "models/magic_formula/sanity_checks.h"
+#include "models/magic_formula/sanity/sanity_checks.h"
 
 namespace latsch::magic_formula {
 namespace {
@@ -144,7 +144,7 @@ std::vector<Row> rows(const Parameters& p, const Lattice& at) {
         {"PKX", "PPX", "LKX"});
   for (const bool lateral : {false, true}) {
     if (lateral ? !has_y : !has_x) continue;
-    const Answer mu = lateral ? &S::muy : &S::mux;
+    const NumberOfState mu = lateral ? &S::muy : &S::mux;
     const char* name = lateral ? "lateral friction" : "longitudinal friction";
     const auto suspects = lateral ? std::vector<std::string_view>{"PDY", "PPY", "LMUY"}
                                   : std::vector<std::string_view>{"PDX", "PPX", "LMUX"};
