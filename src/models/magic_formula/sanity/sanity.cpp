@@ -26,7 +26,7 @@ Parameters without_ranges(Parameters p) {
 
 struct Row {
   std::string name;
-  std::function<Finding(const Parameters&)> look;
+  std::function<WorstViolation(const Parameters&)> look;
   // Prefixes of the coefficients that may cause a violation.
   std::vector<std::string_view> suspects;
   // True if every other coefficient may be the single cause. The friction ellipse takes too long.
@@ -213,7 +213,7 @@ std::vector<SanityFault> sanity_faults(const Parameters& parameters,
   const Lattice at = lattice_over(range, p);
   std::vector<SanityFault> faults;
   for (const Row& row : rows(p, at)) {
-    const Finding found = row.look(p);
+    const WorstViolation found = row.look(p);
     if (!(found.severity > 0.0)) continue;
     auto named = single_causes(row, p, usual);
     if (named.empty()) named = joint_causes(row, p, found.severity);
