@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds where a study's tire behaves implausibly beyond the data, and free coefficients that the
 // data do not determine, and describes both in words for terminal, page and report. The states that
-// are examined are those of models/magic_formula/sanity.h, the levels those of
+// are examined are those of models/magic_formula/sanity/sanity.h, the levels those of
 // coefficient_levels.h.
 #pragma once
 

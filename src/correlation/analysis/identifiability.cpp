@@ -285,7 +285,7 @@ std::optional<Result<Identifiability>> identify(const Study& study,
   enough.on_failure.then = FailurePolicy::Then::proceed;
   const Objective residuals = residual_objective(study);
   Forecast forecast;
-  const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const Standing& standing) {
+  const Drive run = [&](Optimizer& optimizer, RefitTrials* refits, const AsksWorkDone& standing) {
     TrialStore* store = refits ? static_cast<TrialStore*>(refits) : &journal;
     const Objective objective = refits ? refits->objective() : residuals;
     enough.on_progress = [&](const RunProgress& progress) {

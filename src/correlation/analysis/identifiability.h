@@ -56,7 +56,8 @@ std::string interval_source(const Study& study, const Identifiability& what, int
 
 /// Returns warnings, one sentence each: values beyond the scale of their robust loss, residuals
 /// larger than their stated noise, noise that neighboring values share, a systematic misfit, bounds
-/// that keep the fit off, inaccurate derivatives, a search that ended early, refits that did not converge.
+/// that keep the fit off, inaccurate derivatives, a search that ended early, refits that did not
+/// converge.
 std::vector<std::string> remarks(const Study& study, const Identifiability& what);
 
 /// Runs the missing trials. Returns nullopt if a stop was requested, a Failure if the model fails

@@ -197,7 +197,7 @@ bool analyze(const IdentificationTrials& trials, Identifiability& result) {
 }
 
 Drive reading(const Study& study, const Journal& journal) {
-  return [&study, &journal](Optimizer& optimizer, RefitTrials* refits, const Standing&) {
+  return [&study, &journal](Optimizer& optimizer, RefitTrials* refits, const AsksWorkDone&) {
     const TrialStore& store = refits ? static_cast<const TrialStore&>(*refits) : journal;
     const Objective objective = refits ? refits->objective() : residual_objective(study);
     return replay(optimizer, objective, store, kMostIdentificationTrials).end == RunEnd::converged;

@@ -18,18 +18,18 @@ namespace latsch::correlation {
 
 inline constexpr long kMostIdentificationTrials = 100'000;  // limit on the trials of one optimizer
 
-/// What an analysis does at the moment and how far it is.
+/// The present work of an analysis and how far it is.
 struct WorkDone {
   std::string work;    // such as "profiles"
   double share = 0.0;  // share of the optimizer's trials that are done, from 0 to 1; 0: unknown
   long left = 0;       // if the share is unknown: estimated number of trials to come, 0: unknown
 };
-using Standing = std::function<WorkDone()>;
+using AsksWorkDone = std::function<WorkDone()>;
 
 /// Evaluates trials, or reads stored ones, until the optimizer proposes no more; returns false if
 /// it was stopped. `refits` stores and scores reduced trials; nullptr: whole trials are stored in
 /// the journal of the study.
-using Drive = std::function<bool(Optimizer&, RefitTrials* refits, const Standing&)>;
+using Drive = std::function<bool(Optimizer&, RefitTrials* refits, const AsksWorkDone&)>;
 
 /// Returns a function that reads stored trials but runs none.
 Drive reading(const Study& study, const Journal& journal);

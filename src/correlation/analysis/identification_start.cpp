@@ -51,7 +51,7 @@ bool comes_by(const Study& study,
               Depth depth) {
   bool seen = false;
   const Drive read = reading(study, journal);
-  const Drive drive = [&](Optimizer& optimizer, RefitTrials* refits, const Standing& standing) {
+  const Drive drive = [&](Optimizer& optimizer, RefitTrials* refits, const AsksWorkDone& standing) {
     Watched watched(optimizer, point, seen);
     return read(watched, refits, standing) && !seen;
   };

@@ -36,7 +36,7 @@ struct RunProgress {
   long known = 0;  // wanted points so far whose outcome is known
   /// Upper limit of `known`: the size of the sampling plan or the largest number of steps.
   long planned = 0;
-  std::string work;      // what the trials are for; empty: what the run is for
+  std::string work;      // purpose of the trials; empty: that of the run
   long evaluated = 0;    // number of trials that ran in this process
   long failed = 0;       // failed trials among `evaluated`
   long repeated = 0;     // number of trials started again because of a lost worker or a failure

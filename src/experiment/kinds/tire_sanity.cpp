@@ -7,7 +7,7 @@
 
 #include "experiment/kinds/magic_formula_ranges.h"
 #include "experiment/kinds/tir_numbers.h"
-#include "models/magic_formula/sanity.h"
+#include "models/magic_formula/sanity/sanity.h"
 
 namespace latsch::experiment {
 namespace {
@@ -24,7 +24,7 @@ std::pair<double, double> reach_of(std::vector<double> values, double otherwise)
 /// Returns a narrower range, which becomes the given range again when the check widens it 1.5
 /// times.
 magic_formula::DataRange narrower(magic_formula::DataRange range) {
-  constexpr double kWider = 1.5;  // the factor of models/magic_formula/sanity.h
+  constexpr double kWider = 1.5;  // the factor of models/magic_formula/sanity/sanity.h
   const auto narrow = [](double& from, double& to) {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from) / kWider;
     from = middle - half;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks whether a Magic Formula tire behaves plausibly beyond its data
-// (models/magic_formula/sanity.h), for numbers from a .tir or a study.
+// (models/magic_formula/sanity/sanity.h), for numbers from a .tir or a study.
 #pragma once
 
 #include <vector>

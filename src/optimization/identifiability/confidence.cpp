@@ -37,8 +37,8 @@ constexpr double kPulled = 0.05;
 /// its standard deviation. In a fit without noise, rounding errors decide about smaller distances.
 constexpr double kHeldBy = 1e-3;
 
-/// If the variables that bounds hold explain more than this share of S, the residuals are the misfit
-/// that the bounds cause, and the remainder is mostly the error of the linear approximation.
+/// If the variables that bounds hold explain more than this share of S, the residuals are the
+/// misfit that the bounds cause, and the remainder is mostly the error of the linear approximation.
 constexpr double kMisfit = 0.5;
 
 struct Spectrum {

@@ -16,12 +16,13 @@
 // The singular values of J show how strongly the data determine the directions of the unit cube:
 // along direction v_k the standard deviation is s / sigma_k. If s / sigma_k exceeds the range
 // itself, the data determine nothing along v_k. A variable at a bound is held there if S falls
-// toward the bound, and all other intervals hold for this value of it. Its interval is one-sided: it contains the values u_i for which S, minimized
-// over the other variables, exceeds the least S by at most a threshold. The threshold is the excess
-// of S at the ends of a two-sided interval: s^2 t^2 if the residuals are alike and independent. The
-// part of the residuals that a held variable would explain if it were released is not noise, so s
-// is estimated from the part that no variable can explain. If this is the larger part of S, the
-// rest, too, contains the curvature of the model and is a pattern rather than noise.
+// toward the bound, and all other intervals hold for this value of it. Its interval is one-sided:
+// it contains the values u_i for which S, minimized over the other variables, exceeds the least S
+// by at most a threshold. The threshold is the excess of S at the ends of a two-sided interval: s^2
+// t^2 if the residuals are alike and independent. The part of the residuals that a held variable
+// would explain if it were released is not noise, so s is estimated from the part that no variable
+// can explain. If the held variables explain the larger part of S, the rest, too, contains the
+// curvature of the model and is a pattern rather than noise.
 //
 // In a fit without noise, of a model to its own results, only rounding errors of the simulations
 // are left: less than `least_noise`, or less than a thousandth of the stated noise. For such

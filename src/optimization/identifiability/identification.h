@@ -92,7 +92,7 @@ class Identification {
   /// True if the wanted points are those of profiles. If refitted() is exact, their outcomes may
   /// then be passed as reduced_rows() with all used residuals in one group.
   bool is_profiling() const { return !branches_.empty() && !wanted_.empty(); }
-  /// What the wanted points are for.
+  /// Purpose of the wanted points.
   enum class Phase { derivatives, refit, profiles };
   /// Returns the phase of the wanted points.
   Phase phase() const;

@@ -62,9 +62,9 @@ class ResidualNoise {
   /// Number of residuals minus the number of variables they determine.
   double freedom() const { return freedom_; }
   bool is_white() const;
-  /// True if the residuals vary smoothly along their curves, as the misfit of a model does and noise
-  /// does not, or if they were taken for such a pattern. Their deviation is then at most twice the
-  /// spread that they show.
+  /// True if the residuals vary smoothly along their curves, as the misfit of a model does and
+  /// noise does not, or if they were taken for such a pattern. Their deviation is then at most
+  /// twice the spread that they show.
   bool is_pattern() const { return is_pattern_; }
   /// Takes residuals whose neighbors are correlated for a misfit of the model, because something
   /// else than their shape shows that they are no noise.

@@ -27,8 +27,8 @@ constexpr int kMostRounds = 8;  // largest number of rounds
 constexpr double kTooBlunt = 100.0;
 /// Length of an axis, as a share of the ranges, below which the range of a variable counts as too
 /// wide if the residuals are still as large as at the start. For smaller residuals it is shorter in
-/// proportion. A larger value would call exact fits of noisy simulations too wide, a smaller one would
-/// call steep simulations noisy.
+/// proportion. A larger value would call exact fits of noisy simulations too wide, a smaller one
+/// would call steep simulations noisy.
 constexpr double kSteep = 0.01;
 constexpr int kMostSharpened = 4;  // largest number of axes shortened in a round
 // Largest number of steps of a round; further steps would gain too little.

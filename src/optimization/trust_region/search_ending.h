@@ -10,7 +10,7 @@ enum class Ending {
   none,       // not ended
   verified,   // recomputed slopes predict no gain
   noise,      // recomputed slopes predict no gain above noise and ripple
-  wide,       // the same, but a small share of a variable's range explains the scatter
+  wide,       // predicts no gain, but a small share of a variable's range explains the scatter
   edge,       // steps that would improve the value fail
   rough,      // steps do not achieve the gain that recomputed slopes predict
   blind,      // the slope along some direction could not be computed

@@ -12,7 +12,7 @@
 
 #include "models/magic_formula/coefficient_conditions.h"
 #include "models/magic_formula/magic_formula.h"
-#include "models/magic_formula/sanity.h"
+#include "models/magic_formula/sanity/sanity.h"
 
 namespace latsch::magic_formula {
 
@@ -26,7 +26,7 @@ struct Lattice {
 Lattice lattice_over(const DataRange& range, const Parameters& p);
 
 /// Result of a check: the severity of a violation (0: none) and its description.
-struct Finding {
+struct WorstViolation {
   double severity = 0.0;
   std::string words;
 
@@ -38,28 +38,37 @@ struct Finding {
 };
 
 /// A number of the answer, such as the cornering stiffness.
-using Answer = double SteadyState::*;
+using NumberOfState = double SteadyState::*;
 
 /// Checks that a stiffness keeps its sign and is nowhere 0.
-Finding keeps_sign(const Parameters& p, const Lattice& at, Answer stiffness, const char* name);
+WorstViolation keeps_sign(const Parameters& p,
+                          const Lattice& at,
+                          NumberOfState stiffness,
+                          const char* name);
 /// Checks that the friction stays in 0.2 ... 3.
-Finding friction_in_bounds(const Parameters& p, const Lattice& at, Answer mu, const char* name);
+WorstViolation friction_in_bounds(const Parameters& p,
+                                  const Lattice& at,
+                                  NumberOfState mu,
+                                  const char* name);
 /// Checks that the friction rises nowhere by more than 1 % above that of a lower load.
-Finding friction_falls(const Parameters& p, const Lattice& at, Answer mu, const char* name);
+WorstViolation friction_falls(const Parameters& p,
+                              const Lattice& at,
+                              NumberOfState mu,
+                              const char* name);
 /// Checks the forces of one slip alone up to a locked wheel or 45 degrees, whatever the data: they
 /// keep the direction that they have at small slip.
-Finding force_keeps_direction(const Parameters& p, const Lattice& at, bool lateral);
+WorstViolation force_keeps_direction(const Parameters& p, const Lattice& at, bool lateral);
 /// Checks that the trail at zero slip angle is positive, so that the side force steers back.
-Finding trail_is_positive(const Parameters& p, const Lattice& at);
+WorstViolation trail_is_positive(const Parameters& p, const Lattice& at);
 /// Checks the overturning moment against half of the radius as the lever of the load.
-Finding overturning_in_bounds(const Parameters& p, const Lattice& at);
+WorstViolation overturning_in_bounds(const Parameters& p, const Lattice& at);
 /// Checks the side force by camber at zero slip angle over load and angle.
-Finding camber_force_in_bounds(const Parameters& p, const Lattice& at);
+WorstViolation camber_force_in_bounds(const Parameters& p, const Lattice& at);
 /// Checks that the forces over all slips at a load form a nearly convex set. It compares the
 /// largest force in each direction with the convex hull.
-Finding ellipse_is_convex(const Parameters& p, const Lattice& at);
+WorstViolation ellipse_is_convex(const Parameters& p, const Lattice& at);
 /// Checks that the aligning moment falls beyond its peak and stays small beyond 0.
-Finding moment_returns(const Parameters& p, const Lattice& at);
+WorstViolation moment_returns(const Parameters& p, const Lattice& at);
 
 /// A polynomial factor that has to stay positive. It is a function of x = (p - NOMPRES) / NOMPRES,
 /// or of gamma.
@@ -73,6 +82,6 @@ struct Factor {
 /// Returns all such factors of the formulas.
 const std::vector<Factor>& factors();
 /// Checks that a factor is positive over the pressures or cambers.
-Finding stays_positive(const Parameters& p, const Lattice& at, const Factor& factor);
+WorstViolation stays_positive(const Parameters& p, const Lattice& at, const Factor& factor);
 
 }  // namespace latsch::magic_formula

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "models/magic_formula/sanity_checks.h"
+#include "models/magic_formula/sanity/sanity_checks.h"
 
 namespace latsch::magic_formula {
 
@@ -76,10 +76,10 @@ const std::vector<Factor>& factors() {
   return all;
 }
 
-Finding stays_positive(const Parameters& p, const Lattice& at, const Factor& factor) {
+WorstViolation stays_positive(const Parameters& p, const Lattice& at, const Factor& factor) {
   constexpr double kPaOfBar = 1e5, kDegreesOfRad = 180.0 / std::numbers::pi;
   const bool of_pressure = factor.condition == Condition::pressure;
-  Finding found;
+  WorstViolation found;
   for (const double x : of_pressure ? at.pressures : at.cambers) {
     const double value = factor.value(p, of_pressure ? x / p.NOMPRES - 1.0 : x);
     if (value > 0.0) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/magic_formula/sanity.h"
+#include "models/magic_formula/sanity/sanity.h"
 
 #include <gmock/gmock.h>
 

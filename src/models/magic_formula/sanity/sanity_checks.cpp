@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/magic_formula/sanity_checks.h"
+#include "models/magic_formula/sanity/sanity_checks.h"
 
 #include <fmt/format.h>
 
@@ -77,13 +77,16 @@ Lattice lattice_over(const DataRange& range, const Parameters& p) {
   return lattice;
 }
 
-Finding keeps_sign(const Parameters& p, const Lattice& at, Answer stiffness, const char* name) {
+WorstViolation keeps_sign(const Parameters& p,
+                          const Lattice& at,
+                          NumberOfState stiffness,
+                          const char* name) {
   const MagicFormula tire(p);
   // Kya is negative, since alpha > 0 gives Fy < 0
   const double expected = stiffness == &SteadyState::Kya ? -1.0 : 1.0;
   const State nominal{p.FNOMIN, 0.0, 0.0, 0.0, 0.0, at.speed, at.nominal_pressure};
   const double size = std::max(std::abs(tire.evaluate(nominal).*stiffness), 1e-3 * p.FNOMIN);
-  Finding found;
+  WorstViolation found;
   for (const double Fz : at.loads)
     for (const double gamma : at.cambers)
       for (const double pressure : at.pressures) {
@@ -97,9 +100,12 @@ Finding keeps_sign(const Parameters& p, const Lattice& at, Answer stiffness, con
   return found;
 }
 
-Finding friction_in_bounds(const Parameters& p, const Lattice& at, Answer mu, const char* name) {
+WorstViolation friction_in_bounds(const Parameters& p,
+                                  const Lattice& at,
+                                  NumberOfState mu,
+                                  const char* name) {
   const MagicFormula tire(p);
-  Finding found;
+  WorstViolation found;
   for (const double Fz : at.loads)
     for (const double gamma : at.cambers)
       for (const double pressure : at.pressures) {
@@ -116,9 +122,12 @@ Finding friction_in_bounds(const Parameters& p, const Lattice& at, Answer mu, co
   return found;
 }
 
-Finding friction_falls(const Parameters& p, const Lattice& at, Answer mu, const char* name) {
+WorstViolation friction_falls(const Parameters& p,
+                              const Lattice& at,
+                              NumberOfState mu,
+                              const char* name) {
   const MagicFormula tire(p);
-  Finding found;
+  WorstViolation found;
   for (const double gamma : at.cambers)
     for (const double pressure : at.pressures) {
       double least = 0.0, least_at = 0.0;
@@ -141,10 +150,10 @@ Finding friction_falls(const Parameters& p, const Lattice& at, Answer mu, const 
   return found;
 }
 
-Finding force_keeps_direction(const Parameters& p, const Lattice& at, bool lateral) {
+WorstViolation force_keeps_direction(const Parameters& p, const Lattice& at, bool lateral) {
   constexpr int kSteps = 60;
   const MagicFormula tire(p);
-  Finding found;
+  WorstViolation found;
   for (const double Fz : at.loads)
     for (const double side : {-1.0, 1.0}) {
       double peak = 0.0;
@@ -173,9 +182,9 @@ Finding force_keeps_direction(const Parameters& p, const Lattice& at, bool later
   return found;
 }
 
-Finding trail_is_positive(const Parameters& p, const Lattice& at) {
+WorstViolation trail_is_positive(const Parameters& p, const Lattice& at) {
   const MagicFormula tire(p);
-  Finding found;
+  WorstViolation found;
   for (const double Fz : at.loads) {
     if (Fz < kLightest * p.FNOMIN) continue;
     const double t = tire.evaluate({Fz, 0.0, 0.0, 0.0, 0.0, at.speed, at.nominal_pressure}).t;
@@ -190,9 +199,9 @@ Finding trail_is_positive(const Parameters& p, const Lattice& at) {
   return found;
 }
 
-Finding overturning_in_bounds(const Parameters& p, const Lattice& at) {
+WorstViolation overturning_in_bounds(const Parameters& p, const Lattice& at) {
   const MagicFormula tire(p);
-  Finding found;
+  WorstViolation found;
   for (const double Fz : at.loads)
     for (const double alpha : {-at.alpha, 0.0, at.alpha}) {
       const double lever =
@@ -209,13 +218,13 @@ Finding overturning_in_bounds(const Parameters& p, const Lattice& at) {
   return found;
 }
 
-Finding camber_force_in_bounds(const Parameters& p, const Lattice& at) {
+WorstViolation camber_force_in_bounds(const Parameters& p, const Lattice& at) {
   constexpr double kAngle = 1.0 * kDegree;
   const MagicFormula tire(p);
   const auto Fy = [&](double Fz, double gamma) {
     return tire.evaluate({Fz, 0.0, 0.0, gamma, 0.0, at.speed, at.nominal_pressure}).Fy;
   };
-  Finding found;
+  WorstViolation found;
   for (const double Fz : at.loads) {
     const double share = std::abs(Fy(Fz, kAngle) - Fy(Fz, -kAngle)) / (2.0 * kAngle * Fz);
     found.worsen(share - kMostCamber, [&] {
@@ -230,11 +239,11 @@ Finding camber_force_in_bounds(const Parameters& p, const Lattice& at) {
   return found;
 }
 
-Finding moment_returns(const Parameters& p, const Lattice& at) {
+WorstViolation moment_returns(const Parameters& p, const Lattice& at) {
   constexpr int kSteps = 60;
   const MagicFormula tire(p);
   const double end = std::max(at.alpha, kLeastSweep);
-  Finding found;
+  WorstViolation found;
   for (const double Fz : at.loads)
     for (const double side : {-1.0, 1.0}) {
       if (Fz < kLightest * p.FNOMIN) continue;

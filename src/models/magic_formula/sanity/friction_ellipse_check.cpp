@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "models/magic_formula/sanity_checks.h"
+#include "models/magic_formula/sanity/sanity_checks.h"
 
 namespace latsch::magic_formula {
 namespace {
@@ -58,10 +58,10 @@ double reach(const std::vector<Point>& hull, double angle) {
 
 }  // namespace
 
-Finding ellipse_is_convex(const Parameters& p, const Lattice& at) {
+WorstViolation ellipse_is_convex(const Parameters& p, const Lattice& at) {
   constexpr int kAlphas = 61, kKappas = 61, kDirections = 64;
   const MagicFormula tire(p);
-  Finding found;
+  WorstViolation found;
   for (const double Fz : {at.loads.front(), at.loads[at.loads.size() / 2], at.loads.back()}) {
     std::vector<Point> forces;
     std::vector<double> farthest(kDirections, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/magic_formula/sanity.h"
+#include "models/magic_formula/sanity/sanity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "models/magic_formula/sanity_checks.h"
+#include "models/magic_formula/sanity/sanity_checks.h"
 
 namespace latsch::magic_formula {
 namespace {
@@ -26,7 +26,7 @@ Parameters without_ranges(Parameters p) {
 
 struct Row {
   std::string name;
-  std::function<Finding(const Parameters&)> look;
+  std::function<WorstViolation(const Parameters&)> look;
   // Prefixes of the coefficients that may cause a violation.
   std::vector<std::string_view> suspects;
   // True if every other coefficient may be the single cause. The friction ellipse takes too long.
@@ -61,8 +61,8 @@ bool is_suspect(const Row& row, std::string_view name) {
   return std::ranges::any_of(row.suspects, [&](auto prefix) { return name.starts_with(prefix); });
 }
 
-/// Returns how far a value lies from the middle of its usual range, as a share of half its width, on
-/// a logarithmic scale if the range has one sign; 0 if no range is known.
+/// Returns how far a value lies from the middle of its usual range, as a share of half its width,
+/// on a logarithmic scale if the range has one sign; 0 if no range is known.
 double oddity(double value, const std::optional<UsualSpan>& usual) {
   if (!usual) return 0.0;
   double from = usual->lower, to = usual->upper;
@@ -144,7 +144,7 @@ std::vector<Row> rows(const Parameters& p, const Lattice& at) {
         {"PKX", "PPX", "LKX"});
   for (const bool lateral : {false, true}) {
     if (lateral ? !has_y : !has_x) continue;
-    const Answer mu = lateral ? &S::muy : &S::mux;
+    const NumberOfState mu = lateral ? &S::muy : &S::mux;
     const char* name = lateral ? "lateral friction" : "longitudinal friction";
     const auto suspects = lateral ? std::vector<std::string_view>{"PDY", "PPY", "LMUY"}
                                   : std::vector<std::string_view>{"PDX", "PPX", "LMUX"};
@@ -213,7 +213,7 @@ std::vector<SanityFault> sanity_faults(const Parameters& parameters,
   const Lattice at = lattice_over(range, p);
   std::vector<SanityFault> faults;
   for (const Row& row : rows(p, at)) {
-    const Finding found = row.look(p);
+    const WorstViolation found = row.look(p);
     if (!(found.severity > 0.0)) continue;
     auto named = single_causes(row, p, usual);
     if (named.empty()) named = joint_causes(row, p, found.severity);
