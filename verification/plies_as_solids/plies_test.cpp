@@ -19,10 +19,12 @@ namespace {
 
 const std::filesystem::path kFolder = LATSCH_PLIES_AS_SOLIDS;
 
-/// Returns the reference figures for plies that are 0.4 mm thick, by quantity.
+/// Returns the reference figures for plies that are 0.4 mm thick, by quantity. If the file has a
+/// figure for plies of 0.2 mm too, it is extrapolated to infinitely thin plies: its error is of
+/// first order in the thickness.
 std::map<std::string, double> figures(double angle_deg) {
   std::ifstream file(kFolder / "figures.csv");
-  std::map<std::string, double> found;
+  std::map<std::string, double> found, thin;
   for (std::string line; std::getline(file, line);) {
     std::istringstream fields(line);
     std::string angle, ply, column, quantity, value;
@@ -31,15 +33,19 @@ std::map<std::string, double> figures(double angle_deg) {
     std::getline(fields, column, ',');
     std::getline(fields, quantity, ',');
     std::getline(fields, value, ',');
-    if (ply == "0.4" && std::stod(angle) == angle_deg) found[quantity] = std::stod(value);
+    if ((ply != "0.4" && ply != "0.2") || std::stod(angle) != angle_deg) continue;
+    if (ply == "0.4") found[quantity] = std::stod(value);
+    if (ply == "0.2") thin[quantity] = std::stod(value);
   }
+  for (const auto& [quantity, value] : thin) found[quantity] = 2.0 * value - found.at(quantity);
   return found;
 }
 
 class PliesAsSolids : public testing::TestWithParam<double> {};
 
-// The tolerance is 2 %. The reference has plies with a thickness of 0.4 mm, which alone changes the
-// growth by 2 % at a cord angle of 22 degrees.
+// The tolerance of the modes is 2 %, because the reference has plies with a thickness of 0.4 mm. It
+// alone changes the growth by 2 % at a cord angle of 22 degrees; the growth is compared with that
+// of thin plies.
 TEST_P(PliesAsSolids, GrowthAndTheModesOfWaveNumbersZeroAndOneAgreeWithinTwoPercent) {
   TireDescription tire = read_tire(Document::read(kFolder / "tire.toml").root());
   for (int belt : {1, 2}) {
@@ -48,11 +54,12 @@ TEST_P(PliesAsSolids, GrowthAndTheModesOfWaveNumbersZeroAndOneAgreeWithinTwoPerc
   }
   const auto expected = figures(GetParam());
   ASSERT_FALSE(expected.empty());
+  const double share = GetParam() == 22.0 ? 0.005 : 0.02;
   FeTire model(tire);
   const auto inflated = model.inflate(tire.pressure);
   ASSERT_TRUE(inflated);
   EXPECT_NEAR(
-      1e3 * inflated->growth, expected.at("growth [mm]"), 0.02 * expected.at("growth [mm]"));
+      1e3 * inflated->growth, expected.at("growth [mm]"), share * expected.at("growth [mm]"));
   const auto modes = model.modes(*inflated, 20);
   ASSERT_TRUE(modes);
   for (const int n : {0, 1}) {

@@ -67,7 +67,7 @@ TEST(HeldPoints, OfAStateAreThatState) {
 // Second differences of a smooth force are of second order in the step. A kink, caused by points
 // that leave the ground, would make them larger.
 TEST(HeldPoints, GoOnSmoothlyWhereOthersWouldTouch) {
-  constexpr double kMiddle = -0.25, kStep = 0.05;
+  constexpr double kMiddle = -0.40, kStep = 0.05;
   FeTire tire = coarse_and_exact(0.0);
   const TouchingPoints touching = tire.touching(pressed(tire, {}));
   std::array<double, 5> held, free;

@@ -119,6 +119,15 @@ Eigen::VectorXd newton_direction(const SectorBlocks& tangent,
   return d.real();
 }
 
+/// Returns the force, N, that rounding of a node's position at the tire's radius causes in the
+/// stiffest direction. Smaller residuals mean nothing.
+double force_of_rounding(const SectorBlocks& tangent, const Mesh& mesh) {
+  const numerics::BandedHermitian K = tangent.harmonic(0);
+  double largest = 0.0;
+  for (int i = 0; i < K.size(); ++i) largest = std::max(largest, K(i, i).real());
+  return std::numeric_limits<double>::epsilon() * mesh.outer_radius() * largest;
+}
+
 /// Solves one load step. Afterwards `state` is the equilibrium. A Failure leaves it unchanged.
 Status newton(const RingElements& elements,
               const SectorLoads& loads,
@@ -150,7 +159,8 @@ Status newton(const RingElements& elements,
       const bool valid = residual_of(elements, loads, trial, f, &tangent, &worst);
       if (valid && (f.norm() < norm || std::abs(d.dot(f)) < 0.9 * slope)) break;
       if (back == kMaxBacktracks) {
-        if (norm <= kRoundOff * reference) {
+        if (norm <=
+            std::max(kRoundOff * reference, force_of_rounding(tangent, elements.ring().mesh()))) {
           state = now;
           return {};
         }
