@@ -114,7 +114,7 @@ class ExactFit(unittest.TestCase):
             self.assertNotIn("no search of this study has ended", latsch("identify", study, "--short"))
             # The progress names the work of each phase and estimates its length from the first trial on.
             words = latsch("identify", study)
-            first = re.search(r"(?m)^(\d+)/(\d+) \(\d+ %\), .*derivatives around the best trial, ", words)
+            first = re.search(r"(?m)^(\d+)/(\d+) \(\d+ %\), .*(around the best trial|of all variables|refitted), ", words)
             self.assertTrue(first, words)
             self.assertGreater(int(first[2]), 2 * 3 * 9, "fewer than the profiles need")
             self.assertRegex(words, r"(?m)^\d+/\d+ \(100 %\), .*profiles, the other variables refitted, ")
@@ -164,7 +164,7 @@ class ExactFit(unittest.TestCase):
         self.assertRegex(words, r"A neighboring trial has a smaller target: .* Its sum of squared errors, .* is larger")
 
     def test_an_exact_program_over_ranges_too_wide_is_not_called_noisy(self):
-        for wide in ("1e4", "1e9"):
+        for wide in ("1e9", "1e12"):
             with self.subTest(wide):
                 words, answer = self.fit({"a": (f"-{wide}", wide, 1), "b": (f"-{wide}", 0, -1), "c": (f"-{wide}", wide, 1)})
                 self.assertGreater(answer["target"], 1e-3, "the search finds the truth: choose wider bounds")

@@ -263,7 +263,11 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   remark_on_bounds(study, c, all);
   remark_on_variables(study, what, all);
   remark_on_refinement(study, what, all);
-  if (c.left_to_gain > kEarly * c.threshold()) {
+  // A systematic misfit is larger than the threshold, so that its curvature alone promises a gain.
+  constexpr double kOfMisfit = 0.01;  // share of the sum of squares
+  const double least_gain =
+      c.is_pattern ? kOfMisfit * what.identification.linearization().sum_of_squares() : 0.0;
+  if (c.left_to_gain > std::max(kEarly * c.threshold(), least_gain)) {
     all.emplace_back(
         "The search ended early: recomputed derivatives predict a gain larger than an interval, "
         "so "

@@ -362,7 +362,7 @@ void Identification::begin_profiles() {
 }
 
 Identification::Phase Identification::phase() const {
-  if (is_profiling()) return Phase::profiles;
+  if (!branches_.empty()) return Phase::profiles;  // also at their end
   return refit_ ? Phase::refit : Phase::derivatives;
 }
 

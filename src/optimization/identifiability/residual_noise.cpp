@@ -36,6 +36,9 @@ constexpr double kMostUnseen = 2.0, kFewestFreedom = 3.0;
 /// Largest ratio of the second differences of a pattern to its first ones. It is at least 1.2 for
 /// the sums of independent errors, the slowest noise, and 2 sin(w / 2) for a wave of w per sample.
 constexpr double kSmooth = 0.8;
+/// Largest ratio of the medians of their moduli, which a bend at one place of a pattern does not
+/// change. It scatters more than the ratio above.
+constexpr double kSmoothInMost = 0.6;
 // Largest number of neighbors that are averaged before differences are taken, so that weak noise on
 // a pattern does not hide it, and fewest averages that tell a pattern from noise.
 constexpr Eigen::Index kMostAveraged = 4, kFewestAverages = 8;
@@ -47,6 +50,13 @@ Autoregression process_of(const std::vector<double>& z) {
   std::vector<double> kappa;
   for (const double value : z) kappa.push_back(std::tanh(value));
   return Autoregression(kappa);
+}
+
+/// Returns the median of the values.
+double middle_of(std::vector<double> values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 /// Returns the position of a minimum between a and b by golden-section search.
@@ -173,6 +183,7 @@ bool ResidualNoise::forms_pattern() const {
   const Eigen::VectorXd left = x_ - Q_ * (Q_.transpose() * x_);
   for (Eigen::Index averaged = 1; averaged <= kMostAveraged; ++averaged) {
     double first = 0.0, second = 0.0;
+    std::vector<double> firsts, seconds;
     for (const Curve& curve : curves_) {
       const Eigen::Index count = std::ssize(curve.rows) / averaged;
       if (curve.process.order() == 0 || count < kFewestAverages) continue;
@@ -180,10 +191,16 @@ bool ResidualNoise::forms_pattern() const {
       const Eigen::VectorXd means =
           own.head(count * averaged).reshaped(averaged, count).colwise().mean();
       const Eigen::VectorXd steps = means.tail(count - 1) - means.head(count - 1);
+      const Eigen::VectorXd bends = steps.tail(count - 2) - steps.head(count - 2);
       first += steps.squaredNorm() / static_cast<double>(count - 1);
-      second += (steps.tail(count - 2) - steps.head(count - 2)).squaredNorm() /
-                static_cast<double>(count - 2);
+      second += bends.squaredNorm() / static_cast<double>(count - 2);
+      for (const double step : steps) firsts.push_back(std::abs(step));
+      for (const double bend : bends) seconds.push_back(std::abs(bend));
     }
+    if (firsts.empty()) continue;
+    const bool is_smooth_in_most =
+        averaged == 1 && middle_of(seconds) < kSmoothInMost * middle_of(firsts);
+    if (is_smooth_in_most) return true;
     if (first > 0.0 && second < kSmooth * kSmooth * first) return true;
   }
   return false;

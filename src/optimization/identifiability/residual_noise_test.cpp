@@ -46,6 +46,15 @@ TEST(ResidualNoise, ASmoothCurveIsAPatternEvenUnderWeakNoise) {
   }
 }
 
+// A pattern with a bend at its beginning, such as what one exponential leaves of two, is smooth in
+// most places.
+TEST(ResidualNoise, ABendAtOnePlaceDoesNotHideAPattern) {
+  Eigen::VectorXd r(kSamplesOfCurve);
+  for (int j = 0; j < kSamplesOfCurve; ++j)
+    r[j] = std::exp(-1.2 * j) - 0.5 * std::cos(M_PI * j / kSamplesOfCurve);
+  EXPECT_TRUE(ResidualNoise(r, level_and_slope(), one_curve()).is_pattern());
+}
+
 // Slow noise has independent steps, so the differences of its differences are larger than these.
 TEST(ResidualNoise, SlowNoiseIsNoPattern) {
   for (const double kappa : {0.5, 0.8, 0.95, 0.99}) {

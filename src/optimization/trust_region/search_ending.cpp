@@ -11,8 +11,7 @@ std::string in_words(Ending ending) {
       return "at a minimum: slopes recomputed around the best point predict no improvement";
     case Ending::noise:
       return "in the noise: slopes recomputed around the best point predict no gain above noise "
-             "and ripple of the simulations; if these are exact to rounding, the range of a "
-             "variable is too wide: narrow its bounds";
+             "and ripple of the simulations, or above their curvature if they are exact";
     case Ending::wide:
       return "without having seen a minimum: less than a thousandth of the range of a variable "
              "changes the residuals by more than their size, so their slopes are not known; narrow "
