@@ -313,7 +313,11 @@ class RollingChain(RotatingTire):
         rolled = self.channels('{kind = "rolling", %s}' % self.STATES)
         chain = self.channels('{kind = "rolling_chain", %s, depth = "outer"}' % self.STATES)
         lowest = min(range(len(chain["z"])), key=lambda k: chain["z"][k])
-        self.assertAlmostEqual(-chain["z"][lowest], rolled["R_l"][0], delta=2e-3)
+        # Points are in the middles of sectors of 20 deg, the patch is shorter: the lowest point is above the ground,
+        # by less than a tire that is not pressed flat would be.
+        ground = rolled["R_l"][0]
+        self.assertLess(-chain["z"][lowest], ground + 1e-4)
+        self.assertGreater(-chain["z"][lowest], ground * math.cos(chain["theta"][lowest]))
         self.assertLess(abs(chain["theta"][lowest]), 0.4)
         # The hub travels at 10 m/s; tread on the ground moves backward at the same speed.
         self.assertAlmostEqual(chain["v_x"][lowest], -10.0, delta=0.8)
