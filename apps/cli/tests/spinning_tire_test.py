@@ -187,7 +187,7 @@ class Rolling(RotatingTire):
                     "--html", page)
         text = page.read_text()
         self.assertIn("not drawn, because constant: gamma, phit, Vx, Fz", text)
-        self.assertIn("Fy [kN] over alpha [deg]", text)
+        self.assertIn("Fy [N] over alpha [deg]", text)
         self.assertNotIn("Vx [m/s] over", text)
 
     def test_requests_without_meaning_are_refused(self):

@@ -95,8 +95,8 @@ std::string radius_of_height(LabRecord& record) {
       column);
 }
 
-/// Puts the remark into the row of the loaded radius. A radius that was computed from a height is an
-/// assumption of its own, so that the summary of the file names it.
+/// Puts the remark into the row of the loaded radius. A radius that was computed from a height is
+/// an assumption of its own, so that the summary of the file names it.
 void note_radius(const std::string& remark, LabRecord& record) {
   const std::string name = record.find("loaded_radius")->name;
   Ledger& ledger = record.ledgers.back();

@@ -9,8 +9,8 @@
 //
 // Rim and air are not included. The mass is that of a body of revolution; with S sectors I_spin is
 // too small by 1/3 (pi/S)^2, 0.1 % for 60 sectors. Bricks between chords (a mesh without sectors,
-// comparison elements) form a polygon, whose mass is too small by twice as much, and I_spin by three
-// times as much.
+// comparison elements) form a polygon, whose mass is too small by twice as much, and I_spin by
+// three times as much.
 #pragma once
 
 #include <Eigen/Core>
