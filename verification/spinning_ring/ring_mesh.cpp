@@ -66,7 +66,7 @@ fe_tire::Mesh free_ring_mesh(int sectors) {
 }
 
 fe_tire::Materials free_ring_materials(double nu) {
-  return {{linear_solid(0.5, 0.0, 1e-8), linear_solid(kFreeRingModulus, nu, kFreeRingDensity)}, {}};
+  return {{linear_solid(5.0, 0.0, 1e-8), linear_solid(kFreeRingModulus, nu, kFreeRingDensity)}, {}};
 }
 
 fe_tire::Mesh gyro_ring_mesh(int sectors) {

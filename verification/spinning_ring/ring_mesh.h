@@ -25,8 +25,10 @@ fe_tire::Mesh ring_mesh(const std::vector<SectionBlock>& blocks, int sectors, do
 fe_tire::Solid linear_solid(double E, double nu, double density);
 
 /// A thin ring of the mean radius 0.3 m, 2 mm thick and 10 mm wide, on a foundation so soft and
-/// light that the ring is free: its rigid motion on the foundation has 0.3 Hz. The ring is stiff,
-/// so that it hardly grows by rotation. `nu` is Poisson's ratio of the ring.
+/// light that the ring is free: its rigid motion on the foundation has 1 Hz. On a foundation of a
+/// tenth of this stiffness the error of arcs that turn about their tangents (hex8_shape.cpp) would
+/// be larger than what holds the ring upright. The ring is stiff, so that it hardly grows by
+/// rotation. `nu` is Poisson's ratio of the ring.
 inline constexpr double kFreeRingModulus = 2e9, kFreeRingDensity = 1200.0;  // Pa, kg/m^3
 fe_tire::Mesh free_ring_mesh(int sectors);
 fe_tire::Materials free_ring_materials(double nu);
