@@ -312,7 +312,7 @@ class Drum(unittest.TestCase):
                 self.assertIn(part, text)
         recording = (self.folder / "light_dummy.csv").read_text().splitlines(keepends=True)
         for name, lines, *parts in (
-                ("cut.csv", recording[:100], "no plateau", "comes nearest"),
+                ("cut.csv", recording[:100], "the drum stands still"),
                 ("gap.csv", recording[:500] + recording[540:], "40 samples are missing"),
                 ("nan.csv", recording[:7] + ["0.0030,0.1,NaN,0\n"] + recording[8:], "nan.csv:8", "finite number"),
                 ("flat.csv", [recording[0]] + [f"{i / 2000},10,4000,{i}\n" for i in range(9000)], "sensor")):
@@ -444,12 +444,16 @@ scale = "0.1 deg"
         edit(study, ('file = "table.csv"', 'file = "table.csv"\ncolumns = {toe = "-toe", camber = "-camber"}'))
         self.assertIn("Everything is in order", self.latsch("check", study))
 
-    def test_axes_of_adams_are_named_and_read_by_their_columns(self):
+    def test_axes_of_adams_are_named_and_read_by_name_or_by_their_columns(self):
         study = self.study()
         self.corner_table(Fx=-1, Fy=-1, dx=-1, dy=-1)
         text = self.latsch("check", study)
         self.assertIn('"caster" falls as Fx rises', text)
-        self.assertIn('columns = {Fx = "-Fx", Fy = "-Fy", dx = "-dx", dy = "-dy"}', text)
+        self.assertIn('say axes = "adams"', text)
+        written = study.read_text()
+        edit(study, ('file = "table.csv"', 'file = "table.csv"\naxes = "adams"'))
+        self.assertIn("Everything is in order", self.latsch("check", study))
+        study.write_text(written)
         edit(study, ('file = "table.csv"', 'file = "table.csv"\ncolumns = {Fx = "-Fx", Fy = "-Fy", dx = "-dx", dy = "-dy"}'))
         self.assertIn("Everything is in order", self.latsch("check", study))
 
