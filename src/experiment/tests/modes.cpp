@@ -116,6 +116,14 @@ std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
             "true in the test counts their losses and their moduli at each frequency"};
 }
 
+Result<std::vector<std::string>> ModesTest::run_in_blocks(
+    Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
+  auto notes = Test::run_in_blocks(specimen, tell);
+  if (!notes) return notes;
+  for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+  return notes;
+}
+
 namespace {
 
 Eigen::Matrix3Xd points_of(const std::vector<std::vector<double>>& rows) {

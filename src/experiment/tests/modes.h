@@ -42,6 +42,8 @@ class ModesTest : public Test, public TellsLimits {
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
   /// Says that the modes are those of relaxed moduli if the tire's file states losses.
   std::vector<std::string> limits(Specimen& specimen) const override;
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override;
 
  private:
   RigSettings rig_settings() const override { return &test_; }
