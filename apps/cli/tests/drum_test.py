@@ -209,7 +209,7 @@ class Drum(unittest.TestCase):
             ("backward", "speed [m/s]", lambda t: -SPEED, ["turns backward", "with the other sign"]),
             ("still", "speed [m/s]", lambda t: 0.0, ["stands still"]),
             ("rpm", "drum speed [rpm]", lambda t: SPEED / DRUM * 2 * 60 / (2 * math.pi),
-             ['"drum speed" in the unit rpm', "rate times pi times diameter"]),
+             ['"drum speed" in the unit rad/s', "rate times pi times diameter"]),
             ("hertz", "Drum-Speed [Hz]", lambda t: SPEED / DRUM / math.pi,
              ['"Drum-Speed" in the unit Hz', "rate times pi times diameter"]),
         ]:

@@ -88,8 +88,8 @@ void add_help(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("help", "What a verb takes, or what may stand in a study");
   verb.footer(
       "Examples:\n  latsch help run\n  latsch help study\n"
-      "  latsch help study optimizer    the keys of one table of a study\n"
-      "  latsch help test rolling       the keys of one kind of test");
+      "  # The keys of one table of a study, and those of one kind of test.\n"
+      "  latsch help study optimizer\n  latsch help test rolling");
   auto topic = std::make_shared<std::string>();
   auto part = std::make_shared<std::string>();
   verb.add_option("topic", *topic, "A verb, or \"study\"; without it all verbs");

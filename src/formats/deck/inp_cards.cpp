@@ -79,7 +79,11 @@ std::string InpCard::option(const std::string& name, const std::string& fallback
 
 const std::string& InpCard::text(const InpLine& line, std::size_t index) const {
   if (index >= line.fields.size() || line.fields[index].empty())
-    throw InputError(at(line), fmt::format("*{} misses its field {}", keyword, index + 1));
+    throw InputError(
+        at(line),
+        fmt::format("*{} misses its field {}, expected a value there: is the file whole?",
+                    keyword,
+                    index + 1));
   return line.fields[index];
 }
 

@@ -315,7 +315,7 @@ class Comparison(Data):
 
     def test_recordings_that_are_none_of_the_test(self):
         changed = lambda change: [change(i, *row) for i, row in enumerate(self.rows)]
-        for what, rows, part in (("kN", changed(lambda i, t, x, z: (t, x, 1e3 * z)), "no tire carries"),
+        for what, rows, part in (("kN", changed(lambda i, t, x, z: (t, x, 1e3 * z)), "is it in N, kN or lbf?"),
                                  ("negative", changed(lambda i, t, x, z: (t, x, -z)), "is below 0"),
                                  ("zero", changed(lambda i, t, x, z: (t, 0, 0)), "nothing to compare"),
                                  ("constant", changed(lambda i, t, x, z: (t, x, 3500)), "nothing to compare"),
