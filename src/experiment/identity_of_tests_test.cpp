@@ -123,7 +123,7 @@ std::string with(const std::vector<Line>& lines,
 }
 
 /// Returns changed values for a key: each of its numbers changed a little and a lot, the other
-/// choices, the other flag.
+/// choices, the other flag, another name.
 std::vector<std::string> others(const std::string& value, const DeclaredKey& key) {
   std::vector<std::string> found;
   if (value == "true" || value == "false") return {value == "true" ? "false" : "true"};
@@ -145,6 +145,7 @@ std::vector<std::string> others(const std::string& value, const DeclaredKey& key
       found.push_back(other);
     }
   }
+  if (found.empty() && key.kind == DeclaredKey::Kind::text) found.emplace_back("\"another\"");
   return found;
 }
 

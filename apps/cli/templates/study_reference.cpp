@@ -180,6 +180,15 @@ std::vector<std::string> words_of(const std::string& heading) {
   return words;
 }
 
+/// Returns the name of a test or a table in a heading: the first word behind the first bracket or
+/// quotation mark. Returns an empty text if there is none.
+std::string name_in(const std::string& heading) {
+  const std::size_t begin = heading.find_first_of("[\"");
+  if (begin == std::string::npos) return "";
+  const std::vector<std::string> words = words_of(heading.substr(begin));
+  return words.empty() ? "" : words.front();
+}
+
 const char* kind_name(Kind kind) {
   switch (kind) {
     case Kind::presence:
@@ -253,9 +262,12 @@ std::string study_reference(const KeyTable& keys) {
 }
 
 std::string study_reference_on(const KeyTable& keys, const std::string& word) {
+  const std::vector<std::string> names = study_reference_words(keys);
+  const bool is_name = std::find(names.begin(), names.end(), word) != names.end();
   std::string text;
   for (const auto& [section, of_section] : keys.sections()) {
-    const std::vector<std::string> words = words_of(section->heading);
+    const std::vector<std::string> words =
+        is_name ? std::vector<std::string>{name_in(section->heading)} : words_of(section->heading);
     if (std::find(words.begin(), words.end(), word) != words.end())
       text += section_words(*section, of_section);
   }
@@ -265,12 +277,9 @@ std::string study_reference_on(const KeyTable& keys, const std::string& word) {
 std::vector<std::string> study_reference_words(const KeyTable& keys) {
   std::vector<std::string> names;
   for (const auto& [section, of_section] : keys.sections()) {
-    const std::string& heading = section->heading;
-    const std::size_t begin = heading.find_first_of("[\"");
-    if (begin == std::string::npos) continue;
-    const std::vector<std::string> words = words_of(heading.substr(begin));
-    if (!words.empty() && std::find(names.begin(), names.end(), words.front()) == names.end())
-      names.push_back(words.front());
+    const std::string name = name_in(section->heading);
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
   }
   return names;
 }

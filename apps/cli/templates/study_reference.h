@@ -14,12 +14,13 @@ namespace latsch::cli {
 /// and a row for each key.
 std::string study_reference(const experiment::KeyTable& keys);
 
-/// Returns the sections, in the form of the page, whose headings contain the word: a kind of test
-/// such as "rolling", or a table such as "optimizer". Returns an empty text if there is none.
+/// Returns the sections, in the form of the page, of a kind of test such as "rolling" or of a table
+/// such as "optimizer"; if no test or table has this name, those whose headings contain the word.
+/// Returns an empty text if there is none.
 std::string study_reference_on(const experiment::KeyTable& keys, const std::string& word);
 
-/// Returns the names of tests and tables that study_reference_on() finds: all words that stand in
-/// quotation marks or brackets in a heading.
+/// Returns the names of tests and tables: the first word in brackets or quotation marks of every
+/// heading that has one.
 std::vector<std::string> study_reference_words(const experiment::KeyTable& keys);
 
 /// Returns the reference for programs: a list of sections, each with the path of its table, its
