@@ -210,7 +210,7 @@ TEST_F(RollingStudy, AMeasurementInOtherAxesThanTheTestIsRefused) {
   };
   EXPECT_EQ(with("axes.csv", ""), "");
   EXPECT_EQ(with("axes.csv", "frame = \"W\"\n"), "");
-  EXPECT_NE(with("other.csv", "").find("or frame = \"C\" into the file of [test.sweep]"),
+  EXPECT_NE(with("other.csv", "").find("or frame = \"C\" into [test.sweep] or its file"),
             std::string::npos);
   EXPECT_NE(with("other.csv", "frame = \"W\"\n").find("has the column \"FYC\""), std::string::npos);
 }
