@@ -325,6 +325,15 @@ class RollingChain(RotatingTire):
         self.assertGreater(chain["v_x"][top], 9.0)
         self.assertEqual(chain["theta"], sorted(chain["theta"]))
 
+    def test_pictures_of_nothing_but_zeros_are_left_out(self):
+        page = self.folder / "page.html"
+        self.latsch("test", self.folder / "tire.toml", '{kind = "rolling_chain", %s}' % self.STATES, "--html", page)
+        text = page.read_text()
+        self.assertIn("Stored energy", text)
+        self.assertIn("1 chain of points", text)
+        self.assertNotIn("Force of the cords", text)  # the outer face has none
+        self.assertNotIn("Dissipation", text)  # the tire is elastic
+
     def test_a_layer_has_cord_forces_and_lossy_rubber_dissipates(self):
         layer = [line[len("[layer."):-1] for line in (self.folder / "tire.toml").read_text().splitlines()
                  if line.startswith("[layer.")][0]

@@ -20,8 +20,10 @@ class FeRollingChainTest : public RollsFeTire {
       : RollsFeTire(std::move(states)), places_(std::move(places)) {}
 
   std::string in_words() const override {
-    return fmt::format("{} chains around a rolling tire, depth {}, {}",
-                       places_.positions.size(),
+    const std::size_t chains = places_.positions.size();
+    return fmt::format("{} {} of points around a rolling tire, depth {}, {}",
+                       chains,
+                       chains == 1 ? "chain" : "chains",
                        places_.depth,
                        states_in_words());
   }

@@ -161,8 +161,10 @@ std::vector<double> RollsFeTire::driven_at(const std::string& condition) const {
 }
 
 std::string RollsFeTire::states_in_words() const {
-  return fmt::format("in {} steady states, friction {:g}{}",
-                     rolling().rows.size(),
+  const std::size_t states = rolling().rows.size();
+  return fmt::format("in {} steady {}, friction {:g}{}",
+                     states,
+                     states == 1 ? "state" : "states",
                      rolling().friction,
                      inflated(rolling().pressure));
 }
