@@ -209,9 +209,9 @@ class Drum(unittest.TestCase):
             ("backward", "speed [m/s]", lambda t: -SPEED, ["turns backward", "with the other sign"]),
             ("still", "speed [m/s]", lambda t: 0.0, ["stands still"]),
             ("rpm", "drum speed [rpm]", lambda t: SPEED / DRUM * 2 * 60 / (2 * math.pi),
-             ['"drum speed" in the unit rad/s', "rate times pi times diameter"]),
+             ['"drum speed", in SI in rad/s', "rate times pi times diameter"]),
             ("hertz", "Drum-Speed [Hz]", lambda t: SPEED / DRUM / math.pi,
-             ['"Drum-Speed" in the unit Hz', "rate times pi times diameter"]),
+             ['"Drum-Speed", in SI in Hz', "rate times pi times diameter"]),
         ]:
             with open(self.folder / f"{name}.csv", "w") as out:
                 out.write(f"time [s],{header},Fz [N],Fx [N]\n")
