@@ -102,20 +102,9 @@ class RollingSearch {
 
   void evaluate(Directions directions, bool with_derivatives) {
     now_.input = body_.input(now_.q);
-    begin_contact();
+    grip_.admit(now_.input, now_.state);
     now_.tractions = grip_.tractions(now_.input, now_.state, directions, with_derivatives);
     R_ = body_.residual(now_.q, now_.input, now_.tractions);
-  }
-
-  /// Points that have come down stick at first; points that have lifted off are forgotten.
-  void begin_contact() {
-    for (int k = 0; k < grip_.lines().points(); ++k) {
-      Grip& grip = now_.state.grip[k];
-      if (!(now_.input.p[k] > 0.0))
-        grip = Grip::none;
-      else if (grip == Grip::none)
-        grip = grip_.friction().at_rest > 0.0 ? Grip::sticks : Grip::slides;
-    }
   }
 
   /// Newton's method with the states as they are. Returns false if its tangent is singular.

@@ -88,6 +88,31 @@ GripTractions RollingGrip::tractions(const RollingInput& input,
   return found;
 }
 
+void RollingGrip::admit(const RollingInput& input, GripState& state) const {
+  for (const RollingLines::Line& line : lines_.lines) {
+    Pair t = Pair::Zero();  // of the point before
+    for (int k = line.first; k < line.last; ++k) {
+      Grip& grip = state.grip[k];
+      if (!(input.p[k] > 0.0)) {
+        grip = Grip::none;
+        t.setZero();
+        continue;
+      }
+      const Step step = step_to(input, line, k);
+      Pair trial = -stiffness_ * step.share * step.full;
+      if (step.carries) trial += t;
+      const double limit = friction_.at(input.p[k], state.speed[k]) * input.p[k];
+      if (grip == Grip::none) {
+        const double size = trial.norm();
+        grip = size <= limit && friction_.at_rest > 0.0 ? Grip::sticks : Grip::slides;
+        if (grip == Grip::slides)
+          state.direction.col(k) = size > 0.0 ? Pair(trial / size) : Pair(Pair::Zero());
+      }
+      t = grip == Grip::slides ? Pair(limit * state.direction.col(k)) : trial;
+    }
+  }
+}
+
 GripTractions RollingGrip::explicit_tractions(const RollingInput& input, GripState& state) const {
   const int n = lines_.points();
   GripTractions found{Eigen::Matrix2Xd::Zero(2, n),

@@ -105,6 +105,9 @@ class RollingGrip {
                           const GripState& state,
                           Directions directions,
                           bool with_derivatives) const;
+  /// Lets points without a state, which have come down, stick or slide as (F.1) says, given the
+  /// states of the points before them; points without pressure lose theirs.
+  void admit(const RollingInput& input, GripState& state) const;
   /// Returns the tractions of (F.1), point by point from the leading edge: solves for a surface
   /// whose positions are known. `state` supplies the sliding speeds in mu and receives the states.
   GripTractions explicit_tractions(const RollingInput& input, GripState& state) const;

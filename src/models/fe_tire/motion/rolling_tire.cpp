@@ -294,7 +294,7 @@ Result<RollingState> RollingTire::roll(const RollingState& from, const RollingCa
   start.load = from.forces.force.z();
   start.drive = from.forces.drive;
   RollingCase end = of;
-  if (of.load && !(end.height > 0.0)) end.height = start.height;
+  if (of.load) end.height = start.height;
   if (of.drive && !(end.spin > 0.0)) end.spin = start.spin;
   impl_->linear.begin();
   int iterations = 0, factors = 0, passes = 0, parts = 0;
