@@ -16,6 +16,7 @@
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/motion/spinning_tire.h"
 #include "ring_mesh.h"
+#include "rolling_rows.h"
 #include "shipped_tires.h"
 #include "spinning_rings.h"
 #include "table.h"
@@ -107,6 +108,8 @@ int run(const Options& options) {
   Table table("rolling", options);
   gyro_ring(table);
   free_ring(options, table);
+  roll_rings(options, table);
+  roll_tires(options, table);
   if (options.is_smoke()) {
     shipped("passenger_205_55R16", options, table);
     return table.exit_code();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
+#include "models/fe_tire/motion/rolling_forces.h"
 #include "models/fe_tire/motion/rolling_tire.h"
 #include "models/fe_tire/motion/spinning_tire.h"
 
@@ -228,19 +229,6 @@ Patch patch_of(const RollingState& state) {
   return {most.x() - least.x(), most.y() - least.y(), sticking / load};
 }
 
-/// Returns the power of drive and hub less that of friction, W.
-double balance_of(const RollingState& state) {
-  const RollingCase& of = state.of;
-  const Eigen::Vector3d& F = state.forces.force;
-  const double V_x = of.speed * std::cos(of.slip_angle), V_y = of.speed * std::sin(of.slip_angle);
-  // The turning wheel carries the contact center around the point below the wheel center.
-  const double offset = of.height * std::tan(of.camber);  // to the left, as the top is to the right
-  const double turning = -of.turn_slip * of.speed;
-  const double about_hub = state.forces.moment.z() - offset * F.x();
-  return state.forces.drive * of.spin - F.x() * V_x - F.y() * V_y - about_hub * turning -
-         state.forces.friction_power;
-}
-
 }  // namespace
 
 Channels channels_of(const std::vector<RolledState>& states,
@@ -279,7 +267,7 @@ Channels channels_of(const std::vector<RolledState>& states,
   add("sticking", "1", [](State s) { return patch_of(s).sticking; });
   add("length", "m", [](State s) { return patch_of(s).length; });
   add("width", "m", [](State s) { return patch_of(s).width; });
-  add("balance", "W", balance_of);
+  add("balance", "W", fe_tire::power_balance);
   for (std::size_t k = 0; k < owners.size(); ++k)
     add_rolled(
         "loss." + owners[k].name, "W", [k](const RolledState& s) { return s.losses.parts[k]; });

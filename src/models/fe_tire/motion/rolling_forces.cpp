@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace latsch::fe_tire {
 
@@ -67,6 +68,18 @@ void measure(const TreadBody& body,
                      places[k].length,
                      places[k].line});
   }
+}
+
+double power_balance(const RollingState& state) {
+  const RollingCase& of = state.of;
+  const Eigen::Vector3d& F = state.forces.force;
+  const double V_x = of.speed * std::cos(of.slip_angle), V_y = of.speed * std::sin(of.slip_angle);
+  // The turning wheel carries the contact center around the point below the wheel center.
+  const double offset = of.height * std::tan(of.camber);  // to the left, as the top is to the right
+  const double turning = -of.turn_slip * of.speed;
+  const double about_hub = state.forces.moment.z() - offset * F.x();
+  return state.forces.drive * of.spin - F.x() * V_x - F.y() * V_y - about_hub * turning -
+         state.forces.friction_power;
 }
 
 }  // namespace latsch::fe_tire

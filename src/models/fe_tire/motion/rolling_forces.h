@@ -20,4 +20,9 @@ void measure(const TreadBody& body,
              RollingForces& forces,
              std::vector<RollingPatchPoint>& patch);
 
+/// Returns the power of the drive and of the hub's motion less that of friction, W. A steady
+/// elastic tire has none; what is left is an error of the discretization, because energy is
+/// conserved where neighboring states of the ring are one state that is turned.
+double power_balance(const RollingState& state);
+
 }  // namespace latsch::fe_tire

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Friction of rolling on finite-element rings against Carter's line contact and the brush model.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rolling_rings.h"
+
+namespace latsch::verification {
+namespace {
+
+using fe_tire::RollingState;
+
+/// Returns the least x of a point that sticks on the middle line, m.
+double stick_border(const RollingState& state) {
+  double least = 1.0;
+  for (const auto& point : state.patch)
+    if (point.line == 2 && point.sticks) least = std::min(least, point.x);
+  return least;
+}
+
+// Half width and pressure are those of the ring itself, so its finite thickness hardly matters: by
+// line_contact.py, an independent program, Carter's force with this half width is within 0.2 % of
+// that of the layer.
+TEST(RollingFriction, ThickRingHasCartersForceAndStickBorder) {
+  constexpr int kAcross = 40;
+  CarterRing carter(kAcross);
+  const double a = fit_hertz(carter.ring().free_wheel()).a;
+  const double place = 2.0 * CarterRing::kHalf / kAcross;
+  for (const bool lateral : {false, true}) {
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const double along = CarterRing::kMu * a / CarterRing::kR * (1.0 - std::sqrt(1.0 - share));
+      const RollingState state =
+          lateral ? carter.ring().slipping(0.0, std::atan(along / (1.0 - CarterRing::kNu)))
+                  : carter.ring().slipping(along, 0.0);
+      const Eigen::Vector3d& F = state.forces.force;
+      const double Q = (lateral ? -F.y() : F.x()) / (CarterRing::kMu * F.z());
+      EXPECT_NEAR(Q, share, 0.02 * share) << lateral;
+      EXPECT_NEAR(stick_border(state), a * (1.0 - 2.0 * std::sqrt(1.0 - share)), place) << lateral;
+    }
+  }
+}
+
+// The columns' ends are averaged over two elements by (T.1) and their pressure lowers their shear
+// stiffness by 0.2 %; forces are up to 2.5 % below those of the brush model on 40 elements.
+TEST(RollingFriction, ColumnsOnARigidRimAreABrush) {
+  BrushRing brush(40);
+  const HertzFit fit = fit_parabola(brush.ring().free_wheel());
+  const double full = BrushRing::kMu * 2.0 * fit.p_0 / (fit.a * BrushRing::stiffness());
+  for (const double s : {0.2, 0.4, 0.6}) {
+    const RollingState state = brush.ring().slipping(0.0, std::atan(s * full));
+    const Eigen::Vector3d& F = state.forces.force;
+    const double share = s * (3.0 - 3.0 * s + s * s);
+    EXPECT_NEAR(-F.y() / (BrushRing::kMu * F.z()), share, 0.03 * share) << s;
+    const double trail = -state.forces.moment.z() / F.y() / fit.a;
+    EXPECT_NEAR(trail, std::pow(1.0 - s, 3) / (3.0 - 3.0 * s + s * s), 0.012) << s;
+  }
+}
+
+}  // namespace
+}  // namespace latsch::verification
