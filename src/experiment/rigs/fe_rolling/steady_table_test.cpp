@@ -162,7 +162,7 @@ TEST_F(SteadyTable, AMissingSlipIsZeroAndNotFree) {
   EXPECT_GT(std::abs((*rolled)["kappa"][0]), 1e-4);
   EXPECT_GT(std::abs((*rolled)["Fx"][0] - missing["Fx"][0]), 1.0);
   EXPECT_TRUE(remarks(without, "kappa = 0"));
-  EXPECT_TRUE(remarks(without, "Vx = 60 km/h"));
+  EXPECT_TRUE(remarks(without, "Vx = 16.67 m/s"));
   EXPECT_TRUE(remarks(without, "p = 2.6 bar"));
 }
 

@@ -4,11 +4,14 @@
    steady_tire_test.py PATH/TO/latsch"""
 import json
 import pathlib
+import sys
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 from cli_testing import WRONG_INPUT, Coarse
 
-TREE = pathlib.Path(__file__).resolve().parents[3]
+TREE = pathlib.Path(__file__).resolve().parents[4]
 STEADY = '{kind = "steady_states", states = "%s"%s}'
 
 
@@ -34,7 +37,7 @@ class SteadyTire(Coarse):
         self.assertEqual([round(Fz, 3) for Fz in found["Fz"]], [2000.0, 2000.0])
         self.assertEqual(set(found), {"Fx", "Fy", "Fz", "Mx", "My", "Mz", "R_e", "R_l", "length", "width", "omega"})
         said = self.latsch("test", self.folder / "tire.toml", STEADY % (table, ""))
-        for part in ("friction 1 is taken", "kappa = 0", "Vx = 60 km/h", "no rolling resistance"):
+        for part in ("friction 1 is taken", "kappa = 0", "Vx = 16.67 m/s", "no rolling resistance"):
             self.assertIn(part, said)
         self.assertNotIn("friction 1 is taken", self.latsch("test", self.folder / "tire.toml", STEADY % (table, ", friction = 0.9")))
 
@@ -57,6 +60,7 @@ states = "states.csv"
 path = "friction"
 lower = 0.3
 upper = 1.5
+initial = 0.6
 [experiment.braking]
 kind = "curve"
 y = "locked/Fx"
@@ -102,6 +106,7 @@ states = "states.csv"
 path = "rubber.%s.young_modulus"
 lower = "1 MPa"
 upper = "100 MPa"
+initial = "5 MPa"
 [experiment.side]
 kind = "curve"
 y = "steady/%s"
