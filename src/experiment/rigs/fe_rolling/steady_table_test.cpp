@@ -108,10 +108,14 @@ TEST_F(SteadyTable, TurnSlipIsResisted) {
 }
 
 TEST_F(SteadyTable, StatesAreThoseOfTheTestRolling) {
-  const Channels steady = roll(
-      "Fz [N],kappa,alpha [deg],gamma [deg],Vx [km/h],p [bar]\n"
-      "3000,0,1,0,60,2.6\n3000,-0.01,0,1,60,2.6\n2000,0,0,0,80,2.2\n",
-      {.friction = 0.9});
+  // In SI with all digits, so that no conversion rounds.
+  const Channels steady = roll(fmt::format("Fz [N],kappa,alpha [rad],gamma [rad],Vx [m/s],p [Pa]\n"
+                                           "3000,0,{0},0,{1},260000\n3000,-0.01,0,{0},{1},260000\n"
+                                           "2000,0,0,0,{2},220000\n",
+                                           kDegree,
+                                           60.0 / 3.6,
+                                           80.0 / 3.6),
+                               {.friction = 0.9});
   RollingTest test{.friction = 0.9, .rows = {}};
   test.rows = {{3000.0, 60.0 / 3.6, 0.0, kDegree, 0.0, 0.0, 2.6e5},
                {3000.0, 60.0 / 3.6, -0.01, 0.0, kDegree, 0.0, 2.6e5},
