@@ -27,6 +27,7 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
         description_(description) {
     set_rim(description.rim);
     set_losses(fe_tire::build_losses(description));
+    set_friction(description.friction);
   }
 
   /// Changes the materials and keeps the symbolic factorization for the mesh. Returns false if the
@@ -36,6 +37,7 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
     set(fe_tire::build_materials(description), description.pressure, numbers);
     set_rim(description.rim);
     set_losses(fe_tire::build_losses(description));
+    set_friction(description.friction);
     for (FineTire& fine : fine_) {
       fine.tire.set(fe_tire::build_materials(with_split_tread(description, fine.split)));
     }
@@ -120,7 +122,7 @@ class FeTireKind : public SpecimenKind {
                        mesh.sectors);
   }
   std::string remark(const Document& numbers, const Test& test) const override {
-    return far_points(fe_tire::build_mesh(fe_tire::read_tire(numbers.root())), test);
+    return why_every_run_fails(fe_tire::build_mesh(fe_tire::read_tire(numbers.root())), test);
   }
   std::optional<Size> size(const Document& numbers) const override {
     const TireDescription tire = fe_tire::read_tire(numbers.root());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "experiment/kinds/fe_variations.h"
+#include "experiment/rigs/fe_rolling/steady_table.h"
 
 namespace latsch::experiment {
 namespace {
@@ -82,6 +83,7 @@ void FeTireSpecimen::set(fe_tire::Materials materials, double pressure, Document
   rig_ = std::make_unique<TireRig>(own_.tire(), pressure);
   rig_->set_rim(rim_);
   rig_->set_losses(losses_);
+  rig_->set_friction(friction_);
 }
 
 void FeTireSpecimen::set_rim(std::optional<fe_tire::RimBody> rim) {
@@ -92,6 +94,11 @@ void FeTireSpecimen::set_rim(std::optional<fe_tire::RimBody> rim) {
 void FeTireSpecimen::set_losses(fe_tire::LossMaterials losses) {
   losses_ = std::move(losses);
   rig_->set_losses(losses_);
+}
+
+void FeTireSpecimen::set_friction(std::optional<double> friction) {
+  friction_ = friction;
+  rig_->set_friction(friction);
 }
 
 Result<StandingTire> FeTireSpecimen::standing(fe_tire::FeTire& tire,
@@ -123,7 +130,27 @@ Result<Channels> FeTireSpecimen::print(const FootprintTest& test, const Asked& a
   return test.pressure ? held_at_pressure(sloped, asked.paths) : sloped;
 }
 
-std::string far_points(const fe_tire::Mesh& mesh, const Test& test) {
+Result<Channels> FeTireSpecimen::steady(const formats::CsvTable& states,
+                                        const SteadyConditions& conditions) {
+  return roll_table(*rig_, states, conditions);
+}
+
+Result<std::vector<std::string>> FeTireSpecimen::steady_in_blocks(
+    const formats::CsvTable& states,
+    const SteadyConditions& conditions,
+    const std::function<void(const Channels&)>& tell) {
+  const Status done = roll_table(*rig_, states, conditions, tell);
+  if (!done) return done.failure();
+  return remarks_on_table(*rig_, states, conditions);
+}
+
+std::vector<std::string> FeTireSpecimen::limits_in(const formats::CsvTable& states,
+                                                   const SteadyConditions& conditions) {
+  return remarks_on_table(*rig_, states, conditions);
+}
+
+std::string why_every_run_fails(const fe_tire::Mesh& mesh, const Test& test) {
+  if (const auto* steady = test.settings_as<SteadyConditions>()) return refused_conditions(*steady);
   const auto* modes = test.settings_as<ModalTest>();
   if (!modes) return "";
   const Status near = points_on_tire(mesh, modes->points);

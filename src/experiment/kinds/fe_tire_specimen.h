@@ -44,6 +44,7 @@ class FeTireSpecimen : public Specimen,
                        public Vibrates,
                        public IsFeTire,
                        public HasFootprint,
+                       public HasSteadyStates,
                        public TakesConditions {
  public:
   using Varied = SlopedTire::Varied;
@@ -59,6 +60,14 @@ class FeTireSpecimen : public Specimen,
                          const Asked& asked) override;
   Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override;
   Result<Channels> print(const FootprintTest& test, const Asked& asked) override;
+  Result<Channels> steady(const formats::CsvTable& states,
+                          const SteadyConditions& conditions) override;
+  Result<std::vector<std::string>> steady_in_blocks(
+      const formats::CsvTable& states,
+      const SteadyConditions& conditions,
+      const std::function<void(const Channels&)>& tell) override;
+  std::vector<std::string> limits_in(const formats::CsvTable& states,
+                                     const SteadyConditions& conditions) override;
 
  protected:
   /// Returns the tire on the mesh that a footprint needs.
@@ -69,6 +78,8 @@ class FeTireSpecimen : public Specimen,
   void set_rim(std::optional<fe_tire::RimBody> rim);
   /// States the Prony terms of rubbers and cords, for tests that measure losses.
   void set_losses(fe_tire::LossMaterials losses);
+  /// States the friction with the ground, for tests in which the tire rolls and that state none.
+  void set_friction(std::optional<double> friction);
 
  private:
   Result<StandingTire> standing(fe_tire::FeTire& tire, const FootprintTest& test) const;
@@ -76,11 +87,13 @@ class FeTireSpecimen : public Specimen,
   double pressure_;
   std::optional<fe_tire::RimBody> rim_;
   fe_tire::LossMaterials losses_;
+  std::optional<double> friction_;
   Document numbers_;
   std::unique_ptr<TireRig> rig_;
 };
 
-/// Returns a remark if a modal test has sensor points that are not on this mesh; else "".
-std::string far_points(const fe_tire::Mesh& mesh, const Test& test);
+/// Returns why every run of this test fails on a finite-element tire with this mesh: sensor points
+/// that are not on it, conventions that such a tire does not have; else "".
+std::string why_every_run_fails(const fe_tire::Mesh& mesh, const Test& test);
 
 }  // namespace latsch::experiment

@@ -94,7 +94,7 @@ class InpTireKind : public SpecimenKind {
         model.tire.layers.size() == 1 ? "" : "s");
   }
   std::string remark(const Document& numbers, const Test& test) const override {
-    return far_points(inp_model(numbers).tire.mesh, test);
+    return why_every_run_fails(inp_model(numbers).tire.mesh, test);
   }
   std::optional<Size> size(const Document& numbers) const override {
     const fe_tire::Mesh mesh = inp_model(numbers).tire.mesh;

@@ -40,7 +40,10 @@ std::string no_turn_slip_in(const MagicFormula& tire, const Conventions& asked) 
       missing);
 }
 
-class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, public KnowsLimits {
+class MagicFormulaSpecimen : public RollingSpecimen,
+                             public HasSteadyStates,
+                             public LagsBehindSlips,
+                             public KnowsLimits {
  public:
   explicit MagicFormulaSpecimen(const Document& numbers)
       : parameters_(parameters_of(numbers)), file_(numbers.file()) {}
@@ -80,16 +83,18 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
   std::vector<std::string> limits_backward() const override {
     return limits_backward_of(parameters_);
   }
-  Channels steady(const formats::CsvTable& table, const Conventions& conventions) const override {
+  Result<Channels> steady(const formats::CsvTable& table,
+                          const SteadyConditions& conditions) override {
     refuse_soft_pressures(table);
-    return answers(MagicFormula(parameters_, conventions), slip_states(table, parameters_).states);
+    return answers(MagicFormula(parameters_, conditions.conventions),
+                   slip_states(table, parameters_).states);
   }
-  std::vector<std::string> steady_in_blocks(
+  Result<std::vector<std::string>> steady_in_blocks(
       const formats::CsvTable& table,
-      const Conventions& conventions,
-      const std::function<void(const Channels&)>& tell) const override {
+      const SteadyConditions& conditions,
+      const std::function<void(const Channels&)>& tell) override {
     refuse_soft_pressures(table);
-    const MagicFormula tire(parameters_, conventions);
+    const MagicFormula tire(parameters_, conditions.conventions);
     std::vector<magic_formula::SteadyState> results;
     StatesBeyond beyond;
     const auto unused = for_slip_states(table, parameters_, kBlock, [&](auto& states) {
@@ -107,12 +112,13 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
       notes.push_back(table.file() + ": " + assumed);
     if (!values_of(table, "p").empty() && !magic_formula::pressure_acts(parameters_))
       notes.push_back("column p has no effect: " + no_pressure_in_words());
-    if (std::string none = no_turn_slip_in(tire, conventions); !none.empty())
+    if (std::string none = no_turn_slip_in(tire, conditions.conventions); !none.empty())
       notes.push_back(std::move(none));
     return notes;
   }
   std::vector<std::string> limits_in(const formats::CsvTable& table,
-                                     const Conventions& conventions) const override {
+                                     const SteadyConditions& conditions) override {
+    const Conventions& conventions = conditions.conventions;
     StatesBeyond beyond;
     for_slip_states(
         table, parameters_, kBlock, [&](auto& states) { beyond.add(states, parameters_); });
@@ -132,10 +138,10 @@ class MagicFormulaSpecimen : public RollingSpecimen, public HasSteadyStates, pub
       sentences.push_back(std::move(one));
     return sentences;
   }
-  Channels steady_with_slopes(const formats::CsvTable& table,
-                              const Conventions& conventions,
-                              const Asked& asked) const override {
-    const MagicFormula tire(parameters_, conventions);
+  Result<Channels> steady_with_slopes(const formats::CsvTable& table,
+                                      const SteadyConditions& conditions,
+                                      const Asked& asked) override {
+    const MagicFormula tire(parameters_, conditions.conventions);
     const SlipStates given = slip_states(table, parameters_);
     return with_slopes(
         answers(tire, given.states), tire, given.states, asked.channels, asked.paths);

@@ -21,11 +21,11 @@
 #include "experiment/rigs/inflation.h"
 #include "experiment/rigs/kc_rig.h"
 #include "experiment/rigs/load_case.h"
+#include "experiment/rigs/slip/steady_conditions.h"
 #include "experiment/rigs/suspension/kinematics_rig.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
 #include "models/car/car.h"
-#include "models/magic_formula/conventions.h"
 #include "models/tire/tire.h"
 
 namespace latsch::experiment {
@@ -99,26 +99,33 @@ struct Rolls {
 struct HasSteadyStates {
   static constexpr const char* kName = "has steady states";  // in messages
   virtual ~HasSteadyStates() = default;
-  /// Returns forces and moments, one sample for each row of `states`, in the stated conventions.
-  virtual Channels steady(const formats::CsvTable& states,
-                          const magic_formula::Conventions&) const = 0;
+  /// Returns those channels of slip_states.h that the specimen has, one sample for each row of
+  /// `states`. Throws InputError, which names the row, for a state that the specimen does not take.
+  virtual Result<Channels> steady(const formats::CsvTable& states, const SteadyConditions&) = 0;
   /// Computes the states block by block. Returns remarks as Test::run_in_blocks() does.
-  virtual std::vector<std::string> steady_in_blocks(
+  virtual Result<std::vector<std::string>> steady_in_blocks(
       const formats::CsvTable& states,
-      const magic_formula::Conventions&,
-      const std::function<void(const Channels&)>& tell) const = 0;
+      const SteadyConditions&,
+      const std::function<void(const Channels&)>& tell) = 0;
   /// Computes the states, with the requested derivatives as far as they are known.
-  virtual Channels steady_with_slopes(const formats::CsvTable& states,
-                                      const magic_formula::Conventions& conventions,
-                                      const Asked&) const {
-    return steady(states, conventions);
+  virtual Result<Channels> steady_with_slopes(const formats::CsvTable& states,
+                                              const SteadyConditions& conditions,
+                                              const Asked&) {
+    return steady(states, conditions);
   }
-  /// Returns a sentence for each limit of the model that states exceed and for each condition of
-  /// the test that has no effect on the model, without computing the states.
+  /// Returns a sentence for each limit of the model that states exceed, for each condition that is
+  /// assumed and for each condition of the test that has no effect on the model, without computing
+  /// the states.
   virtual std::vector<std::string> limits_in(const formats::CsvTable& /*states*/,
-                                             const magic_formula::Conventions&) const {
+                                             const SteadyConditions&) {
     return {};
   }
+};
+
+/// The specimen's forces lag behind slips that change as it rolls.
+struct LagsBehindSlips {
+  static constexpr const char* kName = "lags behind slips that change";  // in messages
+  virtual ~LagsBehindSlips() = default;
   /// Returns the limits of the model, as sentences, for a table of states with times, which
   /// slip_history() computes.
   virtual std::vector<std::string> limits_in_history(const formats::CsvTable& /*states*/) const {
@@ -191,6 +198,7 @@ std::vector<std::string> abilities_of() {
   add(static_cast<HasTreadElements*>(nullptr));
   add(static_cast<Rolls*>(nullptr));
   add(static_cast<HasSteadyStates*>(nullptr));
+  add(static_cast<LagsBehindSlips*>(nullptr));
   add(static_cast<IsLoaded*>(nullptr));
   add(static_cast<Drives*>(nullptr));
   add(static_cast<HasAxles*>(nullptr));

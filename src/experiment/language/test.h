@@ -37,11 +37,15 @@ struct DrumTest;
 struct KeySection;
 struct LoadDeflection;
 struct ModalTest;
+struct SteadyConditions;
 
 /// The settings of a test for its rig, for code that needs more of a test than its channels: pages
 /// that draw the loaded tire, checks, comparisons. monostate: the test has none.
-using RigSettings =
-    std::variant<std::monostate, const DrumTest*, const LoadDeflection*, const ModalTest*>;
+using RigSettings = std::variant<std::monostate,
+                                 const DrumTest*,
+                                 const LoadDeflection*,
+                                 const ModalTest*,
+                                 const SteadyConditions*>;
 
 /// Effect of the discretization on a channel: root mean square differences over the record, in the
 /// channel's unit.

@@ -288,7 +288,7 @@ TEST_F(EveryTest, AStatedConditionIsForModelsThatTakeIt) {
   EXPECT_GT((*curve)["force"][0], 500.0);
 }
 
-TEST_F(EveryTest, SteadyStatesAreForTheMagicFormulaAlone) {
+TEST_F(EveryTest, SteadyStatesAreForTiresThatHaveThem) {
   const auto tir = write("tire.tir", kTir);
   write("states.csv", "Fz [kN],alpha [deg]\n4,2\n4,-2\n");
   const auto steady = test("kind = \"steady_states\"\nstates = \"states.csv\"\n");
@@ -299,6 +299,38 @@ TEST_F(EveryTest, SteadyStatesAreForTheMagicFormulaAlone) {
   EXPECT_THROW(
       (void)language().run(*language().find_kind("ring_tire"), Document::read(kRing), *steady),
       InputError);
+  EXPECT_TRUE(can(*language().find_kind("fe_tire"), *steady));
+  EXPECT_TRUE(can(*language().find_kind("inp_tire"), *steady));
+}
+
+// The coefficients of a Magic Formula contain its friction, and only a Magic Formula has a lag.
+TEST_F(EveryTest, FrictionOfSteadyStatesIsForFiniteElementsAndLagForTheMagicFormula) {
+  const auto tir = write("tire.tir", kTir);
+  write("states.csv", "time [s],Fz [kN],alpha [deg]\n0,4,2\n0.1,4,-2\n");
+  const SpecimenKind &formula = *language().find_kind("magic_formula"),
+                     &fe = *language().find_kind("fe_tire");
+  const std::string plain = "kind = \"steady_states\"\nstates = \"states.csv\"\n";
+  const auto rough = test(plain + "friction = 0.9\n");
+  EXPECT_FALSE(can(formula, *rough));
+  EXPECT_TRUE(can(fe, *rough));
+  EXPECT_NE(identity(plain), identity(plain + "friction = 0.9\n"));
+  EXPECT_NE(rough->in_words().find("friction 0.9"), std::string::npos);
+  try {
+    (void)language().run(formula, formula.read(tir), *rough);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("takes friction"), std::string::npos) << error.what();
+  }
+  const auto history = test("kind = \"slip_history\"\nstates = \"states.csv\"\n");
+  EXPECT_TRUE(can(formula, *history));
+  try {
+    (void)language().run(fe, fe.read(kStudies / "tires/race_16x7.5-10.toml"), *history);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("lags behind slips"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_NE(complaint(plain + "friction = 6\n").find("friction"), std::string::npos);
 }
 
 // A tire on the other side turns and leans in the opposite direction, and its forces have the

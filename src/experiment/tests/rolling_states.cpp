@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 
 #include "base/file.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
+#include "experiment/rigs/fe_rolling/rolling_table.h"
 #include "experiment/rigs/slip/slip_states.h"
 
 namespace latsch::experiment {
@@ -28,10 +28,6 @@ std::vector<std::string> limits_of_losses(const fe_tire::LossMaterials& losses) 
       "resistance"};
 }
 
-/// Largest number of states in a test; each takes seconds to compute.
-constexpr std::size_t kMostRows = 2000;
-constexpr double kMostSlipAngle = 1.4;  // rad; at larger angles the tire slides sideways as a whole
-
 /// Reads a key that states one value for all states or one value for each. Returns nothing if the
 /// key is missing.
 struct Column {
@@ -47,10 +43,12 @@ Column column(const Node& root, const char* key, const char* unit, Range range) 
 std::vector<RollingRow> read_rows(const Node& root) {
   const Column load = column(root, "load", "N", Range::positive());
   const Column speed = column(root, "speed", "m/s", Range::between(1e-3, 150.0));
-  const Column kappa = column(root, "kappa", "1", Range::between(-1.0, 5.0));
+  const Column kappa =
+      column(root, "kappa", "1", Range::between(kLeastRollingSlip, kMostRollingSlip));
   const Column alpha =
-      column(root, "alpha", "rad", Range::between(-kMostSlipAngle, kMostSlipAngle));
-  const Column camber = column(root, "camber", "rad", Range::between(-0.5, 0.5));
+      column(root, "alpha", "rad", Range::between(-kMostRollingSlipAngle, kMostRollingSlipAngle));
+  const Column camber =
+      column(root, "camber", "rad", Range::between(-kMostRollingCamber, kMostRollingCamber));
   const Column turn = column(root, "turn_slip", "1/m", Range::between(-2.0, 2.0));
   for (const Column* needed : {&load, &speed})
     if (needed->values.empty())
@@ -81,36 +79,13 @@ std::vector<RollingRow> read_rows(const Node& root) {
 /// Reads the states of a table. Without a column of slip the wheel rolls freely. The speed and the
 /// pressure of the test are used if the test states them, or if the table has no column of them.
 std::vector<RollingRow> rows_of(const Node& root, const formats::CsvTable& table) {
-  const auto has = [&](const char* name) { return !values_of(table, name).empty(); };
-  const bool has_kappa = has("kappa");
-  const bool has_speed = has("Vx") && !root.has("speed");
-  const bool has_pressure = has("p") && !root.has("pressure");
   for (const char* key : {"load", "kappa", "alpha", "camber", "turn_slip"})
     if (root.has(key)) root.reject(key, "stands beside states, whose table has it: expected one");
-  const double speed = has_speed ? 0.0 : root.quantity("speed", "m/s", Range::between(1e-3, 150.0));
-  std::vector<RollingRow> rows;
-  for (const magic_formula::State& state : slip_states(table, {}).states) {
-    RollingRow row{state.Fz, has_speed ? state.Vx : speed};
-    if (has_kappa) row.kappa = state.kappa;
-    row.alpha = state.alpha;
-    row.camber = state.gamma;
-    row.turn_slip = state.phit;
-    if (has_pressure) row.pressure = state.p;
-    const auto reject = [&](const char* what, double value, const char* expected) {
-      root.reject(
-          "states",
-          fmt::format("row {} has {} = {:g}: expected {}", rows.size() + 1, what, value, expected));
-    };
-    if (!(row.load > 0.0)) reject("Fz (N)", row.load, "a load above 0");
-    if (!(row.speed > 0.0)) reject("Vx (m/s)", row.speed, "a speed above 0");
-    if (!(std::abs(row.alpha) <= kMostSlipAngle)) reject("alpha (rad)", row.alpha, "up to 1.4");
-    if (row.kappa && !(*row.kappa >= -1.0 && *row.kappa <= 5.0))
-      reject("kappa", *row.kappa, "-1 (locked) to 5");
-    if (!(std::abs(row.camber) <= 0.5)) reject("gamma (rad)", row.camber, "up to 0.5");
-    if (row.pressure && !(*row.pressure > 0.0)) reject("p (Pa)", *row.pressure, "above 0");
-    rows.push_back(row);
-  }
-  return rows;
+  TableReading reading;
+  if (root.has("speed") || values_of(table, "Vx").empty())
+    reading.speed = root.quantity("speed", "m/s", Range::between(1e-3, 150.0));
+  reading.takes_pressure = !root.has("pressure");
+  return rows_of(table, reading);
 }
 
 /// Throws InputError if a slip is stated on ground without friction.
@@ -142,9 +117,9 @@ RollingStates read_rolling_states(const Node& root, const TestSource& source) {
     read.table = table;
   }
   test.rows = table ? rows_of(root, *table) : read_rows(root);
-  if (test.rows.empty() || test.rows.size() > kMostRows)
+  if (test.rows.empty() || test.rows.size() > kMostRollingRows)
     root.reject("states",
-                fmt::format("has {} states: expected 1 to {}", test.rows.size(), kMostRows));
+                fmt::format("has {} states: expected 1 to {}", test.rows.size(), kMostRollingRows));
   check_friction(root, test);
   return read;
 }

@@ -13,6 +13,8 @@
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/drum_rig.h"
 #include "experiment/rigs/duration_limit.h"
+#include "experiment/rigs/fe_rolling/rolling_slopes.h"
+#include "experiment/rigs/fe_rolling/steady_table.h"
 #include "experiment/rigs/slip/lift_watch.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
@@ -64,6 +66,7 @@ class RollingStiffness : public Test, public TellsLimits {
   std::optional<long> samples() const override { return 1; }
 
   std::vector<std::string> limits(Specimen& specimen) const override {
+    if (auto* tire = specimen.find<IsFeTire>()) return assumed_by(*tire);
     return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);
   }
 
@@ -76,6 +79,27 @@ class RollingStiffness : public Test, public TellsLimits {
   }
 
   Result<Channels> run(Specimen& specimen) const override {
+    auto* elements = specimen.find<IsFeTire>();
+    const auto values = elements ? measure(*elements) : measure(specimen);
+    if (!values) return values.failure();
+    Channels recorded;
+    for (const ChannelInfo& channel : channels())
+      recorded.add({channel.name, channel.unit, {(*values)[recorded.all().size()]}});
+    for (const auto& [name, effect] : kWrongSign)
+      if (const Channel* channel = recorded.find(name);
+          channel && channel->values.front() < -kRounding * test_.load)
+        record_limit(specimen,
+                     fmt::format("{} is negative, {:.4g} {}: {}, which no tire does",
+                                 name,
+                                 channel->values.front(),
+                                 channel->unit,
+                                 effect));
+    return recorded;
+  }
+
+ private:
+  /// Returns the values of the channels of a tire that rolls in steps of time.
+  Result<std::vector<double>> measure(Specimen& specimen) const {
     LiftLog lifts;
     const auto tire = watched(specimen.find<Rolls>()->tire(test_.pressure), lifts);
     std::vector<double> values;
@@ -95,22 +119,41 @@ class RollingStiffness : public Test, public TellsLimits {
       values.push_back(*found);
     }
     record_limit(specimen, lifts.sentence());
-    Channels recorded;
-    for (const ChannelInfo& channel : channels())
-      recorded.add({channel.name, channel.unit, {values[recorded.all().size()]}});
-    for (const auto& [name, effect] : kWrongSign)
-      if (const Channel* channel = recorded.find(name);
-          channel && channel->values.front() < -kRounding * test_.load)
-        record_limit(specimen,
-                     fmt::format("{} is negative, {:.4g} {}: {}, which no tire does",
-                                 name,
-                                 channel->values.front(),
-                                 channel->unit,
-                                 effect));
-    return recorded;
+    return values;
   }
 
- private:
+  /// Returns the values of the channels of a tire that has steady states of its own.
+  Result<std::vector<double>> measure(IsFeTire& tire) const {
+    std::vector<double> values;
+    const auto done = tire.drive(
+        [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+          const auto found =
+              rolling_slopes(rig, test_, {wants("slip"), wants("cornering"), wants("camber")});
+          if (!found) return found.failure();
+          if (wants("slip")) values.push_back(found->slip);
+          if (wants("cornering")) values.insert(values.end(), {found->cornering, found->trail});
+          if (wants("camber")) values.push_back(found->camber);
+          return Channels();
+        },
+        test_.pressure.has_value(),
+        {});
+    if (!done) return done.failure();
+    return values;
+  }
+
+  /// Returns a sentence about the friction of a finite-element tire, which the test does not state.
+  static std::vector<std::string> assumed_by(IsFeTire& tire) {
+    std::vector<std::string> sentences;
+    (void)tire.drive(
+        [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+          sentences.push_back(friction_in_words(rig));
+          return Channels();
+        },
+        true,
+        {});
+    return sentences;
+  }
+
   bool wants(const char* measure) const {
     return std::find(measures_.begin(), measures_.end(), measure) != measures_.end();
   }
@@ -151,7 +194,7 @@ const KeySection& rolling_stiffness_keys();
 
 const TestKind kRollingStiffnessTest = {"rolling_stiffness",
                                         "rolls freely: slip, cornering and camber stiffness, trail",
-                                        {Rolls::kName},
+                                        {Rolls::kName, IsFeTire::kName},
                                         read_rolling_stiffness,
                                         rolling_stiffness_keys,
                                         kWheelScheme};

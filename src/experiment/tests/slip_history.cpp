@@ -62,7 +62,7 @@ class SlipHistoryTest : public Test, public TellsLimits {
   }
   std::optional<long> samples() const override { return history_.rows(); }
   std::vector<std::string> limits(Specimen& specimen) const override {
-    return specimen.find<HasSteadyStates>()->limits_in_history(history_);
+    return specimen.find<LagsBehindSlips>()->limits_in_history(history_);
   }
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
@@ -71,11 +71,11 @@ class SlipHistoryTest : public Test, public TellsLimits {
     return limits(specimen);
   }
   Result<Channels> run(Specimen& specimen) const override {
-    return specimen.find<HasSteadyStates>()->slip_history(history_, {});
+    return specimen.find<LagsBehindSlips>()->slip_history(history_, {});
   }
   bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
-    return specimen.find<HasSteadyStates>()->slip_history(history_, asked);
+    return specimen.find<LagsBehindSlips>()->slip_history(history_, asked);
   }
 
  private:
@@ -103,7 +103,7 @@ const KeySection& slip_history_keys();
 
 const TestKind kSlipHistoryTest = {"slip_history",
                                    "rolls through slips as they were recorded, lagging",
-                                   {HasSteadyStates::kName},
+                                   {LagsBehindSlips::kName},
                                    read_slip_history,
                                    slip_history_keys};
 

@@ -4,6 +4,9 @@
 // A measurement is resolved into numbers when the study is read: Fz is required, quantities that
 // were not recorded are left out. A journal depends on these numbers, not on the measured forces.
 //
+// A Magic Formula has the friction of its coefficients. A finite-element tire takes it from the
+// test, else from its file (rigs/fe_rolling/steady_table.h).
+//
 // latsch test computes a table of any length block by block. A file above 16 MB is not copied into
 // memory, and must not be written to while it is read.
 //
@@ -36,13 +39,18 @@ class SteadyStatesTest : public Test, public TellsLimits {
  public:
   SteadyStatesTest(std::shared_ptr<const MappedFile> table,
                    const std::string& name,
-                   const Conventions& conventions,
+                   const SteadyConditions& conditions,
                    bool is_measured)
       : states_(formats::CsvTable::parse(std::move(table), name)),
-        conventions_(conventions),
+        conditions_(conditions),
         is_measured_(is_measured) {}
 
-  std::string in_words() const override { return fmt::format("{} steady states", states_.rows()); }
+  std::string in_words() const override {
+    return fmt::format(
+        "{} steady states{}",
+        states_.rows(),
+        conditions_.friction ? fmt::format(", friction {:.3g}", *conditions_.friction) : "");
+  }
   std::vector<ChannelInfo> channels() const override {
     std::vector<ChannelInfo> channels;
     const Channels none = answers({});
@@ -54,33 +62,41 @@ class SteadyStatesTest : public Test, public TellsLimits {
     }
     return channels;
   }
-  std::vector<std::string> needs() const override { return kSteadyStatesTest.needs; }
+  std::vector<std::string> needs() const override {
+    if (conditions_.friction) return {TakesConditions::kName};
+    return kSteadyStatesTest.needs;
+  }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     if (is_measured_) return {};  // the measurement has a ledger of its own
-    return {ledger_of_states(states_, by, no_turn_slip(conventions_))};
+    return {ledger_of_states(states_, by, no_turn_slip(conditions_.conventions))};
   }
   std::vector<double> driven_at(const std::string& condition) const override {
     return values_of(states_, condition);
   }
   std::optional<long> samples() const override { return states_.rows(); }
   std::vector<std::string> limits(Specimen& specimen) const override {
-    return specimen.find<HasSteadyStates>()->limits_in(states_, conventions_);
+    return specimen.find<HasSteadyStates>()->limits_in(states_, conditions_);
   }
   Result<Channels> run(Specimen& specimen) const override {
-    return specimen.find<HasSteadyStates>()->steady(states_, conventions_);
+    return specimen.find<HasSteadyStates>()->steady(states_, conditions_);
   }
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
-    return specimen.find<HasSteadyStates>()->steady_in_blocks(states_, conventions_, tell);
+    return specimen.find<HasSteadyStates>()->steady_in_blocks(states_, conditions_, tell);
   }
-  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
+  bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
+    return !kind.has(IsFeTire::kName);
+  }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
-    return specimen.find<HasSteadyStates>()->steady_with_slopes(states_, conventions_, asked);
+    return specimen.find<HasSteadyStates>()->steady_with_slopes(states_, conditions_, asked);
   }
+
+ protected:
+  RigSettings rig_settings() const override { return &conditions_; }
 
  private:
   formats::CsvTable states_;
-  Conventions conventions_;
+  SteadyConditions conditions_;
   bool is_measured_;  // true: from a measurement of the study, not a file
 };
 
@@ -106,19 +122,26 @@ Conventions read_conventions(const Node& root) {
   return conventions;
 }
 
+SteadyConditions read_conditions(const Node& root) {
+  SteadyConditions conditions{read_conventions(root)};
+  if (root.has("friction"))
+    conditions.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
+  return conditions;
+}
+
 std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& source) {
   const auto measured = find_measured(root, "states");
-  const Conventions conventions = read_conventions(root);
+  const SteadyConditions conditions = read_conditions(root);
   if (!measured) {
     const auto file = source.file(root, "states");
-    return std::make_unique<SteadyStatesTest>(table_of(file), file.string(), conventions, false);
+    return std::make_unique<SteadyStatesTest>(table_of(file), file.string(), conditions, false);
   }
   const std::string from = measured->text("from");
   return std::make_unique<SteadyStatesTest>(
-      std::make_shared<MappedFile>(formats::csv_text(
-          take_measured(*measured, measured_states(no_turn_slip(conventions)), source.measured))),
+      std::make_shared<MappedFile>(formats::csv_text(take_measured(
+          *measured, measured_states(no_turn_slip(conditions.conventions)), source.measured))),
       from,
-      conventions,
+      conditions,
       true);
 }
 

@@ -59,17 +59,21 @@ class FlatTrack {
   FlatTrack(TireRig& rig, double pressure, double friction)
       : rig_(rig), pressure_(pressure), friction_(friction), rolling_(rig.tire()) {}
 
-  /// Finds the state of a row. `slip` receives kappa against the free wheel.
-  Result<RollingState> find(const RollingRow& row, double& slip) {
+  /// Finds the state of a row. `slip` receives kappa against the free wheel, and `R_e` that
+  /// wheel's effective radius, m.
+  Result<RollingState> find(const RollingRow& row, double& slip, double& R_e) {
     RollingCase of = case_of(row);
     if (friction_ == 0.0) {
       slip = 0.0;
       of.drive.reset();
-      return from_nearest(of);
+      auto found = from_nearest(of);
+      if (found) R_e = row.speed / found->of.spin;
+      return found;
     }
     const auto free = free_wheel(row);
     if (!free) return free.failure();
-    const double V_x = row.speed, R_e = V_x / free->of.spin;
+    const double V_x = row.speed;
+    R_e = V_x / free->of.spin;
     of.height = free->of.height;
     of.spin = free->of.spin;
     if (row.kappa) {
@@ -189,7 +193,8 @@ Status roll_at(TireRig& rig,
                const RollingTest& test,
                double pressure,
                std::vector<std::size_t> open,
-               std::vector<RolledState>& states) {
+               std::vector<RolledState>& states,
+               const RollingProgress& progress) {
   double fastest = 0.0;
   for (const std::size_t k : open) fastest = std::max(fastest, test.rows[k].speed);
   if (const Status done = check_speed(rig, pressure, fastest); !done) return done;
@@ -202,20 +207,19 @@ Status roll_at(TireRig& rig,
         open, {}, [&](std::size_t k) { return track.distance_to(test.rows[k]); });
     const std::size_t k = *next;
     open.erase(next);
-    auto found = track.find(test.rows[k], states[k].kappa);
+    auto found = track.find(test.rows[k], states[k].kappa, states[k].effective_radius);
     if (!found)
       return Failure{in_words(test.rows[k], k, test.rows.size()) + ": " + found.failure().reason};
     states[k].losses = meter.measure(found->u, found->alpha, found->of.spin);
     states[k].state = *std::move(found);
+    if (progress) progress(states, k);
   }
   return {};
 }
 
-struct Patch {
-  double length = 0.0, width = 0.0, sticking = 0.0;
-};
+}  // namespace
 
-Patch patch_of(const RollingState& state) {
+RollingPatch patch_of(const RollingState& state) {
   Eigen::Vector2d least = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d most = -least;
   double load = 0.0, sticking = 0.0;
@@ -228,8 +232,6 @@ Patch patch_of(const RollingState& state) {
   if (!(load > 0.0)) return {};
   return {most.x() - least.x(), most.y() - least.y(), sticking / load};
 }
-
-}  // namespace
 
 Channels channels_of(const std::vector<RolledState>& states,
                      const std::vector<fe_tire::LossMaterials::Owner>& owners) {
@@ -274,7 +276,9 @@ Channels channels_of(const std::vector<RolledState>& states,
   return channels;
 }
 
-Result<std::vector<RolledState>> roll_states(TireRig& rig, const RollingTest& test) {
+Result<std::vector<RolledState>> roll_states(TireRig& rig,
+                                             const RollingTest& test,
+                                             const RollingProgress& found) {
   std::vector<RolledState> states(test.rows.size());
   std::vector<std::pair<double, std::vector<std::size_t>>> groups;  // rows of each pressure
   const double own = test.pressure.value_or(rig.own_pressure());
@@ -287,7 +291,7 @@ Result<std::vector<RolledState>> roll_states(TireRig& rig, const RollingTest& te
       group->second.push_back(k);
   }
   for (const auto& [pressure, rows] : groups) {
-    const Status done = roll_at(rig, test, pressure, rows, states);
+    const Status done = roll_at(rig, test, pressure, rows, states, found);
     if (!done) return done.failure();
   }
   return states;

@@ -11,6 +11,7 @@
 // the state nearest to one that is known, so that no step is longer than the table demands.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -41,8 +42,16 @@ struct RollingTest {
 struct RolledState {
   fe_tire::RollingState state;
   double kappa = 0.0;             // against the free wheel
+  double effective_radius = 0.0;  // m, V_x/Omega of the free wheel
   fe_tire::RollingLosses losses;  // powers that rubber and cords lose
 };
+
+/// Extents of the patch, and the share of the load on points that stick.
+struct RollingPatch {
+  double length = 0.0, width = 0.0;  // m
+  double sticking = 0.0;
+};
+RollingPatch patch_of(const fe_tire::RollingState& state);
 
 /// Channels of the test, one value for each state: the states "alpha" (rad), "kappa" (against the
 /// free wheel), "gamma" (rad), "phit" (1/m), "Vx" (m/s), then forces and moments in W, "omega"
@@ -56,9 +65,15 @@ struct RolledState {
 Channels channels_of(const std::vector<RolledState>& states,
                      const std::vector<fe_tire::LossMaterials::Owner>& owners);
 
+/// Receives all states of a test and the index of the one that was found last.
+using RollingProgress = std::function<void(const std::vector<RolledState>&, std::size_t)>;
+
 /// Rolls the tire through the states, and returns them in the order of the test. A Failure names
-/// the state that was not found.
-Result<std::vector<RolledState>> roll_states(TireRig& rig, const RollingTest& test);
+/// the state that was not found. States are found in another order than that of the test;
+/// `found` is called after each.
+Result<std::vector<RolledState>> roll_states(TireRig& rig,
+                                             const RollingTest& test,
+                                             const RollingProgress& found = {});
 /// Rolls the tire through the states. If the tire has no Prony terms, rolling resistance is that of
 /// friction alone.
 Result<Channels> roll(TireRig& rig, const RollingTest& test);

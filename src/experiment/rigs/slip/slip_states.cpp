@@ -38,8 +38,8 @@ constexpr std::array<StateColumn, 7> kStateColumns = {
      {"alpha", "rad", &State::alpha, "0"},
      {"gamma", "rad", &State::gamma, "0"},
      {"phit", "1/m", &State::phit, "0"},
-     {"Vx", "m/s", &State::Vx, "LONGVL of the tire"},
-     {"p", "Pa", &State::p, "INFLPRES of the tire"}}};
+     {"Vx", "m/s", &State::Vx, "LONGVL of the tire (of finite elements: 60 km/h)"},
+     {"p", "Pa", &State::p, "INFLPRES of the tire (of finite elements: its pressure)"}}};
 
 struct AnswerColumn {
   const char* name;

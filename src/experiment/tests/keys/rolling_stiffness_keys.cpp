@@ -28,6 +28,9 @@ slip.
 The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
 a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is
 that of the road on the tire.
+
+A finite-element tire has these slopes from pairs of steady states ([equations](fe_tire_motion.md)),
+which take seconds each, with the friction of its file, else 1; `step` has no effect on it.
 )md",
       .sentences =
           {

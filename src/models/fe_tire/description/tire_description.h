@@ -175,6 +175,8 @@ struct TireDescription {
   CordModel cord_model = CordModel::rebar;         // representation of the cords in the elements
   ElementKind element = ElementKind::solid_shell;  // kind of finite element
   std::optional<RimBody> rim;                      // needed only for tests in which the rim moves
+  /// Coulomb friction with the ground on which it rolls, for tests that state none.
+  std::optional<double> friction;
   Place place;  // file and line of the description, for error messages
 };
 

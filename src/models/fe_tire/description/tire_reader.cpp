@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reader of a tire file: the tables [mesh], [section], [rubber.*], [region.*] and [layer.*], see
-// docs/fe_tire_section.md.
+// Reader of a tire file: the tables [mesh], [section], [rubber.*], [region.*], [layer.*] and [rim],
+// and the key friction, see docs/fe_tire_section.md.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,6 +16,8 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr int kMostElements = 2000;  // largest number of elements along one direction
+/// Friction that a tire can have with a road; without friction it carries no side force.
+constexpr double kLeastFriction = 0.01, kMostFriction = 5.0;
 
 Extent read_extent(const Node& node) {
   const Range unit = Range::between(0.0, 1.0);
@@ -436,6 +438,8 @@ TireDescription read_tire(const Node& root) {
   read_faces(mesh, tire);
   place_ends(tire);
   tire.rim = read_rim(root);
+  if (root.has("friction"))
+    tire.friction = root.quantity("friction", "1", Range::between(kLeastFriction, kMostFriction));
   root.close();
   check_size(root, tire);
   check_plan(root, tire);

@@ -148,6 +148,20 @@ TEST(TireReader, RefusesPronyTermsThatNoRubberHas) {
   }
 }
 
+TEST(TireReader, FrictionIsOptionalAndWithinWhatATireHas) {
+  const auto with = [](const std::string& line) {
+    std::ifstream in(kTires / "passenger_225_50R16.toml");
+    std::stringstream text;
+    text << line << in.rdbuf();
+    return read_tire(Document::parse(text.str(), "tire.toml").root());
+  };
+  EXPECT_FALSE(with("").friction);
+  EXPECT_EQ(with("friction = 0.9\n").friction, 0.9);
+  EXPECT_TRUE(same_mesh(with(""), with("friction = 0.9\n")));
+  for (const char* line : {"friction = 0\n", "friction = 6\n", "friction = \"1 N\"\n"})
+    EXPECT_THROW((void)with(line), InputError) << line;
+}
+
 // A cord that lies on a drum of radius r_0 at the angle a_0 and is lifted to the radius r has the
 // angle a with cos a = cos a_0 r / r_0. The number of cords around the tire, 2 pi r sin a /
 // spacing, stays constant.
