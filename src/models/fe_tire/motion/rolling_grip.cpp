@@ -90,17 +90,17 @@ GripTractions RollingGrip::tractions(const RollingInput& input,
 
 void RollingGrip::admit(const RollingInput& input, GripState& state) const {
   for (const RollingLines::Line& line : lines_.lines) {
-    Pair t = Pair::Zero();  // of the point before
+    Pair before = Pair::Zero();  // traction of the point before
     for (int k = line.first; k < line.last; ++k) {
       Grip& grip = state.grip[k];
       if (!(input.p[k] > 0.0)) {
         grip = Grip::none;
-        t.setZero();
+        before.setZero();
         continue;
       }
       const Step step = step_to(input, line, k);
       Pair trial = -stiffness_ * step.share * step.full;
-      if (step.carries) trial += t;
+      if (step.carries) trial += before;
       const double limit = friction_.at(input.p[k], state.speed[k]) * input.p[k];
       if (grip == Grip::none) {
         const double size = trial.norm();
@@ -108,7 +108,7 @@ void RollingGrip::admit(const RollingInput& input, GripState& state) const {
         if (grip == Grip::slides)
           state.direction.col(k) = size > 0.0 ? Pair(trial / size) : Pair(Pair::Zero());
       }
-      t = grip == Grip::slides ? Pair(limit * state.direction.col(k)) : trial;
+      before = grip == Grip::slides ? Pair(limit * state.direction.col(k)) : trial;
     }
   }
 }
