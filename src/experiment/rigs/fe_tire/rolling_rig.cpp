@@ -55,8 +55,10 @@ std::string in_words(const RollingRow& row, std::size_t number, std::size_t of) 
 /// The states found at one pressure, from which others start.
 class FlatTrack {
  public:
-  FlatTrack(TireRig& rig, double pressure, double friction)
-      : rig_(rig), pressure_(pressure), friction_(friction), rolling_(rig.tire()) {}
+  FlatTrack(TireRig& rig, const fe_tire::Inflated& inflated, double friction)
+      : rig_(rig), pressure_(inflated.pressure), friction_(friction), rolling_(rig.tire()) {
+    rolling_.set_history(rig.losses(), inflated);
+  }
 
   /// Finds the state of a row. `slip` receives kappa against the free wheel.
   Result<RollingState> find(const RollingRow& row, double& slip) {
@@ -192,9 +194,9 @@ Status roll_at(TireRig& rig,
   double fastest = 0.0;
   for (const std::size_t k : open) fastest = std::max(fastest, test.rows[k].speed);
   if (const Status done = check_speed(rig, pressure, fastest); !done) return done;
-  FlatTrack track(rig, pressure, test.friction);
   const auto& inflated = rig.inflated(pressure);
   if (!inflated) return inflated.failure();
+  FlatTrack track(rig, *inflated, test.friction);
   const fe_tire::LossMeter meter(rig.tire(), rig.losses(), *inflated);
   while (!open.empty()) {
     const auto next = std::ranges::min_element(
@@ -228,8 +230,9 @@ Patch patch_of(const RollingState& state) {
   return {most.x() - least.x(), most.y() - least.y(), sticking / load};
 }
 
-/// Returns the power of drive and hub less that of friction, W.
-double balance_of(const RollingState& state) {
+/// Returns the power of drive and hub less those of friction and of the histories, W.
+double balance_of(const RolledState& rolled) {
+  const RollingState& state = rolled.state;
   const RollingCase& of = state.of;
   const Eigen::Vector3d& F = state.forces.force;
   const double V_x = of.speed * std::cos(of.slip_angle), V_y = of.speed * std::sin(of.slip_angle);
@@ -238,7 +241,7 @@ double balance_of(const RollingState& state) {
   const double turning = -of.turn_slip * of.speed;
   const double about_hub = state.forces.moment.z() - offset * F.x();
   return state.forces.drive * of.spin - F.x() * V_x - F.y() * V_y - about_hub * turning -
-         state.forces.friction_power;
+         state.forces.friction_power - rolled.losses.rubber - rolled.losses.cords;
 }
 
 }  // namespace
@@ -279,7 +282,7 @@ Channels channels_of(const std::vector<RolledState>& states,
   add("sticking", "1", [](State s) { return patch_of(s).sticking; });
   add("length", "m", [](State s) { return patch_of(s).length; });
   add("width", "m", [](State s) { return patch_of(s).width; });
-  add("balance", "W", balance_of);
+  add_rolled("balance", "W", balance_of);
   for (std::size_t k = 0; k < owners.size(); ++k)
     add_rolled(
         "loss." + owners[k].name, "W", [k](const RolledState& s) { return s.losses.parts[k]; });
