@@ -72,8 +72,9 @@ void find_relaxing_stresses(const ElementLaw& law,
       strains_of_comparison(shape, x, E);
     for (int q = 0; q < 8; ++q) {
       V S[6], D[6][6];
+      for (int r = 0; r < 6; ++r) S[r] = E[q][r];
       if (!law.linear) rubber_law::stress(isochoric, E[q], S, D);
-      for (int r = 0; r < 6; ++r) (law.linear ? E[q][r] : S[r]).save(stresses.solid[q][r] + first);
+      for (int r = 0; r < 6; ++r) S[r].save(stresses.solid[q][r] + first);
     }
     for (int j = 0; j < 3; ++j)
       V(law.relaxation * alpha[5 + j]).save(stresses.gradients[j] + first);

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "models/fe_tire/history/point_strains.h"
+#include "numerics/periodic_spline.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -21,11 +23,35 @@ constexpr double kWavesOfPatch = 8.0;
 /// tenth of it.
 constexpr double kOtherSpin = 0.2;
 
-/// Angles of the middles of sectors, rad.
+/// Places of the spline for each sector; the first is the sector's middle.
+constexpr int kPerSector = 4;
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// Angles of the middles of sectors, rad, ascending.
 std::vector<double> middles(const Mesh& mesh) {
   std::vector<double> theta;
   for (int s = 0; s < mesh.sectors; ++s) theta.push_back(0.5 * (mesh.angle(s) + mesh.angle(s + 1)));
   return theta;
+}
+
+/// Angles of the places, which divide the way from each middle to the next evenly.
+std::vector<double> places(const Mesh& mesh) {
+  std::vector<double> theta = middles(mesh), all;
+  theta.push_back(theta.front() + kTurn);
+  for (std::size_t s = 0; s + 1 < theta.size(); ++s)
+    for (int k = 0; k < kPerSector; ++k)
+      all.push_back(theta[s] + (theta[s + 1] - theta[s]) * k / kPerSector);
+  return all;
+}
+
+/// Returns the matrix that gives values at the places from those of the sectors.
+Eigen::MatrixXd spline_through_middles(const Mesh& mesh) {
+  const std::vector<double> at = places(mesh);
+  const numerics::PeriodicSpline spline(
+      middles(mesh), kTurn, Eigen::MatrixXd::Identity(mesh.sectors, mesh.sectors));
+  Eigen::MatrixXd values(mesh.sectors, static_cast<Eigen::Index>(at.size()));
+  for (Eigen::Index k = 0; k < values.cols(); ++k) values.col(k) = spline.at(at[k]).value;
+  return values;
 }
 
 /// Copies the means of the pairs of one lane, in the order of the streamlines: those of the solid,
@@ -51,7 +77,10 @@ bool RollingHistory::Relaxing::is_elastic() const {
 RollingHistory::RollingHistory(const RingElements& elements,
                                LossMaterials losses,
                                const Inflated& round)
-    : elements_(elements), losses_(std::move(losses)), line_(middles(elements.ring().mesh())) {
+    : elements_(elements),
+      losses_(std::move(losses)),
+      line_(places(elements.ring().mesh())),
+      spline_(spline_through_middles(elements.ring().mesh())) {
   for (const Element& element : elements.ring().mesh().elements)
     relaxing_.push_back(relaxing(element));
   set_round(round);
@@ -116,11 +145,13 @@ void RollingHistory::set_round(const Inflated& round) {
 
 void RollingHistory::set_spin(double Omega) {
   if (spin_ == Omega) return;
-  const int m = line_.points();
-  const Eigen::MatrixXd every = Eigen::MatrixXd::Identity(m, m);
+  const int m = elements_.ring().sectors();
   carry_.assign(series_.size(), Eigen::MatrixXd::Zero(m, m));
   for (std::size_t k = 0; k < series_.size(); ++k)
-    for (const PronyTerm& term : series_[k]) carry_[k] += line_.history(term, Omega, every);
+    for (const PronyTerm& term : series_[k]) {
+      const Eigen::MatrixXd h = line_.history(term, Omega, spline_);
+      for (int s = 0; s < m; ++s) carry_[k].col(s) += h.col(kPerSector * s);
+    }
   spin_ = Omega;
   if (stiffened_at_ && std::abs(Omega - *stiffened_at_) <= kOtherSpin * std::abs(*stiffened_at_))
     return;
