@@ -31,8 +31,7 @@ void turning_disc(const Options& options, Table& table) {
   for (const verification::ListedDisc& listed : verification::listed_discs()) {
     if (options.is_smoke() && listed.sectors > 36) continue;
     const verification::TurnedDisc disc = verification::turned_disc(listed.sectors, listed.tau);
-    displacement =
-        std::max(displacement, std::abs(disc.displacement / listed.displacement - 1.0));
+    displacement = std::max(displacement, std::abs(disc.displacement / listed.displacement - 1.0));
     moment = std::max(moment, std::abs(disc.moment / listed.moment - 1.0));
     table.note(fmt::format("turning disc, {} sectors, {:g} ms", listed.sectors, 1e3 * listed.tau),
                fmt::format("{:.4f} um, {:.3f} uN m, {} passes",
@@ -105,12 +104,10 @@ void three_values(const FreeWheel& wheel, Table& table) {
   const RollingForces& forces = wheel.state.forces;
   const double drag = -forces.force.x(), by_power = wheel.lost() / kSpeed;
   const double by_moment = -forces.moment.y() / wheel.state.loaded_radius();
-  table.note("free wheel: -Fx, -My/R_l, P/V, share of Fz",
-             fmt::format("{:.2f}, {:.2f}, {:.2f} N, {:.5f}",
-                         drag,
-                         by_moment,
-                         by_power,
-                         drag / forces.force.z()));
+  table.note(
+      "free wheel: -Fx, -My/R_l, P/V, share of Fz",
+      fmt::format(
+          "{:.2f}, {:.2f}, {:.2f} N, {:.5f}", drag, by_moment, by_power, drag / forces.force.z()));
   table.note("free wheel: the load acts ahead of the axle by",
              fmt::format("{:.3f} mm", -1e3 * forces.moment.y() / forces.force.z()));
   table.row("free wheel: moment about the axle over Fz R_l",
@@ -145,11 +142,10 @@ int run(const Options& options) {
     const FreeWheel wheel = free_wheel(tire, *constant_loss_factor(loss_factor, 0.1, 1000.0));
     table.note(fmt::format("loss factor {:g}: time against a pressed state", loss_factor),
                fmt::format("{:.2f} x, {}", wheel.first / wheel.pressed, work(wheel)));
-    table.full_row(
-        fmt::format("loss factor {:g}: balance of power, share of F_rr V", loss_factor),
-        percent(wheel.balance() / wheel.lost()),
-        "<= 1 %",
-        std::abs(wheel.balance()) <= 1e-2 * wheel.lost());
+    table.full_row(fmt::format("loss factor {:g}: balance of power, share of F_rr V", loss_factor),
+                   percent(wheel.balance() / wheel.lost()),
+                   "<= 1 %",
+                   std::abs(wheel.balance()) <= 1e-2 * wheel.lost());
     if (options.is_smoke()) break;
   }
   return table.exit_code();

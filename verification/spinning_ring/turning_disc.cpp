@@ -17,9 +17,9 @@ namespace {
 
 using namespace fe_tire;
 
-constexpr double kSpin = 50.0, kForce = 10.0;               // rad/s, N
+constexpr double kSpin = 50.0, kForce = 10.0;                // rad/s, N
 constexpr double kSpread = 40.0 * std::numbers::pi / 180.0;  // rad
-constexpr double kRelaxed = 0.8;                             // of the unrelaxed moduli
+constexpr double kRelaxed = 0.8;                             // share of the unrelaxed moduli
 constexpr int kMostPasses = 60;
 constexpr double kAccepted = 1e-7;  // residual relative to the force
 
@@ -103,12 +103,11 @@ TurnedDisc turned_disc(int sectors, double tau) {
   for (int s = 0; s < sectors; ++s) {
     const int before = (s + sectors - 1) % sectors, after = (s + 1) % sectors;
     for (int k = 0; k < n; ++k)
-      turned.moment -= force(2, s * n + k) *
-                       (moved(2, after * n + k) - moved(2, before * n + k)) / (2.0 * step);
+      turned.moment -=
+          force(2, s * n + k) * (moved(2, after * n + k) - moved(2, before * n + k)) / (2.0 * step);
   }
   const LossMeter meter(tire, losses(tire.materials(), tau), *spun);
-  turned.by_losses =
-      meter.measure(unknowns.expand(state.x), state.alpha, kSpin).rubber / kSpin;
+  turned.by_losses = meter.measure(unknowns.expand(state.x), state.alpha, kSpin).rubber / kSpin;
   return turned;
 }
 

@@ -35,7 +35,7 @@ struct ElementBatch {
   alignas(64) double u[24][kLanes];  // m, displacements in the sector's frame
   // Enhanced strain parameters: starting values, then the solution.
   alignas(64) double alpha[8][kLanes];
-  alignas(64) double f[24][kLanes];        // N
+  alignas(64) double f[24][kLanes];  // N
   /// Stresses that are added to those of the laws and do not change with the strain; null: none.
   const PointStresses* dead = nullptr;
   Stiffness stiffness = Stiffness::none;   // precision of K

@@ -80,8 +80,7 @@ void find_relaxing_stresses(const ElementLaw& law,
       V(law.relaxation * alpha[5 + j]).save(stresses.gradients[j] + first);
     stretch(cords, alpha[0], alpha[1]);
     for (int l = 0; l < cords.count(); ++l) {
-      for (int q = 0; q < 4; ++q)
-        cords.sheets[l].points[q].S.save(stresses.cords[l][q] + first);
+      for (int q = 0; q < 4; ++q) cords.sheets[l].points[q].S.save(stresses.cords[l][q] + first);
     }
   }
 }

@@ -15,8 +15,9 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kR = 0.3, kThick = 5e-3, kDepth = 0.3e-3, kModulus = 8e6;  // m, m, m, Pa
-constexpr double kZone = 0.08;  // rad, half of the zone of fine points: 24 mm
+constexpr double kWheel = 0.3, kLayer = 5e-3, kPenetration = 0.3e-3,
+                 kColumnModulus = 8e6;  // m, m, m, Pa
+constexpr double kContactZone = 0.08;   // rad, half of the zone of fine points: 24 mm
 
 struct Foundation {
   double load = 0.0;        // N/m
@@ -27,10 +28,12 @@ struct Foundation {
 /// Angles of points, `fine` of them in the zone of contact.
 std::vector<double> angles(int fine) {
   std::vector<double> theta;
-  for (int k = 0; k < fine; ++k) theta.push_back(-kZone + 2.0 * kZone * (k + 0.5) / fine);
+  for (int k = 0; k < fine; ++k)
+    theta.push_back(-kContactZone + 2.0 * kContactZone * (k + 0.5) / fine);
   constexpr int kRest = 100;
   for (int k = 0; k < kRest; ++k)
-    theta.push_back(kZone + (2.0 * std::numbers::pi - 2.0 * kZone) * (k + 0.5) / kRest);
+    theta.push_back(kContactZone +
+                    (2.0 * std::numbers::pi - 2.0 * kContactZone) * (k + 0.5) / kRest);
   return theta;
 }
 
@@ -40,15 +43,15 @@ Foundation roll(double relaxation_length, int fine) {
   const std::vector<double> theta = angles(fine);
   const int m = static_cast<int>(theta.size());
   const Streamline line(theta);
-  const PronyTerm term{1.0, relaxation_length / kR};  // Omega = 1 rad/s
+  const PronyTerm term{1.0, relaxation_length / kWheel};  // Omega = 1 rad/s
   const Eigen::MatrixXd law =
-      kModulus *
+      kColumnModulus *
       (Eigen::MatrixXd::Identity(m, m) + line.history(term, 1.0, Eigen::MatrixXd::Identity(m, m)))
           .transpose();
   Eigen::VectorXd given(fine), strain(m), stress(m);
   std::vector<bool> touches(m, false);
   for (int k = 0; k < fine; ++k) {
-    given[k] = (kDepth - 0.5 * kR * theta[k] * theta[k]) / kThick;
+    given[k] = (kPenetration - 0.5 * kWheel * theta[k] * theta[k]) / kLayer;
     touches[k] = given[k] > 0.0;
   }
   for (bool changes = true; changes;) {
@@ -66,28 +69,28 @@ Foundation roll(double relaxation_length, int fine) {
     }
   }
   Foundation found;
-  const double length = 2.0 * kZone * kR / fine;
+  const double length = 2.0 * kContactZone * kWheel / fine;
   for (int k = 0; k < fine; ++k) {
     if (!touches[k]) continue;
     found.load += stress[k] * length;
     found.resistance += stress[k] * length * theta[k];  // moment over R: the arm is R theta
-    found.trailing = std::max(found.trailing, -kR * theta[k] + 0.5 * length);
+    found.trailing = std::max(found.trailing, -kWheel * theta[k] + 0.5 * length);
   }
   found.resistance /= found.load;
   return found;
 }
 
-struct TableRow {
+struct FoundationRow {
   double relaxation_length, load, resistance, trailing;  // m, N/m, 1, m
 };
-const std::vector<TableRow> kTable = {{1e-3, 8681.8, 0.002784, 12.528e-3},
-                                      {3e-3, 9252.1, 0.005563, 11.387e-3},
-                                      {10e-3, 11583.7, 0.005513, 10.954e-3},
-                                      {30e-3, 14318.5, 0.002963, 11.989e-3},
-                                      {100e-3, 16128.6, 0.001089, 12.878e-3}};
+const std::vector<FoundationRow> kFoundations = {{1e-3, 8681.8, 0.002784, 12.528e-3},
+                                                 {3e-3, 9252.1, 0.005563, 11.387e-3},
+                                                 {10e-3, 11583.7, 0.005513, 10.954e-3},
+                                                 {30e-3, 14318.5, 0.002963, 11.989e-3},
+                                                 {100e-3, 16128.6, 0.001089, 12.878e-3}};
 
 TEST(RollingFoundation, HasTheLoadAndTheResistanceOfTheTable) {
-  for (const TableRow& row : kTable) {
+  for (const FoundationRow& row : kFoundations) {
     const Foundation found = roll(row.relaxation_length, 480);
     EXPECT_NEAR(found.load, row.load, 0.002 * row.load) << row.relaxation_length;
     EXPECT_NEAR(found.resistance, row.resistance, 0.01 * row.resistance) << row.relaxation_length;

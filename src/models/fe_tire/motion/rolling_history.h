@@ -20,10 +20,9 @@
 //
 // Newton's method needs a tangent that knows the history. (H.2) is linear in S, so the history of
 // all points of a streamline is one matrix times their stresses; it couples all sectors. Here every
-// law is stiffened by the storage modulus m of a wave that passes the patch, and the rest is dead:
+// law is stiffened by the storage modulus m of a wave of low number, and the rest is dead:
 //   S + H = (1 + m) S(E) + [H - m S(E_0)],   E_0: strains of the last update().
-// The tangent is then symmetric, has the pattern of K and the stiffness of rubber that is deformed
-// as fast as in the patch. Iterated with updates, Newton's method converges linearly, by about the
+// The tangent is then symmetric and has the pattern of K. Iterated with updates, Newton's method converges linearly, by about the
 // share by which the storage moduli of the waves in the tire differ from 1 + m, and any m leads to
 // the same state.
 #pragma once
@@ -59,7 +58,7 @@ class RollingHistory {
     int series;
     Matrix6 D;
   };
-  /// What relaxes in a section element; -1: nothing.
+  /// Relaxing stresses of a section element; -1: none.
   struct Relaxing {
     int rubber = -1;
     std::vector<LinearPart> parts;
@@ -82,12 +81,12 @@ class RollingHistory {
 
   const RingElements& elements_;
   LossMaterials losses_;
-  Streamline line_;            // places of spline_
-  Eigen::MatrixXd spline_;     // stresses at these places by those of sectors [sectors x places]
-  std::vector<PronyTerms> series_;  // those that differ
-  std::vector<Relaxing> relaxing_;  // one for each section element
+  Streamline line_;         // places of spline_
+  Eigen::MatrixXd spline_;  // stresses at these places by those of sectors [sectors x places]
+  std::vector<PronyTerms> series_;                   // those that differ
+  std::vector<Relaxing> relaxing_;                   // one for each section element
   std::vector<std::vector<Eigen::VectorXd>> round_;  // stresses [width][section element]
-  // Of the current spin.
+  // These belong to the current spin.
   std::optional<double> spin_, stiffened_at_;
   std::vector<Eigen::MatrixXd> carry_;  // H = S carry, [sectors x sectors] for each series
   std::vector<double> stiffer_;         // m of each series

@@ -28,7 +28,8 @@ constexpr int kMostIterations = 25;
 constexpr double kSlow = 0.2, kDiverging = 4.0;
 /// The former where a history lets Newton's method converge linearly (rolling_history.h): a share
 /// that the tangent's age does not explain.
-constexpr double kSlowWithHistory = 0.7;
+constexpr double kSlowWithHistory = 0.9;
+constexpr int kMostWithHistory = 80;
 /// Residual of a first step, relative to the load, that the tangent at hand leads to the end.
 constexpr double kNearby = 0.1;
 /// Most halvings of a step that inverts elements.
@@ -219,7 +220,8 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
   if (!begun) return begun.failure();
   Iterate now = *std::move(begun);
   double before = 0.0, enough = kRoughly;
-  for (state.iterations = 1; state.iterations <= kMostIterations; ++state.iterations) {
+  for (state.iterations = 1; state.iterations <= (history ? kMostWithHistory : kMostIterations);
+       ++state.iterations) {
     const auto found = step(now, at, load, enough, state);
     if (!found) return found.failure();
     const auto share = advance(now, *found, state.pressure);

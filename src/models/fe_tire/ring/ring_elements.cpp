@@ -32,10 +32,7 @@ RingElements::RingElements(const Ring& ring, Materials materials)
 RingElements::RingElements(
     const RingElements& of,
     const std::function<void(const Element& element, ElementLaw& law)>& change)
-    : ring_(of.ring_),
-      materials_(of.materials_),
-      laws_(of.laws_),
-      surroundings_(of.surroundings_) {
+    : ring_(of.ring_), materials_(of.materials_), laws_(of.laws_), surroundings_(of.surroundings_) {
   for (std::vector<ElementLaw>& laws : laws_)
     for (std::size_t e = 0; e < laws.size(); ++e) change(ring_.mesh().elements[e], laws[e]);
 }
