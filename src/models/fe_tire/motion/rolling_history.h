@@ -22,7 +22,8 @@
 // all points of a streamline is one matrix times their stresses; it couples all sectors. Here every
 // law is stiffened by the storage modulus m of a wave of low number, and the rest is dead:
 //   S + H = (1 + m) S(E) + [H - m S(E_0)],   E_0: strains of the last update().
-// The tangent is then symmetric and has the pattern of K. Iterated with updates, Newton's method converges linearly, by about the
+// The tangent is then symmetric and has the pattern of K. Iterated with updates, Newton's method
+// converges linearly, by about the
 // share by which the storage moduli of the waves in the tire differ from 1 + m, and any m leads to
 // the same state.
 #pragma once

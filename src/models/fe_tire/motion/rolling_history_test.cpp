@@ -76,8 +76,8 @@ Eigen::Matrix3Xd turning_wave(const Mesh& mesh, double a, int n, double phase) {
   return u;
 }
 
-/// Work of the relaxed shear stress on the wave: with the shear gamma = a n/r sin(n theta), half the
-/// integral of G (a n/r)^2 over the volume. All of tire B's rubber has the same modulus.
+/// Work of the relaxed shear stress on the wave: with the shear gamma = a n/r sin(n theta), half
+/// the integral of G (a n/r)^2 over the volume. All of tire B's rubber has the same modulus.
 double elastic_work(const TireDescription& tire, const Mesh& mesh, double a, int n) {
   const Materials materials = build_materials(tire);
   const double G = 2.0 * std::get<Hyperelastic>(materials.solids[0].law).C10;
