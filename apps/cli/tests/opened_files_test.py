@@ -16,7 +16,7 @@ from cli_testing import DONE, LATSCH
 STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
 IN_OPEN = 0x20
 # Endings of file names that are no input: results of earlier runs and files that a run writes.
-NO_INPUT = (".journal", ".journal-wal", ".journal-shm", ".db", ".html", ".log", ".lock")
+NO_INPUT = (".latsch", ".latsch-wal", ".latsch-shm", ".journal", ".journal-wal", ".journal-shm", ".db", ".html", ".log", ".lock")
 
 
 class Opened:

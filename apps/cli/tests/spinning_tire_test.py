@@ -217,8 +217,9 @@ class Losses(RotatingTire):
         layers = {table.replace(".", "__"): "loss_factor = 0.02" for table in self.tables("layer")}
         tire = self.with_keys(**rubbers, **layers)
         found, elastic = self.rolled(tire), self.rolled("tire.toml")
-        for name in ("Fx", "Fz", "omega", "balance"):  # the state is that of elastic rubber
-            self.assertEqual(found[name], elastic[name])
+        self.assertAlmostEqual(found["Fz"], elastic["Fz"], delta=0.01)
+        self.assertLess(found["Fx"], elastic["Fx"] - 0.5 * found["rolling_resistance"])  # losses brake the wheel
+        self.assertLess(found["My"], elastic["My"])  # the load moves forward
         self.assertGreater(found["loss_rubber"], found["loss_cords"])
         self.assertGreater(found["loss_cords"], 0.0)
         parts = {name: value for name, value in found.items() if name.startswith("loss.")}
@@ -228,7 +229,7 @@ class Losses(RotatingTire):
                                sum(parts.values()) + found["loss_friction"], delta=1e-9)
         self.assertGreater(found["rolling_resistance"] / found["Fz"], 0.002)
         self.assertLess(found["rolling_resistance"] / found["Fz"], 0.04)
-        self.assertIn("first order in the loss factor", self.latsch("test", self.folder / tire, self.ROLLING))
+        self.assertIn("storage moduli", self.latsch("test", self.folder / tire, self.ROLLING))
 
     def test_losses_that_no_rubber_has_are_refused(self):
         rubber = self.tables("rubber")[0].replace(".", "__")

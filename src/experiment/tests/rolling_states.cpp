@@ -23,9 +23,9 @@ std::vector<std::string> limits_of_losses(const fe_tire::LossMaterials& losses) 
         "rolling: the tire's file states neither prony nor loss_factor of a rubber or a layer, "
         "so rolling_resistance is that of friction alone"};
   return {
-      "rolling: loss_rubber and loss_cords are of first order in the loss factor: shape, forces "
-      "and balance are those of the relaxed (elastic) tire, and Fx holds no rolling "
-      "resistance"};
+      "rolling: rubber and cords relax while they roll, so they are stiffer than at rest by the "
+      "storage moduli of their terms; moduli are those of the relaxed tire at every temperature "
+      "and amplitude"};
 }
 
 /// Reads a key that states one value for all states or one value for each. Returns nothing if the

@@ -56,8 +56,10 @@ std::string in_words(const RollingRow& row, std::size_t number, std::size_t of) 
 /// The states found at one pressure, from which others start.
 class FlatTrack {
  public:
-  FlatTrack(TireRig& rig, double pressure, double friction)
-      : rig_(rig), pressure_(pressure), friction_(friction), rolling_(rig.tire()) {}
+  FlatTrack(TireRig& rig, const fe_tire::Inflated& inflated, double friction)
+      : rig_(rig), pressure_(inflated.pressure), friction_(friction), rolling_(rig.tire()) {
+    rolling_.set_history(rig.losses(), inflated);
+  }
 
   /// Finds the state of a row. `slip` receives kappa against the free wheel, and `R_e` that
   /// wheel's effective radius, m.
@@ -198,9 +200,9 @@ Status roll_at(TireRig& rig,
   double fastest = 0.0;
   for (const std::size_t k : open) fastest = std::max(fastest, test.rows[k].speed);
   if (const Status done = check_speed(rig, pressure, fastest); !done) return done;
-  FlatTrack track(rig, pressure, test.friction);
   const auto& inflated = rig.inflated(pressure);
   if (!inflated) return inflated.failure();
+  FlatTrack track(rig, *inflated, test.friction);
   const fe_tire::LossMeter meter(rig.tire(), rig.losses(), *inflated);
   while (!open.empty()) {
     const auto next = std::ranges::min_element(
@@ -269,7 +271,9 @@ Channels channels_of(const std::vector<RolledState>& states,
   add("sticking", "1", [](State s) { return patch_of(s).sticking; });
   add("length", "m", [](State s) { return patch_of(s).length; });
   add("width", "m", [](State s) { return patch_of(s).width; });
-  add("balance", "W", fe_tire::power_balance);
+  add_rolled("balance", "W", [](const RolledState& s) {
+    return fe_tire::power_balance(s.state) - s.losses.rubber - s.losses.cords;
+  });
   for (std::size_t k = 0; k < owners.size(); ++k)
     add_rolled(
         "loss." + owners[k].name, "W", [k](const RolledState& s) { return s.losses.parts[k]; });

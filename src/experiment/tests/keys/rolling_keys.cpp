@@ -21,12 +21,13 @@ drive about the spin axis), "sticking" (share of the load on points that do not 
 "loss_rubber", "loss_cords" and "loss_friction" (W, lost by the histories of rubbers and cords and
 by sliding), "rolling_resistance" (N, their sum over the speed), and "loss.rubber.NAME",
 "loss.layer.NAME" (W) of each part; "balance" (W, what the discretization leaves between the power
-of drive and hub and that of friction).
+of drive and hub and these losses).
 
 Rubbers and layers of the tire's file lose power by `loss_factor = 0.15` (from 0.1 to 1000 Hz) or
 `prony = [[0.2, "1 ms"]]`, shares of the relaxed modulus and relaxation times; moduli are the
-relaxed ones. The losses are of first order in the loss factor: shape and forces are those of
-elastic rubber, so "Fx" and "balance" do not contain them. A tire that states neither has the
+relaxed ones. Rubber and cords relax in the equilibrium, so "Fx" of a free wheel contains their
+losses. "balance" is what the discretization misses: on sectors of 6 degrees up to a seventh of the
+losses. A tire that states neither has the
 rolling resistance of friction alone.
 )md",
       .sentences = {},

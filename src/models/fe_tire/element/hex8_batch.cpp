@@ -163,6 +163,17 @@ unsigned evaluate(const ElementLaw& law,
   return valid;
 }
 
+void relaxing_stresses(const ElementLaw& law, ElementBatch& batch, PointStresses& stresses) {
+  fill_lanes(batch);
+  const auto kernel = LATSCH_KERNEL(find_relaxing_stresses);
+  if (takes_nodes(law)) return kernel(law, batch, stresses);
+  double nodes[24][ElementBatch::kLanes];
+  std::copy_n(&batch.u[0][0], 24 * ElementBatch::kLanes, &nodes[0][0]);
+  place_corners(law, batch.u);
+  kernel(law, batch, stresses);
+  std::copy_n(&nodes[0][0], 24 * ElementBatch::kLanes, &batch.u[0][0]);
+}
+
 namespace {
 
 /// Calls `kernel` with the positions and motions of the corners in place of those of the nodes.

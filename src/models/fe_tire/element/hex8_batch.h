@@ -13,8 +13,19 @@ namespace latsch::fe_tire {
 /// always compute it exactly.
 enum class Stiffness { none, exact, rough };
 
+/// Elements of a batch.
+inline constexpr int kBatchLanes = 8;
+
+/// Stresses at the points of a batch's elements, Pa, in the axes of the points (materials.h).
+struct PointStresses {
+  alignas(64) double solid[8][6][kBatchLanes] = {};
+  /// Stresses of the three enhanced parameters that the rubber stiffens by themselves.
+  alignas(64) double gradients[3][kBatchLanes] = {};
+  alignas(64) double cords[ElementLaw::kCordLayers][4][kBatchLanes] = {};
+};
+
 struct ElementBatch {
-  static constexpr int kLanes = 8;
+  static constexpr int kLanes = kBatchLanes;
   static constexpr int kEntries = 24 * 25 / 2;
   /// Returns the index of entry K(row, column), row >= column, in the stored lower triangle.
   /// Unknowns are numbered 3 a + i for node a and direction i.
@@ -24,7 +35,9 @@ struct ElementBatch {
   alignas(64) double u[24][kLanes];  // m, displacements in the sector's frame
   // Enhanced strain parameters: starting values, then the solution.
   alignas(64) double alpha[8][kLanes];
-  alignas(64) double f[24][kLanes];        // N
+  alignas(64) double f[24][kLanes];  // N
+  /// Stresses that are added to those of the laws and do not change with the strain; null: none.
+  const PointStresses* dead = nullptr;
   Stiffness stiffness = Stiffness::none;   // precision of K
   alignas(64) double K[kEntries][kLanes];  // N/m
 
@@ -54,6 +67,12 @@ unsigned evaluate(const ElementLaw& law,
                   const ElementSurroundings& surroundings,
                   Stiffness stiffness,
                   ElementBatch& batch);
+
+/// Computes what a history (history/streamlines.h) grows from, at the batch's u and alpha as they
+/// are: the isochoric stress of rubber, or the strain of a linear solid, whose parts relax each by
+/// itself; the stress of the law's relaxation of enhanced parameters; the stress of cords. Dead
+/// stresses are not part of it. Lanes without an element are undefined.
+void relaxing_stresses(const ElementLaw& law, ElementBatch& batch, PointStresses& stresses);
 
 /// Evaluates the rubber law (rubber_law.h) at one strain, as the elements do: S and D = dS/dE in
 /// Pa. Returns det C. If det C is not positive, S and D are undefined.

@@ -69,7 +69,11 @@ LATSCH_INLINE void add_point_stiffness(
 
 /// Adds the forces and the stiffness of an element with nodes at x[3 a + i] to the sums. In lanes
 /// that fail, the sums are undefined.
-Mask add_full_integration(const ElementLaw& law, bool stiffness, const V* x, NodalSums& sums) {
+Mask add_full_integration(const ElementLaw& law,
+                          bool stiffness,
+                          const V* x,
+                          NodalSums& sums,
+                          const DeadStresses& dead = {}) {
   using voigt::kColumn, voigt::kRow;
   const HexShape& shape = *law.shape;
   Mask valid = V(1.0) > V(0.0);
@@ -93,6 +97,9 @@ Mask add_full_integration(const ElementLaw& law, bool stiffness, const V* x, Nod
       E[r] = r < 3 ? 0.5 * (C - 1.0) : C;
     }
     valid = valid & stress(law, shape.dV[q], E, S, D);
+    if (dead) {
+      for (int r = 0; r < 6; ++r) S[r] += shape.dV[q] * dead.solid(q, r);
+    }
     for (int i = 0; i < 3; ++i) {
       V FS[3];
       times_strain_operator(F[i], S, FS);

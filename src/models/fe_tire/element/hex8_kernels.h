@@ -218,7 +218,8 @@ unsigned evaluate_solid_shell(const ElementLaw& law,
   ModalSums modal;
   modal.set_zero(false);
   NodalSums sums;
-  const Mask valid = add_solid_shell_forces(law, state.shell, state.cords, alpha, modal);
+  const Mask valid =
+      add_solid_shell_forces(law, state.shell, state.cords, alpha, modal, {batch.dead, first});
   to_nodes(modal, sums);
   if (around.pressure != 0.0) {
     add_pressure(
@@ -250,6 +251,8 @@ unsigned evaluate_comparison(const ElementLaw& law,
   Cords cords(law.cords);
   follow(modes, cords);
   stretch(cords, 0.0, 0.0);
+  const DeadStresses dead{batch.dead, first};
+  if (dead) add_dead(dead, cords);
   ModalSums modal;
   modal.set_zero(stiffness);
   add_forces(cords, modal);
@@ -257,7 +260,7 @@ unsigned evaluate_comparison(const ElementLaw& law,
   NodalSums sums;
   to_nodes(modal, sums);
   if (stiffness) stiffness_to_nodes(modal, sums);
-  const Mask valid = add_full_integration(law, stiffness, x, sums);
+  const Mask valid = add_full_integration(law, stiffness, x, sums, dead);
   if (around.pressure != 0.0) {
     add_pressure(shape.X.data(), x, {around.open_edges, false}, around.pressure, stiffness, sums);
   }
@@ -338,3 +341,4 @@ double rubber_at(const Hyperelastic& law, const double* E, double* S, double (*D
 
 #include "models/fe_tire/element/hex8_curvatures_kernel.h"
 #include "models/fe_tire/element/hex8_motion_sums_kernel.h"
+#include "models/fe_tire/element/relaxing_stresses_kernel.h"

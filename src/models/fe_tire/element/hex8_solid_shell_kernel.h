@@ -125,9 +125,24 @@ LATSCH_INLINE Mask stress(const ElementLaw& law, double dV, const V* E, V* S, V 
   return det > V(0.0);
 }
 
+/// Dead stresses of the elements in lanes `first` ...
+struct DeadStresses {
+  const PointStresses* of = nullptr;  // null: none
+  int first = 0;
+
+  explicit operator bool() const { return of != nullptr; }
+  V solid(int q, int r) const { return load(of->solid[q][r] + first); }
+  V gradient(int j) const { return load(of->gradients[j] + first); }
+  V cord(int k, int q) const { return load(of->cords[k][q] + first); }
+};
+
 /// Evaluates the laws at all points for the given alpha. `compatible` holds the strains without
 /// alpha.
-Mask stress_at(const ElementLaw& law, const V (*compatible)[6], const V* alpha, Inner& inner) {
+Mask stress_at(const ElementLaw& law,
+               const V (*compatible)[6],
+               const V* alpha,
+               const DeadStresses& dead,
+               Inner& inner) {
   const SolidShellShape& s = law.shape->solid_shell;
   Mask valid = V(1.0) > V(0.0);
   for (int q = 0; q < 8; ++q) {
@@ -138,6 +153,8 @@ Mask stress_at(const ElementLaw& law, const V (*compatible)[6], const V* alpha, 
       E[r] = sum;
     }
     valid = valid & stress(law, law.shape->dV[q], E, inner.S[q], inner.D[q]);
+    if (!dead) continue;
+    for (int r = 0; r < 6; ++r) inner.S[q][r] += law.shape->dV[q] * dead.solid(q, r);
   }
   return valid;
 }
@@ -248,11 +265,22 @@ LATSCH_INLINE void extrapolate(const SolidShellShape& s,
   }
 }
 
+/// Adds the dead stresses of cords to those of their laws.
+LATSCH_INLINE void add_dead(const DeadStresses& dead, Cords& cords) {
+  for (int k = 0; k < cords.count(); ++k) {
+    for (int q = 0; q < 4; ++q) cords.sheets[k].points[q].S += dead.cord(k, q);
+  }
+}
+
 /// Solves for alpha by Newton's method. On return alpha is in equilibrium to first order, `inner`
 /// is its last linearization, and inner.S is the stress extrapolated to that alpha. Lanes whose
 /// element has converged are evaluated again at the same alpha until all lanes have converged.
-LATSCH_INLINE Mask
-solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& inner) {
+LATSCH_INLINE Mask solve_alpha(const ElementLaw& law,
+                               const V* g,
+                               Cords& cords,
+                               V* alpha,
+                               Inner& inner,
+                               const DeadStresses& dead = {}) {
   const SolidShellShape& s = law.shape->solid_shell;
   V compatible[8][6];
   for (int q = 0; q < 8; ++q) {
@@ -263,21 +291,26 @@ solve_alpha(const ElementLaw& law, const V* g, Cords& cords, V* alpha, Inner& in
     }
   }
   double relaxed[kEnhanced] = {};
+  V still[kEnhanced];  // residual that does not change with alpha
+  for (V& value : still) value = 0.0;
   for (int j = 5; j < kEnhanced; ++j) {
     relaxed[j] = law.relaxation * s.volume / (j == 7 ? 9.0 : 3.0);
+    if (dead) still[j] = (s.volume / (j == 7 ? 9.0 : 3.0)) * dead.gradient(j - 5);
   }
   const Mask yes = V(1.0) > V(0.0), no = V(0.0) > V(1.0);
   Mask valid = yes, settled = no, last = law.linear && cords.count() == 0 ? yes : no;
   V step[kEnhanced];
   for (int iteration = 0; iteration < kInnerIterations; ++iteration) {
-    valid = valid & stress_at(law, compatible, alpha, inner);
+    valid = valid & stress_at(law, compatible, alpha, dead, inner);
     tangent_of_alpha<V>(s, inner, inner.A);
     residual_of_alpha(s, inner, step);
     for (int i = 0; i < kEnhanced; ++i) {
       inner.A[i][i] += relaxed[i];
       step[i] -= relaxed[i] * alpha[i];
+      if (dead) step[i] -= still[i];
     }
     stretch(cords, alpha[0], alpha[1]);
+    if (dead) add_dead(dead, cords);
     for (int k = 0; k < cords.count(); ++k) {
       for (int q = 0; q < 4; ++q) {
         const CordSheet::Point& cord = cords.laws[k].points[q];
@@ -418,13 +451,17 @@ struct SolidShellState {
 
 /// Adds the forces of solid and cords for the modal vectors in state.k.x. alpha is solved from the
 /// given starting values. In lanes that fail, sums and state are undefined.
-Mask add_solid_shell_forces(
-    const ElementLaw& law, SolidShellState<V>& state, Cords& cords, V* alpha, ModalSums& sums) {
+Mask add_solid_shell_forces(const ElementLaw& law,
+                            SolidShellState<V>& state,
+                            Cords& cords,
+                            V* alpha,
+                            ModalSums& sums,
+                            const DeadStresses& dead) {
   const SolidShellShape& s = law.shape->solid_shell;
   const Mask upright = follow(s, state.k);
   V g[kStrains];
   generalized_strains(s, state.k, g);
-  const Mask valid = upright & solve_alpha(law, g, cords, alpha, state.inner);
+  const Mask valid = upright & solve_alpha(law, g, cords, alpha, state.inner, dead);
   if (!any(valid)) return valid;
   for (V& entry : state.t) entry = 0.0;
   for (int q = 0; q < 8; ++q) {

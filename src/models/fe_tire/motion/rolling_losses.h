@@ -12,8 +12,9 @@
 //   Strains count from those of a round state on the same mesh (the inflated tire): where sectors
 // of different width meet, a round tire's strains step by the second order of the width. A tire
 // that stays round therefore loses nothing.
-//   The state is one of elastic rubber, so the powers are of first order in the loss factor: the
-// shape is that of the relaxed rubber.
+//   In a state with these histories in its equilibrium (rolling_history.h) P is the power that
+// drive and hub give, to the error of the discretization; in a state of elastic rubber it is of first
+// order in the loss factor.
 #pragma once
 
 #include <string>

@@ -11,6 +11,7 @@
 
 #include "models/fe_tire/analysis/fe_tire_impl.h"
 #include "models/fe_tire/motion/linear_roller.h"
+#include "models/fe_tire/motion/rolling_history.h"
 #include "models/fe_tire/motion/spin.h"
 
 namespace latsch::fe_tire {
@@ -25,6 +26,10 @@ constexpr int kMostIterations = 25;
 /// Share of the residual before above which the tangent is renewed, and above which the iteration
 /// is given up. Renewing costs some ten passes over the elements.
 constexpr double kSlow = 0.2, kDiverging = 4.0;
+/// The former where a history lets Newton's method converge linearly (rolling_history.h): a share
+/// that the tangent's age does not explain.
+constexpr double kSlowWithHistory = 0.9;
+constexpr int kMostWithHistory = 80;
 /// Residual of a first step, relative to the load, that the tangent at hand leads to the end.
 constexpr double kNearby = 0.1;
 /// Most halvings of a step that inverts elements.
@@ -86,6 +91,7 @@ struct RollingTire::Impl {
   TreadLines lines;
   numerics::SymmetricMatrix K, W;
   Eigen::VectorXd w_0;
+  std::optional<RollingHistory> history;  // none: the tire is elastic
   LinearRoller linear;
   double longest;  // m, motion of a step
 
@@ -112,13 +118,19 @@ struct RollingTire::Impl {
   Result<double> advance(Iterate& now, const LinearRoller::Found& found, double pressure);
   Result<LinearRoller::Found> step(
       Iterate& now, const RollingCase& of, double load, double enough, RollingState& state);
+  bool is_settled(Iterate& now,
+                  const LinearRoller::Found& found,
+                  double accepted,
+                  RollingState& state);
   Result<RollingState> part(const RollingState& from, const RollingCase& of);
 };
 
 /// Computes g, and renews the tangent if asked for.
 Status RollingTire::Impl::evaluate(Iterate& at, double pressure, double spin, bool with_tangent) {
   int worst = 0;
-  if (!assembly.assemble(elements, at.state, pressure, at.g, with_tangent ? &K : nullptr, &worst))
+  if (history) history->update(unknowns, at.state, spin);
+  const RingElements& by = history ? history->elements() : elements;
+  if (!assembly.assemble(by, at.state, pressure, at.g, with_tangent ? &K : nullptr, &worst))
     return Failure{"an element is inverted, " + unknowns.ring().place(worst)};
   Eigen::VectorXd Wu(at.state.x.size());
   W.multiply(at.state.x.data(), Wu.data());
@@ -186,6 +198,18 @@ Result<LinearRoller::Found> RollingTire::Impl::step(
   return found;
 }
 
+/// True if an equilibrium is one of the history of its own enhanced strains, too: evaluate() takes
+/// the history from those of the iterate before.
+bool RollingTire::Impl::is_settled(Iterate& now,
+                                   const LinearRoller::Found& found,
+                                   double accepted,
+                                   RollingState& state) {
+  if (!history) return true;
+  if (!evaluate(now, state.pressure, found.of.spin, false)) return false;
+  state.residual = (now.g - found.c).norm();
+  return state.residual <= accepted;
+}
+
 /// Newton's method for one part of a path.
 Result<RollingState> RollingTire::Impl::part(const RollingState& from, const RollingCase& of) {
   RollingState state = from;
@@ -196,7 +220,8 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
   if (!begun) return begun.failure();
   Iterate now = *std::move(begun);
   double before = 0.0, enough = kRoughly;
-  for (state.iterations = 1; state.iterations <= kMostIterations; ++state.iterations) {
+  for (state.iterations = 1; state.iterations <= (history ? kMostWithHistory : kMostIterations);
+       ++state.iterations) {
     const auto found = step(now, at, load, enough, state);
     if (!found) return found.failure();
     const auto share = advance(now, *found, state.pressure);
@@ -208,7 +233,8 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
       continue;
     }
     state.residual = (now.g - found->c).norm();
-    if (state.residual <= kAccepted * load && enough <= kBalanced) {
+    if (state.residual <= kAccepted * load && enough <= kBalanced &&
+        is_settled(now, *found, kAccepted * load, state)) {
       state.of = at;
       state.forces = found->forces;
       state.patch = found->patch;
@@ -219,7 +245,8 @@ Result<RollingState> RollingTire::Impl::part(const RollingState& from, const Rol
       return state;
     }
     if (before > 0.0 && state.residual > kDiverging * before) break;
-    if (state.residual > kSlow * (before > 0.0 ? before : kNearby * load)) linear.forget();
+    const double slow = history ? kSlowWithHistory : kSlow;
+    if (state.residual > slow * (before > 0.0 ? before : kNearby * load)) linear.forget();
     before = state.residual;
     enough = std::clamp(kRoughly * state.residual / load, kBalanced, kRoughly);
   }
@@ -266,6 +293,12 @@ RollingTire::RollingTire(FeTire& tire)
     : impl_(std::make_unique<Impl>(
           tire, tire.impl_->elements(), tire.impl_->settings.tread_shape())) {}
 RollingTire::~RollingTire() = default;
+
+void RollingTire::set_history(const LossMaterials& losses, const Inflated& round) {
+  impl_->history.reset();
+  if (!losses.is_elastic()) impl_->history.emplace(impl_->elements, losses, round);
+  impl_->linear.forget();
+}
 
 void RollingTire::forget() { impl_->linear.forget(); }
 

@@ -29,6 +29,7 @@
 
 #include "base/result.h"
 #include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/history/loss_materials.h"
 #include "models/fe_tire/motion/rolling_case.h"
 
 namespace latsch::fe_tire {
@@ -39,6 +40,10 @@ class RollingTire {
   explicit RollingTire(FeTire& tire);
   ~RollingTire();
 
+  /// Lets rubber and cords relax by these terms: (R.1) then has their history (rolling_history.h).
+  /// `round`: the inflated tire, from which stresses count. Without this call, and without terms,
+  /// the tire is elastic.
+  void set_history(const LossMaterials& losses, const Inflated& round);
   /// Returns a start for the first case: a tire at rest, pressed on flat ground without friction.
   /// The state has to be one of the whole ring (FeTire::Poses::any).
   RollingState start(const TireState& pressed);

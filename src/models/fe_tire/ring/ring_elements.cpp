@@ -29,6 +29,20 @@ RingElements::RingElements(const Ring& ring, Materials materials)
   }
 }
 
+RingElements::RingElements(
+    const RingElements& of,
+    const std::function<void(const Element& element, ElementLaw& law)>& change)
+    : ring_(of.ring_), materials_(of.materials_), laws_(of.laws_), surroundings_(of.surroundings_) {
+  for (std::vector<ElementLaw>& laws : laws_)
+    for (std::size_t e = 0; e < laws.size(); ++e) change(ring_.mesh().elements[e], laws[e]);
+}
+
+void RingElements::add_dead_stresses() {
+  dead_.assign(ring_.sectors(), {});
+  for (const Sectors& group : groups(ring_.sectors()))
+    dead_[group.first].resize(ring_.elements_per_sector());
+}
+
 std::vector<RingElements::Sectors> RingElements::groups(int count) const {
   std::vector<Sectors> groups;
   for (int s = 0; s < count; ++s) {
@@ -46,6 +60,7 @@ unsigned RingElements::evaluate(
   const int width = ring_.width(sector);
   ElementSurroundings around = surroundings_[width][element];
   if (ring_.mesh().elements[element].inner) around.pressure = pressure;
+  if (!dead_.empty()) batch.dead = &dead_[sector][element];
   return fe_tire::evaluate(laws_[width][element], around, stiffness, batch);
 }
 

@@ -3,6 +3,7 @@
 // materials and are evaluated for several equally wide sectors at a time.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,10 @@ class RingElements {
   /// Computes the laws of all elements. The ring must outlive this object. Throws InputError if an
   /// element has too many cord layers.
   RingElements(const Ring& ring, Materials materials);
+  /// Copies the elements of a ring, with laws that `change` changes. Materials are those of the
+  /// other elements.
+  RingElements(const RingElements& of,
+               const std::function<void(const Element& element, ElementLaw& law)>& change);
 
   const Ring& ring() const { return ring_; }
   const Materials& materials() const { return materials_; }
@@ -36,6 +41,13 @@ class RingElements {
   /// Returns the sectors 0 ... count-1, divided into groups of successive, equally wide sectors.
   std::vector<Sectors> groups(int count) const;
 
+  /// Adds dead stresses, all 0 at first, to those of the laws. They belong to the batches that
+  /// groups() makes of the whole ring.
+  void add_dead_stresses();
+  /// Returns the dead stresses of the section's element in the sectors of the group that begins
+  /// with `first`.
+  PointStresses& dead(int first, int element) { return dead_[first][element]; }
+
   /// Computes the forces and, if requested, the stiffness of the section's element number `element`
   /// in sectors as wide as `sector`, in the frames of their nodes. The pressure (Pa) acts on inner
   /// faces. The batch holds the displacements. Returns a bit for each lane that succeeded, like
@@ -49,6 +61,8 @@ class RingElements {
   std::vector<std::vector<ElementLaw>> laws_;  // laws of the section's elements, for every width
   // Surroundings of the section's elements, without pressure, for every width.
   std::vector<std::vector<ElementSurroundings>> surroundings_;
+  // Dead stresses [sector][section element] of the first sectors of groups; empty: none.
+  std::vector<std::vector<PointStresses>> dead_;
 };
 
 }  // namespace latsch::fe_tire
