@@ -59,8 +59,8 @@ RollingPatch patch_of(const fe_tire::RollingState& state);
 /// axis), "loss_rubber", "loss_cords", "loss_friction" (W, powers that the rubbers' and the cords'
 /// histories and sliding lose), "rolling_resistance" (N, their sum over the speed), "sticking"
 /// (share of the load on points that stick), "length" and "width" (m) of the patch, and "balance"
-/// (W, power of drive and hub minus these losses, an error of the discretization). A channel "loss.rubber.NAME" or "loss.layer.NAME" (W) follows for
-/// every owner.
+/// (W, power of drive and hub minus these losses, an error of the discretization). A channel
+/// "loss.rubber.NAME" or "loss.layer.NAME" (W) follows for every owner.
 Channels channels_of(const std::vector<RolledState>& states,
                      const std::vector<fe_tire::LossMaterials::Owner>& owners);
 

@@ -126,6 +126,34 @@ TEST(RollingContact, FoundStatesObeyTheLawPointByPoint) {
   }
 }
 
+TEST(RollingContact, APointThatComesDownSticksOrSlidesAsTheLawSays) {
+  // Four points of one line, of which the third and the fourth have no state yet.
+  const double stiffness = 1e9, time = 1e-4;
+  const RollingGrip grip(
+      {{{0, 4}}, Eigen::VectorXd::Constant(4, time)}, {.at_rest = 0.5}, stiffness);
+  RollingInput input{Eigen::Matrix2Xd::Zero(2, 4),
+                     Eigen::VectorXd::Constant(4, 2e5),
+                     Eigen::VectorXd::Ones(4),
+                     Eigen::Matrix2Xd::Zero(2, 4)};
+  for (const double creep : {0.1, 0.9, 3.0}) {  // relative to that of mu p at the fourth point
+    input.V_g.row(1).setConstant(creep * 1e5 / (3.0 * stiffness * time));
+    GripState state(4);
+    state.grip[2] = state.grip[3] = Grip::none;
+    grip.admit(input, state);
+    GripState law(4);
+    grip.explicit_tractions(input, law);
+    EXPECT_EQ(state.grip[2], law.grip[2]) << creep;
+    EXPECT_EQ(state.grip[3], law.grip[3]) << creep;
+    if (law.grip[3] == Grip::slides) {
+      EXPECT_LT((state.direction.col(3) - Eigen::Vector2d(0.0, 1.0)).norm(), 1e-12);
+    }
+  }
+  input.p[2] = 0.0;
+  GripState state(4);
+  grip.admit(input, state);
+  EXPECT_EQ(state.grip[2], Grip::none);
+}
+
 TEST(RollingContact, EverythingSlidesAtLargeSlip) {
   // Along or across; in other directions the body, twice as soft across, turns the velocities of
   // its points a little, unless they slide much faster than it deforms, as under a locked wheel.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "models/fe_tire/history/point_strains.h"
-#include "numerics/periodic_spline.h"
+#include "models/fe_tire/history/sector_spline.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -23,37 +23,6 @@ constexpr double kWavesOfTire = 2.0;
 /// Relative change of the spin at which the laws are stiffened anew. Storage moduli change by a
 /// tenth of it.
 constexpr double kOtherSpin = 0.2;
-
-/// Places of the spline for each sector; the first is the sector's middle.
-constexpr int kPerSector = 4;
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
-/// Angles of the middles of sectors, rad, ascending.
-std::vector<double> middles(const Mesh& mesh) {
-  std::vector<double> theta;
-  for (int s = 0; s < mesh.sectors; ++s) theta.push_back(0.5 * (mesh.angle(s) + mesh.angle(s + 1)));
-  return theta;
-}
-
-/// Angles of the places, which divide the way from each middle to the next evenly.
-std::vector<double> places(const Mesh& mesh) {
-  std::vector<double> theta = middles(mesh), all;
-  theta.push_back(theta.front() + kTurn);
-  for (std::size_t s = 0; s + 1 < theta.size(); ++s)
-    for (int k = 0; k < kPerSector; ++k)
-      all.push_back(theta[s] + (theta[s + 1] - theta[s]) * k / kPerSector);
-  return all;
-}
-
-/// Returns the matrix that gives values at the places from those of the sectors.
-Eigen::MatrixXd spline_through_middles(const Mesh& mesh) {
-  const std::vector<double> at = places(mesh);
-  const numerics::PeriodicSpline spline(
-      middles(mesh), kTurn, Eigen::MatrixXd::Identity(mesh.sectors, mesh.sectors));
-  Eigen::MatrixXd values(mesh.sectors, static_cast<Eigen::Index>(at.size()));
-  for (Eigen::Index k = 0; k < values.cols(); ++k) values.col(k) = spline.at(at[k]).value;
-  return values;
-}
 
 /// Copies the means of the pairs of one lane, in the order of the streamlines: those of the solid,
 /// of the enhanced strains' stiffness, of each cord layer.
@@ -79,8 +48,8 @@ RollingHistory::RollingHistory(const RingElements& elements,
                                const Inflated& round)
     : elements_(elements),
       losses_(std::move(losses)),
-      line_(places(elements.ring().mesh())),
-      spline_(spline_through_middles(elements.ring().mesh())) {
+      line_(spline_line(elements.ring().mesh())),
+      spline_(sector_spline(elements.ring().mesh())) {
   for (const Element& element : elements.ring().mesh().elements)
     relaxing_.push_back(relaxing(element));
   set_round(round);
@@ -150,7 +119,7 @@ void RollingHistory::set_spin(double Omega) {
   for (std::size_t k = 0; k < series_.size(); ++k)
     for (const PronyTerm& term : series_[k]) {
       const Eigen::MatrixXd h = line_.history(term, Omega, spline_);
-      for (int s = 0; s < m; ++s) carry_[k].col(s) += h.col(kPerSector * s);
+      for (int s = 0; s < m; ++s) carry_[k].col(s) += h.col(kPlacesPerSector * s);
     }
   spin_ = Omega;
   if (stiffened_at_ && std::abs(Omega - *stiffened_at_) <= kOtherSpin * std::abs(*stiffened_at_))

@@ -10,10 +10,7 @@
 // order in its width. Stresses count from those of a round state on the same mesh (the inflated
 // tire): where sectors of different width meet, a round tire's stresses step by the second order
 // of the width. A tire that stays round therefore has no history.
-//   Between the sectors' points S follows a closed cubic spline, and (H.2) is taken on points that
-// divide every step into four. With the sectors' points alone its error would be four to five times
-// that of the elements: it falls with the second power of the steps, too, but a wave of eight has
-// only seven steps on sectors of 6 degrees.
+//   Between the sectors' points S follows the spline of sector_spline.h.
 //   What relaxes is the isochoric stress of rubber, the stiffness of three enhanced strains that is
 // the rubber's (hex8_solid_shell_kernel.h), the parts of a solid with smeared cords, and the
 // stress of cord layers (loss_materials.h).

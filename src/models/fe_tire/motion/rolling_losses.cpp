@@ -7,6 +7,7 @@
 
 #include "models/fe_tire/analysis/fe_tire_impl.h"
 #include "models/fe_tire/element/cord_law.h"
+#include "models/fe_tire/history/sector_spline.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -14,13 +15,6 @@ namespace {
 /// Pairs of Gauss points of an element that lie on one streamline; the first two are those of a
 /// cord layer, too.
 constexpr std::array<std::pair<int, int>, 4> kOnLine = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
-
-/// Angles of the middles of sectors, rad.
-std::vector<double> middles(const Mesh& mesh) {
-  std::vector<double> theta;
-  for (int s = 0; s < mesh.sectors; ++s) theta.push_back(0.5 * (mesh.angle(s) + mesh.angle(s + 1)));
-  return theta;
-}
 
 /// Returns the displacements of an element's nodes in the frame of its sector.
 Matrix38 displacements(const Ring& ring, int sector, int element, const Eigen::Matrix3Xd& u) {
@@ -69,11 +63,15 @@ struct LossMeter::Line {
   double volume = 0.0;  // m^3, of one radian
 
   Line(int components, int sectors) : E(components, sectors), S(components, sectors) {}
-  /// Returns the power that these terms lose, W.
-  double power(const Streamline& line, const PronyTerms& terms, double Omega) const {
+  /// Returns the power that these terms lose, W, at the places of the spline.
+  double power(const Streamline& line,
+               const Eigen::MatrixXd& spline,
+               const PronyTerms& terms,
+               double Omega) const {
+    const Eigen::MatrixXd strains = E * spline, stresses = S * spline;
     double sum = 0.0;
     for (const PronyTerm& term : terms)
-      sum += line.power(term, Omega, S, line.history(term, Omega, S), E);
+      sum += line.power(term, Omega, stresses, line.history(term, Omega, stresses), strains);
     return volume * sum;
   }
 };
@@ -81,7 +79,9 @@ struct LossMeter::Line {
 LossMeter::LossMeter(const FeTire& tire, LossMaterials losses, const Inflated& round)
     : elements_(tire.impl_->elements()),
       losses_(std::move(losses)),
-      line_(middles(tire.mesh())),
+      line_(sector_line(tire.mesh())),
+      places_(spline_line(tire.mesh())),
+      spline_(sector_spline(tire.mesh())),
       round_(round_strains(elements_, round)) {}
 LossMeter::~LossMeter() = default;
 
@@ -122,10 +122,10 @@ void LossMeter::add_solid(int element,
       const auto& dV = ring.shape(s, element).dV;
       line.volume += (dV[p] + dV[q]) / (2.0 * std::numbers::pi);
     }
-    sum.parts[solid.owner] += line.power(line_, solid.terms, Omega);
+    sum.parts[solid.owner] += line.power(places_, spline_, solid.terms, Omega);
     for (const RelaxingCords& cords : solid.smeared) {
       line.S = cords.D * line.E;
-      sum.parts[cords.owner] += line.power(line_, cords.terms, Omega);
+      sum.parts[cords.owner] += line.power(places_, spline_, cords.terms, Omega);
     }
   }
 }
@@ -150,7 +150,7 @@ void LossMeter::add_cords(int element,
         const CordSheet& sheet = elements_.law(s, element).cords[k];
         line.volume += (sheet.points[p].dV + sheet.points[q].dV) / (2.0 * std::numbers::pi);
       }
-      sum.parts[layer.owner] += line.power(line_, layer.terms, Omega);
+      sum.parts[layer.owner] += line.power(places_, spline_, layer.terms, Omega);
     }
   }
 }

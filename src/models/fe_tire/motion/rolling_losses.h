@@ -8,13 +8,14 @@
 // with the exact mean of H over every step. A streamline has one point a sector: the mean of the
 // two Gauss points that the section's point has in a sector. Between them assumed strains are
 // constant or vary as in one element; their steps at the borders of sectors would be losses of
-// waves as short as a sector, of first order in its width.
+// waves as short as a sector, of first order in its width. Between the sectors E and S follow a
+// spline (sector_spline.h).
 //   Strains count from those of a round state on the same mesh (the inflated tire): where sectors
 // of different width meet, a round tire's strains step by the second order of the width. A tire
 // that stays round therefore loses nothing.
 //   In a state with these histories in its equilibrium (rolling_history.h) P is the power that
-// drive and hub give, to the error of the discretization; in a state of elastic rubber it is of first
-// order in the loss factor.
+// drive and hub give, to the error of the discretization; in a state of elastic rubber it is of
+// first order in the loss factor.
 #pragma once
 
 #include <string>
@@ -73,7 +74,8 @@ class LossMeter {
 
   const RingElements& elements_;
   LossMaterials losses_;
-  Streamline line_;
+  Streamline line_, places_;
+  Eigen::MatrixXd spline_;                        // values at places_ by those at line_
   std::vector<std::vector<PointStrains>> round_;  // strains [width][section element]
 };
 

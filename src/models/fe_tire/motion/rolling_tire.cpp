@@ -329,6 +329,9 @@ Result<RollingState> RollingTire::roll(const RollingState& from, const RollingCa
   RollingCase end = of;
   if (of.load) end.height = start.height;
   if (of.drive && !(end.spin > 0.0)) end.spin = start.spin;
+  // Points that slid without friction have no direction in which they could begin to slide.
+  if (from.of.friction.at_rest == 0.0)
+    state.grip = GripState(static_cast<int>(std::ssize(impl_->tread.points())));
   impl_->linear.begin();
   int iterations = 0, factors = 0, passes = 0, parts = 0;
   for (double share = 0.0, step = 1.0; share < 1.0;) {

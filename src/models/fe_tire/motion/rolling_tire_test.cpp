@@ -119,6 +119,30 @@ TEST_F(RollingTireB, RollsFreelyUnderItsLoad) {
   EXPECT_LT(R_e, inflated_.radius);
 }
 
+TEST_F(RollingTireB, GetsGripAfterItRolledWithoutFriction) {
+  const auto smooth = rolling_.roll(start_, frictionless(kSpeed / 0.312));
+  ASSERT_TRUE(smooth) << smooth.failure().reason;
+  RollingCase of = smooth->of;
+  of.load = load_;
+  of.drive = 0.0;
+  of.friction.at_rest = 1.0;
+  const auto free = rolling_.roll(*smooth, of);
+  ASSERT_TRUE(free) << free.failure().reason;
+  EXPECT_LT((free->forces.force - free_wheel().forces.force).norm(), 1e-5 * load_);
+}
+
+// The height of a case that asks for a load is that of the state before, whatever the case says.
+TEST_F(RollingTireB, FindsTheNextStateWhateverHeightItsCaseStates) {
+  const RollingState free = free_wheel();
+  RollingCase of = slipping(free, 0.0, 0.005);
+  const auto next = rolling_.roll(free, of);
+  of.height += 2e-3;
+  const auto other = rolling_.roll(free, of);
+  ASSERT_TRUE(next && other);
+  EXPECT_EQ(other->iterations, next->iterations);
+  EXPECT_LT((other->forces.force - next->forces.force).norm(), 1e-5 * load_);
+}
+
 TEST_F(RollingTireB, SideForceAndAligningMomentTurnWithTheSlipAngle) {
   // Tire B's section and smeared cords are mirrored at its middle plane.
   const RollingState free = free_wheel();
