@@ -9,8 +9,8 @@
 
 #include "formats/mesh/ccx_deck.h"
 #include "formats/mesh/ccx_results.h"
-#include "models/fe_tire/element/materials.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/materials.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::benchmarks {
 

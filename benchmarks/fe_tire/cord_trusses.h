@@ -20,8 +20,8 @@
 
 #include <string>
 
-#include "models/fe_tire/element/materials.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/materials.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::benchmarks {
 

@@ -13,7 +13,7 @@
 
 #include "cpu_time.h"
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/motion/rolling_tire.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 #include "shipped_tires.h"
 #include "table.h"
 

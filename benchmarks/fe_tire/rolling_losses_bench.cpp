@@ -11,8 +11,8 @@
 
 #include "cpu_time.h"
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/motion/rolling_losses.h"
-#include "models/fe_tire/motion/rolling_tire.h"
+#include "models/fe_tire/rolling/rolling_losses.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 #include "shipped_tires.h"
 #include "table.h"
 #include "turning_disc.h"

@@ -5,7 +5,7 @@
 
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/description/tire_description.h"
-#include "models/fe_tire/motion/rolling_tire.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 #include "options.h"
 #include "table.h"
 

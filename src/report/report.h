@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/mesh.h"
 #include "report/identifiability.h"
 #include "report/line_plot.h"
 #include "report/scene.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire.h"
-#include "models/fe_tire/motion/rolling_tire.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 
 namespace latsch::verification {
 

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "models/fe_tire/motion/rolling_history.h"
-#include "models/fe_tire/motion/rolling_losses.h"
 #include "models/fe_tire/motion/spin.h"
 #include "models/fe_tire/motion/spinning_tire.h"
+#include "models/fe_tire/rolling/rolling_history.h"
+#include "models/fe_tire/rolling/rolling_losses.h"
 #include "numerics/sparse/factorization.h"
 #include "ring_mesh.h"
 
@@ -99,13 +99,14 @@ TurnedDisc turned_disc(int sectors, double tau) {
   const double step = 2.0 * std::numbers::pi / sectors;
   for (int k = 0; k < n; ++k)
     if (force(2, k) > 0.0) turned.displacement += 0.25 * moved(2, k);
-  // Material passes the force toward decreasing theta: it moves inward at -spin d(u_in)/d(theta).
-  for (int s = 0; s < sectors; ++s) {
-    const int before = (s + sectors - 1) % sectors, after = (s + 1) % sectors;
-    for (int k = 0; k < n; ++k)
+  // Material passes the force toward decreasing theta: it moves inward at -spin d(u_in)/d(theta),
+  // by differences of fourth order.
+  for (int s = 0; s < sectors; ++s)
+    for (int k = 0; k < n; ++k) {
+      const auto at = [&](int steps) { return moved(2, (s + sectors + steps) % sectors * n + k); };
       turned.moment -=
-          force(2, s * n + k) * (moved(2, after * n + k) - moved(2, before * n + k)) / (2.0 * step);
-  }
+          force(2, s * n + k) * (8.0 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12.0 * step);
+    }
   const LossMeter meter(tire, losses(tire.materials(), tau), *spun);
   turned.by_losses = meter.measure(unknowns.expand(state.x), state.alpha, kSpin).rubber / kSpin;
   return turned;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives the elements of a foreign mesh the local axes of models/fe_tire/element/mesh.h. The axis
+// Gives the elements of a foreign mesh the local axes of models/fe_tire/mesh/mesh.h. The axis
 // zeta is first determined at faces known to be inner (pressure) or outer (contact). From there it
 // continues through opposite faces to the elements stacked on them, and from stack to stack
 // sideways. xi is the axis nearest to the circumferential direction.

@@ -13,7 +13,7 @@
 
 #include "formats/deck/inp_deck.h"
 #include "formats/mesh/inp_rebars.h"
-#include "models/fe_tire/element/materials.h"
+#include "models/fe_tire/mesh/materials.h"
 
 namespace latsch::formats {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "formats/deck/inp_deck.h"
-#include "models/fe_tire/element/materials.h"
+#include "models/fe_tire/mesh/materials.h"
 
 namespace latsch::formats {
 

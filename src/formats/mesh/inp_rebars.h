@@ -16,8 +16,8 @@
 
 #include "formats/deck/inp_deck.h"
 #include "formats/mesh/hexahedron.h"
-#include "models/fe_tire/element/materials.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/materials.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::formats {
 
@@ -36,7 +36,7 @@ struct InpPlacedRebars {
   std::vector<std::vector<fe_tire::RebarPlacement>> of_element;  // the layers of each host
 };
 
-/// The solid elements of the tire, with the axes of models/fe_tire/element/mesh.h.
+/// The solid elements of the tire, with the axes of models/fe_tire/mesh/mesh.h.
 struct InpHosts {
   Eigen::Matrix3Xd X;              // node positions, in any frame and unit
   std::vector<HexNodes> elements;  // indices into X

@@ -19,8 +19,8 @@
 #include "formats/deck/inp_deck.h"
 #include "formats/mesh/inp_rebars.h"
 #include "models/fe_tire/element/hex8.h"
-#include "models/fe_tire/element/materials.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/materials.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::formats {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::formats {
 

@@ -16,7 +16,7 @@
 
 namespace latsch::formats {
 
-/// A complete ring in the frame of models/fe_tire/element/mesh.h: spin axis y, angles from the
+/// A complete ring in the frame of models/fe_tire/mesh/mesh.h: spin axis y, angles from the
 /// bottom toward +x.
 struct RingOfNodes {
   Eigen::Matrix3Xd X;              // m

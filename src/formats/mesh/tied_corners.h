@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts corners that equations tie to a line into elements with an edge tie
-// (models/fe_tire/element/mesh.h): a tied corner is no node of the tire's mesh.
+// (models/fe_tire/mesh/mesh.h): a tied corner is no node of the tire's mesh.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "formats/mesh/hexahedron.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::formats {
 

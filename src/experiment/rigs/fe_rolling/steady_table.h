@@ -11,7 +11,7 @@
 // free wheel, m), "R_l" (m), "length", "width" (of the patch, m) and "omega" (rad/s). Stiffnesses,
 // relaxation lengths and the parts of Mz are quantities of a formula, and are not there.
 //
-// The forces are those of elastic rubber: Fx and My have no rolling resistance but that of sliding.
+// If the tire has no Prony terms, the rolling resistance in Fx and My is that of sliding alone.
 #pragma once
 
 #include <functional>

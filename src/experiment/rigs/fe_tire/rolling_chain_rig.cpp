@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "models/fe_tire/motion/rolling_chain.h"
+#include "models/fe_tire/rolling/rolling_chain.h"
 
 namespace latsch::experiment {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
-#include "models/fe_tire/motion/rolling_forces.h"
-#include "models/fe_tire/motion/rolling_tire.h"
 #include "models/fe_tire/motion/spinning_tire.h"
+#include "models/fe_tire/rolling/rolling_forces.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 
 namespace latsch::experiment {
 namespace {

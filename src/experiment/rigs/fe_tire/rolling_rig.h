@@ -17,8 +17,8 @@
 
 #include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/inflation.h"
-#include "models/fe_tire/motion/rolling_case.h"
-#include "models/fe_tire/motion/rolling_losses.h"
+#include "models/fe_tire/rolling/rolling_case.h"
+#include "models/fe_tire/rolling/rolling_losses.h"
 
 namespace latsch::experiment {
 

@@ -25,8 +25,8 @@
 #include "models/fe_tire/contact/contact.h"
 #include "models/fe_tire/contact/ground.h"
 #include "models/fe_tire/element/hex8.h"
-#include "models/fe_tire/element/materials.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/materials.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::fe_tire {
 

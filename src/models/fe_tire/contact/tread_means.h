@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "models/fe_tire/contact/hat_means.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::fe_tire {
 

@@ -15,9 +15,9 @@
 #include "base/document.h"
 #include "models/fe_tire/description/contour.h"
 #include "models/fe_tire/element/hex8.h"
-#include "models/fe_tire/element/materials.h"
-#include "models/fe_tire/element/mesh.h"
 #include "models/fe_tire/history/loss_materials.h"
+#include "models/fe_tire/mesh/materials.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::fe_tire {
 

@@ -7,7 +7,7 @@
 // = 10 w on.
 #pragma once
 
-#include "models/fe_tire/element/materials.h"
+#include "models/fe_tire/mesh/materials.h"
 
 namespace latsch::fe_tire {
 

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "models/fe_tire/element/materials.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/materials.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::fe_tire {
 

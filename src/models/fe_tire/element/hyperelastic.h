@@ -3,7 +3,7 @@
 // I + 2 E.
 #pragma once
 
-#include "models/fe_tire/element/materials.h"
+#include "models/fe_tire/mesh/materials.h"
 
 namespace latsch::fe_tire {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "models/fe_tire/element/materials.h"
 #include "models/fe_tire/history/prony.h"
+#include "models/fe_tire/mesh/materials.h"
 
 namespace latsch::fe_tire {
 

@@ -9,8 +9,8 @@
 
 #include <Eigen/Core>
 
-#include "models/fe_tire/element/mesh.h"
 #include "models/fe_tire/history/streamlines.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::fe_tire {
 

@@ -16,7 +16,7 @@
 
 #include "models/fe_tire/element/hex8.h"
 #include "models/fe_tire/element/hex8_shape.h"
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 namespace latsch::fe_tire {
 

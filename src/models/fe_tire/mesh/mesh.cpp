@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/element/mesh.h"
+#include "models/fe_tire/mesh/mesh.h"
 
 #include <fmt/format.h>
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "models/fe_tire/motion/rolling_losses.h"
+#include "models/fe_tire/rolling/rolling_losses.h"
 
 namespace latsch::fe_tire {
 

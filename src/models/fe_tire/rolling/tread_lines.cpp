@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/motion/tread_lines.h"
+#include "models/fe_tire/rolling/tread_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/motion/linear_roller.h"
+#include "models/fe_tire/rolling/linear_roller.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "models/fe_tire/motion/rolling_forces.h"
+#include "models/fe_tire/rolling/rolling_forces.h"
 #include "numerics/sparse/elimination.h"
 
 namespace latsch::fe_tire {

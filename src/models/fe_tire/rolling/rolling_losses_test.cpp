@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Losses of known motions against closed forms, and of a tire that rolls.
-#include "models/fe_tire/motion/rolling_losses.h"
+#include "models/fe_tire/rolling/rolling_losses.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/element/hex8_shape.h"
-#include "models/fe_tire/motion/rolling_tire.h"
 #include "models/fe_tire/motion/spinning_tire.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 
 namespace latsch::fe_tire {
 namespace {

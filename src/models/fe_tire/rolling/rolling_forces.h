@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "models/fe_tire/motion/rolling_case.h"
-#include "models/fe_tire/motion/rolling_contact.h"
-#include "models/fe_tire/motion/tread_body.h"
+#include "models/fe_tire/rolling/rolling_case.h"
+#include "models/fe_tire/rolling/rolling_contact.h"
+#include "models/fe_tire/rolling/tread_body.h"
 
 namespace latsch::fe_tire {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Forces of the history against closed forms, and the equilibrium of a tire that rolls with them.
-#include "models/fe_tire/motion/rolling_history.h"
+#include "models/fe_tire/rolling/rolling_history.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/element/hex8_shape.h"
 #include "models/fe_tire/history/point_strains.h"
-#include "models/fe_tire/motion/rolling_losses.h"
-#include "models/fe_tire/motion/rolling_tire.h"
 #include "models/fe_tire/motion/spinning_tire.h"
+#include "models/fe_tire/rolling/rolling_losses.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 
 namespace latsch::fe_tire {
 namespace {

@@ -30,7 +30,7 @@
 #include "base/result.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/history/loss_materials.h"
-#include "models/fe_tire/motion/rolling_case.h"
+#include "models/fe_tire/rolling/rolling_case.h"
 
 namespace latsch::fe_tire {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chains of known motions against closed forms.
-#include "models/fe_tire/motion/rolling_chain.h"
+#include "models/fe_tire/rolling/rolling_chain.h"
 
 #include <gtest/gtest.h>
 

@@ -17,8 +17,8 @@
 #include "base/result.h"
 #include "models/fe_tire/analysis/condensed_tire.h"
 #include "models/fe_tire/analysis/ring_assembly.h"
-#include "models/fe_tire/motion/rolling_case.h"
-#include "models/fe_tire/motion/tread_body.h"
+#include "models/fe_tire/rolling/rolling_case.h"
+#include "models/fe_tire/rolling/tread_body.h"
 #include "numerics/sparse/factorization.h"
 
 namespace latsch::fe_tire {

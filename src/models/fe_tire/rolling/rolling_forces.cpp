@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/motion/rolling_forces.h"
+#include "models/fe_tire/rolling/rolling_forces.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

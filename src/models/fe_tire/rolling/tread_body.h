@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "models/fe_tire/contact/ground.h"
-#include "models/fe_tire/motion/rolling_contact.h"
-#include "models/fe_tire/motion/tread_lines.h"
+#include "models/fe_tire/rolling/rolling_contact.h"
+#include "models/fe_tire/rolling/tread_lines.h"
 
 namespace latsch::fe_tire {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/motion/rolling_tire.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "models/fe_tire/analysis/fe_tire_impl.h"
-#include "models/fe_tire/motion/linear_roller.h"
-#include "models/fe_tire/motion/rolling_history.h"
 #include "models/fe_tire/motion/spin.h"
+#include "models/fe_tire/rolling/linear_roller.h"
+#include "models/fe_tire/rolling/rolling_history.h"
 
 namespace latsch::fe_tire {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Line contact against Carter's exact solution (longitudinal, and lateral: antiplane), the brush
 // model, full sliding, and random slip states.
-#include "models/fe_tire/motion/rolling_contact.h"
+#include "models/fe_tire/rolling/rolling_contact.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "models/fe_tire/motion/line_contact_testing.h"
+#include "models/fe_tire/rolling/line_contact_testing.h"
 
 namespace latsch::fe_tire {
 namespace {
