@@ -144,9 +144,10 @@ std::vector<std::string> remarks_on_table(const TireRig& rig,
     remarks.emplace_back(
         "limits = \"off\" has no effect: a finite-element tire has no ranges that limit its "
         "states");
-  remarks.emplace_back(
-      "Fx and My have no rolling resistance but that of sliding: the forces are those of elastic "
-      "rubber; the test rolling reports what rubber and cords lose");
+  if (rig.losses().is_elastic())
+    remarks.emplace_back(
+        "Fx and My have no rolling resistance but that of sliding, because no rubber of the tire "
+        "has Prony terms or a loss factor");
   return remarks;
 }
 

@@ -191,6 +191,15 @@ TEST_F(SteadyTable, FrictionIsThatOfTheTestElseOfTheTireElseAssumed) {
   EXPECT_FALSE(remarks(sliding, "friction", {.friction = 0.8}));
 }
 
+TEST_F(SteadyTable, SaysThatRubberWithoutLossesHasNoRollingResistance) {
+  const std::string straight = "Fz [N]\n3000\n";
+  EXPECT_TRUE(remarks(straight, "no rubber of the tire has Prony terms"));
+  fe_tire::LossMaterials lossy;
+  lossy.solids = {{.terms = {{0.2, 0.01}}}};
+  rig_.set_losses(lossy);
+  EXPECT_FALSE(remarks(straight, "Prony terms"));
+}
+
 TEST_F(SteadyTable, StatesAreToldInTheOrderOfTheTable) {
   const std::string states = "Fz [N],alpha [deg]\n3000,3\n3000,0\n3000,1\n";
   std::vector<double> Fy;
