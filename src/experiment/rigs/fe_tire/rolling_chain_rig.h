@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chains of points around a rolling finite-element tire (motion/rolling_chain.h), as channels.
+// Chains of points around a rolling finite-element tire (rolling/rolling_chain.h), as channels.
 #pragma once
 
 #include <string>

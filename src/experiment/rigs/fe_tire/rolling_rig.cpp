@@ -29,6 +29,9 @@ constexpr double kEffective = 1.0 / 3.0;
 /// speed, relative.
 constexpr double kSlipScale = 0.03, kCamberScale = 0.1, kRelative = 0.3, kTurnScale = 0.05;
 
+/// Share at which distances from the state found last count: its tangent is still at hand.
+constexpr double kFromLast = 0.5;
+
 double distance(const RollingCase& a, const RollingCase& b) {
   const auto slip = [](const RollingCase& c) {
     return c.spin / (c.speed * std::cos(c.slip_angle)) * c.height;
@@ -90,7 +93,7 @@ class FlatTrack {
     return found;
   }
 
-  /// Distance of a row's state from the nearest one that is known.
+  /// Distance of a row's state from the nearest one that is known, or less from that found last.
   double distance_to(const RollingRow& row) const {
     RollingCase of = case_of(row);
     double least = std::numeric_limits<double>::infinity();
@@ -99,7 +102,8 @@ class FlatTrack {
       of.spin = (1.0 + row.kappa.value_or(0.0)) * row.speed / of.height;
       RollingCase there = state.of;
       there.load = state.forces.force.z();
-      least = std::min(least, distance(of, there));
+      const double share = &state == &found_.back() ? kFromLast : 1.0;
+      least = std::min(least, share * distance(of, there));
     }
     return found_.empty() ? 0.0 : least;
   }
@@ -191,6 +195,7 @@ Status check_speed(TireRig& rig, double pressure, double speed) {
 }
 
 /// Finds all states at one pressure, always going on to the row nearest to a state that is known.
+/// Sweeps are thereby followed from their middle to one end, then to the other.
 Status roll_at(TireRig& rig,
                const RollingTest& test,
                double pressure,
@@ -252,6 +257,7 @@ Channels channels_of(const std::vector<RolledState>& states,
   add("gamma", "rad", [](State s) { return s.of.camber; });
   add("phit", "1/m", [](State s) { return s.of.turn_slip; });
   add("Vx", "m/s", [](State s) { return s.of.speed * std::cos(s.of.slip_angle); });
+  add("p", "Pa", [](State s) { return s.pressure; });
   add("Fx", "N", [](State s) { return s.forces.force.x(); });
   add("Fy", "N", [](State s) { return s.forces.force.y(); });
   add("Fz", "N", [](State s) { return s.forces.force.z(); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Virtual flat track for the finite-element tire: steady states of rolling (motion/rolling_tire.h).
+// Virtual flat track for the finite-element tire: steady states of rolling
+// (rolling/rolling_tire.h).
 //
 // Every state has its load, speed, slip angle, camber and turn slip. Without a slip kappa the wheel
 // rolls freely: no moment about its spin axis. A slip kappa is that against the free wheel at the

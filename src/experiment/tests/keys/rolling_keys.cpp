@@ -14,14 +14,14 @@ A finite-element tire that rolls steadily on flat ground with Coulomb friction
 ([equations](fe_tire_motion.md)). States are stated by lists, one value for all or one for each
 state, or by a table. Each takes seconds.
 
-Channels, one value for each state, axes W (ISO): "alpha", "gamma" (rad), "kappa" (1), "phit"
-(1/m), "Vx" (m/s); "Fx", "Fy", "Fz" (N), "Mx", "My", "Mz" (N m); "omega" (rad/s), "R_e" (Vx over
-omega), "R_l" (loaded radius), "length", "width" of the patch (m); "drive" (N m, moment of the
-drive about the spin axis), "sticking" (share of the load on points that do not slide);
-"loss_rubber", "loss_cords" and "loss_friction" (W, lost by the histories of rubbers and cords and
-by sliding), "rolling_resistance" (N, their sum over the speed), and "loss.rubber.NAME",
-"loss.layer.NAME" (W) of each part; "balance" (W, what the discretization leaves between the power
-of drive and hub and these losses).
+Channels, one value for each state, axes W (ISO): "alpha", "gamma" (rad), "kappa" (1), "phit" (1/m),
+"Vx" (m/s), "p" (Pa); "Fx", "Fy", "Fz" (N), "Mx", "My", "Mz" (N m); "omega" (rad/s), "R_e" (Vx over
+omega), "R_l" (loaded radius), "length", "width" of the patch (m); "drive" (N m, moment of the drive
+about the spin axis), "sticking" (share of the load on points that do not slide); "loss_rubber",
+"loss_cords" and "loss_friction" (W, lost by the histories of rubbers and cords and by sliding),
+"rolling_resistance" (N, their sum over the speed), and "loss.rubber.NAME", "loss.layer.NAME" (W) of
+each part; "balance" (W, what the discretization leaves between the power of drive and hub and these
+losses).
 
 Rubbers and layers of the tire's file lose power by `loss_factor = 0.15` (from 0.1 to 1000 Hz) or
 `prony = [[0.2, "1 ms"]]`, shares of the relaxed modulus and relaxation times; moduli are the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stresses whose history a rolling tire carries (motion/rolling_history.h), at known displacements
+// Stresses whose history a rolling tire carries (rolling/rolling_history.h), at known displacements
 // and enhanced strains.
 //
 // This file is included once per kernel set, by hex8_kernels.h only.
