@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "models/car/car.h"
+#include "models/car/falling_ranges.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::car {
@@ -162,7 +162,7 @@ Eigen::VectorXd straight_on(std::size_t bodies, double speed) {
 /// each round the car's equilibrium is computed again.
 struct RollIn {
   static constexpr int kRounds = 12;
-  static constexpr int kMostRounds = 32 * kRounds;  // 115 m of path, or 11 s below 10 m/s
+  static constexpr int kMostRounds = 32 * kRounds;  // 115 m of path below 10 m/s, 11.5 s above
   // Rounds in which the car's body is held until the belts have grown.
   static constexpr int kHeld = 3;
   // Duration of a round, s. It covers at least 0.3 m of path, after which a tire of short
@@ -173,33 +173,6 @@ struct RollIn {
   explicit RollIn(double speed)
       : duration(std::max(0.03, 0.3 / speed)),
         steps(static_cast<int>(std::ceil(duration * speed / 0.012))) {}
-};
-
-/// Ranges (maximum minus minimum) of a tire's forces over the second halves of the rounds. While
-/// the slip relaxes, the range decreases from round to round. If forces vary periodically with the
-/// rotation of the wheel, the range remains.
-class FallingRanges {
- public:
-  void add(const Vector3d& force) {
-    low_ = low_.cwiseMin(force);
-    high_ = high_.cwiseMax(force);
-  }
-  void end_round() {
-    ranges_.push_back((high_ - low_).maxCoeff());
-    low_.setConstant(std::numeric_limits<double>::infinity());
-    high_ = -low_;
-  }
-  /// Returns the last range, N, if it has decreased within three rounds and is above `least`;
-  /// otherwise 0.
-  double still_falling(double least) const {
-    constexpr double kFalls = 0.9;  // remaining share of the range; relaxation length of 8.5 m
-    const double last = ranges_.back();
-    return last > least && last < kFalls * ranges_[ranges_.size() - 4] ? last : 0.0;
-  }
-
- private:
-  Vector3d low_ = Vector3d::Constant(std::numeric_limits<double>::infinity()), high_ = -low_;
-  std::vector<double> ranges_;
 };
 
 /// Returns the height of the wheel center over the road, m.
@@ -310,14 +283,16 @@ Result<Rest> Car::roll_in(CarState& state,
     rest = std::move(*rolled);
     const auto most = std::max_element(falling.begin(), falling.end());
     if (*most == 0.0) return rest;
+    const double round = RollIn(state.speed).duration * state.speed;  // m, path of a round
     if (rounds >= RollIn::kMostRounds)
       return Failure{fmt::format(
           "the tire {} is not steady after {:.3g} m of free rolling: its force still changes by "
-          "{:.3g} N in 0.15 m; its relaxation length (slip stiffness over carcass stiffness) is "
+          "{:.3g} N in {:.2g} m; its relaxation length (slip stiffness over carcass stiffness) is "
           "too large under its load of {:.4g} N",
           kCornerNames[most - falling.begin()],
-          rounds * RollIn(state.speed).duration * state.speed,
+          rounds * round,
           *most,
+          0.5 * round,
           lines[at(static_cast<int>(most - falling.begin()))].force)};
   }
 }
