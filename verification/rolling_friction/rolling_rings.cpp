@@ -95,7 +95,8 @@ std::vector<double> planes_finer_at_contact(
   return all;
 }
 
-RollingRing::RollingRing(Mesh mesh, Materials materials, double deflection, double mu)
+RollingRing::RollingRing(
+    Mesh mesh, Materials materials, double deflection, double mu, double curvature)
     // Wide elements need full integration: enhanced strains of elements a thousand times as wide as
     // long lose the tangent's positive sign.
     : tire_(std::move(mesh),
@@ -106,6 +107,7 @@ RollingRing::RollingRing(Mesh mesh, Materials materials, double deflection, doub
   const RollingState start = rolling_.start(tire_.over(round, {}, FeTire::Poses::any));
   RollingCase of;
   of.speed = kSpeed;
+  of.curvature = curvature;
   of.height = round.radius - deflection;
   of.spin = kSpeed / of.height;
   of.friction.at_rest = mu;
@@ -144,7 +146,12 @@ HertzFit fit(const RollingState& state, int power) {
 HertzFit fit_hertz(const RollingState& state) { return fit(state, 2); }
 HertzFit fit_parabola(const RollingState& state) { return fit(state, 1); }
 
-CarterRing::CarterRing(int across) : ring_(carter_mesh(across), carter_materials(), 2e-4, kMu) {}
+CarterRing::CarterRing(int across, double drum)
+    : ring_(carter_mesh(across),
+            carter_materials(),
+            kDeflection * kR / radius(drum),
+            kMu,
+            curvature(drum)) {}
 
 double BrushRing::half_length() { return std::sqrt(2.0 * kR * kDeflection); }
 double BrushRing::stiffness() {

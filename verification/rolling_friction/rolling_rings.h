@@ -20,9 +20,13 @@ std::vector<double> planes_finer_at_contact(
 /// A ring that rolls: its tire, and the free wheel at a deflection.
 class RollingRing {
  public:
-  /// `deflection`: m, below first touch; `mu`: coefficient of friction. Throws std::runtime_error
-  /// with the reason if the free wheel is not found.
-  RollingRing(fe_tire::Mesh mesh, fe_tire::Materials materials, double deflection, double mu);
+  /// `deflection`: m, below first touch; `mu`: coefficient of friction; `curvature`: 1/m, of the
+  /// drum, 0: flat ground. Throws std::runtime_error with the reason if the free wheel is not found.
+  RollingRing(fe_tire::Mesh mesh,
+              fe_tire::Materials materials,
+              double deflection,
+              double mu,
+              double curvature = 0.0);
 
   const fe_tire::RollingState& free_wheel() const { return free_; }
   /// Returns the state at a slip against the free wheel and a slip angle (rad), starting from
@@ -44,16 +48,22 @@ HertzFit fit_hertz(const fe_tire::RollingState& state);
 HertzFit fit_parabola(const fe_tire::RollingState& state);
 
 /// A thick ring of nearly incompressible rubber: rim at 0.2 m, outer radius 0.3 m, so wide that its
-/// strain is plane. `across`: elements across the patch.
+/// strain is plane. `across`: elements across the patch; `drum`: m, radius of the drum, 0: flat
+/// ground.
 class CarterRing {
  public:
   static constexpr double kE = 1e6, kNu = 0.48, kR = 0.3, kRim = 0.2, kMu = 0.5;
   static constexpr double kWidth = 1.0;  // m
   static constexpr double kHalf = 6e-3;  // m, about the half width of the patch
+  static constexpr double kDeflection =
+      2e-4;  // m, on flat ground; as much as gives kHalf on a drum
+  static double curvature(double drum) { return drum > 0.0 ? 1.0 / drum : 0.0; }
   static double e_star() { return kE / (1.0 - kNu * kNu); }
-  explicit CarterRing(int across);
+  explicit CarterRing(int across, double drum = 0.0);
 
   RollingRing& ring() { return ring_; }
+  /// Radius of the cylinder that touches a plane as the ring touches its ground, m.
+  static double radius(double drum) { return 1.0 / (1.0 / kR + curvature(drum)); }
 
  private:
   RollingRing ring_;

@@ -181,17 +181,28 @@ class Rolling(RotatingTire):
         for i in range(4):
             self.assertLessEqual(math.hypot(states["Fx"][i], states["Fy"][i]), 1600.0 * (1 + 1e-6))
 
+    def test_a_drum_shortens_the_patch(self):
+        flat = self.channels(self.ROLLING % "friction = 0.8")
+        drum = self.channels(self.ROLLING % 'friction = 0.8, drum_radius = "0.85 m"')
+        self.assertLess(drum["length"][0], flat["length"][0])
+        self.assertLess(drum["R_l"][0], flat["R_l"][0])  # the same load presses the tire deeper
+        self.assertAlmostEqual(drum["Fz"][0], flat["Fz"][0], delta=0.01)
+        self.assertIn("on a drum of radius 0.85 m",
+                      self.latsch("test", self.folder / "tire.toml", self.ROLLING % 'friction = 0.8, drum_radius = "0.85 m"'))
+
     def test_the_page_draws_what_varies(self):
         page = self.folder / "page.html"
         self.latsch("test", self.folder / "tire.toml", self.ROLLING % 'friction = 0.8, alpha = ["-1 deg", "1 deg"]',
                     "--html", page)
         text = page.read_text()
-        self.assertIn("not drawn, because constant: gamma, phit, Vx, Fz", text)
+        self.assertIn("not drawn, because constant: gamma, phit, Vx, p, Fz", text)
         self.assertIn("Fy [N] over alpha [deg]", text)
         self.assertNotIn("Vx [m/s] over", text)
 
     def test_requests_without_meaning_are_refused(self):
         for keys, *parts in (('friction = 0, alpha = "1 deg"', "friction"), ('friction = -1', "friction", "0 to 5"),
+                             ('friction = 0.8, drum_radius = "0 m"', "drum_radius"),
+                             ('friction = 0.8, drum_radius = "1 m", turn_slip = "0.1 1/m"', "drum_radius", "turn"),
                              ('friction = 0.8, kappa = -2', "kappa"), ('friction = 0.8, alpha = "90 deg"', "alpha"),
                              ('friction = 0.8, alpha = ["1 deg", "2 deg"], camber = ["1 deg", "2 deg", "3 deg"]', "2", "3")):
             with self.subTest(keys):

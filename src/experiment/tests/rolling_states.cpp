@@ -98,6 +98,16 @@ void check_friction(const Node& root, const RollingTest& test) {
                   "side force; expected friction above 0, or no slips");
 }
 
+/// Throws InputError if a wheel turns on a drum.
+void check_drum(const Node& root, const RollingTest& test) {
+  if (test.drum_radius == 0.0) return;
+  for (const RollingRow& row : test.rows)
+    if (row.turn_slip != 0.0)
+      root.reject("drum_radius",
+                  "stands beside a turn slip: a wheel that turns on a drum has no steady state; "
+                  "expected flat ground, or turn slips of 0");
+}
+
 }  // namespace
 
 RollingStates read_rolling_states(const Node& root, const TestSource& source) {
@@ -105,6 +115,8 @@ RollingStates read_rolling_states(const Node& root, const TestSource& source) {
   RollingTest& test = read.test;
   test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
   test.pressure = read_pressure(root, source.measured);
+  if (root.has("drum_radius"))
+    test.drum_radius = root.quantity("drum_radius", "m", Range::between(0.1, 100.0));
   std::optional<formats::CsvTable> table;
   if (const auto measured = find_measured(root, "states")) {
     table = formats::CsvTable::parse(std::make_shared<MappedFile>(formats::csv_text(take_measured(
@@ -121,6 +133,7 @@ RollingStates read_rolling_states(const Node& root, const TestSource& source) {
     root.reject("states",
                 fmt::format("has {} states: expected 1 to {}", test.rows.size(), kMostRollingRows));
   check_friction(root, test);
+  check_drum(root, test);
   return read;
 }
 
@@ -137,9 +150,11 @@ std::vector<double> RollsFeTire::driven_at(const std::string& condition) const {
 
 std::string RollsFeTire::states_in_words() const {
   const std::size_t states = rolling().rows.size();
-  return fmt::format("in {} steady {}, friction {:g}{}",
+  const double drum = rolling().drum_radius;
+  return fmt::format("in {} steady {}{}, friction {:g}{}",
                      states,
                      states == 1 ? "state" : "states",
+                     drum > 0.0 ? fmt::format(" on a drum of radius {:g} m", drum) : "",
                      rolling().friction,
                      inflated(rolling().pressure));
 }

@@ -59,8 +59,12 @@ std::string in_words(const RollingRow& row, std::size_t number, std::size_t of) 
 /// The states found at one pressure, from which others start.
 class FlatTrack {
  public:
-  FlatTrack(TireRig& rig, const fe_tire::Inflated& inflated, double friction)
-      : rig_(rig), pressure_(inflated.pressure), friction_(friction), rolling_(rig.tire()) {
+  FlatTrack(TireRig& rig, const fe_tire::Inflated& inflated, const RollingTest& test)
+      : rig_(rig),
+        pressure_(inflated.pressure),
+        friction_(test.friction),
+        curvature_(test.drum_radius > 0.0 ? 1.0 / test.drum_radius : 0.0),
+        rolling_(rig.tire()) {
     rolling_.set_history(rig.losses(), inflated);
   }
 
@@ -119,6 +123,7 @@ class FlatTrack {
     of.slip_angle = row.alpha;
     of.camber = row.camber;
     of.turn_slip = row.turn_slip;
+    of.curvature = curvature_;
     of.load = row.load;
     of.drive = 0.0;
     of.friction.at_rest = friction_;
@@ -181,7 +186,7 @@ class FlatTrack {
   }
 
   TireRig& rig_;
-  double pressure_, friction_, radius_ = 0.0;
+  double pressure_, friction_, curvature_, radius_ = 0.0;
   fe_tire::RollingTire rolling_;
   std::optional<RollingState> start_;
   std::vector<RollingState> found_;
@@ -207,7 +212,7 @@ Status roll_at(TireRig& rig,
   if (const Status done = check_speed(rig, pressure, fastest); !done) return done;
   const auto& inflated = rig.inflated(pressure);
   if (!inflated) return inflated.failure();
-  FlatTrack track(rig, *inflated, test.friction);
+  FlatTrack track(rig, *inflated, test);
   const fe_tire::LossMeter meter(rig.tire(), rig.losses(), *inflated);
   while (!open.empty()) {
     const auto next = std::ranges::min_element(

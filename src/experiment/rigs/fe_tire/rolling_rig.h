@@ -36,6 +36,7 @@ struct RollingRow {
 struct RollingTest {
   Inflation pressure = {};
   double friction = 1.0;
+  double drum_radius = 0.0;  // m, of the drum on which the wheel stands; 0: flat ground
   std::vector<RollingRow> rows;
 };
 

@@ -22,6 +22,11 @@ states or one for each, or a table.
                "Coefficient of friction with the ground. With 0 no state may have a slip; the "
                "wheel then spins with its speed over the inflated radius less a third of the "
                "deflection."},
+              {"drum_radius",
+               "Radius of a drum below the wheel. Speeds are then those of its surface, slip "
+               "angles those of the wheel against it; Fx, Fy and Fz act on the wheel forward, "
+               "sideways and away from the drum's axis, and patches are rolled out.",
+               "none: flat ground"},
               {"kappa",
                "Slips against the free wheel at the same load, speed and camber; -1 is a locked "
                "wheel.",

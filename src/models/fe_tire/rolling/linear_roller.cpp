@@ -114,8 +114,10 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   factor_.reduce(found.d);
   nodes_ = at_nodes(found.d);
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
+  const GroundMotion motion = motion_of(of);
+  const RollingSurface surface(of.curvature, -motion.velocity.normalized());
   TreadBody body(
-      tread_, lines_, ground, kNormalPenalty, motion_of(of), tread_.displacements(x), kNear);
+      tread_, lines_, ground, surface, kNormalPenalty, motion, tread_.displacements(x), kNear);
   if (body.rows().empty())
     return Failure{fmt::format("the tread is off the ground, {:.4g} mm below the wheel center",
                                1e3 * of.height)};

@@ -12,6 +12,7 @@ RollingCase between(const RollingCase& a, const RollingCase& b, double share) {
   at.slip_angle = mean(a.slip_angle, b.slip_angle);
   at.camber = mean(a.camber, b.camber);
   at.turn_slip = mean(a.turn_slip, b.turn_slip);
+  at.curvature = mean(a.curvature, b.curvature);
   at.height = mean(a.height, b.height);
   at.spin = mean(a.spin, b.spin);
   if (a.load && b.load) at.load = mean(*a.load, *b.load);

@@ -10,13 +10,15 @@
 
 namespace latsch::fe_tire {
 
-/// Motion of the wheel on flat ground, and how it is driven. Axes stand on the ground and head as
-/// the wheel does: ISO, x forward, y left, z up (TYDEX W).
+/// Motion of the wheel on flat ground or a drum, and how it is driven. Axes stand on the ground and
+/// head as the wheel does: ISO, x forward, y left, z up (TYDEX W). On a drum, z = 0 is the plane
+/// that touches its top line, below the wheel center, and speeds are those of its surface.
 struct RollingCase {
   double speed = 0.0;       // m/s, size of the wheel center's velocity, positive
   double slip_angle = 0.0;  // rad, tan alpha = V_y/V_x, below 90 degrees
   double camber = 0.0;      // rad, about x: top to the right
   double turn_slip = 0.0;   // 1/m, -(turning rate of the heading)/V
+  double curvature = 0.0;   // 1/m, of a drum below the tire; 0: flat ground
   double height = 0.0;      // m, wheel center over the ground; a start if a load is asked for
   double spin = 0.0;        // rad/s, Omega about +y; a start if a drive is asked for
   std::optional<double> load = {};   // N, Fz that the height has to give
@@ -30,7 +32,7 @@ RollingCase between(const RollingCase& a, const RollingCase& b, double share);
 
 /// A point of the tread in contact.
 struct RollingPatchPoint {
-  double x, y;              // m, from the contact center
+  double x, y;              // m, from the contact center; on a drum the surface is rolled out
   double pressure;          // Pa
   double shear_x, shear_y;  // Pa, on the tire
   double slide_x, slide_y;  // m/s, velocity over the ground; 0 if it sticks
@@ -46,6 +48,9 @@ struct RollingPatchPoint {
 struct RollingForces {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m
+  /// Sum of the tractions, N, x and y on the surface rolled out. On flat ground it is that of
+  /// `force`; R times it is the moment that brakes a drum.
+  Eigen::Vector2d traction = Eigen::Vector2d::Zero();
   double drive = 0.0;  // N m, moment of the drive about the spin axis, which holds the wheel
   double friction_power = 0.0;  // W, lost by sliding
 };

@@ -46,17 +46,17 @@ void measure(const TreadBody& body,
   const std::vector<PlaceOnLine> places = places_on_lines(body.lines(), input.x);
   forces = {};
   patch.clear();
-  for (Eigen::Index k = 0; k < input.p.size(); ++k) {
+  for (int k = 0; k < input.p.size(); ++k) {
     if (!(input.p[k] > 0.0)) continue;
-    const double area = body.area(static_cast<int>(k));
-    const Eigen::Vector3d force = area * Eigen::Vector3d(t.t(0, k), t.t(1, k), input.p[k]);
-    const Eigen::Vector3d at(input.x(0, k), input.x(1, k), 0.0);
+    const double area = body.area(k);
+    const Eigen::Vector3d force = body.force(k, input, t), at = body.place(k, input);
     forces.force += force;
+    forces.traction += area * t.t.col(k);
     forces.moment += (at - center).cross(force);
     forces.drive -= axis.dot((at - hub).cross(force));
     forces.friction_power -= area * t.t.col(k).dot(t.w.col(k));
-    patch.push_back({at.x() - center.x(),
-                     at.y() - center.y(),
+    patch.push_back({input.x(0, k) - center.x(),
+                     input.x(1, k) - center.y(),
                      input.p[k],
                      t.t(0, k),
                      t.t(1, k),
@@ -72,7 +72,7 @@ void measure(const TreadBody& body,
 
 double power_balance(const RollingState& state) {
   const RollingCase& of = state.of;
-  const Eigen::Vector3d& F = state.forces.force;
+  const Eigen::Vector2d& F = state.forces.traction;
   const double V_x = of.speed * std::cos(of.slip_angle), V_y = of.speed * std::sin(of.slip_angle);
   // The turning wheel carries the contact center around the point below the wheel center.
   const double offset = of.height * std::tan(of.camber);  // to the left, as the top is to the right

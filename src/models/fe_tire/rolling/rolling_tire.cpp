@@ -54,11 +54,12 @@ double section_height(const Mesh& mesh) {
 }
 
 /// Returns the numbers of a case that a step changes, of similar effect.
-Eigen::Vector<double, 6> numbers(const RollingCase& of, double spin, double load) {
+Eigen::Vector<double, 7> numbers(const RollingCase& of, double spin, double load) {
   return {of.slip_angle,
           spin * of.height / of.speed,
           of.camber,
           of.turn_slip * of.height,
+          of.curvature * of.height,
           of.speed * of.speed / (9.81 * of.height) * 1e-3,
           load};
 }
@@ -72,7 +73,7 @@ double ratio_of_steps(const RollingState& from, const RollingCase& to) {
   const auto at = [&](const RollingCase& of) {
     return numbers(of, to.drive ? 0.0 : of.spin, load(of));
   };
-  const Eigen::Vector<double, 6> before = at(from.of) - at(from.of_before),
+  const Eigen::Vector<double, 7> before = at(from.of) - at(from.of_before),
                                  now = at(to) - at(from.of);
   const double ratio = before.dot(now) / before.squaredNorm();
   const bool is_along = (now - ratio * before).norm() <= kAside * now.norm();
@@ -271,6 +272,13 @@ Status check(const RollingCase& of) {
   if (!(std::abs(of.slip_angle) < 0.5 * std::numbers::pi))
     return Failure{fmt::format("the slip angle is {:.4g} rad: expected less than a right angle",
                                of.slip_angle)};
+  if (!(of.curvature >= 0.0) || !std::isfinite(of.curvature))
+    return Failure{
+        fmt::format("the drum has a curvature of {:.4g} 1/m: expected one above 0, or 0 "
+                    "for flat ground",
+                    of.curvature)};
+  if (of.curvature > 0.0 && of.turn_slip != 0.0)
+    return Failure{"a wheel that turns on a drum has no steady state: expected turn slip 0"};
   if (of.friction.at_rest == 0.0 && of.drive.value_or(0.0) != 0.0)
     return Failure{"frictionless ground carries no torque: expected friction, or a free wheel"};
   return {};

@@ -56,24 +56,33 @@ bool solve_refined(const Eigen::MatrixXd& J, const Eigen::VectorXd& R, Eigen::Ve
 TreadBody::TreadBody(const TreadSurface& tread,
                      const TreadLines& lines,
                      const PosedGround& ground,
+                     const RollingSurface& surface,
                      double penalty,
                      const GroundMotion& motion,
                      const Eigen::Matrix3Xd& u,
                      double near)
-    : motion_(motion), penalty_(penalty), hub_(ground.in_ground(Eigen::Vector3d::Zero())) {
+    : surface_(surface),
+      motion_(motion),
+      penalty_(penalty),
+      hub_(ground.in_ground(Eigen::Vector3d::Zero())) {
   for (int k = 0; k < 3; ++k) R_.col(k) = ground.in_ground(Eigen::Vector3d::Unit(k)) - hub_;
   axis_ = R_.col(1);
   const Eigen::Matrix3Xd at = tread.points_at(tread.positions(u));
   const auto count = std::ssize(tread.points());
-  Eigen::Matrix3Xd q(3, count);
-  for (Eigen::Index k = 0; k < count; ++k) q.col(k) = ground.in_ground(at.col(k));
-  const Eigen::VectorXd height = q.row(2).transpose();
+  std::vector<RollingSurface::Place> all;
+  Eigen::VectorXd height(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    all.push_back(surface.place(ground.in_ground(at.col(k))));
+    height[k] = all.back().x.z();
+  }
   for (const std::vector<int>& line : lines.lines) add_line(tread, lines, line, height, near);
   // Points along the ground follow the mean itself: the offset stands for the arc that the ground
   // flattens, and would creep as it does.
   for (const int point : points_) {
-    const Eigen::Vector3d offset = R_ * tread.points()[point].offset;
-    x_0_.push_back(q.col(point) - Eigen::Vector3d(offset.x(), offset.y(), 0.0));
+    const auto& [x, turn] = all[point];
+    const Eigen::Vector3d offset = turn * (R_ * tread.points()[point].offset);
+    x_0_.push_back(x - Eigen::Vector3d(offset.x(), offset.y(), 0.0));
+    turn_.push_back(turn);
   }
   lines_.time = Eigen::Map<const Eigen::VectorXd>(times_.data(), std::ssize(times_));
   std::vector<int> column(3 * static_cast<std::size_t>(tread.nodes()), -1);
@@ -172,10 +181,10 @@ Eigen::Matrix3Xd TreadBody::positions(const Eigen::VectorXd& q) const {
     const Eigen::VectorXd moved = q(sections_[s].columns);
     for (int k = line.first; k < line.last; ++k) {
       const PointNodes& point = sections_[s].points[k - line.first];
-      Eigen::Vector3d at = x_0_[k] + up;
+      Eigen::Vector3d by = up;
       for (std::size_t n = 0; n < point.at.size(); ++n)
-        at += point.w[n] * moved.segment<3>(point.at[n]);
-      x.col(k) = at;
+        by += point.w[n] * moved.segment<3>(point.at[n]);
+      x.col(k) = x_0_[k] + turn_[k] * by;
     }
   }
   return x;
@@ -220,8 +229,7 @@ Eigen::VectorXd TreadBody::forces_in_ground(const RollingInput& input,
     for (int k = line.first; k < line.last; ++k) {
       if (!(input.p[k] > 0.0)) continue;
       const PointNodes& point = sections_[s].points[k - line.first];
-      const Eigen::Vector3d force =
-          areas_[k] * Eigen::Vector3d(tractions.t(0, k), tractions.t(1, k), input.p[k]);
+      const Eigen::Vector3d force = this->force(k, input, tractions);
       for (std::size_t n = 0; n < point.at.size(); ++n)
         on.segment<3>(point.at[n]) += point.w[n] * force;
     }
@@ -235,12 +243,10 @@ double TreadBody::drive(const RollingInput& input,
                         const GripTractions& tractions,
                         double rise) const {
   double sum = 0.0;
-  for (Eigen::Index k = 0; k < input.p.size(); ++k) {
+  const Eigen::Vector3d hub = hub_ + Eigen::Vector3d(0.0, 0.0, rise);
+  for (int k = 0; k < input.p.size(); ++k) {
     if (!(input.p[k] > 0.0)) continue;
-    const Eigen::Vector3d force =
-        areas_[k] * Eigen::Vector3d(tractions.t(0, k), tractions.t(1, k), input.p[k]);
-    const Eigen::Vector3d arm(input.x(0, k) - hub_.x(), input.x(1, k) - hub_.y(), -hub_.z() - rise);
-    sum -= axis_.dot(arm.cross(force));
+    sum -= axis_.dot((place(k, input) - hub).cross(force(k, input, tractions)));
   }
   return sum;
 }
@@ -253,7 +259,8 @@ Eigen::VectorXd TreadBody::residual(const Eigen::VectorXd& q,
   R.head(m) = T_ * q.head(m) + r_ - forces_in_ground(input, tractions);
   if (load_) {
     double Fz = 0.0;
-    for (Eigen::Index k = 0; k < input.p.size(); ++k) Fz += areas_[k] * input.p[k];
+    for (int k = 0; k < input.p.size(); ++k)
+      if (input.p[k] > 0.0) Fz += force(k, input, tractions).z();
     R[rise_at()] = Fz - *load_;
   }
   if (drive_) R[spin_at()] = (drive(input, tractions, rise(q)) - *drive_) / hub_.z();
@@ -287,6 +294,9 @@ class TreadBody::LineJacobian {
         faster_(faster),
         J_(J),
         rows_(section.columns) {
+    // On a drum tractions carry a part of the load.
+    has_load_row_ = body.load_ && !body.surface_.is_flat();
+    if (has_load_row_) rows_.push_back(body.rise_at());
     if (body.drive_) rows_.push_back(body.spin_at());
     tangent_.setZero(std::ssize(rows_), std::ssize(section.columns));
     is_dense_.assign(section.columns.size(), false);
@@ -309,7 +319,8 @@ class TreadBody::LineJacobian {
   }
 
  private:
-  /// Derivatives by the position of a point: those that act by G_{i+1}, 2 x 3.
+  /// Derivatives by the position of a point, in the axes of the surface: those that act by G_{i+1},
+  /// 2 x 3.
   using Behind = Eigen::Matrix<double, 2, 3>;
 
   void step(int k) {
@@ -320,7 +331,7 @@ class TreadBody::LineJacobian {
     behind << -next.by_step, shared_;
     shared_.setZero();
     if (!(input_.p[k] > 0.0)) {
-      act_behind(point, behind);
+      act_behind(k, point, behind);
       G_.setZero();
       return;
     }
@@ -335,17 +346,21 @@ class TreadBody::LineJacobian {
       shared_ = here / (drop * drop) * link.by_share;
     }
     behind += next.by_before * own;
-    act_behind(point, behind);
+    act_behind(k, point, behind);
+    const Eigen::Matrix3d& turn = body_.turn_[k];
     Eigen::Matrix3d force;
     force << area * own, 0.0, 0.0, area * stiff;
+    force = (turn.transpose() * force * turn).eval();
     act_locally(point, force);
     const Eigen::Vector3d moment = moment_arm(k);
-    if (body_.drive_) add_drive(k, point, own, moment);
+    if (body_.drive_) add_drive(k, point, force, moment);
     G_ = (G_ * next.by_before).eval();
     for (std::size_t a = 0; a < point.at.size(); ++a)
-      G_.middleRows<2>(point.at[a]) += area * point.w[a] * Eigen::Matrix2d::Identity();
+      G_.middleRows<3>(point.at[a]) += area * point.w[a] * turn.topRows<2>().transpose();
+    if (has_load_row_)
+      G_.row(std::ssize(section_.columns)) -= area * turn.block<2, 1>(0, 2).transpose();
     if (!body_.drive_) return;
-    G_.row(G_.rows() - 1) += area / body_.hub_.z() * moment.head<2>().transpose();
+    G_.row(G_.rows() - 1) += area / body_.hub_.z() * (turn.topRows<2>() * moment).transpose();
     by_spin_ += G_ * (link.by_step * input_.V_g.col(k) * (body_.lines_.time[k] / faster_));
   }
 
@@ -363,21 +378,20 @@ class TreadBody::LineJacobian {
       }
       if (!body_.load_) continue;
       by_rise_.segment<3>(point.at[b]) += point.w[b] * force.col(2);
-      J_(body_.rise_at(), first + 2) += force(2, 2) * point.w[b];
+      for (int c = 0; c < 3; ++c) J_(body_.rise_at(), first + c) += force(2, c) * point.w[b];
     }
     if (body_.load_) J_(body_.rise_at(), body_.rise_at()) += force(2, 2);
   }
 
   /// Returns axis x arm; the moment of the drive is -force . (axis x arm).
   Eigen::Vector3d moment_arm(int k) const {
-    const Eigen::Vector3d& hub = body_.hub_;
-    return body_.axis_.cross(
-        Eigen::Vector3d(input_.x(0, k) - hub.x(), input_.x(1, k) - hub.y(), -hub.z() - rise_));
+    const Eigen::Vector3d hub = body_.hub_ + Eigen::Vector3d(0.0, 0.0, rise_);
+    return body_.axis_.cross(body_.place(k, input_) - hub);
   }
 
-  void act_behind(const PointNodes& point, const Behind& behind) {
+  void act_behind(int k, const PointNodes& point, const Behind& behind) {
     if (behind.isZero(0.0)) return;
-    const Eigen::MatrixX3d by = G_ * behind;
+    const Eigen::MatrixX3d by = G_ * (behind * body_.turn_[k]).eval();
     for (std::size_t b = 0; b < point.at.size(); ++b) {
       for (int c = 0; c < 3; ++c) {
         tangent_.col(point.at[b] + c) += point.w[b] * by.col(c);
@@ -387,19 +401,22 @@ class TreadBody::LineJacobian {
     if (body_.load_) by_rise_ += by.col(2);
   }
 
-  void add_drive(int k, const PointNodes& point, const Behind& own, const Eigen::Vector3d& arm) {
-    const double area = body_.areas_[k], height = body_.hub_.z();
-    Eigen::RowVector3d by = area / height * arm.head<2>().transpose() * own;
-    by[2] -= area / height * arm.z() * body_.penalty_;
-    const Eigen::Vector3d force =
-        area * Eigen::Vector3d(tractions_.t(0, k), tractions_.t(1, k), input_.p[k]);
-    const Eigen::Vector3d turned = force.cross(body_.axis_) / height;
-    const double by_height = by[2] - turned.z();  // the arm grows with the height, not with z
-    by.head<2>() += turned.head<2>().transpose();
+  /// Adds the derivatives of the drive's moment by the position of a point, of which `by_position`
+  /// are those of its own force.
+  void add_drive(int k,
+                 const PointNodes& point,
+                 const Eigen::Matrix3d& by_position,
+                 const Eigen::Vector3d& arm) {
+    const double height = body_.hub_.z();
+    Eigen::RowVector3d by = arm.transpose() * by_position / height;
+    // The place of the force moves along the surface, and its arm grows with the height.
+    const Eigen::Vector3d turned = body_.force(k, input_, tractions_).cross(body_.axis_) / height;
+    const auto along = body_.turn_[k].topRows<2>();
+    by += (along * turned).transpose() * along;
     for (std::size_t b = 0; b < point.at.size(); ++b)
       for (int c = 0; c < 3; ++c)
         J_(body_.spin_at(), section_.columns[point.at[b]] + c) -= point.w[b] * by[c];
-    by_rise_[tangent_.rows() - 1] += by_height;
+    by_rise_[tangent_.rows() - 1] += by[2] - turned.z();
   }
 
   const TreadBody& body_;
@@ -411,6 +428,7 @@ class TreadBody::LineJacobian {
   double rise_, faster_;
   Eigen::MatrixXd& J_;
   std::vector<int> rows_;
+  bool has_load_row_ = false;
   Eigen::MatrixXd tangent_;  // derivatives that act by G_{i+1}; other columns are 0
   std::vector<bool> is_dense_;
   Eigen::VectorXd by_rise_, by_spin_;

@@ -5,7 +5,9 @@
 //   R(q) = T q + r - A^T(p n + t)(x_0 + A q) dA,     q: displacements of the nodes' unknowns
 //
 // T and r come from CondensedTire and are turned to the ground's axes, in which a point's position
-// is a mean of its nodes' with scalar weights. The pressure is the penalty (C.1). A point at the
+// is a mean of its nodes' with scalar weights. On a drum, positions and tractions are those of the
+// surface rolled out (rolling_surface.h) about each point's place at x_0. The pressure is the
+// penalty (C.1). A point at the
 // leading edge has the share of its step behind the height 0, with its derivative.
 //
 // A height that follows from a load and a spin that follows from a drive are unknowns behind q:
@@ -20,6 +22,7 @@
 
 #include "models/fe_tire/contact/ground.h"
 #include "models/fe_tire/rolling/rolling_contact.h"
+#include "models/fe_tire/rolling/rolling_surface.h"
 #include "models/fe_tire/rolling/tread_lines.h"
 
 namespace latsch::fe_tire {
@@ -38,6 +41,7 @@ class TreadBody : public RollingBody {
   TreadBody(const TreadSurface& tread,
             const TreadLines& lines,
             const PosedGround& ground,
+            const RollingSurface& surface,
             double penalty,
             const GroundMotion& motion,
             const Eigen::Matrix3Xd& u,
@@ -77,9 +81,17 @@ class TreadBody : public RollingBody {
   Eigen::VectorXd to_nodes(const Eigen::VectorXd& q) const;
   /// Returns the ground's forces at rows(), N, in the same axes.
   Eigen::VectorXd forces(const RollingInput& input, const GripTractions& tractions) const;
-  /// Returns the positions of the listed points, m, ground's axes [3 x points].
+  /// Returns the positions of the listed points on the surface rolled out, m [3 x points].
   Eigen::Matrix3Xd positions(const Eigen::VectorXd& q) const;
   double area(int k) const { return areas_[k]; }
+  /// Returns the place of point k on the surface, m, and its force, N, in the ground's axes.
+  Eigen::Vector3d place(int k, const RollingInput& input) const {
+    return surface_.point(input.x.col(k));
+  }
+  Eigen::Vector3d force(int k, const RollingInput& input, const GripTractions& tractions) const {
+    return areas_[k] * (turn_[k].transpose() *
+                        Eigen::Vector3d(tractions.t(0, k), tractions.t(1, k), input.p[k]));
+  }
   /// Time between successive planes' points, s, at point k.
   double time(int k) const { return lines_.time[k]; }
 
@@ -106,6 +118,7 @@ class TreadBody : public RollingBody {
   Eigen::VectorXd forces_in_ground(const RollingInput& input, const GripTractions& tractions) const;
   class LineJacobian;
 
+  RollingSurface surface_;
   GroundMotion motion_;
   double penalty_, scale_ = 1.0;
   std::optional<double> load_ = {}, drive_ = {};
@@ -114,7 +127,8 @@ class TreadBody : public RollingBody {
   RollingLines lines_;
   std::vector<int> points_, rows_;
   std::vector<double> areas_, times_;
-  std::vector<Eigen::Vector3d> x_0_;  // positions, without the offset of (T.1) along the ground
+  std::vector<Eigen::Vector3d> x_0_;   // positions, without the offset of (T.1) along the ground
+  std::vector<Eigen::Matrix3d> turn_;  // from the ground's axes to the surface's at each point
   std::vector<Section> sections_;
   std::vector<Eigen::Matrix3d> turns_;  // turns each node's axes to the ground's
   Eigen::MatrixXd T_;
