@@ -46,9 +46,10 @@ constexpr const char* kChannels[] = {"Fy", "Mz", "Mx"};
 
 void write_study(const fs::path& folder) {
   (void)benchmarks::run_command(fmt::format(
-      "{} new {} --magic-formula {} --axes iso --column 'time = t_s [s]' --column 'Vx = V_kph "
+      "{} new {} --magic-formula {} --axes sae --column 'time = t_s [s]' --column 'Vx = V_kph "
       "[km/h]' --column 'alpha = SA_deg [deg]' --column 'gamma = IA_deg [deg]' --column 'p = P_kPa "
-      "[kPa]' --column 'loaded_radius = RL_cm [cm]' --column 'Fz = FZ_N_positive [N]' --column 'Fy "
+      "[kPa]' --column 'loaded_radius = RL_cm [cm]' --column 'Fz = -FZ_N_positive [N]' --column "
+      "'Fy "
       "= FY_N [N]' --column 'Mz = MZ_Nm [N m]' --column 'Mx = MX_Nm [N m]' --hold-out 'p = 97 kPa "
       "+- 7 kPa' --quiet",
       (fs::read_symlink("/proc/self/exe").parent_path() / "latsch").string(),

@@ -36,12 +36,12 @@ std::string written_study(const fs::path& folder) {
       "{} new {} --magic-formula {} --axes {} --column 'time = t_s [s]' --column 'Vx = V_kph "
       "[km/h]' "
       "--column 'alpha = SA_deg [deg]' --column 'gamma = IA_deg [deg]' --column 'p = P_kPa [kPa]' "
-      "--column 'loaded_radius = RL_cm [cm]' --column 'Fz = FZ_N_positive [N]' "
+      "--column 'loaded_radius = RL_cm [cm]' --column 'Fz = -FZ_N_positive [N]' "
       "--column 'Fy = FY_N [N]' --column 'Mz = MZ_Nm [N m]' --quiet",
       (fs::read_symlink("/proc/self/exe").parent_path() / "latsch").string(),
       folder.string(),
       kRun,
-      "iso"));
+      "sae"));  // SAE axes, of which the file has turned Fz
   return read_text_file(folder / "study.toml");
 }
 

@@ -50,6 +50,8 @@ and, where our own model computed what is measured, how:
     also = ["mode_shapes.csv"]  # written, not compared: the sign of a shape is free
     tolerance = 1e-6            # relative, of every number
 
+A README quotes a number outside of its block by naming it, and it is written and checked, too: tools/study_figures.py.
+
 Numbers of runs are written by --renew; quick, tolerance, reason, truth, needs, search, no_run, command, keep, after and
 [data] by hand, and kept; --renew removes no_run. Values and errors are those of one run that began without a journal, at
 full digits: a trial at rounded values, or the end of a second run, is another result.
@@ -66,6 +68,8 @@ import subprocess
 import sys
 import tempfile
 import tomllib
+
+from study_figures import NoFigure, differing_figures, with_figures
 
 TREE = pathlib.Path(__file__).resolve().parents[1]
 STUDIES = TREE / "studies"
@@ -447,10 +451,14 @@ def readme_with(text, block, name):
 def readme_differences(folder, content):
     file = folder / "README.md"
     text = file.read_text()
+    wrong = []
     if readme_with(text, block_of(content), file.relative_to(TREE)) != text:
-        return [f"the block of {file.relative_to(TREE)} is not what expected.toml says; write it: tools/studies.py --readme "
-                + str(folder.relative_to(STUDIES))]
-    return []
+        wrong.append(f"the block of {file.relative_to(TREE)} is not what expected.toml says")
+    try:
+        wrong += [f"{file.relative_to(TREE)}: {one}" for one in differing_figures(text, content)]
+    except NoFigure as error:
+        return [*wrong, f"{file.relative_to(TREE)}: {error}"]
+    return [f"{one}; write it: tools/studies.py --readme {folder.relative_to(STUDIES)}" for one in wrong]
 
 
 # --- commands ---
@@ -546,7 +554,11 @@ def renew(latsch, names, with_data):
 
 def write_readme(folder, content):
     file = folder / "README.md"
-    file.write_text(readme_with(file.read_text(), block_of(content), file.relative_to(TREE)))
+    name = file.relative_to(TREE)
+    try:
+        file.write_text(with_figures(readme_with(file.read_text(), block_of(content), name), content))
+    except NoFigure as error:
+        raise Wrong(f"{name}: {error}") from None
 
 
 def seconds_of(entry, quick=False):

@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 import studies
+import study_figures
 
 EXPECTED = """\
 ["study.toml"]
@@ -211,6 +212,36 @@ class Studies(unittest.TestCase):
         self.asked(studies.renew, ["spring/long.toml"], False)
         self.assertNotIn("no_run", (self.folder / "expected.toml").read_text())
         self.assertEqual(self.asked(studies.check, [], False)[0], 0)
+
+    def test_a_figure_in_a_sentence_is_checked_and_renewed(self):
+        readme = self.folder / "README.md"
+        quoted = "It takes <!-- = study.toml steps -->17<!-- / --> steps.\n"
+        readme.write_text(quoted + readme.read_text())
+        code, said = self.asked(studies.check, [], True)
+        self.assertEqual(code, 1)
+        self.assertIn('"17" is written for study.toml steps, where expected.toml says 3', said)
+        self.asked(studies.renew, [], False)
+        self.assertIn("It takes <!-- = study.toml steps -->3<!-- / --> steps.", readme.read_text())
+        self.assertEqual(self.asked(studies.check, [], True)[0], 0)
+        self.edit("README.md", "study.toml steps", "study.toml strides")
+        self.assertIn('expected.toml has no figure "study.toml strides"', self.asked(studies.check, [], True)[1])
+        with self.assertRaises(studies.Wrong):
+            studies.write_readme(self.folder, studies.read(self.folder / "expected.toml"))
+
+    def test_figures_are_written_as_their_words_say(self):
+        content = {"a.toml": {"target": 0.000121, "steps": 1250, "cpu_seconds": 579.0,
+                              "values": {"radial": {"value": 0.6009, "unit": "MN/m^2", "lower": 0.594}},
+                              "errors": {"slow.Fx": {"mean": 0.0188, "largest": 0.0687}},
+                              "results": {"tires.ring.error.Fx": 0.08523}}}
+        for words, expected in (("target %", "0.0121"), ("target root % 2", "1.1"), ("steps", "1250"), ("cpu_seconds minutes 2", "9.7"),
+                                ("values.radial", "0.601"), ("values.radial.lower 2", "0.59"), ("values.radial from 0.63", "-4.62"),
+                                ("values.radial from 0.6 2", "+0.15"), ("values.radial times 1000", "601"), ("errors.slow.Fx %", "1.88"),
+                                ("errors.slow.Fx.largest % 2", "6.9"), ("results.tires.ring.error.Fx % 1", "9")):
+            text = study_figures.with_figures(f"<!-- = a.toml {words} --><!-- / -->", content)
+            self.assertEqual(text, f"<!-- = a.toml {words} -->{expected}<!-- / -->")
+        for words in ("values.lateral", "values.radial upside down", "values"):
+            with self.assertRaises(study_figures.NoFigure):
+                study_figures.with_figures(f"<!-- = a.toml {words} --><!-- / -->", content)
 
     def test_a_study_of_which_nobody_speaks_is_found(self):
         self.assertEqual(studies.without_results(), [])

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace latsch::car {
@@ -82,9 +83,12 @@ class LoadedCar {
   }
 
   /// Computes the equilibrium at the end of a step of the downforces. The step is halved while no
-  /// equilibrium is found.
-  Status settle_after(Vector3d step, LoaderSolution& found) {
+  /// equilibrium is found. `refused` tells in words why there was none at the end of the whole
+  /// step; it is empty if there was one.
+  Status settle_after(Vector3d step, LoaderSolution& found, std::string& refused) {
     Status settled = settle(found.downforce, found.state);
+    refused.clear();
+    if (!settled) refused = settled.failure().reason;
     for (int k = 0; k < kHalvings && !settled; ++k) {
       step *= 0.5;
       found.downforce -= step;
@@ -130,6 +134,26 @@ bool are_independent(const Matrix<double, 4, 3>& slopes) {
   return squares.determinant() > kIndependent * std::pow(squares.trace() / 3.0, 3);
 }
 
+/// Tells what the last step left. The forces that no loaders can produce are no fault of the search
+/// and are told apart.
+Failure not_found(const LoaderSolution& found,
+                  const Vector3d& step,
+                  double enough,
+                  const std::string& refused) {
+  std::string words = fmt::format(
+      "no loaders' forces were found for these push-rods: after {} steps they would still change "
+      "by "
+      "{:.3g} N, {:.3g} N at most is asked ({:.3g} N of the push-rods' forces no loaders produce)",
+      kMostSteps,
+      step.norm(),
+      enough,
+      std::abs(found.unreachable.dot(found.left)));
+  if (!refused.empty())
+    words += ". The last step was shortened, because at its end the car finds no equilibrium: " +
+             refused;
+  return {words};
+}
+
 }  // namespace
 
 std::vector<multibody::Load> AeroLoaders::loads(const Car& car, const Vector3d& downforce) const {
@@ -165,9 +189,11 @@ Result<LoaderSolution> solve_loaders(Car& car,
   LoaderSolution found;
   found.downforce.setZero();
   Vector3d step = Vector3d::Zero();
+  std::string refused;
+  double enough = 0.0;
   for (int i = 0; i < kMostSteps; ++i) {
-    const Status settled =
-        i > 0 ? loaded.settle_after(step, found) : loaded.settle(found.downforce, found.state);
+    const Status settled = i > 0 ? loaded.settle_after(step, found, refused)
+                                 : loaded.settle(found.downforce, found.state);
     if (!settled) return settled.failure();
     found.pushrods = loaded.pushrods(found.state);
     if (i < 2) {
@@ -178,15 +204,14 @@ Result<LoaderSolution> solve_loaders(Car& car,
       return Failure{"the loaders are in one line: three points of a triangle are needed"};
     step = solve_three(found.slopes, wanted - found.pushrods);
     found.left = wanted - found.pushrods;
-    const bool is_near = step.norm() < kEnough * (1.0 + found.downforce.norm());
-    if (is_near && (loaded.rolls() || !loaded.has_speed())) return found;
+    enough = kEnough * (1.0 + found.downforce.norm());
+    if (step.norm() < enough && (loaded.rolls() || !loaded.has_speed())) return found;
     // The slopes are computed on the standing car under nearly these forces, because rolling tires
     // are expensive.
     if (i > 0) loaded.roll();
     found.downforce += step;
   }
-  return Failure{fmt::format("no loaders' forces were found for these push-rods: {:.3g} N are left",
-                             found.left.norm())};
+  return not_found(found, step, enough, refused);
 }
 
 }  // namespace latsch::car

@@ -11,6 +11,7 @@
 #include "models/car/aero_loaders.h"
 #include "models/car/race_car_testing.h"
 #include "models/car/smooth_kerb_testing.h"
+#include "models/car/spring_tire.h"
 #include "models/road/placed_road.h"
 #include "models/road/plane_road.h"
 #include "models/road/triangle_road.h"
@@ -197,6 +198,69 @@ TEST(Car, LoadersAreFoundFromTheForcesOfThePushrods) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->left.norm(), 100.0, 1.0);
   EXPECT_LT((found->downforce - truth).norm(), 5.0);
+}
+
+/// A spring tire that refuses to stand under loads within a band about a given one, N.
+class ChoosyTire final : public Tire {
+ public:
+  ChoosyTire(double refused, double band)
+      : spring_({0.235, 117e3, 300.0}), refused_(refused), band_(band) {}
+  double free_radius() const override { return spring_.free_radius(); }
+  Result<HubForces> settle(const WheelMotion& motion,
+                           const road::Road& road,
+                           double time) override {
+    auto hub = spring_.settle(motion, road, time);
+    if (hub && std::abs(hub->force.z() - refused_) < band_)
+      return Failure{"the tire refuses this load"};
+    return hub;
+  }
+  Result<HubForces> advance(const WheelMotion& motion,
+                            const road::Road& road,
+                            double time,
+                            double step) override {
+    return spring_.advance(motion, road, time, step);
+  }
+  Result<HubForces> advance_free(WheelMotion& motion,
+                                 FreeWheel& wheel,
+                                 const road::Road& road,
+                                 double time,
+                                 double step) override {
+    return advance_by_trials(*this, motion, wheel, road, time, step);
+  }
+  std::unique_ptr<Tire> clone() const override { return std::make_unique<ChoosyTire>(*this); }
+
+ private:
+  SpringTire spring_;
+  double refused_, band_;
+};
+
+// The wanted push-rod forces need downforce under which the car has no equilibrium, though it has
+// one beside it. Every step is halved there, and the message says why, not only what is left.
+TEST(Car, LoadersThatTheCarCannotBearAreRefusedWithTheCause) {
+  AeroLoaders loaders;
+  loaders.points << 1.55, 1.55, 0.0, 0.4, -0.4, 0.0, 0.3, 0.3, 0.3;
+  const auto content = made(race_car(false));
+  CarInputs with;
+  with.loads = loaders.loads(*content, {400.0, 700.0, 1500.0});
+  const CarState pressed = *content->settle(road::PlaneRoad{}, 0.0, with);
+  const auto pushrods = content->pushrod_forces(pressed);
+  const auto loads = content->vertical_forces(pressed);
+  // Beside the wide band no half of a step has an equilibrium, beside the narrow ones some have.
+  for (const double band : {0.05, 0.1, 0.2, 2.0}) {
+    Tires tires;
+    for (std::size_t i = 0; i < tires.size(); ++i)
+      tires[i] = std::make_unique<ChoosyTire>(loads[i], band);
+    const auto choosy = Car::make(race_car(false), std::move(tires));
+    ASSERT_TRUE(choosy) << choosy.failure().reason;
+    const auto found = solve_loaders(**choosy,
+                                     loaders,
+                                     {pushrods[0], pushrods[1], pushrods[2], pushrods[3]},
+                                     road::PlaneRoad{},
+                                     0.0);
+    ASSERT_FALSE(found) << band;
+    EXPECT_NE(found.failure().reason.find("refuses this load"), std::string::npos)
+        << band << " N: " << found.failure().reason;
+  }
 }
 
 TEST(Car, LoadersInALineAreRefused) {

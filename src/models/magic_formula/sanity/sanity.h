@@ -14,7 +14,7 @@
 //                         direction, with at least 10 % of its peak
 //   trail                 is positive at zero slip angle
 //   overturning moment    at most the load at a lever of half the radius
-//   camber stiffness      at most six times the load, for each radian
+//   camber stiffness      at most six times the load, for each radian, and toward the lean
 //   aligning moment       falls beyond its peak, and beyond 0 it stays below half of the peak
 //   factors               of pressure and camber polynomials stay positive: no pole, no change
 //                         of sign

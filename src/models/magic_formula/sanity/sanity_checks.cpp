@@ -30,6 +30,9 @@ constexpr double kLeastLeft = 0.1;
 constexpr double kMostLever = 0.5;
 // Largest camber stiffness over the load, 1/rad.
 constexpr double kMostCamber = 6.0;
+// Largest camber stiffness over the load in the wrong direction, 1/rad. Conicity and ply steer of
+// a tire tested at few cambers may look like a little of it.
+constexpr double kMostAside = 0.2;
 constexpr double kBar = 1e5;
 
 /// An interval of 1.5 times the width of the data, with the same middle.
@@ -236,6 +239,15 @@ WorstViolation camber_force_in_bounds(const Parameters& p, const Lattice& at) {
           kMostCamber);
     });
   }
+  const double aside = (Fy(p.FNOMIN, kAngle) - Fy(p.FNOMIN, -kAngle)) / (2.0 * kAngle * p.FNOMIN);
+  found.worsen(aside - kMostAside, [&] {
+    return fmt::format(
+        "a leaning tire is pushed away from its lean: dFy/dgamma is {:+.3g} of the load a radian "
+        "at {:.0f} N and negative in the axes of a .tir (ISO), as dFy/dalpha is; if it was fitted, "
+        "look at the axes and signs of the recording, above all those of gamma, alpha and Fy",
+        aside,
+        p.FNOMIN);
+  });
   return found;
 }
 

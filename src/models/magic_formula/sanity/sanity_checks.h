@@ -62,7 +62,8 @@ WorstViolation force_keeps_direction(const Parameters& p, const Lattice& at, boo
 WorstViolation trail_is_positive(const Parameters& p, const Lattice& at);
 /// Checks the overturning moment against half of the radius as the lever of the load.
 WorstViolation overturning_in_bounds(const Parameters& p, const Lattice& at);
-/// Checks the side force by camber at zero slip angle over load and angle.
+/// Checks the side force by camber at zero slip angle over load and angle, and that it points to
+/// the side to which the tire leans.
 WorstViolation camber_force_in_bounds(const Parameters& p, const Lattice& at);
 /// Checks that the forces over all slips at a load form a nearly convex set. It compares the
 /// largest force in each direction with the convex hull.

@@ -84,6 +84,8 @@ TEST(Sanity, AFaultNamesItsRowAndTheCoefficientThatMakesIt) {
            Case{&Parameters::QDZ2, -3.0, "QDZ2", "trail"},
            Case{&Parameters::QSX1, 3.0, "QSX1", "overturning moment"},
            Case{&Parameters::PKY6, 30.0, "PKY6", "camber stiffness"},
+           Case{&Parameters::PKY6, -30.0, "PKY6", "camber stiffness"},
+           Case{&Parameters::PKY6, 2.0, "PKY6", "camber stiffness"},
            Case{&Parameters::PPY2, -9.0, "PPY2", "factors"},
            Case{&Parameters::QBZ4, -15.0, "QBZ4", "factors"},
        }) {
