@@ -152,8 +152,8 @@ TEST(ChannelChecks, NameTheChannelOfAnotherSignOrUnit) {
   }
 }
 
-/// A cornering test over five loads in which the stiffness by load falls with the load, as it does on
-/// a tire, and the side force saturates; the inclination has the given sign.
+/// A cornering test over five loads in which the stiffness by load falls with the load, as it does
+/// on a tire, and the side force saturates; the inclination has the given sign.
 Channels several_loads(double sign) {
   Channels channels;
   Channel alpha{"alpha", "rad", {}}, gamma{"gamma", "rad", {}}, Fz{"Fz", "N", {}},
