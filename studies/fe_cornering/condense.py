@@ -8,9 +8,6 @@ and slip angle the samples around it, of both signs of the slip angle, give side
 squares: a parabola in the size of the slip angle and an offset of the two signs, with weights that fall to zero at the width. The
 offset, the force that this tire has when it runs straight (ply steer, conicity), is dropped: a model whose sectors are all
 alike and whose plies mirror each other has next to none. The force by camber is that at 3 degrees less that without camber.
-
-The record is in the axes of SAE J670e with positive loads: Mx of the full record falls with Fy, and a wheel that leans to the
-right is pushed to the right, where Fy is positive. The files are in ISO-W: signs of slip angle, Fy and Mz change.
 """
 import csv
 import math
@@ -20,7 +17,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 RECORD = HERE.parent / "race_tire_mf" / "cornering.csv"
 WIDTH = 1.6  # deg
 PRESSURE = 83  # kPa
-HEAD = "# Condensed by condense.py from ../race_tire_mf/cornering.csv, whose head names the source, and turned to ISO-W.\n"
+HEAD = "# Condensed by condense.py from ../race_tire_mf/cornering.csv, whose head names the source. ISO-W.\n"
 
 
 def solve(matrix, right):
@@ -81,8 +78,6 @@ def main():
     with open(RECORD) as file:
         rows = csv.DictReader(line for line in file if not line.startswith("#"))
         record = [{name.split(" ")[0]: float(value) for name, value in row.items()} for row in rows]
-    for row in record:  # SAE to ISO-W
-        row.update(alpha=-row["alpha"], Fy=-row["Fy"], Mz=-row["Mz"])
     slips = lambda loads, angles: [(load, alpha, 0, at_slip(record, load, alpha)) for load in loads for alpha in angles]
     write("race_cornering.csv", slips((1080, 2210), (1, 3, 7)))
     write("race_other_loads.csv", slips((500, 2740), (1, 3, 7)))
