@@ -30,18 +30,19 @@ using namespace latsch::correlation;
 constexpr const char* kRun =
     LATSCH_SOURCE_DIR "/../shared/data/measured/ttc_hoosier_43075_cornering_10Hz.csv";
 
-/// Returns the study that the program writes for the measurement.
+/// Returns the study that the program writes for the measurement, which is in the axes of SAE J670e
+/// but for its loads, which are positive.
 std::string written_study(const fs::path& folder) {
   (void)benchmarks::run_command(fmt::format(
       "{} new {} --magic-formula {} --axes {} --column 'time = t_s [s]' --column 'Vx = V_kph "
       "[km/h]' "
       "--column 'alpha = SA_deg [deg]' --column 'gamma = IA_deg [deg]' --column 'p = P_kPa [kPa]' "
-      "--column 'loaded_radius = RL_cm [cm]' --column 'Fz = FZ_N_positive [N]' "
+      "--column 'loaded_radius = RL_cm [cm]' --column 'Fz = -FZ_N_positive [N]' "
       "--column 'Fy = FY_N [N]' --column 'Mz = MZ_Nm [N m]' --quiet",
       (fs::read_symlink("/proc/self/exe").parent_path() / "latsch").string(),
       folder.string(),
       kRun,
-      "iso"));
+      "sae"));
   return read_text_file(folder / "study.toml");
 }
 
