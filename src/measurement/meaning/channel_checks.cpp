@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -369,50 +369,56 @@ void check_friction(const Channels& channels, std::vector<ChannelDoubt>& doubts)
   }
 }
 
-/// Fits Fy / Fz = a alpha + b gamma + c at small slip angles; b must be negative in iso axes.
+/// Fits Fy / Fz = a(Fz, alpha) alpha + b gamma + c(Fz) at small slip angles, where a is linear in
+/// Fz and in alpha^2 and c is linear in Fz; b must be negative in iso axes. Without these terms the
+/// spread of a record over several loads hides b.
 void check_inclination(const Channels& channels, std::vector<ChannelDoubt>& doubts) {
   constexpr double kLeastSpread = 0.01;  // rad; least spread of gamma
   constexpr double kClearly = 8.0;       // least ratio of b to its standard deviation
-  constexpr std::size_t kFewest = 12;
+  constexpr double kOwnPart = 1e-6;      // least share of gamma^2 that the other terms leave
+  constexpr Eigen::Index kFewest = 12, kTerms = 5;
   const Channel *Fy = only(channels, "Fy"), *Fz = only(channels, "Fz"),
                 *alpha = only(channels, "alpha"), *gamma = only(channels, "gamma");
   if (!Fy || !Fz || !alpha || !gamma || gamma->unit != "rad" || alpha->unit != "rad") return;
-  std::vector<std::array<double, 3>> rows;
-  std::vector<double> right;
-  double low = kInfinity, high = -kInfinity;
+  std::vector<std::size_t> small;
+  double load = 0.0, low = kInfinity, high = -kInfinity;
   for (std::size_t i = 0; i < Fy->values.size(); ++i) {
-    const double a = alpha->values[i], g = gamma->values[i], mu = Fy->values[i] / Fz->values[i];
-    if (!std::isfinite(a * g * mu) || std::abs(a) > 0.5 * kSmallSlip || !(Fz->values[i] > 0.0))
+    const double a = alpha->values[i], g = gamma->values[i], N = Fz->values[i];
+    if (!std::isfinite(a * g * Fy->values[i] / N) || std::abs(a) > 0.5 * kSmallSlip || !(N > 0.0))
       continue;
-    rows.push_back({a, g, 1.0});
-    right.push_back(mu);
+    small.push_back(i);
+    load += N;
     low = std::min(low, g), high = std::max(high, g);
   }
-  if (rows.size() < kFewest || high - low < kLeastSpread) return;
-  Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d r = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Eigen::Vector3d row(rows[i][0], rows[i][1], rows[i][2]);
-    N += row * row.transpose();
-    r += right[i] * row;
+  const auto count = static_cast<Eigen::Index>(small.size());
+  if (count < kFewest || high - low < kLeastSpread) return;
+  load /= static_cast<double>(count);
+  Eigen::MatrixXd terms(count, kTerms);
+  Eigen::VectorXd lean(count), side(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const std::size_t k = small[static_cast<std::size_t>(i)];
+    const double a = alpha->values[k] / kSmallSlip, z = Fz->values[k] / load - 1.0;
+    terms.row(i) << 1.0, a, z, a * z, a * a * a;
+    lean[i] = gamma->values[k];
+    side[i] = Fy->values[k] / Fz->values[k];
   }
-  constexpr double kSingular = 1e-9;
-  if (N.determinant() <= kSingular * N.diagonal().prod()) return;
-  const Eigen::Matrix3d inverse = N.inverse();
-  const Eigen::Vector3d x = inverse * r;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double off = right[i] - x[0] * rows[i][0] - x[1] * rows[i][1] - x[2];
-    squares += off * off;
-  }
-  const double variance = squares / static_cast<double>(rows.size() - 3);
-  const double deviation = std::sqrt(std::max(variance, 1e-12) * inverse(1, 1));
-  if (!(x[0] < 0.0) || !(x[1] > kClearly * deviation)) return;
+  const auto slip = terms.col(1);
+  const bool falls = (slip.array() - slip.mean()).matrix().dot(side) < 0.0;
+  // b is the slope of what the other terms leave of Fy / Fz over what they leave of gamma.
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> others(terms);
+  const double all = lean.squaredNorm();
+  lean -= terms * others.solve(lean);
+  side -= terms * others.solve(side);
+  const double own = lean.squaredNorm();
+  if (!falls || own <= kOwnPart * all) return;
+  const double b = lean.dot(side) / own;
+  const double variance = (side - b * lean).squaredNorm() / static_cast<double>(count - kTerms - 1);
+  if (!(b > kClearly * std::sqrt(std::max(variance, 1e-12) / own))) return;
   doubts.push_back({gamma->name,
                     fmt::format("raises Fy: Fy / Fz grows by {:.3g} a degree at small {}, but in "
                                 "iso axes a tire whose top leans to the right pulls to the right: "
                                 "is the sign of the inclination wrong?",
-                                x[1] * std::numbers::pi / 180.0,
+                                b * std::numbers::pi / 180.0,
                                 alpha->name),
                     0,
                     false,

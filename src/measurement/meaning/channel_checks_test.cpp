@@ -152,6 +152,35 @@ TEST(ChannelChecks, NameTheChannelOfAnotherSignOrUnit) {
   }
 }
 
+/// A cornering test over five loads in which the stiffness by load falls with the load, as it does
+/// on a tire, and the side force saturates; the inclination has the given sign.
+Channels several_loads(double sign) {
+  Channels channels;
+  Channel alpha{"alpha", "rad", {}}, gamma{"gamma", "rad", {}}, Fz{"Fz", "N", {}},
+      Fy{"Fy", "N", {}};
+  for (const double load : {500.0, 1100.0, 1600.0, 2200.0, 2700.0})
+    for (const double camber : {0.0, 2.0, 3.0})
+      for (int i = -5; i <= 5; ++i) {
+        const double a = 0.4 * i * kDegreeOfChecks, g = camber * kDegreeOfChecks;
+        alpha.values.push_back(a);
+        gamma.values.push_back(sign * g);
+        Fz.values.push_back(load);
+        Fy.values.push_back(-load * (std::tanh(35.0 * (1.0 - load / 5400.0) * a) + 1.3 * g));
+      }
+  for (Channel* one : {&alpha, &gamma, &Fz, &Fy}) channels.add(std::move(*one));
+  return channels;
+}
+
+// The loads spread Fy / Fz by far more than the inclination does.
+TEST(ChannelChecks, KnowTheSignOfTheInclinationOverSeveralLoads) {
+  EXPECT_TRUE(doubts_about(several_loads(1.0)).empty());
+  const auto doubts = doubts_about(several_loads(-1.0));
+  ASSERT_EQ(doubts.size(), 1u);
+  EXPECT_EQ(doubts[0].channel, "gamma");
+  EXPECT_NE(doubts[0].sentence.find("grows by 0.0227 a degree"), std::string::npos)
+      << doubts[0].sentence;  // 1.3 / rad
+}
+
 TEST(ChannelChecks, KeepARimInsideOfItsTire) {
   Channels header;
   header.add({"RIMDIAME", "m", {0.4572}});
