@@ -21,7 +21,8 @@ std::vector<double> planes_finer_at_contact(
 class RollingRing {
  public:
   /// `deflection`: m, below first touch; `mu`: coefficient of friction; `curvature`: 1/m, of the
-  /// drum, 0: flat ground. Throws std::runtime_error with the reason if the free wheel is not found.
+  /// drum, 0: flat ground. Throws std::runtime_error with the reason if the free wheel is not
+  /// found.
   RollingRing(fe_tire::Mesh mesh,
               fe_tire::Materials materials,
               double deflection,
