@@ -15,9 +15,9 @@ struct FreeWheel {
   fe_tire::RollingTire rolling;
   fe_tire::RollingState state;
 
-  /// Presses the tire and finds the free wheel. The terms of the tire's rubbers and cords are in its
-  /// equilibrium. `load`: N; `speed`: m/s; `friction`: coefficient. Throws the reason if a state is
-  /// not found.
+  /// Presses the tire and finds the free wheel, with the history of rubbers and cords that have
+  /// terms. `load`: N; `speed`: m/s; `friction`: coefficient. Throws the reason if a state is not
+  /// found.
   FreeWheel(const fe_tire::TireDescription& of,
             const fe_tire::MeshRefinement& mesh,
             double load,
