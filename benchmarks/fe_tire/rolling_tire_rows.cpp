@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "free_wheel.h"
 #include "rolling_rows.h"
 #include "shipped_tires.h"
 
@@ -17,31 +18,7 @@ using namespace fe_tire;
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-/// Deflection of the first equilibrium on the ground, relative to the radius.
-constexpr double kFirst = 0.03;
 constexpr double kSpeed = 60.0 / 3.6;  // m/s
-
-RollingState standing(FeTire& tire, const Inflated& inflated, RollingTire& rolling) {
-  return rolling.start(value_of(tire.advance(tire.over(inflated, {}, FeTire::Poses::any),
-                                             {FeTire::below(inflated, kFirst * inflated.radius)}))
-                           .back());
-}
-
-RollingState free_wheel(RollingTire& rolling,
-                        const RollingState& start,
-                        double radius,
-                        double load,
-                        double speed,
-                        double friction) {
-  RollingCase of;
-  of.speed = speed;
-  of.height = start.of.height;
-  of.spin = speed / (radius - (radius - start.of.height) / 3.0);
-  of.load = load;
-  of.friction.at_rest = friction;
-  if (friction > 0.0) of.drive = 0.0;
-  return value_of(rolling.roll(start, of));
-}
 
 std::string relative(double value) { return fmt::format("{:.1e}", value); }
 
@@ -103,28 +80,6 @@ void roll_without_friction(const std::string& name, FreeWheel& wheel, Table& tab
 }
 
 }  // namespace
-
-FreeWheel::FreeWheel(const TireDescription& of,
-                     const MeshRefinement& mesh,
-                     double load,
-                     double speed,
-                     double friction)
-    : tire(build_mesh(of, mesh), build_materials(of, mesh), {.element = of.element}),
-      inflated(value_of(tire.inflate(of.pressure))),
-      rolling(tire),
-      state(free_wheel(
-          rolling, standing(tire, inflated, rolling), inflated.radius, load, speed, friction)) {}
-
-RollingCase FreeWheel::at(double kappa, double alpha, double camber, double turn_slip) const {
-  RollingCase of = state.of;
-  of.drive.reset();
-  of.slip_angle = alpha;
-  of.speed = state.of.speed / std::cos(alpha);
-  of.spin = (1.0 + kappa) * state.of.spin;
-  of.camber = camber;
-  of.turn_slip = turn_slip;
-  return of;
-}
 
 void roll_tires(const Options& options, Table& table) {
   struct Case {

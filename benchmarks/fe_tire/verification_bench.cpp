@@ -19,18 +19,15 @@
 #include <exception>
 #include <functional>
 #include <future>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
-#include "base/document.h"
-#include "base/file.h"
-#include "base/random.h"
 #include "cli/templates/sized_tire.h"
 #include "cpu_time.h"
+#include "drawn_sizes.h"
 #include "experiment/rigs/fe_tire/column_placement.h"
 #include "experiment/rigs/fe_tire/discretization.h"
 #include "models/fe_tire/analysis/fe_tire.h"
@@ -241,31 +238,13 @@ void study(const std::vector<Case>& cases, Table& table) {
 }
 
 /// Returns the case of a passenger tire of any size, as written by `latsch new --size`.
-Case of_size(const std::string& size, double travel) {
-  const std::string from = cli::template_of(size);
-  const std::string text = cli::sized_tire(read_text_file(tire_file(from)), size);
-  const TireDescription tire = read_tire(Document::parse(text, size).root());
-  return {.name = size,
-          .tire = [tire] { return tire; },
-          .travel = travel,
-          .unknowns = from == "passenger_235_45R20" ? kUnknownsOfA : kUnknownsOfB};
-}
-
-std::vector<Case> random_sizes(std::uint64_t seed) {
-  constexpr std::size_t kSizes = 3;
-  RandomStream random(seed, 0);
-  const auto drawn = [&](int from, int to, int step) {
-    return from + step * static_cast<int>(random.below((to - from) / step + 1));
-  };
-  std::vector<Case> cases;
-  while (cases.size() < kSizes) {
-    const int width = drawn(165, 315, 10), aspect = drawn(30, 70, 5), rim = drawn(14, 21, 1);
-    try {
-      cases.push_back(of_size(fmt::format("{}/{}R{}", width, aspect, rim), 0.0));
-    } catch (const InputError&) {  // no such tire exists
-    }
-  }
-  return cases;
+Case of_size(const SizedTire& of, double travel) {
+  const TireDescription tire = of.tire;
+  return {
+      .name = of.size,
+      .tire = [tire] { return tire; },
+      .travel = travel,
+      .unknowns = cli::template_of(of.size) == "passenger_235_45R20" ? kUnknownsOfA : kUnknownsOfB};
 }
 
 /// Judges tires of the given sizes, separated by commas, also on the ground.
@@ -274,7 +253,7 @@ int run_sizes(const std::string& sizes, const Options& options) {
   std::istringstream each(sizes);
   std::vector<Case> cases;
   for (std::string size; std::getline(each, size, ',');)
-    cases.push_back(of_size(size, kSizesTravel));
+    cases.push_back(of_size(tire_of_size(size), kSizesTravel));
   study(cases, table);
   return table.exit_code();
 }
@@ -328,7 +307,7 @@ int run(const Options& options) {
                               .tire = shipped(shipped_tire("race_16x7.5-10")),
                               .travel = kRaceTravel,
                               .thoroughly = true}};
-  std::ranges::move(random_sizes(seed), std::back_inserter(cases));
+  for (const SizedTire& drawn : draw_sizes(seed, 3)) cases.push_back(of_size(drawn, 0.0));
   cases.push_back({.name = "tire B, rebars", .tire = shipped(b), .travel = kTravel});
   cases.push_back(
       {.name = "tire A, rebars", .tire = shipped(a), .travel = kTravel, .unknowns = kUnknownsOfA});

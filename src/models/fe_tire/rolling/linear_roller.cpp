@@ -16,9 +16,11 @@ namespace {
 /// Height over the ground up to which points take part in an iteration, m. A larger one costs
 /// larger dense matrices, a smaller one more iterations.
 constexpr double kNear = 1.5e-3;
-/// Penalty along the ground, Pa/m: stiffer than the tread (G/h is some 1e8 Pa/m) by two decades, so
-/// that its spring in series takes about a percent of a slip stiffness. With 1e12 the active set
-/// does not settle, because the points outnumber the nodes.
+/// Penalty along the ground, Pa/m. Its spring in series with the tread takes 7 % or more of a
+/// 205/55R16's slip stiffness and hardly any cornering stiffness (docs/notebook/rolling_tire.md).
+/// 3e10 leaves less of it, but spoils Carter's force: the step to the first point in contact then
+/// counts as a whole. With 1e12 the active set does not settle, because the points outnumber the
+/// nodes.
 constexpr double kAlong = 1e10;
 /// Speed of rotation of a locked wheel, relative to rolling: (F.1) needs a flow, however slow.
 constexpr double kLocked = 1e-6;
