@@ -187,8 +187,6 @@ class Rolling(RotatingTire):
         self.assertLess(drum["length"][0], flat["length"][0])
         self.assertLess(drum["R_l"][0], flat["R_l"][0])  # because the load presses the tire deeper
         self.assertAlmostEqual(drum["Fz"][0], flat["Fz"][0], delta=0.01)
-        self.assertIn("on a drum of radius 0.85 m",
-                      self.latsch("test", self.folder / "tire.toml", self.ROLLING % 'friction = 0.8, drum_radius = "0.85 m"'))
 
     def test_the_page_draws_what_varies(self):
         page = self.folder / "page.html"

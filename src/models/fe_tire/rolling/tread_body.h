@@ -7,8 +7,8 @@
 // T and r come from CondensedTire and are turned to the ground's axes, in which a point's position
 // is a mean of its nodes' with scalar weights. On a drum, positions and tractions are those of the
 // surface rolled out (rolling_surface.h) about each point's place at x_0. The pressure is the
-// penalty (C.1). A point at the
-// leading edge has the share of its step behind the height 0, with its derivative.
+// penalty (C.1). A point at the leading edge has the share of its step behind the height 0, with
+// its derivative.
 //
 // A height that follows from a load and a spin that follows from a drive are unknowns behind q:
 // the rise of the wheel center, m, and the relative change of the spin. Their equations,
@@ -128,7 +128,7 @@ class TreadBody : public RollingBody {
   std::vector<int> points_, rows_;
   std::vector<double> areas_, times_;
   std::vector<Eigen::Vector3d> x_0_;   // positions, without the offset of (T.1) along the ground
-  std::vector<Eigen::Matrix3d> turn_;  // from the ground's axes to the surface's at each point
+  std::vector<Eigen::Matrix3d> turn_;  // turns the ground's axes to the surface's at a point
   std::vector<Section> sections_;
   std::vector<Eigen::Matrix3d> turns_;  // turns each node's axes to the ground's
   Eigen::MatrixXd T_;
