@@ -78,7 +78,8 @@ std::vector<double> at_times(const Measurement& table,
 
 void check_force(const Measurement& table,
                  const std::string& channel,
-                 const std::vector<double>& y) {
+                 const std::vector<double>& y,
+                 std::optional<double> load) {
   const auto reject = [&](const std::string& why) {
     throw InputError(table.place(), "column \"" + channel + "\" " + why);
   };
@@ -91,6 +92,8 @@ void check_force(const Measurement& table,
   if (const auto reason = impossible_load(y)) reject(*reason);
   if (const auto reason = negative_load(channel, y))
     reject(*reason + " Turn its signs to those of the test");
+  if (const auto reason = unlike_load(channel, y, load))
+    reject(*reason + " State the unit in its header, or in columns of a [measurement.NAME]");
 }
 
 /// Throws InputError if the recording has the channel in another frame than the test.
@@ -117,7 +120,8 @@ void check_frame(const Measurement& table, const std::string& channel, AxisFrame
 MeasuredDrum measured_drum(const Measurement& recording,
                            const std::vector<std::string>& channels,
                            const std::vector<double>& times,
-                           AxisFrame frame) {
+                           AxisFrame frame,
+                           std::optional<double> load) {
   const auto& time = recording.values("time", "s");
   MeasuredDrum measured;
   measured.highest = 0.5 / checked_step(recording, time);
@@ -125,7 +129,7 @@ MeasuredDrum measured_drum(const Measurement& recording,
     const auto& force = recording.values(channel, unit_of(channel));
     check_frame(recording, channel, frame);
     measured.forces.push_back(at_times(recording, time, force, times));
-    check_force(recording, channel, measured.forces.back());
+    check_force(recording, channel, measured.forces.back(), load);
   }
   return measured;
 }

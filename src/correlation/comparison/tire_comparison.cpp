@@ -275,8 +275,11 @@ TireComparison compare_tires(const ComparisonFile& file,
       compared.time = measured["time"];
       for (const std::string& channel : file.channels) forces.push_back(measured[channel]);
     } else {
-      MeasuredDrum measured =
-          measured_drum(*test.measurement, file.channels, compared.time, test.drum.frames.front());
+      MeasuredDrum measured = measured_drum(*test.measurement,
+                                            file.channels,
+                                            compared.time,
+                                            test.drum.frames.front(),
+                                            test.drum.load);
       forces = std::move(measured.forces);
       compared.highest = std::min(compared.highest, measured.highest);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/comparison/tire_comparison.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -92,6 +93,26 @@ TEST_F(ComparedTires, RecordingsStandInTheSpecimensPlace) {
   write("measured.csv", "time [ms],Fz [kN]\n0,4\n1,4\n");
   const auto cut = file(test + "measurement = \"measured.csv\"\n");
   EXPECT_THROW(compare_tires(cut), InputError);  // the measurement is too short
+}
+
+// The file says N and has the numbers of another unit. Without the load of the test in view they
+// would be compared as they are: some 4000 % of error and no word.
+TEST_F(ComparedTires, ALoadInAnotherUnitThanStatedIsRefused) {
+  const std::string test =
+      "channels = [\"Fz\"]\n[test.cleat]\nfile = \"drum.toml\"\nmeasurement = \"measured.csv\"\n";
+  for (const auto& [newtons, unit] : {std::pair{1e3, "kN"}, {4.4482216, "lbf"}, {10.0, "daN"}}) {
+    std::string table = "time [ms],Fz [N]\n";
+    for (int i = -50; i < 300; ++i)
+      table += fmt::format("{},{:.6g}\n", i, (i % 2 == 0 ? 3900.0 : 4000.0) / newtons);
+    write("measured.csv", table);
+    try {
+      compare_tires(file(test));
+      ADD_FAILURE() << unit << " is read as N";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string("is it in ") + unit), std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 // A recording is read as in a study: usual names of channels, TYDEX, other axes, frames.

@@ -18,4 +18,13 @@ std::optional<std::string> impossible_load(std::span<const double> values);
 std::optional<std::string> negative_load(const std::string& channel,
                                          std::span<const double> values);
 
+/// Returns the reason why the vertical force of a test cannot be in the unit that its file states,
+/// with the unit that would fit: in the middle of its samples it is a third of the load of the test
+/// at most, or three times it at least. `load` is in N; without it, the reason is that no tire
+/// carries less than 20 N. Returns nothing if fewer than nine samples in ten are above 0, as in a
+/// recording from which its mean was taken, or if the name is not that of a vertical force.
+std::optional<std::string> unlike_load(const std::string& channel,
+                                       std::span<const double> values,
+                                       std::optional<double> load);
+
 }  // namespace latsch
