@@ -46,6 +46,7 @@ turn_slip = "0 1/m"
 load = ["2 kN", "4 kN"]
 speed = "60 km/h"
 friction = 0.9
+drum_radius = "0.85 m"
 kappa = [-0.01, -0.05]
 )toml",
               R"toml(kind = "rolling"
