@@ -96,7 +96,7 @@ void FeTireSpecimen::set_losses(fe_tire::LossMaterials losses) {
   rig_->set_losses(losses_);
 }
 
-void FeTireSpecimen::set_friction(std::optional<double> friction) {
+void FeTireSpecimen::set_friction(std::optional<fe_tire::RollingFriction> friction) {
   friction_ = friction;
   rig_->set_friction(friction);
 }

@@ -79,7 +79,7 @@ class FeTireSpecimen : public Specimen,
   /// States the Prony terms of rubbers and cords, for tests that measure losses.
   void set_losses(fe_tire::LossMaterials losses);
   /// States the friction with the ground, for tests in which the tire rolls and that state none.
-  void set_friction(std::optional<double> friction);
+  void set_friction(std::optional<fe_tire::RollingFriction> friction);
 
  private:
   Result<StandingTire> standing(fe_tire::FeTire& tire, const FootprintTest& test) const;
@@ -87,7 +87,7 @@ class FeTireSpecimen : public Specimen,
   double pressure_;
   std::optional<fe_tire::RimBody> rim_;
   fe_tire::LossMaterials losses_;
-  std::optional<double> friction_;
+  std::optional<fe_tire::RollingFriction> friction_;
   Document numbers_;
   std::unique_ptr<TireRig> rig_;
 };

@@ -90,7 +90,7 @@ std::vector<RollingRow> rows_of(const Node& root, const formats::CsvTable& table
 
 /// Throws InputError if a slip is stated on ground without friction.
 void check_friction(const Node& root, const RollingTest& test) {
-  if (test.friction > 0.0) return;
+  if (test.friction.value_or(kAssumedFriction) > 0.0) return;
   for (const RollingRow& row : test.rows)
     if (row.kappa || row.alpha != 0.0 || row.turn_slip != 0.0)
       root.reject("friction",
@@ -113,7 +113,8 @@ void check_drum(const Node& root, const RollingTest& test) {
 RollingStates read_rolling_states(const Node& root, const TestSource& source) {
   RollingStates read;
   RollingTest& test = read.test;
-  test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
+  if (root.has("friction"))
+    test.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
   test.pressure = read_pressure(root, source.measured);
   if (root.has("drum_radius"))
     test.drum_radius = root.quantity("drum_radius", "m", Range::between(0.1, 100.0));
@@ -151,11 +152,11 @@ std::vector<double> RollsFeTire::driven_at(const std::string& condition) const {
 std::string RollsFeTire::states_in_words() const {
   const std::size_t states = rolling().rows.size();
   const double drum = rolling().drum_radius;
-  return fmt::format("in {} steady {}{}, friction {:g}{}",
+  return fmt::format("in {} steady {}{}{}{}",
                      states,
                      states == 1 ? "state" : "states",
                      drum > 0.0 ? fmt::format(" on a drum of radius {:g} m", drum) : "",
-                     rolling().friction,
+                     rolling().friction ? fmt::format(", friction {:g}", *rolling().friction) : "",
                      inflated(rolling().pressure));
 }
 
@@ -171,6 +172,7 @@ std::vector<std::string> RollsFeTire::limits(Specimen& specimen) const {
   (void)specimen.find<IsFeTire>()->drive(
       [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
         limits = limits_of_losses(rig.losses());
+        if (!rolling().friction) limits.push_back("rolling: " + friction_in_words(rig));
         return Channels();
       },
       true,

@@ -9,9 +9,7 @@ namespace latsch::experiment {
 Result<RollingSlopes> rolling_slopes(TireRig& rig,
                                      const RollingStiffnessTest& test,
                                      const WantedSlopes& wanted) {
-  RollingTest rolling{.pressure = test.pressure,
-                      .friction = rig.own_friction().value_or(kAssumedFriction),
-                      .rows = {}};
+  RollingTest rolling{.pressure = test.pressure, .rows = {}};
   const auto add_pair = [&](double kappa, double alpha, double camber, bool is_free) {
     const std::size_t first = rolling.rows.size();
     for (const double sign : {1.0, -1.0}) {

@@ -20,7 +20,7 @@ using magic_formula::Angles;
 
 /// Throws InputError for a state with slip on ground without friction.
 void check_friction(const formats::CsvTable& table, const RollingTest& test) {
-  if (test.friction > 0.0) return;
+  if (test.friction.value_or(kAssumedFriction) > 0.0) return;
   for (std::size_t k = 0; k < test.rows.size(); ++k) {
     const RollingRow& row = test.rows[k];
     if (row.kappa.value_or(0.0) == 0.0 && row.alpha == 0.0 && row.turn_slip == 0.0) continue;
@@ -41,8 +41,7 @@ RollingTest rolling_test(const TireRig& rig,
   reading.takes_turn_slip = conditions.conventions.turn_slip;
   reading.is_free_without_kappa = false;
   RollingTest test;
-  test.friction =
-      conditions.friction ? *conditions.friction : rig.own_friction().value_or(kAssumedFriction);
+  test.friction = conditions.friction;
   test.rows = rows_of(table, reading);
   check_friction(table, test);
   if (conditions.conventions.mirrored)
@@ -80,15 +79,6 @@ Channels channels_of(std::span<const RolledState> states, bool is_mirrored) {
 }
 
 }  // namespace
-
-std::string friction_in_words(const TireRig& rig) {
-  if (rig.own_friction())
-    return fmt::format("friction {:g} is that of the tire's file, because the test states none",
-                       *rig.own_friction());
-  return fmt::format(
-      "friction {:g} is taken, because neither the test nor the tire's file states one",
-      kAssumedFriction);
-}
 
 std::string refused_conditions(const SteadyConditions& conditions) {
   if (conditions.conventions.angles == Angles::direct) return "";

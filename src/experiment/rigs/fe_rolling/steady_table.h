@@ -25,13 +25,8 @@
 
 namespace latsch::experiment {
 
-/// Friction of a tire if neither the test nor the tire's file states one.
-constexpr double kAssumedFriction = 1.0;
 /// Speed of a table without a column of it, m/s.
 constexpr double kAssumedSpeed = 60.0 / 3.6;
-
-/// Says which friction a tire has in a test that states none.
-std::string friction_in_words(const TireRig& rig);
 
 /// Returns why a finite-element tire does not take these conditions; empty if it does.
 std::string refused_conditions(const SteadyConditions& conditions);

@@ -184,11 +184,16 @@ TEST_F(SteadyTable, FrictionIsThatOfTheTestElseOfTheTireElseAssumed) {
   const std::string sliding = "Fz [N],kappa\n3000,-1\n";  // a locked wheel has the force mu Fz
   EXPECT_TRUE(remarks(sliding, "friction 1 is taken"));
   EXPECT_NEAR(roll(sliding)["Fx"][0], -kAssumedFriction * kLoad, 1e-5 * kLoad);
-  rig_.set_friction(0.6);
+  rig_.set_friction(fe_tire::RollingFriction{.at_rest = 0.6});
   EXPECT_TRUE(remarks(sliding, "friction 0.6 is that of the tire's file"));
   EXPECT_NEAR(roll(sliding)["Fx"][0], -0.6 * kLoad, 1e-5 * kLoad);
   EXPECT_NEAR(roll(sliding, {.friction = 0.8})["Fx"][0], -0.8 * kLoad, 1e-5 * kLoad);
   EXPECT_FALSE(remarks(sliding, "friction", {.friction = 0.8}));
+  // A law over the pressure has less grip under more load.
+  rig_.set_friction(fe_tire::RollingFriction{.at_rest = 0.9, .p_0 = 2e5, .a = 0.3});
+  EXPECT_TRUE(remarks(sliding, "friction 0.9 at 2 bar, less by the power 0.3 of the pressure"));
+  const Channels loads = roll("Fz [N],kappa\n2000,-1\n4000,-1\n");
+  EXPECT_GT(-loads["Fx"][0] / 2000.0, -loads["Fx"][1] / 4000.0);
 }
 
 TEST_F(SteadyTable, SaysThatRubberWithoutLossesHasNoRollingResistance) {

@@ -62,7 +62,7 @@ class FlatTrack {
   FlatTrack(TireRig& rig, const fe_tire::Inflated& inflated, const RollingTest& test)
       : rig_(rig),
         pressure_(inflated.pressure),
-        friction_(test.friction),
+        friction_(friction_of(rig, test.friction)),
         curvature_(test.drum_radius > 0.0 ? 1.0 / test.drum_radius : 0.0),
         rolling_(rig.tire()) {
     rolling_.set_history(rig.losses(), inflated);
@@ -72,7 +72,7 @@ class FlatTrack {
   /// wheel's effective radius, m.
   Result<RollingState> find(const RollingRow& row, double& slip, double& R_e) {
     RollingCase of = case_of(row);
-    if (friction_ == 0.0) {
+    if (friction_.at_rest == 0.0) {
       slip = 0.0;
       of.drive.reset();
       auto found = from_nearest(of);
@@ -126,7 +126,7 @@ class FlatTrack {
     of.curvature = curvature_;
     of.load = row.load;
     of.drive = 0.0;
-    of.friction.at_rest = friction_;
+    of.friction = friction_;
     return of;
   }
 
@@ -166,7 +166,7 @@ class FlatTrack {
     if (!(of.height > 0.0)) of.height = from->of.height;
     const double V_x = of.speed * std::cos(of.slip_angle);
     if (of.spin == 0.0 && of.drive) of.spin = V_x / effective(of.height);
-    if (!of.drive && friction_ == 0.0) of.spin = V_x / effective(of.height);
+    if (!of.drive && friction_.at_rest == 0.0) of.spin = V_x / effective(of.height);
     auto found = rolling_.roll(*from, of);
     if (found) found_.push_back(*found);
     return found;
@@ -186,7 +186,9 @@ class FlatTrack {
   }
 
   TireRig& rig_;
-  double pressure_, friction_, curvature_, radius_ = 0.0;
+  double pressure_;
+  fe_tire::RollingFriction friction_;
+  double curvature_, radius_ = 0.0;
   fe_tire::RollingTire rolling_;
   std::optional<RollingState> start_;
   std::vector<RollingState> found_;
@@ -230,6 +232,26 @@ Status roll_at(TireRig& rig,
 }
 
 }  // namespace
+
+fe_tire::RollingFriction friction_of(const TireRig& rig, std::optional<double> of_test) {
+  if (of_test) return {.at_rest = *of_test};
+  return rig.own_friction().value_or(fe_tire::RollingFriction{.at_rest = kAssumedFriction});
+}
+
+std::string friction_in_words(const TireRig& rig) {
+  if (!rig.own_friction())
+    return fmt::format(
+        "friction {:g} is taken, because neither the test nor the tire's file states one",
+        kAssumedFriction);
+  const fe_tire::RollingFriction& own = *rig.own_friction();
+  const std::string law =
+      own.a > 0.0
+          ? fmt::format(
+                " at {:.4g} bar, less by the power {:g} of the pressure,", own.p_0 / 1e5, own.a)
+          : std::string();
+  return fmt::format(
+      "friction {:g}{} is that of the tire's file, because the test states none", own.at_rest, law);
+}
 
 RollingPatch patch_of(const RollingState& state) {
   Eigen::Vector2d least = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());

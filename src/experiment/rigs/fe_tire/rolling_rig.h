@@ -33,9 +33,13 @@ struct RollingRow {
   std::optional<double> pressure = {};  // Pa; none: that of the test
 };
 
+/// Friction of a tire if neither the test nor the tire's file states one.
+constexpr double kAssumedFriction = 1.0;
+
 struct RollingTest {
   Inflation pressure = {};
-  double friction = 1.0;
+  /// Friction with the ground; none: that of the tire's file, else kAssumedFriction.
+  std::optional<double> friction = {};
   double drum_radius = 0.0;  // m, of the drum on which the wheel stands; 0: flat ground
   std::vector<RollingRow> rows;
 };
@@ -47,6 +51,11 @@ struct RolledState {
   double effective_radius = 0.0;  // m, V_x/Omega of the free wheel
   fe_tire::RollingLosses losses;  // powers that rubber and cords lose
 };
+
+/// Returns the law of friction of a test.
+fe_tire::RollingFriction friction_of(const TireRig& rig, std::optional<double> of_test);
+/// Says which friction a tire has in a test that states none.
+std::string friction_in_words(const TireRig& rig);
 
 /// Extents of the patch, and the share of the load on points that stick.
 struct RollingPatch {

@@ -51,8 +51,8 @@ class TireRig {
   void set_losses(fe_tire::LossMaterials losses) { losses_ = std::move(losses); }
   const fe_tire::LossMaterials& losses() const { return losses_; }
   /// Sets the friction with the ground that the tire's file states, for tests that state none.
-  void set_friction(std::optional<double> friction) { friction_ = friction; }
-  const std::optional<double>& own_friction() const { return friction_; }
+  void set_friction(std::optional<fe_tire::RollingFriction> friction) { friction_ = friction; }
+  const std::optional<fe_tire::RollingFriction>& own_friction() const { return friction_; }
 
   fe_tire::FeTire& tire() const { return tire_; }
   double own_pressure() const { return own_pressure_; }
@@ -89,7 +89,7 @@ class TireRig {
   double own_pressure_, pressure_ = 0.0;
   std::optional<fe_tire::RimBody> rim_;
   fe_tire::LossMaterials losses_;
-  std::optional<double> friction_;
+  std::optional<fe_tire::RollingFriction> friction_;
   std::optional<Result<fe_tire::Inflated>> inflated_;  // at pressure_
   std::optional<Pressed> pressed_;                     // pressed from the state inflated_
 };

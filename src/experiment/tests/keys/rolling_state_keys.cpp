@@ -21,7 +21,8 @@ states or one for each, or a table.
               {"friction",
                "Coefficient of friction with the ground. With 0 no state may have a slip; the "
                "wheel then spins with its speed over the inflated radius less a third of the "
-               "deflection."},
+               "deflection.",
+               "that of the tire's file, else 1"},
               {"drum_radius",
                "Radius of a drum below the wheel. Speeds are then those of its surface, slip "
                "angles those of the wheel against it; Fx, Fy and Fz act on the wheel forward, "

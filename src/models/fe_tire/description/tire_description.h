@@ -14,6 +14,7 @@
 
 #include "base/document.h"
 #include "models/fe_tire/description/contour.h"
+#include "models/fe_tire/description/rolling_friction.h"
 #include "models/fe_tire/element/hex8.h"
 #include "models/fe_tire/history/loss_materials.h"
 #include "models/fe_tire/mesh/materials.h"
@@ -175,8 +176,8 @@ struct TireDescription {
   CordModel cord_model = CordModel::rebar;         // representation of the cords in the elements
   ElementKind element = ElementKind::solid_shell;  // kind of finite element
   std::optional<RimBody> rim;                      // needed only for tests in which the rim moves
-  /// Coulomb friction with the ground on which it rolls, for tests that state none.
-  std::optional<double> friction;
+  /// Friction with the ground on which it rolls, for tests that state none.
+  std::optional<RollingFriction> friction;
   Place place;  // file and line of the description, for error messages
 };
 

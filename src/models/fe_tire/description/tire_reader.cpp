@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reader of a tire file: the tables [mesh], [section], [rubber.*], [region.*], [layer.*] and [rim],
-// and the key friction, see docs/fe_tire_section.md.
+// and the keys of friction, see docs/fe_tire_section.md.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,6 +18,28 @@ namespace {
 constexpr int kMostElements = 2000;  // largest number of elements along one direction
 /// Friction that a tire can have with a road; without friction it carries no side force.
 constexpr double kLeastFriction = 0.01, kMostFriction = 5.0;
+/// Power of the pressure by which friction falls; that of Hertz' contact of smooth rubber is 1/3.
+constexpr double kMostExponent = 0.5;
+
+/// Reads friction = 1.2, alone or as that at a pressure from which it falls by a power.
+std::optional<RollingFriction> read_friction(const Node& root) {
+  for (const char* key : {"friction_pressure", "friction_exponent"})
+    if (root.has(key) && !root.has("friction"))
+      root.reject(key, "stands without friction: expected friction = 1.2 or so beside it");
+  if (!root.has("friction")) return {};
+  RollingFriction friction;
+  friction.at_rest = root.quantity("friction", "1", Range::between(kLeastFriction, kMostFriction));
+  const bool has_pressure = root.has("friction_pressure");
+  if (has_pressure != root.has("friction_exponent"))
+    root.reject(
+        has_pressure ? "friction_pressure" : "friction_exponent",
+        "needs the other one, too: expected friction_pressure, at which friction holds, and "
+        "friction_exponent, by which it falls with the pressure");
+  if (!has_pressure) return friction;
+  friction.p_0 = root.quantity("friction_pressure", "Pa", Range::between(1e3, 1e8));
+  friction.a = root.quantity("friction_exponent", "1", Range::between(0.0, kMostExponent));
+  return friction;
+}
 
 Extent read_extent(const Node& node) {
   const Range unit = Range::between(0.0, 1.0);
@@ -438,8 +460,7 @@ TireDescription read_tire(const Node& root) {
   read_faces(mesh, tire);
   place_ends(tire);
   tire.rim = read_rim(root);
-  if (root.has("friction"))
-    tire.friction = root.quantity("friction", "1", Range::between(kLeastFriction, kMostFriction));
+  tire.friction = read_friction(root);
   root.close();
   check_size(root, tire);
   check_plan(root, tire);

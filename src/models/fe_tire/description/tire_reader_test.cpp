@@ -156,9 +156,19 @@ TEST(TireReader, FrictionIsOptionalAndWithinWhatATireHas) {
     return read_tire(Document::parse(text.str(), "tire.toml").root());
   };
   EXPECT_FALSE(with("").friction);
-  EXPECT_EQ(with("friction = 0.9\n").friction, 0.9);
+  EXPECT_EQ(with("friction = 0.9\n").friction->at_rest, 0.9);
+  EXPECT_EQ(with("friction = 0.9\n").friction->a, 0.0);
+  const std::string law =
+      "friction = 0.9\nfriction_pressure = \"2 bar\"\nfriction_exponent = 0.2\n";
+  EXPECT_NEAR(with(law).friction->at(4e5, 0.0), 0.9 * std::pow(2.0, -0.2), 1e-12);
   EXPECT_TRUE(same_mesh(with(""), with("friction = 0.9\n")));
-  for (const char* line : {"friction = 0\n", "friction = 6\n", "friction = \"1 N\"\n"})
+  for (const char* line : {"friction = 0\n",
+                           "friction = 6\n",
+                           "friction = \"1 N\"\n",
+                           "friction = 1\nfriction_exponent = 0.2\n",
+                           "friction = 1\nfriction_pressure = \"2 bar\"\n",
+                           "friction_pressure = \"2 bar\"\nfriction_exponent = 0.2\n",
+                           "friction = 1\nfriction_pressure = \"2 bar\"\nfriction_exponent = 2\n"})
     EXPECT_THROW((void)with(line), InputError) << line;
 }
 

@@ -188,5 +188,28 @@ TEST_F(RollingTireB, SaysWhatIsOutOfRange) {
   EXPECT_NE(rolling_.roll(start_, of).failure().reason.find("torque"), std::string::npos);
 }
 
+// A wheel that slides as a whole has the force of the law at each point's pressure; it falls with the
+// load, by less than in proportion.
+TEST_F(RollingTireB, ALockedWheelSlidesWithTheFrictionOfItsPressures) {
+  RollingCase locked;
+  locked.speed = kSpeed;
+  locked.height = start_.of.height;
+  locked.load = load_;
+  locked.friction = {.at_rest = 1.2, .p_0 = 2e5, .a = 0.25};
+  const auto state = rolling_.roll(start_, locked);
+  ASSERT_TRUE(state) << state.failure().reason;
+  double force = 0.0;
+  for (const RollingPatchPoint& point : state->patch)
+    force += 1.2 * std::pow(point.pressure / 2e5, -0.25) * point.pressure * point.area;
+  EXPECT_NEAR(-state->forces.force.x(), force, 1e-6 * force);
+  locked.load = 0.6 * load_;
+  const auto lighter = rolling_.roll(*state, locked);
+  ASSERT_TRUE(lighter) << lighter.failure().reason;
+  const auto grip = [](const RollingState& of) {
+    return -of.forces.force.x() / of.forces.force.z();
+  };
+  EXPECT_GT(grip(*lighter), grip(*state));
+}
+
 }  // namespace
 }  // namespace latsch::fe_tire
