@@ -188,8 +188,8 @@ TEST_F(RollingTireB, SaysWhatIsOutOfRange) {
   EXPECT_NE(rolling_.roll(start_, of).failure().reason.find("torque"), std::string::npos);
 }
 
-// A wheel that slides as a whole has the force of the law at each point's pressure; it falls with the
-// load, by less than in proportion.
+// A wheel that slides as a whole has the force of the law at each point's pressure, and under less
+// load more grip.
 TEST_F(RollingTireB, ALockedWheelSlidesWithTheFrictionOfItsPressures) {
   RollingCase locked;
   locked.speed = kSpeed;
