@@ -18,7 +18,7 @@ namespace {
 constexpr int kMostElements = 2000;  // largest number of elements along one direction
 /// Friction that a tire can have with a road; without friction it carries no side force.
 constexpr double kLeastFriction = 0.01, kMostFriction = 5.0;
-/// Power of the pressure by which friction falls, at most: a round limit above 1/3, a smooth ball of rubber on a plane.
+/// Largest power of the pressure by which friction falls: a round limit, not one of a theory.
 constexpr double kMostExponent = 0.5;
 
 /// Reads friction = 1.2, alone or as that at a pressure from which it falls by a power.
