@@ -230,23 +230,28 @@ step_tolerance = 0.002
         def found(text):  # the results of every stage, without the number of trials in the journal
             return re.sub(r"\d+ (finished trials are reused|trials in )", "", text[text.index("Best of"):text.index("Report")])
 
-        journal, slow = study.parent / "study.latsch", self.folder / "slow"
+        journal, held = study.parent / "study.latsch", self.folder / "held"
         script = study.parent / "quarter_car.py"
-        script.write_text(f"import os, time\nif os.path.exists({str(slow)!r}): time.sleep(0.15)\n" + script.read_text())
+        # While the file `held` exists, no trial begins once the journal has as many trials as the file says. So a run
+        # cannot end before it is killed, however slow the machine is.
+        script.write_text(f"""import os, sqlite3, time
+while os.path.exists({str(held)!r}):
+    journal = sqlite3.connect("file:{journal}?mode=ro", uri=True)
+    if journal.execute("select count(*) from trials").fetchone()[0] < int(open({str(held)!r}).read()):
+        break
+    time.sleep(0.02)
+""" + script.read_text())
         whole = self.latsch("run", study)
         self.assert_says(whole, "Stage 1 of 2, wide", "Stage 2 of 2, narrow")
-        trials = trials_of(journal)
-        for killed_at in (4, trials - 3):
+        for killed_at in (4, trials_of(journal) - 8):
             journal.unlink()
+            held.write_text(str(killed_at))
             run = subprocess.Popen([LATSCH, "run", study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             while trials_of(journal) < killed_at and run.poll() is None:
-                if trials_of(journal) >= killed_at // 2:
-                    # the trials wait, so the run cannot end before it is killed, even on a loaded machine
-                    slow.touch()
                 time.sleep(0.005)
             run.kill()
             self.assertEqual(run.wait(), -signal.SIGKILL)
-            slow.unlink()
+            held.unlink()
             self.assertEqual(found(self.latsch("resume", study)), found(whole))
         self.assert_says(journal.with_suffix(".html").read_text(), "stage narrow, after wide")
 
@@ -278,12 +283,14 @@ class OnAnotherFileSystem(Outside):
         study = self.study("quarter_car")
         journal = study.parent / "study.latsch"
         edit(study, ("step_tolerance = .*", "max_steps = 30"), (r"\[run\]", "[run]\nintervals = false"))
-        result = re.compile(r"Best of .*?\n\n", re.S)
+        result, slow, script = re.compile(r"Best of .*?\n\n", re.S), self.folder / "slow", study.parent / "quarter_car.py"
+        script.write_text(f"import os, time\nif os.path.exists({str(slow)!r}): time.sleep(0.5)\n" + script.read_text())
         self.assert_says(self.latsch("check", study), "study.latsch (FUSE: a rollback log")
         said = self.latsch("run", study)
         self.assert_says(said, "study.latsch lies on FUSE: a rollback log")
         whole = result.search(said)[0]
         journal.unlink()
+        slow.touch()  # so that the run lasts until it is killed
         run = subprocess.Popen([LATSCH, "run", study], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(run.wait)
         self.addCleanup(run.kill)
@@ -295,6 +302,7 @@ class OnAnotherFileSystem(Outside):
         self.assertEqual([*study.parent.glob("*-shm"), *study.parent.glob("*-wal")], [])
         run.kill()
         run.wait()
+        slow.unlink()
         self.assertEqual(result.search(self.latsch("resume", study))[0], whole)
 
 
