@@ -70,13 +70,15 @@ void roll_without_friction(const std::string& name, FreeWheel& wheel, Table& tab
             relative(moment / load),
             "<= 1e-6",
             moment <= 1e-6 * load);
-  // Fz = Fz(0) + A Omega^2 + B Omega^4: a part that is odd in Omega makes the ratio differ from 4
-  // by more than the even part of higher order, whose share is that of the growth.
-  const double ratio = (half.force.z() - none.force.z()) / (quarter.force.z() - none.force.z());
-  table.row(name + ", frictionless: gain of Fz by half of the spin over that by a quarter",
-            fmt::format("{:.4f}", ratio),
-            "4 +- 0.02",
-            std::abs(ratio - 4.0) <= 0.02);
+  // Fz - Fz(0) = D w + A w^2 + B w^4 with w as the share of the spin, solved from w = 1/4, 1/2 and 1:
+  // belts that grow make A and B; only an error of the transport around the wheel makes D.
+  const double a = 16.0 * (quarter.force.z() - none.force.z()),
+               b = 4.0 * (half.force.z() - none.force.z()), c = load - none.force.z();
+  const double odd = (c - b - 4.0 * (b - a)) / 7.0;
+  table.row(name + ", frictionless: share of the gain of Fz that is odd in the spin",
+            fmt::format("{:.3f} %", 1e2 * odd / c),
+            "<= 0.5 %",
+            std::abs(odd) <= 0.005 * c);
 }
 
 }  // namespace
