@@ -519,44 +519,6 @@ LabTable read_tydex(const std::filesystem::path& file,
   return table;
 }
 
-/// Counts the byte pairs that are one character in Shift-JIS (Windows code page 932) and begin as
-/// kana and usual kanji do, with 0x81 to 0x9f, and the bytes above ASCII that belong to no pair. An
-/// umlaut of Windows-1252 with the letter behind it is a pair that begins at 0xc4 or above.
-std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
-  std::size_t pairs = 0, others = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const auto first = static_cast<unsigned char>(bytes[i]);
-    if (first < 0x80) continue;
-    const auto second = i + 1 < bytes.size() ? static_cast<unsigned char>(bytes[i + 1]) : 0;
-    const bool leads = (first >= 0x81 && first <= 0x9f) || (first >= 0xe0 && first <= 0xfc);
-    const bool follows = second >= 0x40 && second != 0x7f && second <= 0xfc;
-    const bool is_kana = first >= 0xa1 && first <= 0xdf;  // half-width, one byte each
-    if (leads && follows) {
-      pairs += first <= 0x9f;
-      ++i;
-    } else if (!is_kana) {
-      ++others;
-    }
-  }
-  return {pairs, others};
-}
-
-/// Returns in words the encoding assumed for a text that is not UTF-8; empty for UTF-8. Only the
-/// beginning of a long file is examined, because the names are there.
-std::string encoding_of(const std::filesystem::path& file) {
-  constexpr std::size_t kLookedAt = std::size_t{1} << 16;  // bytes
-  const MappedFile mapped(file, kLargestLabFile);
-  std::string_view bytes = mapped.text().substr(0, kLookedAt);
-  if (bytes.size() == kLookedAt) bytes = bytes.substr(0, bytes.rfind('\n'));
-  if (is_utf8(bytes)) return "";
-  const auto [pairs, others] = japanese_pairs(bytes);
-  constexpr std::size_t kFewestPairs = 2;
-  if (pairs >= kFewestPairs && others == 0)
-    return "Windows-1252, because the bytes are no UTF-8; they look like Shift-JIS, in which the "
-           "names are others: save the file as UTF-8";
-  return "Windows-1252, because the bytes are no UTF-8";
-}
-
 using LabReader = LabTable (*)(const std::filesystem::path&,
                                const Units&,
                                const ExpectedUnit&,
@@ -589,7 +551,8 @@ LabTable read_lab_table(const std::filesystem::path& file,
   for (const auto& [known, reader] : lab_readers()) {
     if (known != ending) continue;
     LabTable table = reader(file, units, expected, part);
-    if (known != ".mat") table.assumed_encoding = encoding_of(file);
+    if (known != ".mat")
+      table.assumed_encoding = assumed_encoding(MappedFile(file, kLargestLabFile).text());
     return table;
   }
   throw InputError({file.string(), 0},

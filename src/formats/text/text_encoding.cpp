@@ -2,6 +2,7 @@
 #include "formats/text/text_encoding.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "base/utf8.h"
@@ -61,6 +62,28 @@ bool is_ascii(std::string_view bytes) {
   return std::none_of(bytes.begin(), bytes.end(), [](char c) { return (c & 0x80) != 0; });
 }
 
+/// Counts the byte pairs that are one character in Shift-JIS (Windows code page 932) and begin as
+/// kana and usual kanji do, with 0x81 to 0x9f, and the bytes above ASCII that belong to no pair. An
+/// umlaut of Windows-1252 with the letter behind it is a pair that begins at 0xc4 or above.
+std::pair<std::size_t, std::size_t> japanese_pairs(std::string_view bytes) {
+  std::size_t pairs = 0, others = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const auto first = static_cast<unsigned char>(bytes[i]);
+    if (first < 0x80) continue;
+    const auto second = i + 1 < bytes.size() ? static_cast<unsigned char>(bytes[i + 1]) : 0;
+    const bool leads = (first >= 0x81 && first <= 0x9f) || (first >= 0xe0 && first <= 0xfc);
+    const bool follows = second >= 0x40 && second != 0x7f && second <= 0xfc;
+    const bool is_kana = first >= 0xa1 && first <= 0xdf;  // half-width, one byte each
+    if (leads && follows) {
+      pairs += first <= 0x9f;
+      ++i;
+    } else if (!is_kana) {
+      ++others;
+    }
+  }
+  return {pairs, others};
+}
+
 }  // namespace
 
 std::string utf8_text(std::string bytes, const std::string& file) {
@@ -88,6 +111,21 @@ std::string_view columns_of(std::string_view line, std::size_t first, std::size_
   };
   const std::size_t begin = skip(0, first);
   return line.substr(begin, skip(begin, count) - begin);
+}
+
+std::string assumed_encoding(std::string_view bytes) {
+  constexpr std::size_t kLookedAt = std::size_t{1} << 16;  // bytes
+  if (bytes.size() > kLookedAt) {
+    bytes = bytes.substr(0, kLookedAt);
+    bytes = bytes.substr(0, bytes.rfind('\n'));
+  }
+  if (is_utf8(bytes)) return "";
+  const auto [pairs, others] = japanese_pairs(bytes);
+  constexpr std::size_t kFewestPairs = 2;
+  if (pairs >= kFewestPairs && others == 0)
+    return "Windows-1252, because the bytes are no UTF-8; they look like Shift-JIS, in which the "
+           "names are others: save the file as UTF-8";
+  return "Windows-1252, because the bytes are no UTF-8";
 }
 
 }  // namespace latsch::formats

@@ -20,6 +20,11 @@ std::string utf8_text(std::string bytes, const std::string& file);
 std::shared_ptr<const MappedFile> utf8_file(std::shared_ptr<const MappedFile> source,
                                             const std::string& file);
 
+/// Returns in words the encoding that `utf8_file` assumes for a text that is not UTF-8, and whether
+/// the bytes look like Shift-JIS instead; empty for UTF-8. Only the beginning of a long text is
+/// examined, because the names of columns are there.
+std::string assumed_encoding(std::string_view bytes);
+
 /// Returns the characters `first` to `first + count - 1`, counted from 0, of a line of UTF-8, as
 /// far as they exist.
 std::string_view columns_of(std::string_view line, std::size_t first, std::size_t count);
