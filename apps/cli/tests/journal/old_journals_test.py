@@ -14,12 +14,14 @@ import re
 import shutil
 import sqlite3
 import subprocess
+import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from cli_testing import DONE, LATSCH, WRONG_INPUT, trials_of
 
-STUDIES = pathlib.Path(__file__).resolve().parents[3] / "verification/old_journals"
+STUDIES = pathlib.Path(__file__).resolve().parents[4] / "verification/old_journals"
 
 
 def format_of(journal):

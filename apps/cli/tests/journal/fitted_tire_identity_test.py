@@ -8,10 +8,12 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 import zipfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from cli_testing import DONE, LATSCH, WRONG_INPUT
 
 TIRE = """

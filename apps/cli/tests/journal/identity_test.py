@@ -12,9 +12,11 @@ import re
 import shutil
 import sqlite3
 import subprocess
+import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, edit, served, trials_of
 
 SPRING = pathlib.Path(LATSCH).resolve().with_name("spring")
@@ -153,7 +155,7 @@ class NotCompared(SpringStudy):
         self.assertEqual(self.found(), best)
 
     def test_check_counts_values_before_a_trial(self):
-        tire = pathlib.Path(__file__).resolve().parents[3] / "studies/tire_model_comparison/magic_formula.tir"
+        tire = pathlib.Path(__file__).resolve().parents[4] / "studies/tire_model_comparison/magic_formula.tir"
         study = self.folder / "tire_study.toml"
 
         def said(channel, values):
