@@ -9,6 +9,7 @@
 namespace latsch::verification {
 namespace {
 
+using fe_tire::RollingForces;
 using fe_tire::RollingState;
 
 /// Returns the least x of a point that sticks on the middle line, m.
@@ -64,6 +65,27 @@ TEST(RollingFriction, ColumnsOnARigidRimAreABrush) {
     EXPECT_NEAR(-F.y() / (BrushRing::kMu * F.z()), share, 0.03 * share) << s;
     const double trail = -state.forces.moment.z() / F.y() / fit.a;
     EXPECT_NEAR(trail, std::pow(1.0 - s, 3) / (3.0 - 3.0 * s + s * s), 0.012) << s;
+  }
+}
+
+/// Returns the side force of a ring of columns in a wide turn, as a share of the closed form's.
+/// Columns that enter at x = a and stick are sheared by phi (a^2 - x^2)/2, a parabola as their
+/// pressure is, so the force is to mu Fz as the turn slip is to 2 mu p_0/(c a^2).
+double force_in_a_turn(int across, double share) {
+  BrushRing brush(across);
+  const HertzFit fit = fit_parabola(brush.ring().free_wheel());
+  const double full = BrushRing::kMu * 2.0 * fit.p_0 / (fit.a * fit.a * BrushRing::stiffness());
+  const Eigen::Vector3d force = brush.ring().turning(share * full).forces.force;
+  return force.y() / (BrushRing::kMu * force.z() * share);
+}
+
+// The turn is so wide that both ends of the columns hardly move along. The forces are 5.5 % below
+// the closed form on 40 elements and 3.7 % on 80; those of a slip angle are 2.5 and 2.1 % below.
+TEST(RollingFriction, ColumnsInATurnTendToTheForceOfAParabola) {
+  for (const double share : {-0.04, 0.02}) {
+    const double coarse = force_in_a_turn(40, share), fine = force_in_a_turn(80, share);
+    EXPECT_NEAR(fine, 1.0, 0.05) << share;
+    EXPECT_LT(1.0 - fine, 0.8 * (1.0 - coarse)) << share;
   }
 }
 

@@ -124,6 +124,13 @@ RollingState RollingRing::slipping(double kappa, double alpha) {
   return value_of(rolling_.roll(free_, of));
 }
 
+RollingState RollingRing::turning(double turn_slip) {
+  RollingCase of = free_.of;
+  of.drive.reset();
+  of.turn_slip = turn_slip;
+  return value_of(rolling_.roll(free_, of));
+}
+
 namespace {
 
 /// Least squares of p^power = A - B x^2.

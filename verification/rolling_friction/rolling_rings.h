@@ -33,6 +33,8 @@ class RollingRing {
   /// Returns the state at a slip against the free wheel and a slip angle (rad), starting from
   /// the free wheel.
   fe_tire::RollingState slipping(double kappa, double alpha);
+  /// Returns the state in a turn without slip at a turn slip (1/m), likewise.
+  fe_tire::RollingState turning(double turn_slip);
 
  private:
   fe_tire::FeTire tire_;
