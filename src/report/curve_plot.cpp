@@ -87,9 +87,9 @@ std::string color_of(const std::vector<std::string>& levels, const std::string& 
       static_cast<int>(std::find(levels.begin(), levels.end(), level) - levels.begin()));
 }
 
-/// Returns the channels in which pieces of one level differ, "gamma, p"; empty if every level has one
-/// piece. The names of pieces are conditions, "Fz 1050 N, gamma 2 deg", the first of which is the
-/// level.
+/// Returns the channels in which pieces of one level differ, "gamma, p"; empty if every level has
+/// one piece. The names of pieces are conditions, "Fz 1050 N, gamma 2 deg", the first of which is
+/// the level.
 std::string differing_within_levels(const MeasuredCurve& curve) {
   std::vector<std::string> channels;
   for (const MeasuredCurve::Piece& piece : curve.pieces) {

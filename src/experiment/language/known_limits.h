@@ -55,8 +55,8 @@ struct KnowsLimits {
   virtual std::string assumed_stiffness(const std::string& /*direction*/) const { return ""; }
   /// Returns the height of the section, m; nullopt if the specimen's file does not say.
   virtual std::optional<double> section_height() const { return std::nullopt; }
-  /// Returns a sentence for every limit of the specimen's file that a wheel driven like this leaves;
-  /// empty if there is none.
+  /// Returns a sentence for every limit of the specimen's file that a wheel driven like this
+  /// leaves; empty if there is none.
   virtual std::vector<std::string> limits_when_driven(const DrivenWheel&) const { return {}; }
   /// True if the number of the model at this path is itself such a limit, so that a study which
   /// varies it moves the limit.
