@@ -76,7 +76,7 @@ void Progress::count(long done, long total, double now) {
   while (2 * totals_.front().counted < counted) totals_.pop_front();
 }
 
-std::string Progress::left_in_words(long done, long total, double now) const {
+std::string Progress::left_in_words(long done, double now) const {
   const long counted = done - counted_done_;
   if (counted < kFewest || counted == counted_first_) return "";
   const double by_start = (now - counted_from_) / static_cast<double>(counted),
@@ -106,7 +106,7 @@ std::string Progress::line(long done, long total, const std::string& note, doubl
     if (done >= total)
       text += ", " + format_duration(elapsed);
     else
-      text += left_in_words(done, total, now);
+      text += left_in_words(done, now);
   } else {
     text = fmt::format("{} done, {}", done, format_duration(elapsed));
   }

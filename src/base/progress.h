@@ -53,7 +53,7 @@ class Progress {
   /// Takes note of finished evaluations, from which left_in_words() forecasts.
   void count(long done, long total, double now);
   /// Returns ", 2:05 left", a range, or an empty text if the end is not known.
-  std::string left_in_words(long done, long total, double now) const;
+  std::string left_in_words(long done, double now) const;
   std::string line(long done, long total, const std::string& note, double now) const;
 
   std::ostream& out_;
