@@ -95,8 +95,9 @@ std::vector<double> level_starts(const std::vector<double>& sorted) {
 }
 
 /// Returns the first value of every level but the lowest of values that a rig sets, however few
-/// there are at each level: values closer than kVaries of a range follow each other within a level. Returns no levels if there are more than kMostLevels, as in a sweep, or if one of them has
-/// less than kStray of all samples.
+/// there are at each level: values closer than kVaries of a range follow each other within a level.
+/// Returns no levels if there are more than kMostLevels, as in a sweep, or if one of them has less
+/// than kStray of all samples.
 std::vector<double> set_starts(const std::vector<double>& sorted, double range) {
   constexpr double kStray = 0.01;
   std::vector<double> starts;

@@ -29,8 +29,8 @@ std::string side_in_words(const Document& numbers);
 /// Throws InputError if a number that the tire needs is not positive.
 magic_formula::Parameters parameters_of(const Document& numbers);
 
-/// Returns a sentence for every range of the file that a wheel driven like this leaves; the forces of
-/// the whole test are then those at the end of the range wherever it does.
+/// Returns a sentence for every range of the file that a wheel driven like this leaves; the forces
+/// of the test are those at the end of the range wherever it does.
 std::vector<std::string> limits_when_driven_of(const magic_formula::Parameters& parameters,
                                                const DrivenWheel& driven);
 
