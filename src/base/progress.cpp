@@ -18,7 +18,7 @@ constexpr int kBarWidth = 30;        // characters
 // Time after the start, s, within which results are taken to come from a journal and do not count
 // for the speed.
 constexpr double kRemembered = 1;
-constexpr long kFewest = 3;       // evaluations before which the end is not forecast
+constexpr long kFewestCounted = 3;  // evaluations before which the end is not forecast
 constexpr double kAlike = 1.25;   // ratio of bounds of the time left that is said as a single time
 constexpr double kFarApart = 10;  // ratio from which on nothing is said
 
@@ -78,7 +78,7 @@ void Progress::count(long done, long total, double now) {
 
 std::string Progress::left_in_words(long done, double now) const {
   const long counted = done - counted_done_;
-  if (counted < kFewest || counted == counted_first_) return "";
+  if (counted < kFewestCounted || counted == counted_first_) return "";
   const double by_start = (now - counted_from_) / static_cast<double>(counted),
                by_first = (now - first_counted_) / static_cast<double>(counted - counted_first_);
   const auto [fewest, most] = std::ranges::minmax(totals_, {}, &Total::total);

@@ -40,11 +40,11 @@ class LimitsOfTests : public testing::Test {
   ScratchFolder folder_;
 };
 
-constexpr const char* kStiffness =
+constexpr const char* kVariedStiffness =
     "[variable.PKY1]\npath = \"PKY1\"\nlower = -30\nupper = -5\ninitial = -15\n";
 
 TEST_F(LimitsOfTests, CountTheStatesBeyondEachRange) {
-  const std::string text = told(kStiffness);
+  const std::string text = told(kVariedStiffness);
   EXPECT_NE(text.find("test steady: 2 of 4 states lie outside of the ranges"), text.npos) << text;
   EXPECT_NE(text.find("Fz above FZMAX = 4500 N in 2, up to 6000 N"), text.npos) << text;
   EXPECT_EQ(text.find("in trials with"), text.npos) << text;

@@ -338,7 +338,7 @@ TEST_F(MeasurementDoubts, ASweepOfAConstantChannelIsDoubted) {
 /// Returns a cornering test of a linear tire over slip angle and inclination as the axes of SAE J670
 /// have it, but with positive loads and with this sign of the side force. In iso axes it is read as
 /// a tire that leans against its force.
-std::string inclined(const std::string& names, double sign = 1.0) {
+std::string inclined_sweep(const std::string& names, double sign = 1.0) {
   std::string table = names + "\n";
   for (const double camber : {-4.0, -2.0, 0.0, 2.0, 4.0})
     for (int i = -6; i <= 6; ++i)
@@ -358,7 +358,7 @@ constexpr const char* kInclined = "FZ [N],SA [deg],IA [deg],FY [N]";
 TEST_F(MeasurementDoubts, ARecordAndItsMirrorImageAreBothOffered) {
   for (const std::string stated : {"axes = \"iso\"", ""}) {
     SCOPED_TRACE(stated);
-    const std::string text = said(read(inclined(kInclined), stated), "raises Fy");
+    const std::string text = said(read(inclined_sweep(kInclined), stated), "raises Fy");
     const std::string in_place = stated.empty() ? "" : " in place of \"iso\"";
     for (const std::string& part :
          {std::string("each of several statements"),
@@ -372,13 +372,14 @@ TEST_F(MeasurementDoubts, ARecordAndItsMirrorImageAreBothOffered) {
   }
   for (const char* said_then :
        {"axes = \"iso\"\ncolumns = {gamma = \"-IA\"}", "axes = \"sae\"\ncolumns = {Fz = \"-FZ\"}"})
-    EXPECT_EQ(said(read(inclined(kInclined), said_then), "raises Fy"), "") << said_then;
+    EXPECT_EQ(said(read(inclined_sweep(kInclined), said_then), "raises Fy"), "") << said_then;
 }
 
 // The study turns the column of the side force: the directions that are named are those of the file.
 TEST_F(MeasurementDoubts, TheDirectionsThatTellAMirrorImageAreThoseOfTheFile) {
-  const std::string text = said(
-      read(inclined(kInclined, -1.0), "axes = \"iso\"\ncolumns = {Fy = \"-FY\"}"), "raises Fy");
+  const std::string text =
+      said(read(inclined_sweep(kInclined, -1.0), "axes = \"iso\"\ncolumns = {Fy = \"-FY\"}"),
+           "raises Fy");
   EXPECT_NE(text.find("gamma = \"-IA\"} (right if at the rig a positive FY pushes the tire to the "
                       "right and a positive IA leans its top to the left"),
             text.npos)

@@ -13,7 +13,7 @@ namespace {
 // m/s; a slower car stands, and its air forces are below a millionth of those at 1 m/s
 constexpr double kSlowest = 1e-3;
 
-constexpr const char* kAxles[] = {"front", "rear"};
+constexpr const char* kFloorAxles[] = {"front", "rear"};
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void AirWatch::see(const car::Car& car, const car::CarState& state, double time)
           "constant beyond it",
           time,
           1e3 * height,
-          kAxles[i],
+          kFloorAxles[i],
           1e3 * map[i].from,
           1e3 * map[i].to);
     is_outside = true;
@@ -56,7 +56,7 @@ std::string AirWatch::sentence() const {
         "{}at the {} axle it is {:.4g} to {:.4g} mm high, the map has {:.4g} to "
         "{:.4g} mm",
         where.empty() ? "" : "; ",
-        kAxles[i],
+        kFloorAxles[i],
         1e3 * axle.least,
         1e3 * axle.most,
         1e3 * axle.map.from,
