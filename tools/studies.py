@@ -53,13 +53,16 @@ and, where our own model computed what is measured, how:
 A README quotes a number outside of its block by naming it, and it is written and checked, too: tools/study_figures.py.
 
 Numbers of runs are written by --renew; quick, tolerance, reason, truth, needs, search, no_run, command, keep, after and
-[data] by hand, and kept; --renew removes no_run. Values and errors are those of one run that began without a journal, at
+[data] by hand, and kept; --renew removes no_run. Two --renew at once in one folder keep each other's results; of one
+study the second is refused (tools/study_locks.py). Values and errors are those of one run that began without a journal, at
 full digits: a trial at rounded values, or the end of a second run, is another result.
 """
 import argparse
+import contextlib
 import fnmatch
 import json
 import math
+import os
 import pathlib
 import re
 import resource
@@ -70,6 +73,7 @@ import tempfile
 import tomllib
 
 from study_figures import NoFigure, differing_figures, with_figures
+from study_locks import being_run, being_written
 
 TREE = pathlib.Path(__file__).resolve().parents[1]
 STUDIES = TREE / "studies"
@@ -160,7 +164,10 @@ def write(file, content):
                 text += f"\n[{json.dumps(name)}.{key}]\n"
                 text += "".join(f"{one if re.fullmatch(r'[A-Za-z0-9_-]+', one) else json.dumps(one)} = {literal(value)}\n"
                                 for one, value in entry[key].items())
-    file.write_text(text)
+    # in one step, so that a process that reads meanwhile never finds half of it
+    new = file.with_name(f".{file.name}.{os.getpid()}")
+    new.write_text(text)
+    os.replace(new, file)
 
 
 def is_study(content):
@@ -532,7 +539,12 @@ def computed(latsch, folder, study, entry):
 def renew(latsch, names, with_data):
     for file in expected_files(names):
         folder, content = file.parent, read(file)
-        with tempfile.TemporaryDirectory() as scratch:
+        asked = [study for study in content if study != "data" and chosen(names, folder, study)]
+        # data count for every study of the folder, so none of them may run while data are written
+        locked = [study for study in content if study != "data"] if with_data and "data" in content else asked
+        with contextlib.ExitStack() as locks, tempfile.TemporaryDirectory() as scratch:
+            for study in locked:
+                locks.enter_context(being_run(folder / study, f"{folder.relative_to(STUDIES)}/{study}", Wrong))
             studies = copy_of_studies(pathlib.Path(scratch))
             place = studies / folder.relative_to(STUDIES)
             if with_data and "data" in content:
@@ -540,16 +552,26 @@ def renew(latsch, names, with_data):
                 for pattern in [*content["data"]["files"], *content["data"].get("also", [])]:
                     for one in place.glob(pattern):
                         shutil.copyfile(one, folder / one.relative_to(place))
-            for study in content:
-                if study != "data" and chosen(names, folder, study):
-                    content[study].update(computed(latsch, place, study, content[study]))
-                    content[study].pop("no_run", None)
-                    target = f"target {content[study]['target']:.6g}, " if "target" in content[study] else ""
-                    print(f"{folder.relative_to(STUDIES)}/{study}: {target}{seconds_of(content[study])} s", flush=True)
-                    # written after each study, so that results remain if a later one fails or is interrupted
-                    write(file, content)
-                    write_readme(folder, read(file))
+            for study in asked:
+                # written after each study, so that results remain if a later one fails or is interrupted
+                keep_results(file, study, computed(latsch, place, study, content[study]))
     return 0
+
+
+def keep_results(file, study, found):
+    """Writes the results of a study. Whatever else has changed in expected.toml since the run began remains: results
+    of other studies by other processes, and what people wrote."""
+    folder = file.parent
+    with being_written(folder, str(folder.relative_to(STUDIES))):
+        content = read(file)
+        if study not in content:
+            raise Wrong(f"{file.relative_to(TREE)} has no [{json.dumps(study)}] any more: its results are not written")
+        content[study].update(found)
+        content[study].pop("no_run", None)
+        write(file, content)
+        write_readme(folder, content)
+    target = f"target {found['target']:.6g}, " if "target" in found else ""
+    print(f"{folder.relative_to(STUDIES)}/{study}: {target}{seconds_of(content[study])} s", flush=True)
 
 
 def write_readme(folder, content):
@@ -612,7 +634,8 @@ def main():
             return list_all(asked.list)
         if asked.readme is not None:
             for file in expected_files(asked.readme):
-                write_readme(file.parent, read(file))
+                with being_written(file.parent, str(file.parent.relative_to(STUDIES))):
+                    write_readme(file.parent, read(file))
             return 0
         if not latsch.exists():
             raise Wrong(f"{latsch} does not exist: build it, or name it with --latsch")

@@ -1,10 +1,16 @@
 #!/usr/bin/env python3
 """Tests tools/studies.py on a small tree with a program that answers as latsch does: it must find every difference."""
 import contextlib
+import fcntl
 import io
+import os
 import pathlib
 import re
+import subprocess
+import sys
 import tempfile
+import threading
+import time
 import unittest
 
 import studies
@@ -146,6 +152,90 @@ class Studies(unittest.TestCase):
             (self.folder / name).write_text("")
         with open(self.folder / "expected.toml", "a") as file:
             file.write(more)
+
+    def two_springs(self):
+        """Adds a second study and lets the runs of both wait: a run begins with a file STUDY.begun and ends once there
+        is a file `go`. Returns a function that starts --renew of a study in another process."""
+        self.add(EXPECTED.split("truth")[0].replace("study.toml", "other.toml"), "other.toml")
+        self.asked(studies.renew, ["spring/other.toml"], False)
+        go = self.tree / "go"
+        self.latsch.write_text(LATSCH.replace("truth = float", f"""
+if verb == "run":
+    import time
+    pathlib.Path({str(self.tree)!r}, pathlib.Path(study).name + ".begun").write_text("")
+    while not pathlib.Path({str(go)!r}).exists():
+        time.sleep(0.01)
+truth = float""", 1))
+        code = ("import pathlib, sys; sys.path.insert(0, sys.argv[1]); import studies; tree = pathlib.Path(sys.argv[2]); "
+                "studies.TREE, studies.STUDIES = tree, tree / 'studies'; "
+                "sys.argv = ['studies.py', '--renew', *sys.argv[3:], '--latsch', str(tree / 'latsch')]; sys.exit(studies.main())")
+
+        def start(*words):
+            process = subprocess.Popen([sys.executable, "-c", code, str(pathlib.Path(__file__).parent), str(self.tree), *words],
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(lambda: (process.kill(), process.communicate()))
+            return process
+        return start, go
+
+    def wait_for(self, name):
+        for _ in range(1000):
+            if (self.tree / name).exists():
+                return
+            time.sleep(0.01)
+        self.fail(f"{name} did not begin")
+
+    def test_two_renewals_at_once_keep_each_others_results(self):
+        start, go = self.two_springs()
+        (self.folder / "measured.csv").write_text("N/mm 7.0\n")
+        processes = [start("spring/study.toml"), start("spring/other.toml")]
+        for name in ("study.toml.begun", "other.toml.begun"):
+            self.wait_for(name)
+        self.edit("expected.toml", "It rounds.", "It rounds, as a person wrote during the runs.")
+        go.write_text("")
+        for process in processes:
+            _, said = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 0, said)
+        content = studies.read(self.folder / "expected.toml")
+        for study in ("study.toml", "other.toml"):
+            self.assertEqual(content[study]["values"]["spring"]["value"], 7, study)
+            self.assertIn("during the runs", content[study]["reason"])
+        text = (self.folder / "README.md").read_text()
+        self.assertEqual(text.count("| spring | 7 N/mm |"), 2, text)
+        self.assertEqual(sorted(one.name for one in self.folder.iterdir()),
+                         sorted(["study.toml", "other.toml", "expected.toml", "measured.csv", "computed.csv", "README.md"]))
+
+    def test_a_study_that_is_being_renewed_is_not_renewed_again(self):
+        start, go = self.two_springs()
+        first = start("spring/study.toml")
+        self.wait_for("study.toml.begun")
+        second = start("spring/study.toml")
+        _, said = second.communicate(timeout=60)
+        self.assertEqual(second.returncode, 2, said)
+        self.assertIn(f"spring/study.toml is being renewed by process {first.pid}", said)
+        go.write_text("")
+        self.assertEqual(first.wait(timeout=60), 0)
+        self.assertEqual(start("spring/study.toml").wait(timeout=60), 0)  # the lock ended with its process
+
+    def test_data_are_not_written_while_a_study_of_the_folder_runs(self):
+        start, go = self.two_springs()
+        first = start("spring/other.toml")
+        self.wait_for("other.toml.begun")
+        (self.folder / "computed.csv").write_text("N/mm 9.0\n")
+        _, said = start("spring/study.toml", "--data").communicate(timeout=60)
+        self.assertIn("spring/other.toml is being renewed by", said)
+        self.assertEqual((self.folder / "measured.csv").read_text(), "N/mm 5.0\n")
+        go.write_text("")
+        self.assertEqual(first.wait(timeout=60), 0)
+
+    def test_who_waits_for_a_folder_says_so(self):
+        descriptor = os.open(self.folder, os.O_RDONLY)
+        self.addCleanup(os.close, descriptor)
+        fcntl.flock(descriptor, fcntl.LOCK_EX)
+        threading.Timer(0.3, lambda: fcntl.flock(descriptor, fcntl.LOCK_UN)).start()
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said):
+            self.asked(studies.renew, [], False)
+        self.assertIn(f"waits until process {os.getpid()} has written the results of spring", said.getvalue())
 
     def test_results_of_a_command_are_kept_by_name_and_compared(self):
         self.add(COMPARISON, "comparison.toml")

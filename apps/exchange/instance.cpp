@@ -81,21 +81,31 @@ CallStatus Instance::end_initialization() {
   if (now_.stage != Stage::initializing) return refuse("is not being initialized");
   if (const CallStatus status = begin(); status != CallStatus::ok) return status;
   now_.stage = Stage::stepping;
-  return CallStatus::ok;
+  return guarded([&] { return tell_first_limit(); });
+}
+
+CallStatus Instance::tell_first_limit() {
+  if (first_limit_told_) return CallStatus::ok;
+  const std::string limit = now_.unit->first_limit();
+  if (limit.empty()) return CallStatus::ok;
+  first_limit_told_ = true;
+  return say(CallStatus::warning, limit);
 }
 
 CallStatus Instance::terminate() {
   if (now_.stage != Stage::stepping) return refuse("does not run: there is nothing to terminate");
   now_.stage = Stage::terminated;
   return guarded([&] {
-    for (const std::string& limit : now_.unit->limits_met()) say(CallStatus::warning, limit);
-    return CallStatus::ok;
+    const std::vector<std::string> limits = now_.unit->limits_met();
+    for (const std::string& limit : limits) say(CallStatus::warning, limit);
+    return limits.empty() ? CallStatus::ok : CallStatus::warning;
   });
 }
 
 CallStatus Instance::reset() {
   return guarded([&] {
     now_ = pristine_.copy();
+    first_limit_told_ = false;
     return CallStatus::ok;
   });
 }
@@ -160,7 +170,7 @@ CallStatus Instance::step(double time, double step) {
     if (const auto done = now_.unit->step(time, step); !done)
       return say(CallStatus::discard, done.failure().reason);
     now_.time = time + step;
-    return CallStatus::ok;
+    return tell_first_limit();
   });
 }
 

@@ -34,13 +34,16 @@ class Instance {
   CallStatus set_up(double start, std::optional<double> stop);
   CallStatus begin_initialization();
   CallStatus end_initialization();
-  /// Ends the simulation. Logs as warnings the limits of the model that the unit has met.
+  /// Ends the simulation. Logs as warnings the limits of the model that the unit has met; the
+  /// status is then `warning`, after which a program may continue, as both standards define it.
   CallStatus terminate();
   CallStatus reset();
 
   CallStatus get(const unsigned* references, std::size_t count, double* values);
   /// Sets all given values or, on an error, none. Returns `discard` for a value that is not finite.
   CallStatus set(const unsigned* references, std::size_t count, const double* values);
+  /// Advances by a step. If the unit has met a limit that is reported at once, logs it and returns
+  /// `warning`, once in the life of the instance until reset(); the step is done then.
   CallStatus step(double time, double step);
   double time() const { return now_.time; }
 
@@ -67,9 +70,12 @@ class Instance {
   CallStatus say(CallStatus status, const std::string& message);
   CallStatus guarded(const std::function<CallStatus()>& work);
   CallStatus begin();
+  /// Logs the first limit of the unit unless that is done already; returns `warning` if it does.
+  CallStatus tell_first_limit();
   std::optional<std::size_t> variable_of(unsigned reference) const;
 
   State pristine_, now_;
+  bool first_limit_told_ = false;
   Log log_;
 };
 

@@ -18,6 +18,9 @@ constexpr int kBarWidth = 30;        // characters
 // Time after the start, s, within which results are taken to come from a journal and do not count
 // for the speed.
 constexpr double kRemembered = 1;
+constexpr long kFewestCounted = 3;  // evaluations before which the end is not forecast
+constexpr double kAlike = 1.25;   // ratio of bounds of the time left that is said as a single time
+constexpr double kFarApart = 10;  // ratio from which on nothing is said
 
 }  // namespace
 
@@ -41,6 +44,7 @@ void Progress::update(long done, long total, const std::string& note) {
     counted_from_ = now;
     counted_done_ = done;
   }
+  if (total > 0) count(done, total, now);
   state_ = line(done, total, note, now);
   if (!shown_.empty() && !last && now - printed_ < (terminal_ ? kRedraw : kLineInterval)) return;
   printed_ = now;
@@ -60,9 +64,36 @@ void Progress::print(const std::string& state) {
   width_ = text.size();
 }
 
+void Progress::count(long done, long total, double now) {
+  const long counted = done - counted_done_;
+  if (counted <= 0) return;
+  if (counted_first_ == 0) {
+    counted_first_ = counted;
+    first_counted_ = now;
+  }
+  if (totals_.empty() || totals_.back().total != total) totals_.push_back({counted, total});
+  totals_.back().counted = counted;
+  while (2 * totals_.front().counted < counted) totals_.pop_front();
+}
+
+std::string Progress::left_in_words(long done, double now) const {
+  const long counted = done - counted_done_;
+  if (counted < kFewestCounted || counted == counted_first_) return "";
+  const double by_start = (now - counted_from_) / static_cast<double>(counted),
+               by_first = (now - first_counted_) / static_cast<double>(counted - counted_first_);
+  const auto [fewest, most] = std::ranges::minmax(totals_, {}, &Total::total);
+  const double least = std::min(by_start, by_first) *
+                       static_cast<double>(std::max(fewest.total - done, 0L)),
+               longest = std::max(by_start, by_first) * static_cast<double>(most.total - done);
+  const std::string from = format_duration(least), to = format_duration(longest);
+  if (longest <= kAlike * least || from == to)
+    return fmt::format(", {} left", format_duration(0.5 * (least + longest)));
+  if (longest > kFarApart * least) return "";
+  return fmt::format(", {} to {} left", from, to);
+}
+
 std::string Progress::line(long done, long total, const std::string& note, double now) const {
   const double elapsed = now - start_;
-  const long counted = done - counted_done_;
   std::string text;
   if (total > 0) {
     const double share =
@@ -74,10 +105,8 @@ std::string Progress::line(long done, long total, const std::string& note, doubl
     text += fmt::format("{}/{} ({:.0f} %)", done, total, 100.0 * share);
     if (done >= total)
       text += ", " + format_duration(elapsed);
-    else if (counted > 0)
-      text += fmt::format(", {} left",
-                          format_duration((now - counted_from_) / static_cast<double>(counted) *
-                                          static_cast<double>(total - done)));
+    else
+      text += left_in_words(done, now);
   } else {
     text = fmt::format("{} done, {}", done, format_duration(elapsed));
   }

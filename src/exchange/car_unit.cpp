@@ -255,6 +255,8 @@ Status CarUnit::start(double time) {
   auto settled = car.settle(*road_, given_[speed], now);
   if (!settled) return settled.failure();
   state_ = std::move(*settled);
+  air_ = {};
+  air_.see(car, *state_, time);
   take(car, now);
   watch(car, time, 0.0);
   return {};
@@ -277,6 +279,7 @@ Status CarUnit::step(double time, double step) {
     end = inputs(car, i * h);
     const Status done = car.advance(*state_, h, *road_, end);
     if (!done) return done.failure();
+    air_.see(car, *state_, time + i * h);
   }
   take(car, end);
   watch(car, time + step, h);
@@ -288,6 +291,7 @@ std::vector<std::string> CarUnit::limits_met() const {
   std::optional<car::CarState>(state_).reset();
   std::vector<std::string> limits = experiment::limits_met(*specimen_);
   for (std::string& sentence : watch_->sentences()) limits.push_back(std::move(sentence));
+  if (std::string air = air_.sentence(); !air.empty()) limits.push_back(std::move(air));
   return limits;
 }
 

@@ -18,6 +18,9 @@
 // `road.continues` lets the road continue in the way that its kind of file defines
 // (models/road/road.h, beyond).
 //
+// Where the floor of the car leaves the heights of its map of air forces, the map is constant
+// (models/car/aero_map.h). The first such step is told at once, their share at the end.
+//
 // The guide replaces a driver and holds the car on a line (models/car/car.h); without stiffness it
 // has no effect once the car has started.
 #pragma once
@@ -31,6 +34,7 @@
 #include "exchange/unit.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
+#include "experiment/rigs/car/air_watch.h"
 #include "models/car/car.h"
 #include "models/road/road.h"
 
@@ -51,6 +55,7 @@ class CarUnit final : public ExchangedModel {
   Status start(double time) override;
   Status step(double time, double step) override;
   std::vector<std::string> limits_met() const override;
+  std::string first_limit() const override { return air_.first(); }
   std::unique_ptr<ExchangedModel> clone() const override {
     return std::make_unique<CarUnit>(*this);
   }
@@ -79,6 +84,9 @@ class CarUnit final : public ExchangedModel {
   std::optional<car::CarState> state_;
   /// greatest inputs, also of copies
   std::shared_ptr<CarInputWatch> watch_ = std::make_shared<CarInputWatch>();
+  /// Samples of this unit's own way, one for each step of the car: those of steps that a program
+  /// takes back do not count.
+  experiment::AirWatch air_;
   /// parameters and inputs in the order of the table of variables
   std::array<double, kGiven> given_{};
   std::array<double, kAnswers> answers_{};  // outputs

@@ -290,5 +290,70 @@ TEST(CarUnit, InputsInAnotherUnitAreTold) {
   says(all, "a step of the car moved it by 60 mm");
 }
 
+/// Writes the car with a map of air forces of 60 to 100 mm at the front axle, above which its floor
+/// is drawn at 80 mm; the rear axle never leaves the map.
+std::filesystem::path car_with_map(const ScratchFolder& folder) {
+  std::string text = read_text_file(kCar);
+  for (const char* part : {"front_rigid.toml", "rear_rigid.toml", "slick.tir"})
+    for (std::size_t at = 0; (at = text.find("\"" + std::string(part), at)) != text.npos; ++at)
+      text.replace(at + 1, std::string(part).size(), (kCars / part).string());
+  text += R"([aero]
+area = "1 m^2"
+floor = ["80 mm", "80 mm"]
+map = [["60 mm", "0 mm", 1.0, 1.0], ["100 mm", "0 mm", 1.2, 1.0],
+       ["60 mm", "500 mm", 1.0, 1.0], ["100 mm", "500 mm", 1.2, 1.0]]
+)";
+  write_text_file(folder / "car.toml", text);
+  return folder / "car.toml";
+}
+
+/// Returns the sentence among the limits of a unit that speaks of the map; empty if there is none.
+std::string limit_of_map(const CarUnit& unit) {
+  for (const std::string& one : unit.limits_met())
+    if (one.find("aero.map") != one.npos) return one;
+  return {};
+}
+
+// A load of 4 kN at the center of mass presses the floor below the map.
+TEST(CarUnit, SaysThatItsFloorLeftTheMapOfAirForces) {
+  const ScratchFolder folder;
+  Driven car(car_with_map(folder));
+  car.set("speed", 20.0);
+  car.start();
+  car.go(5);
+  EXPECT_EQ(limit_of_map(car.unit()), "");
+  EXPECT_EQ(car.unit().first_limit(), "");
+  const auto before = car.unit().clone();
+  car.set("load.Fz", -4000.0);
+  car.go(100);
+  const std::string all = limit_of_map(car.unit()), first = car.unit().first_limit();
+  EXPECT_NE(all.find("of 526 samples"), std::string::npos) << all;  // the start, 105 steps of five
+  EXPECT_NE(all.find("at the front axle it is"), std::string::npos) << all;
+  EXPECT_NE(all.find("the map has 60 to 100 mm"), std::string::npos) << all;
+  EXPECT_EQ(all.find("rear"), std::string::npos) << all;
+  EXPECT_NE(first.find("at the front axle, outside of the heights of aero.map, 60 to 100 mm"),
+            std::string::npos)
+      << first;
+  EXPECT_NE(first.find("the coefficients of the map's edge are taken"), std::string::npos) << first;
+  car.go(5);
+  EXPECT_EQ(car.unit().first_limit(), first);
+  // The way of a copy from before the load has not left the map.
+  EXPECT_EQ(limit_of_map(static_cast<const CarUnit&>(*before)), "");
+  EXPECT_EQ(before->first_limit(), "");
+}
+
+TEST(CarUnit, SaysThatItsFloorIsOutsideOfTheMapFromTheStart) {
+  const ScratchFolder folder;
+  Driven car(car_with_map(folder)), stands(folder / "car.toml");
+  for (Driven* one : {&car, &stands}) one->set("load.Fz", -4000.0);
+  car.set("speed", 20.0);
+  car.start();
+  EXPECT_NE(car.unit().first_limit().find("at 0 s the car's floor is"), std::string::npos)
+      << car.unit().first_limit();
+  stands.start();  // a car that stands has no air forces
+  stands.go(2);
+  EXPECT_EQ(stands.unit().first_limit(), "");
+}
+
 }  // namespace
 }  // namespace latsch::exchange

@@ -54,6 +54,11 @@ class ExchangedModel {
   /// as a validity range of the tire's file that it left.
   virtual std::vector<std::string> limits_met() const { return {}; }
 
+  /// Returns a sentence on a limit that the program which steps the unit should report at once,
+  /// with the time at which the unit first met it on the way to its present state; empty if it met
+  /// none.
+  virtual std::string first_limit() const { return {}; }
+
   virtual std::unique_ptr<ExchangedModel> clone() const = 0;
 };
 

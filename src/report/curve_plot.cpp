@@ -2,9 +2,11 @@
 #include "report/curve_plot.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "report/color_map.h"
 #include "report/html_text.h"
@@ -85,6 +87,22 @@ std::string color_of(const std::vector<std::string>& levels, const std::string& 
       static_cast<int>(std::find(levels.begin(), levels.end(), level) - levels.begin()));
 }
 
+/// Returns the channels in which pieces of one level differ, "gamma, p"; empty if every level has
+/// one piece. The names of pieces are conditions, "Fz 1050 N, gamma 2 deg", the first of which is
+/// the level.
+std::string differing_within_levels(const MeasuredCurve& curve) {
+  std::vector<std::string> channels;
+  for (const MeasuredCurve::Piece& piece : curve.pieces) {
+    if (piece.name.size() <= piece.level.size() + 2) continue;
+    std::istringstream rest(piece.name.substr(piece.level.size() + 2));
+    for (std::string condition; std::getline(rest >> std::ws, condition, ',');)
+      if (const std::string channel = condition.substr(0, condition.find(' '));
+          std::find(channels.begin(), channels.end(), channel) == channels.end())
+        channels.push_back(channel);
+  }
+  return fmt::format("{}", fmt::join(channels, ", "));
+}
+
 /// Draws the legend: the line styles, then one entry for each level of pieces. Returns the height,
 /// px, of its rows beyond the first.
 double draw_key(Svg& svg, const MeasuredCurve& curve) {
@@ -96,9 +114,11 @@ double draw_key(Svg& svg, const MeasuredCurve& curve) {
     if (!curve.y_initial.empty()) draw_legend(svg, {at, 18}, "initial", false, "initial values");
     return 0.0;
   }
+  const std::string within = differing_within_levels(curve);
   svg.text({72, 18},
            "circles: measured, lines: " + simulated +
-               (curve.y_initial.empty() ? "" : ", gray: initial values"));
+               (curve.y_initial.empty() ? "" : ", gray: initial values") +
+               (within.empty() ? "" : "; lines of a color differ in " + within));
   Point at(72, 18 + kKeyRow);
   for (const std::string& level : levels) {
     const double width = 42 + 6.4 * static_cast<double>(level.size());

@@ -381,9 +381,27 @@ TEST(CurvePlot, TellsTheLoadsOfManySamplesApartByColor) {
   EXPECT_EQ(count_of(plot, ">Fz 500 N<"), 1u);
   EXPECT_EQ(count_of(plot, ">Fz 1000 N<"), 1u);
   EXPECT_NE(plot.find("circles: measured"), std::string::npos);
+  EXPECT_NE(plot.find("lines of a color differ in gamma<"), std::string::npos);
   EXPECT_NE(plot.find("Fz 500 N, gamma 2 deg, "), std::string::npos);  // the tooltip of a circle
   // the color of a line must not have a second meaning
   EXPECT_EQ(plot.find("class=\"measured\""), std::string::npos);
+}
+
+// With few pieces each has its own color and its own row of the legend.
+TEST(CurvePlot, NamesEveryHeldChannelOfFewPiecesInItsLegend) {
+  MeasuredCurve curve;
+  curve.x_name = "alpha";
+  curve.x_measured = {0.0, 0.1, 0.2, 0.0, 0.1, 0.2};
+  curve.y_measured = {0.0, 1.0, 2.0, 1.0, 2.0, 3.0};
+  curve.pieces = {{"Fz 500 N, gamma 0 deg", "Fz 500 N, gamma 0 deg", 0, 3},
+                  {"Fz 500 N, gamma 2 deg", "Fz 500 N, gamma 2 deg", 3, 6}};
+  curve.x_simulated = curve.x_measured;
+  curve.y_simulated = curve.y_measured;
+  curve.errors.assign(6, 0.0);
+  const std::string plot = curve_plot(curve);
+  EXPECT_EQ(count_of(plot, ">Fz 500 N, gamma 0 deg<"), 1u);
+  EXPECT_EQ(count_of(plot, ">Fz 500 N, gamma 2 deg<"), 1u);
+  EXPECT_EQ(plot.find("differ in"), std::string::npos);
 }
 
 // A band with an unknown value in the middle has a gap there, a single value is drawn as a bar, and

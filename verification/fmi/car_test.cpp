@@ -3,6 +3,7 @@
 // instances at once. The outputs equal those of the car without FMI, to the last bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -209,6 +210,54 @@ TEST_P(CarOf, LivesAsTheStandardSays) {
   EXPECT_EQ(drive.answer(), rest);
   drive.step(0);
   EXPECT_EQ(drive.answer(), first);
+}
+
+// A load presses the floor of a car below its map of air forces: the logger is called at that step
+// and at the end, each time with the status `warning`, and not at the steps between.
+TEST_P(CarOf, LogsOnceThatItsFloorLeftTheMapOfAirForces) {
+  const ScratchFolder folder;
+  const std::filesystem::path kerb = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/kerb";
+  std::string text = read_text_file(kerb / "baseline.toml");
+  for (const char* part : {"front_rigid.toml", "rear_rigid.toml", "slick.tir"})
+    for (std::size_t at = 0; (at = text.find("\"" + std::string(part), at)) != text.npos; ++at)
+      text.replace(at + 1, std::string(part).size(), (kerb / part).string());
+  text +=
+      "[aero]\narea = \"1 m^2\"\nfloor = [\"80 mm\", \"80 mm\"]\nmap = [[\"60 mm\", \"0 mm\", 1, "
+      "1], "
+      "[\"100 mm\", \"0 mm\", 1, 1], [\"60 mm\", \"500 mm\", 1, 1], [\"100 mm\", \"500 mm\", 1, "
+      "1]]\n";
+  write_text_file(folder / "car.toml", text);
+  const Package package(GetParam(), (folder / "car.toml").string(), "");
+  Drive drive(package, 0.0);
+  drive.start();
+  Slave& slave = drive.slave();
+  drive.set("load.Fz", -4000.0);
+  int warned = 0;
+  void* state = nullptr;
+  ASSERT_EQ(slave.copy(&state), CallStatus::ok);
+  for (const bool again : {false, true}) {
+    if (again) {
+      ASSERT_EQ(slave.restore(state), CallStatus::ok);
+    }
+    for (int i = 0; i < 100; ++i) {
+      const CallStatus status = slave.step(kStep * i, kStep);
+      ASSERT_LE(status, CallStatus::warning);
+      warned += status == CallStatus::warning ? 1 : 0;
+    }
+  }
+  slave.free(&state);
+  EXPECT_EQ(warned, 1);
+  ASSERT_EQ(slave.log.size(), 1u);
+  EXPECT_EQ(slave.log[0].first, CallStatus::warning);
+  EXPECT_NE(slave.log[0].second.find("at the front axle, outside of the heights of aero.map"),
+            std::string::npos)
+      << slave.log[0].second;
+  EXPECT_EQ(slave.terminate(), CallStatus::warning);
+  const bool at_end = std::any_of(slave.log.begin() + 1, slave.log.end(), [](const auto& line) {
+    return line.first == CallStatus::warning &&
+           line.second.find("of 501 samples") != std::string::npos;
+  });
+  EXPECT_TRUE(at_end);
 }
 
 }  // namespace

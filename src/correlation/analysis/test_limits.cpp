@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/analysis/test_limits.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <mutex>
@@ -46,10 +48,44 @@ std::vector<std::string> known_or(const std::string& of, const Find& find) {
   return sentences;
 }
 
-/// Adds the limits that a test can state without a simulation.
-void add_told(const StudyTest& test, experiment::Specimen& specimen, LimitsByName& limits) {
-  if (const auto* tells = dynamic_cast<const experiment::TellsLimits*>(test.test.get()))
-    for (const std::string& limit : tells->limits(specimen)) limits.add(limit, test.in_words());
+/// Returns the limits that a test can state without a simulation.
+std::vector<std::string> told_by(const StudyTest& test, experiment::Specimen& specimen) {
+  const auto* tells = dynamic_cast<const experiment::TellsLimits*>(test.test.get());
+  return tells ? tells->limits(specimen) : std::vector<std::string>();
+}
+
+/// Returns the point with the initial values, but one variable at a bound.
+DesignPoint at_bound(const Study& study, int variable, bool is_upper) {
+  DesignPoint point = study.space.initial();
+  const DesignVariable& varied = study.space[variable];
+  point.values[static_cast<std::size_t>(variable)] = is_upper ? varied.upper : varied.lower;
+  return point;
+}
+
+/// Adds the limits of a test that trials meet only if they move the limit itself, because the study
+/// varies an end of a range of the tire's file: those with this variable at its bounds.
+void add_moved(const Study& study,
+               const StudyTest& test,
+               experiment::Specimen& initial,
+               const std::vector<std::string>& known,
+               LimitsByName& limits) {
+  const auto* knows = initial.find<experiment::KnowsLimits>();
+  for (int i = 0; knows && i < study.space.size(); ++i) {
+    const DesignVariable& variable = study.space[i];
+    if (std::ranges::none_of(variable.paths,
+                             [&](const std::string& path) { return knows->is_limit(path); }))
+      continue;
+    for (const bool is_upper : {false, true}) {
+      const auto moved = study.specimens->at(study, at_bound(study, i, is_upper), nullptr);
+      for (const std::string& limit : told_by(test, *moved))
+        if (std::ranges::find(known, limit) == known.end())
+          limits.add(limit,
+                     fmt::format("{}, in trials with {} at its {} bound",
+                                 test.in_words(),
+                                 variable.name,
+                                 is_upper ? "upper" : "lower"));
+    }
+  }
 }
 
 std::vector<std::string> told_limits(const Study& study) {
@@ -59,7 +95,9 @@ std::vector<std::string> told_limits(const Study& study) {
     if (!dynamic_cast<const experiment::TellsLimits*>(test.test.get())) continue;
     try {
       if (!specimen) specimen = study.specimens->at(study, study.space.initial(), nullptr);
-      add_told(test, *specimen, limits);
+      const std::vector<std::string> known = told_by(test, *specimen);
+      for (const std::string& limit : known) limits.add(limit, test.in_words());
+      add_moved(study, test, *specimen, known, limits);
     } catch (const InputError&) {
       return {};
     }
@@ -74,7 +112,7 @@ std::vector<std::string> found_limits(const Study& whole, const DesignPoint& poi
     if (std::find(asked.begin(), asked.end(), test.name) == asked.end()) continue;
     try {
       const auto specimen = whole.specimens->at(whole, point, nullptr);
-      add_told(test, *specimen, limits);
+      for (const std::string& limit : told_by(test, *specimen)) limits.add(limit, test.in_words());
       if (!specimen->find<experiment::KnowsLimits>() || !test.test->run(*specimen)) continue;
       for (const std::string& limit : experiment::limits_met(*specimen))
         limits.add(limit, test.in_words());

@@ -12,7 +12,9 @@ namespace latsch::correlation {
 
 /// Returns a sentence for each limit, with the tests in which it matters: "test oblique: the
 /// sections ...". Examines the model with the initial values. If the model does not accept these,
-/// the list is empty; the trials then report the reason.
+/// the list is empty; the trials then report the reason. Limits that depend on the model's file
+/// alone, as the ranges of a .tir which the states of a table leave, hold in every trial. If the
+/// study varies such a limit itself, the model is examined at both bounds of the variable, too.
 std::vector<std::string> limits_of_tests(const Study& study);
 
 /// Runs the fitted and predicted tests once more at a point whose trial succeeded. Returns a

@@ -377,7 +377,7 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   std::vector<std::string> selected;
   if (const auto select = table.find_table("select")) selected = select->keys();
   told.suspects = suspect_numbers(record, told.name, selected, table.has("low_pass"));
-  check_channels(record, table.has("axes"), true);
+  check_channels(record, table.has("axes") ? std::optional(told.axes) : std::nullopt, true);
   for (const char* step : {"zero", "low_pass", "sweep", "every", "select"})
     if (table.has(step)) told.one_way.emplace_back(step);
   take(std::move(record), told);
@@ -396,7 +396,7 @@ Measurement read_measurement(const fs::path& file, std::optional<AxisConvention>
   note_axes(record, told.axes, axes.has_value());
   told.recorded = record.table();
   told.suspects = suspect_numbers(record, "", {}, false);
-  check_channels(record, axes.has_value(), false);
+  check_channels(record, axes, false);
   take(std::move(record), told);
   return Measurement(std::move(told));
 }

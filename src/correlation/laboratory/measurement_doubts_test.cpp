@@ -335,5 +335,57 @@ TEST_F(MeasurementDoubts, ASweepOfAConstantChannelIsDoubted) {
   EXPECT_EQ(said(read(sweep(kNames, 1.0), "sweep = {SA = \"rising\"}"), "but for noise"), "");
 }
 
+/// Returns a cornering test of a linear tire over slip angle and inclination as the axes of SAE J670
+/// have it, but with positive loads and with this sign of the side force. In iso axes it is read as
+/// a tire that leans against its force.
+std::string inclined_sweep(const std::string& names, double sign = 1.0) {
+  std::string table = names + "\n";
+  for (const double camber : {-4.0, -2.0, 0.0, 2.0, 4.0})
+    for (int i = -6; i <= 6; ++i)
+      table += fmt::format("{},{},{},{:.3f}\n",
+                           4000 + 3 * i,
+                           0.3 * i,
+                           camber,
+                           sign * (-600.0 * 0.3 * i + 60.0 * camber + std::sin(3.0 * i * i)));
+  return table;
+}
+
+constexpr const char* kInclined = "FZ [N],SA [deg],IA [deg],FY [N]";
+
+// The record and its mirror image agree: the file is in sae axes with positive loads, or its
+// inclination has the other sign. Both are offered with what tells them apart, whether or not the
+// study states iso; each of them, said, removes the contradiction.
+TEST_F(MeasurementDoubts, ARecordAndItsMirrorImageAreBothOffered) {
+  for (const std::string stated : {"axes = \"iso\"", ""}) {
+    SCOPED_TRACE(stated);
+    const std::string text = said(read(inclined_sweep(kInclined), stated), "raises Fy");
+    const std::string in_place = stated.empty() ? "" : " in place of \"iso\"";
+    for (const std::string& part :
+         {std::string("each of several statements"),
+          std::string("columns = {gamma = \"-IA\"} (right if at the rig a positive FY pushes the "
+                      "tire to the left and a positive IA leans its top to the left"),
+          "axes = \"sae\"" + in_place +
+              " and, because its loads are written as positive, columns = {Fz = \"-FZ\"} (right "
+              "if at the rig a positive FY pushes the tire to the right and a positive IA leans "
+              "its top to the right"})
+      EXPECT_NE(text.find(part), text.npos) << part << "\n" << text;
+  }
+  for (const char* said_then :
+       {"axes = \"iso\"\ncolumns = {gamma = \"-IA\"}", "axes = \"sae\"\ncolumns = {Fz = \"-FZ\"}"})
+    EXPECT_EQ(said(read(inclined_sweep(kInclined), said_then), "raises Fy"), "") << said_then;
+}
+
+// The study turns the column of the side force: the directions that are named are those of the file.
+TEST_F(MeasurementDoubts, TheDirectionsThatTellAMirrorImageAreThoseOfTheFile) {
+  const std::string text =
+      said(read(inclined_sweep(kInclined, -1.0), "axes = \"iso\"\ncolumns = {Fy = \"-FY\"}"),
+           "raises Fy");
+  EXPECT_NE(text.find("gamma = \"-IA\"} (right if at the rig a positive FY pushes the tire to the "
+                      "right and a positive IA leans its top to the left"),
+            text.npos)
+      << text;
+  EXPECT_NE(text.find("in place of \"iso\""), text.npos) << text;
+}
+
 }  // namespace
 }  // namespace latsch::correlation

@@ -35,6 +35,9 @@ constexpr std::size_t kSparse = 2;
 // Largest number of levels: a condition with more is a sweep and forms no groups.
 constexpr std::size_t kMostLevels = 8;
 
+// Largest number of groups of which each has a color and a row of the legend of its own.
+constexpr std::size_t kMostColors = 7;
+
 struct Usual {
   const char* name;
   double range;  // usual range in a test, SI
@@ -91,15 +94,38 @@ std::vector<double> level_starts(const std::vector<double>& sorted) {
   return sorted.size() >= kSparse * (wide.size() + 1) ? wide : std::vector<double>{};
 }
 
+/// Returns the first value of every level but the lowest of values that a rig sets, however few
+/// there are at each level: values closer than kVaries of a range follow each other within a level.
+/// Returns no levels if there are more than kMostLevels, as in a sweep, or if one of them has less
+/// than kStray of all samples.
+std::vector<double> set_starts(const std::vector<double>& sorted, double range) {
+  constexpr double kStray = 0.01;
+  std::vector<double> starts;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i <= sorted.size(); ++i) {
+    if (i < sorted.size() && sorted[i] - sorted[i - 1] <= kVaries * range) continue;
+    if (static_cast<double>(i - begin) < kStray * static_cast<double>(sorted.size())) return {};
+    if (i < sorted.size()) starts.push_back(sorted[i]);
+    begin = i;
+  }
+  return starts.size() + 1 <= kMostLevels ? starts : std::vector<double>{};
+}
+
 /// Returns the level of every value, counted from the lowest; all 0 if levels cannot be
-/// distinguished.
-std::vector<int> levels_of(const std::vector<double>& values, double usual_range) {
+/// distinguished. `are_set`: the rig sets the values, so that few samples at a level do not make it
+/// a result of something else.
+std::vector<int> levels_of(const std::vector<double>& values,
+                           double usual_range,
+                           bool are_set = false) {
   std::vector<int> levels(values.size(), 0);
   const double range = range_of(values);
   if (range < kVaries * usual_range) return levels;
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
-  const std::vector<double> starts = level_starts(sorted);
+  std::vector<double> starts = level_starts(sorted);
+  if (are_set)
+    if (auto set = set_starts(sorted, usual_range); set.size() > starts.size())
+      starts = std::move(set);
   if (starts.size() + 1 > kMostLevels) return levels;
   for (std::size_t i = 0; i < values.size(); ++i)
     levels[i] = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), values[i]) -
@@ -110,11 +136,13 @@ std::vector<int> levels_of(const std::vector<double>& values, double usual_range
 /// Returns the candidate that was swept; nullptr if no candidate varies. This is the one that
 /// covers the largest share of its usual range. If several candidates cover similar shares, it is
 /// the one with the most levels, because a channel with few levels is a condition: camber of 0, 2,
-/// 4 and 6 deg during a sweep of slip, for example.
+/// 4 and 6 deg during a sweep of slip, for example. `are_set`: the rig sets the candidates, so that
+/// few values are levels even if each has a single sample.
 template <std::size_t N>
 const Usual* swept(const std::array<Usual, N>& candidates,
                    const Measurement& measurement,
-                   const std::string& y) {
+                   const std::string& y,
+                   bool are_set) {
   // two shares are similar if one is at least this part of the other
   constexpr double kSimilar = 1.0 / 3.0;
   struct Candidate {
@@ -131,7 +159,12 @@ const Usual* swept(const std::array<Usual, N>& candidates,
     if (share <= kVaries) continue;
     most = std::max(most, share);
     const std::vector<int> levels = levels_of(*values, one.range);
-    const int highest = *std::max_element(levels.begin(), levels.end());
+    int highest = *std::max_element(levels.begin(), levels.end());
+    if (highest == 0 && are_set) {
+      std::vector<double> sorted = *values;
+      std::sort(sorted.begin(), sorted.end());
+      highest = static_cast<int>(set_starts(sorted, range_of(sorted)).size());
+    }
     all.push_back({&one, share, highest == 0 ? static_cast<int>(kMostLevels) : highest});
   }
   const Candidate* found = nullptr;
@@ -152,11 +185,14 @@ struct Condition {
 
 std::vector<Condition> conditions_of(const Measurement& measurement, const std::string& x) {
   std::vector<Condition> all;
+  // A flat track sets load, inclination and pressure; on a K&C rig they may follow its travel.
+  const bool are_set =
+      std::ranges::any_of(kSlips, [&](const Usual& slip) { return x == slip.name; });
   for (const Usual& one : kConditions) {
     if (x == one.name) continue;
     auto values = values_of(measurement, one.name);
     if (!values) continue;
-    auto levels = levels_of(*values, one.range);
+    auto levels = levels_of(*values, one.range, are_set);
     if (*std::max_element(levels.begin(), levels.end()) == 0) continue;
     const std::string usual = read_unit(measurement.unit(one.name));
     all.push_back({one.name,
@@ -204,6 +240,8 @@ void sort_into_groups(const std::vector<Condition>& conditions, NaturalAbscissa&
                                from,
                                abscissa.order.size()});
   }
+  if (abscissa.groups.size() <= kMostColors)
+    for (NaturalAbscissa::Group& group : abscissa.groups) group.level = group.name;
 }
 
 }  // namespace
@@ -221,8 +259,8 @@ std::string unit_of_file(const Measurement& measurement,
 std::optional<NaturalAbscissa> natural_abscissa(const Measurement& measurement,
                                                 const std::string& y) {
   if (measurement.samples() == 0) return std::nullopt;
-  const Usual* found = swept(kSlips, measurement, y);
-  if (!found) found = swept(kMoved, measurement, y);
+  const Usual* found = swept(kSlips, measurement, y, /*are_set=*/true);
+  if (!found) found = swept(kMoved, measurement, y, /*are_set=*/false);
   if (!found) return std::nullopt;
   NaturalAbscissa abscissa;
   abscissa.channel = found->name;

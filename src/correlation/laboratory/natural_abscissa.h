@@ -5,7 +5,8 @@
 // The abscissa is the slip (alpha, kappa, gamma) that covers the largest part of its usual range.
 // Without slip it is the travel dz or the load, force or moment that the rig varies. Samples with
 // different other conditions (load, camber, pressure) belong to different groups, so that each
-// group is a curve of its own.
+// group is a curve of its own. Over a slip every such condition counts that the rig set to up to
+// eight values, even if a value has a single sample.
 #pragma once
 
 #include <optional>
@@ -25,7 +26,8 @@ struct NaturalAbscissa {
   std::vector<std::size_t> order;
   struct Group {
     std::string name;  // for example "Fz 1050 N, gamma 0 deg"; empty: there is one group
-    // the first condition of the group, "Fz 1050 N": groups with the same level share a color
+    /// The entry of the legend: the name of the group or, if there are more groups than colors, its
+    /// first condition alone, "Fz 1050 N"; groups with the same level share a color.
     std::string level;
     std::size_t from, end;  // indices into `order`
   };

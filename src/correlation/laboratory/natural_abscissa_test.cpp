@@ -66,7 +66,11 @@ TEST_F(Abscissas, AGroupIsNamedByItsLevelAndNotByItsOwnScatter) {
         table += fmt::format("{},{},{},{}\n", load + 20.0 * gamma, k, gamma, -100 * k);
   std::set<std::string> levels;
   for (const auto& group : of(table, "Fy").groups) levels.insert(group.level);
-  EXPECT_EQ(levels, (std::set<std::string>{"Fz 1020 N", "Fz 3020 N"}));
+  EXPECT_EQ(levels,
+            (std::set<std::string>{"Fz 1020 N, gamma 0 deg",
+                                   "Fz 1020 N, gamma 2 deg",
+                                   "Fz 3020 N, gamma 0 deg",
+                                   "Fz 3020 N, gamma 2 deg"}));
 }
 
 // The camber covers a larger share of its usual range than the slip does, but it has only four
@@ -83,6 +87,39 @@ TEST_F(Abscissas, AChannelOfFewLevelsIsNoSweep) {
   EXPECT_EQ(over.channel, "alpha");
   EXPECT_EQ(over.groups.size(), 8u);
   EXPECT_EQ(of(braked, "Fx").channel, "kappa");
+}
+
+// A state list that a person wrote: few samples at each inclination and pressure, or one.
+TEST_F(Abscissas, FewStatesOfAnotherInclinationOrPressureAreNoPartOfTheLine) {
+  const std::string head = "Fz [N],alpha [deg],gamma [deg],p [kPa],Fy [N]\n";
+  const NaturalAbscissa leaned = of(head +
+                                        "3000,1,0,83,-900\n3000,4,0,83,-2600\n3000,8,0,83,-3000\n"
+                                        "3000,2,2,83,-1700\n3000,5,4,83,-2900\n",
+                                    "Fy");
+  EXPECT_EQ(leaned.channel, "alpha");
+  ASSERT_EQ(leaned.groups.size(), 3u);
+  EXPECT_EQ(leaned.groups[0].name, "gamma 0 deg");
+  EXPECT_EQ(leaned.groups[0].end - leaned.groups[0].from, 3u);
+  EXPECT_EQ(leaned.groups[1].level, "gamma 2 deg");  // a row of the legend
+  EXPECT_EQ(leaned.groups[2].name, "gamma 4 deg");
+  const NaturalAbscissa blown =
+      of(head + "3000,1,0,69,-900\n3000,4,0,69,-2600\n3000,8,0,97,-3000\n", "Fy");
+  ASSERT_EQ(blown.groups.size(), 2u);
+  EXPECT_EQ(blown.groups[1].name, "p 97 kPa");
+  // inclinations close to each other beside a large one
+  std::string close = head;
+  for (const double gamma : {0.0, 0.5, 1.0, 5.0, 10.0})
+    for (int k = -2; k <= 2; ++k)
+      close += fmt::format("3000,{},{},83,{}\n", 3 * k, gamma, -1000 * k);
+  EXPECT_EQ(of(close, "Fy").groups.size(), 5u);
+}
+
+// An inclination that drifts with the slip angle within the scatter of a rig is one condition.
+TEST_F(Abscissas, ScatterOfTheInclinationFormsNoGroups) {
+  std::string table = "Fz [N],alpha [deg],gamma [deg],Fy [N]\n";
+  for (int k = -6; k <= 6; ++k)
+    table += fmt::format("{},{},{},{}\n", 3000 + 9 * k, k, 0.02 * k, -500 * k);
+  EXPECT_EQ(of(table, "Fy").groups.size(), 1u);
 }
 
 TEST_F(Abscissas, ALoadThatRisesWithTheTravelFormsNoGroups) {

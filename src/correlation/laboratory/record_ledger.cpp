@@ -452,12 +452,13 @@ std::string advice_in_words(const std::vector<std::string>& advice,
 LabRecord with_names_of(const LabRecord& record, LabRecord plain) {
   plain.written = record.written;
   plain.stated = record.stated;
+  plain.turned_from = record.turned_from;
   return plain;
 }
 
 }  // namespace
 
-void check_channels(LabRecord& record, bool axes_are_stated, bool is_stated) {
+void check_channels(LabRecord& record, std::optional<AxisConvention> stated_axes, bool is_stated) {
   if (record.ledgers.empty()) return;
   const LabRecord plain = without_suspects(record);
   const auto file_of = [&](const Place& place) -> Ledger& {
@@ -473,8 +474,8 @@ void check_channels(LabRecord& record, bool axes_are_stated, bool is_stated) {
       doubts.begin(), doubts.end(), [](const ChannelDoubt& doubt) { return doubt.is_of_sign; });
   const std::string where = is_stated ? "" : " in a [measurement.NAME] of the file";
   const std::string way_out =
-      is_of_sign ? advice_in_words(signs_that_agree(with_names_of(record, plain), axes_are_stated),
-                                   axes_are_stated,
+      is_of_sign ? advice_in_words(signs_that_agree(with_names_of(record, plain), stated_axes),
+                                   stated_axes.has_value(),
                                    where)
                  : "";
   for (const ChannelDoubt& doubt : doubts) {

@@ -2,6 +2,7 @@
 // Builds the ledger of the files of a record (measurement/ledger.h) while the record is read.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,10 @@ void note_use(LabRecord& record, const std::string& channel, const std::string& 
 void note_axes(LabRecord& record, AxisConvention axes, bool are_stated);
 
 /// Adds doubts about signs and ranges (measurement/meaning/channel_checks.h) and about two columns
-/// for one channel to the ledgers. `is_stated` is true if there is a [measurement.NAME], to which
+/// for one channel to the ledgers. `stated_axes` are those from which the record was turned, if the
+/// user states any. `is_stated` is true if there is a [measurement.NAME], to which
 /// the advice then refers.
-void check_channels(LabRecord& record, bool axes_are_stated, bool is_stated);
+void check_channels(LabRecord& record, std::optional<AxisConvention> stated_axes, bool is_stated);
 
 /// Returns a doubt for every suspect number among the selected samples: its column, its rows and
 /// how to leave it out. If the number is certainly no measured value, the doubt is an error, which

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/laboratory/sign_advice.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/text.h"
 #include "correlation/laboratory/columns_hint.h"
 #include "measurement/meaning/channel_checks.h"
+#include "measurement/meaning/channel_sense.h"
 #include "measurement/meaning/suspension_checks.h"
 
 namespace latsch::correlation {
@@ -130,6 +134,33 @@ std::string statement_of(AxisConvention axes) {
   return "axes = \"" + axis_convention_names()[static_cast<std::size_t>(axes)] + "\"";
 }
 
+/// Returns words, to follow a statement that changes the sign of a group beside these axes, on how
+/// side force and inclination of the file are directed if the statement is right: a record and its
+/// mirror image differ in this alone. Returns an empty text if the record has no such pair, or if
+/// the group is another than loads or inclination.
+std::string when_right(const LabRecord& record, const Group& group, AxisConvention axes) {
+  const Channel *Fy = record.find("Fy"), *gamma = record.find("gamma");
+  const bool turns_lean = group.front() == "gamma";
+  if (!Fy || !gamma || !(turns_lean || group.front().starts_with("Fz"))) return "";
+  const auto written = [&](const Channel& channel) {
+    const auto found = record.written.find(channel.name);
+    return found == record.written.end() ? channel.name : found->second.column;
+  };
+  const auto sign = [&](const Channel& channel, ChannelSense sense) {
+    const auto stated = record.stated.find(channel.name);
+    return sign_to_iso(sense, axes) * (stated == record.stated.end() ? 1.0 : stated->second.sign);
+  };
+  const double side = sign(*Fy, ChannelSense::along_y);
+  const double lean = sign(*gamma, ChannelSense::about_x) * (turns_lean ? -1.0 : 1.0);
+  return fmt::format(
+      " (right if at the rig a positive {} pushes the tire to the {} and a positive {} leans its "
+      "top to the {}, seen from behind)",
+      written(*Fy),
+      side > 0.0 ? "left" : "right",
+      written(*gamma),
+      lean > 0.0 ? "right" : "left");
+}
+
 }  // namespace
 
 std::vector<AxisConvention> axes_that_agree(const Channels& channels) {
@@ -147,17 +178,26 @@ std::string turned(const LabRecord& record, const std::string& channel) {
   return groups_turned(record, {{channel}});
 }
 
-std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are_stated) {
+std::vector<std::string> signs_that_agree(const LabRecord& record,
+                                          std::optional<AxisConvention> stated) {
   const Channels channels = thinned(record);
   std::vector<std::string> advice;
   if (signs_agree(channels)) return advice;
-  if (!axes_are_stated)
-    for (const AxisConvention axes : axes_that_agree(channels))
-      advice.push_back(statement_of(axes));
+  const AxisConvention taken = stated.value_or(AxisConvention::iso);
+  // A convention changes signs alone, so that turning twice gives the channels as the file has
+  // them.
+  const Channels as_written = to_iso(channels, taken);
+  const std::string in_place =
+      stated ? " in place of " + in_quotes(axis_convention_names()[static_cast<std::size_t>(taken)])
+             : "";
+  const bool can_be_turned = record.turned_from.empty();
+  if (can_be_turned)
+    for (const AxisConvention axes : axes_that_agree(as_written))
+      if (axes != taken) advice.push_back(statement_of(axes) + in_place);
   const std::vector<Group> groups = groups_of(record, channels);
   for (const Group& group : groups)
     if (signs_agree(with_other_sign(channels, group)))
-      advice.push_back(groups_turned(record, {group}));
+      advice.push_back(groups_turned(record, {group}) + when_right(record, group, taken));
   for (const char* lateral : {"Fy", "alpha", "Mz"}) {
     const Channel* channel = record.find(lateral);
     if (!channel || !signs_agree(with_other_sign(channels, {channel->name}))) continue;
@@ -165,13 +205,14 @@ std::vector<std::string> signs_that_agree(const LabRecord& record, bool axes_are
     if (!mirrored.empty() && std::find(advice.begin(), advice.end(), mirrored) == advice.end())
       advice.push_back(mirrored);
   }
-  if (!axes_are_stated)
+  if (can_be_turned && taken != AxisConvention::sae)
     for (const Group& group : groups)
       if (const std::string also = words_beside_sae(group.front());
           !also.empty() &&
-          signs_agree(to_iso(with_other_sign(channels, group), AxisConvention::sae)))
-        advice.push_back("axes = \"sae\" and, because " + also + ", " +
-                         groups_turned(record, {group}));
+          signs_agree(to_iso(with_other_sign(as_written, group), AxisConvention::sae)))
+        advice.push_back(statement_of(AxisConvention::sae) + in_place + " and, because " + also +
+                         ", " + groups_turned(record, {group}) +
+                         when_right(record, group, AxisConvention::sae));
   if (!advice.empty()) return advice;
   for (std::size_t i = 0; i < groups.size(); ++i)
     for (std::size_t k = i + 1; k < groups.size(); ++k)

@@ -15,6 +15,7 @@
 #include "experiment/rigs/slip/slip_states.h"
 #include "experiment/rigs/slip/states_beyond.h"
 #include "formats/tire/tir_file.h"
+#include "models/magic_formula/limits/file_ranges.h"
 #include "models/magic_formula/magic_formula_tire.h"
 #include "report/report.h"
 
@@ -58,6 +59,12 @@ class MagicFormulaSpecimen : public RollingSpecimen,
   }
   std::vector<std::string> limits_met() const override {
     return limits_met_by(parameters_, *log_, asked_pressure_);
+  }
+  std::vector<std::string> limits_when_driven(const DrivenWheel& driven) const override {
+    return limits_when_driven_of(parameters_, driven);
+  }
+  bool is_limit(const std::string& path) const override {
+    return magic_formula::is_end_of_range(path);
   }
   void stood_under(double load) override { log_->add_standing(load); }
   std::string no_stiffness(const std::string& direction) const override {

@@ -10,6 +10,7 @@
 #include "experiment/kinds/tire_sanity.h"
 #include "experiment/language/known_limits.h"
 #include "formats/tire/tir_file.h"
+#include "models/magic_formula/limits/file_ranges.h"
 #include "models/rigid_ring/rigid_ring_tire.h"
 #include "models/rigid_ring/ring_doubts.h"
 
@@ -33,6 +34,12 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   }
   std::vector<std::string> limits_met() const override {
     return limits_met_by(parameters_, *log_, asked_pressure_);
+  }
+  std::vector<std::string> limits_when_driven(const DrivenWheel& driven) const override {
+    return limits_when_driven_of(parameters_, driven);
+  }
+  bool is_limit(const std::string& path) const override {
+    return magic_formula::is_end_of_range(path);
   }
   void stood_under(double load) override { log_->add_standing(load); }
   std::string no_stiffness(const std::string& direction) const override {

@@ -9,8 +9,8 @@
 #include "base/units.h"
 #include "formats/tire/kept_parts.h"
 #include "formats/tire/tir_file.h"
-#include "models/magic_formula/standstill.h"
 #include "models/magic_formula/limits/symmetry.h"
+#include "models/magic_formula/standstill.h"
 
 namespace latsch::experiment {
 namespace {
@@ -180,6 +180,23 @@ std::vector<std::string> limits_met_by(const Parameters& parameters,
       !magic_formula::pressure_acts(parameters))
     sentences.push_back("the pressure of the test has no effect: " + no_pressure_in_words());
   return sentences;
+}
+
+std::vector<std::string> limits_when_driven_of(const Parameters& parameters,
+                                               const DrivenWheel& driven) {
+  magic_formula::InputExtremes inputs;
+  const std::pair<const char*, magic_formula::Extremes*> quantities[] = {{"Fz", &inputs.Fz},
+                                                                         {"kappa", &inputs.kappa},
+                                                                         {"alpha", &inputs.alpha},
+                                                                         {"gamma", &inputs.gamma},
+                                                                         {"p", &inputs.p},
+                                                                         {"speed", &inputs.speed}};
+  for (const auto& [name, extremes] : quantities)
+    if (const auto found = driven.find(name); found != driven.end()) {
+      extremes->add(found->second.first);
+      extremes->add(found->second.second);
+    }
+  return magic_formula::ranges_left(inputs, parameters);
 }
 
 void refuse_soft_pressure(const Parameters& p, double pressure, const Place& place) {

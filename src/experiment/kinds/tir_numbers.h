@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/document.h"
+#include "experiment/language/known_limits.h"
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/inflation.h"
 #include "models/magic_formula/limits/range_log.h"
@@ -27,6 +28,11 @@ std::string side_in_words(const Document& numbers);
 
 /// Throws InputError if a number that the tire needs is not positive.
 magic_formula::Parameters parameters_of(const Document& numbers);
+
+/// Returns a sentence for every range of the file that a wheel driven like this leaves; the forces
+/// of the test are those at the end of the range wherever it does.
+std::vector<std::string> limits_when_driven_of(const magic_formula::Parameters& parameters,
+                                               const DrivenWheel& driven);
 
 /// Returns the height of the section, m; nullopt if the file states no RIM_RADIUS.
 std::optional<double> section_height_of(const magic_formula::Parameters& parameters);

@@ -3,14 +3,21 @@
 // runs it.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/cleat.h"
 
 namespace latsch::experiment {
+
+/// Motion that a test demands of a wheel before anything is simulated: the least and the greatest
+/// value, SI, of Fz, kappa, alpha, gamma, p and speed; a quantity that the test does not set is
+/// missing.
+using DrivenWheel = std::map<std::string, std::pair<double, double>>;
 
 /// A specimen that knows limits of its model.
 struct KnowsLimits {
@@ -48,6 +55,12 @@ struct KnowsLimits {
   virtual std::string assumed_stiffness(const std::string& /*direction*/) const { return ""; }
   /// Returns the height of the section, m; nullopt if the specimen's file does not say.
   virtual std::optional<double> section_height() const { return std::nullopt; }
+  /// Returns a sentence for every limit of the specimen's file that a wheel driven like this
+  /// leaves; empty if there is none.
+  virtual std::vector<std::string> limits_when_driven(const DrivenWheel&) const { return {}; }
+  /// True if the number of the model at this path is itself such a limit, so that a study which
+  /// varies it moves the limit.
+  virtual bool is_limit(const std::string& /*path*/) const { return false; }
 
  private:
   std::vector<std::string> recorded_;
@@ -76,6 +89,12 @@ inline std::vector<std::string> limits_of(Specimen& specimen, const std::optiona
 inline std::vector<std::string> limits_of_camber(Specimen& specimen, double camber, bool rolls) {
   const auto* knows = specimen.find<KnowsLimits>();
   return knows && camber != 0.0 ? knows->limits_at_camber(rolls) : std::vector<std::string>();
+}
+
+/// Returns the limits that a wheel driven like this leaves; empty if the specimen knows none.
+inline std::vector<std::string> limits_of_driven(Specimen& specimen, const DrivenWheel& driven) {
+  const auto* knows = specimen.find<KnowsLimits>();
+  return knows ? knows->limits_when_driven(driven) : std::vector<std::string>();
 }
 
 /// Returns the limits that a specimen has met and the sentences that its tests have recorded; empty

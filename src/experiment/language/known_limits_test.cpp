@@ -89,6 +89,41 @@ TEST(KnownLimits, EveryRollingTestTellsTheRangesThatTheTireLeaves) {
       told_by("magic_formula", kSweep + ", camber = \"5 deg\"", {"CAMMAX = 0.05"}).says("CAMMAX"));
 }
 
+/// Returns the limits that a test tells before it runs on the tire with changed lines of its file.
+std::string told_ahead(const std::string& kind_name,
+                       const std::string& keys,
+                       const std::vector<std::string>& lines) {
+  const auto test = language().read_test(
+      Document::parse("test = {" + keys + "}", "t.toml").root().table("test"), {});
+  const SpecimenKind& kind = *language().find_kind(kind_name);
+  const auto specimen = kind.build(tir_with(kind, lines));
+  std::string all;
+  for (const std::string& one : dynamic_cast<const TellsLimits&>(*test).limits(*specimen))
+    all += one + "\n";
+  return all;
+}
+
+// A study then tells them before its first trial and in every check, not at its best trial alone.
+TEST(KnownLimits, RangesThatATestLeavesByItsOwnConditionsAreToldBeforeItRuns) {
+  for (const auto& [kind, keys] :
+       {std::pair{"magic_formula", kRolling}, {"magic_formula", kSweep}, {"rigid_ring", kDrum}}) {
+    expect_part(told_ahead(kind, keys, {"FZMAX = 3000"}),
+                "Fz is 4000 N in this test, above FZMAX = 3000 N");
+    expect_part(told_ahead(kind, keys + ", pressure = \"3 bar\"", {"PRESMAX = 220000"}),
+                "The pressure is 3 bar in this test, above PRESMAX = 2.2 bar");
+    EXPECT_EQ(told_ahead(kind, keys, {"FZMIN = 100", "FZMAX = 12000"}).find("FZM"),
+              std::string::npos);
+  }
+  const std::string sweep = kSweep + ", camber = \"5 deg\"";
+  for (const char* part : {"alpha is 10 deg in this test, above ALPMAX = 2.865 deg",
+                           "alpha is -10 deg in this test, below ALPMIN = -2.865 deg",
+                           "gamma is 5 deg in this test, above CAMMAX = 2.865 deg"})
+    expect_part(
+        told_ahead("magic_formula", sweep, {"ALPMIN = -0.05", "ALPMAX = 0.05", "CAMMAX = 0.05"}),
+        part);
+  expect_part(told_ahead("magic_formula", kDrum, {"VXLOW = 9"}), "below VXLOW = 9 m/s");
+}
+
 /// On this high bar the belt of a light tire loses contact.
 TEST(KnownLimits, ATireThatLeavesTheRoadSaysFromWhenToWhen) {
   const std::string jump =
@@ -233,6 +268,9 @@ TEST(KnownLimits, TurnSlipWithoutItsCoefficientsIsToldBeforeTheTestRuns) {
   EXPECT_EQ(limits("on", {"QDRP1 = 1", "PHYP1 = 1", "QCRP1 = 0.2", "QDZ10 = 0.3"}), "");
   expect_part(limits("on", {"QDRP1 = 1", "PHYP1 = 1", "QCRP1 = 0.2"}), "QDZ10 is 0, so that");
   expect_part(limits("off", {"FZMAX = 5000"}), "1 of 2 states lie outside of the ranges");
+  expect_part(limits("off", {"FZMAX = 5000"}), "Fz above FZMAX = 5000 N in 1, up to 6000 N");
+  expect_part(limits("off", {"FZMIN = 4500", "FZMAX = 5000"}),
+              "Fz below FZMIN = 4500 N in 1, down to 4000 N; Fz above FZMAX = 5000 N in 1");
   expect_part(limits("off", kCurve), "1 of 2 states have a load beyond the last point");
 }
 

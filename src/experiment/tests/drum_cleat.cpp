@@ -93,7 +93,7 @@ std::string cut_passage(Specimen& specimen, const DrumTest& test) {
 
 }  // namespace
 
-std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {
+std::vector<std::string> DrumCleatTest::limits_of_model(Specimen& specimen) const {
   std::vector<std::string> limits = limits_of(specimen, test_.cleat);
   for (std::string& limit : limits_of_camber(specimen, test_.camber, /*rolls=*/true))
     limits.push_back(std::move(limit));
@@ -105,11 +105,22 @@ std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {
   return limits;
 }
 
+std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {
+  std::vector<std::string> limits = limits_of_model(specimen);
+  if (!test_.load) return limits;  // the tire decides then how far it is pressed
+  DrivenWheel driven = {{"Fz", {*test_.load, *test_.load}},
+                        {"gamma", {test_.camber, test_.camber}},
+                        {"speed", {test_.speed, test_.speed}}};
+  if (test_.pressure) driven["p"] = {*test_.pressure, *test_.pressure};
+  for (std::string& limit : limits_of_driven(specimen, driven)) limits.push_back(std::move(limit));
+  return limits;
+}
+
 Result<std::vector<std::string>> DrumCleatTest::run_in_blocks(
     Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
   const auto notes = Test::run_in_blocks(specimen, tell);
   if (!notes) return notes;
-  return limits(specimen);
+  return limits_of_model(specimen);
 }
 
 std::optional<Result<std::vector<ChannelConvergence>>> DrumCleatTest::convergence(

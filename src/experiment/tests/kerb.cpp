@@ -133,8 +133,8 @@ class KerbRunTest : public Test, public TellsLimits {
     auto record = experiment::run(
         **car,
         test_,
-        [&](const car::Car& of, const car::CarState& state, const road::Road&, double) {
-          air.see(of, state);
+        [&](const car::Car& of, const car::CarState& state, const road::Road&, double time) {
+          air.see(of, state, time);
         });
     if (!record) return record;
     record_limit(specimen, air.sentence());

@@ -15,6 +15,7 @@
 #include "experiment/rigs/duration_limit.h"
 #include "experiment/rigs/fe_rolling/rolling_slopes.h"
 #include "experiment/rigs/fe_rolling/steady_table.h"
+#include "experiment/rigs/fe_tire/rolling_rig.h"
 #include "experiment/rigs/slip/lift_watch.h"
 #include "experiment/rigs/wheel_scheme.h"
 #include "experiment/tests/test_kinds.h"
@@ -67,14 +68,19 @@ class RollingStiffness : public Test, public TellsLimits {
 
   std::vector<std::string> limits(Specimen& specimen) const override {
     if (auto* tire = specimen.find<IsFeTire>()) return assumed_by(*tire);
-    return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);
+    std::vector<std::string> limits = limits_of_model(specimen);
+    DrivenWheel driven = {{"Fz", {test_.load, test_.load}}, {"speed", {test_.speed, test_.speed}}};
+    if (test_.pressure) driven["p"] = {*test_.pressure, *test_.pressure};
+    for (std::string& limit : limits_of_driven(specimen, driven))
+      limits.push_back(std::move(limit));
+    return limits;
   }
 
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     auto notes = Test::run_in_blocks(specimen, tell);
     if (!notes) return notes;
-    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    for (std::string& limit : limits_of_model(specimen)) notes->push_back(std::move(limit));
     return notes;
   }
 
@@ -98,6 +104,11 @@ class RollingStiffness : public Test, public TellsLimits {
   }
 
  private:
+  /// Returns the limits that a run does not tell by itself; it tells ranges that it left.
+  std::vector<std::string> limits_of_model(Specimen& specimen) const {
+    if (auto* tire = specimen.find<IsFeTire>()) return assumed_by(*tire);
+    return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);
+  }
   /// Returns the values of the channels of a tire that rolls in steps of time.
   Result<std::vector<double>> measure(Specimen& specimen) const {
     LiftLog lifts;

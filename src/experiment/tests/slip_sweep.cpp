@@ -90,7 +90,16 @@ class SlipSweepTest : public Test, public TellsLimits {
   }
 
   std::vector<std::string> limits(Specimen& specimen) const override {
-    return limits_of_camber(specimen, sweep_.camber, /*rolls=*/true);
+    std::vector<std::string> limits = limits_of_model(specimen);
+    DrivenWheel driven = {{"Fz", {sweep_.load, sweep_.load}},
+                          {"gamma", {sweep_.camber, sweep_.camber}},
+                          {"alpha", std::minmax(sweep_.alpha_from, sweep_.alpha_to)},
+                          {"kappa", std::minmax(sweep_.kappa_from, sweep_.kappa_to)},
+                          {"speed", {sweep_.speed, sweep_.speed}}};
+    if (sweep_.pressure) driven["p"] = {*sweep_.pressure, *sweep_.pressure};
+    for (std::string& limit : limits_of_driven(specimen, driven))
+      limits.push_back(std::move(limit));
+    return limits;
   }
 
   /// Returns a sentence if the sweep is too short for the tire to follow it.
@@ -105,7 +114,7 @@ class SlipSweepTest : public Test, public TellsLimits {
     };
     auto notes = Test::run_in_blocks(specimen, see);
     if (!notes) return notes;
-    for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+    for (std::string& limit : limits_of_model(specimen)) notes->push_back(std::move(limit));
     const auto tire = specimen.find<Rolls>()->tire(sweep_.pressure);
     const auto lag = relaxation(*tire, sweep_);
     if (!lag) return notes;  // the sweep itself has succeeded, so a failure here is not reported
@@ -115,6 +124,11 @@ class SlipSweepTest : public Test, public TellsLimits {
   }
 
  private:
+  /// Returns the limits that a run does not tell by itself; it tells ranges that it left.
+  std::vector<std::string> limits_of_model(Specimen& specimen) const {
+    return limits_of_camber(specimen, sweep_.camber, /*rolls=*/true);
+  }
+
   SlipSweep sweep_;
   double sample_step_;  // s
 };

@@ -322,6 +322,12 @@ Result<Rest> Car::roll_rounds(int rounds,
   }
   for (int round = 0; round < rounds; ++round) {
     if (round >= RollIn::kHeld) {
+      // A tire that rolls carries its wheel at another height than the tire at rest.
+      for (int corner = 0; corner < kCorners; ++corner) {
+        const Vector3d center = motion_of_wheel(corner, rest.poses, &rates).center;
+        state.trim.arm[at(corner)] =
+            lines[at(corner)].height - road.height(center.x(), center.y(), 0.0);
+      }
       auto stood = stand(lines, state.speed, inputs, rest, state.trim);
       if (!stood) return stood;
       rest = std::move(*stood);

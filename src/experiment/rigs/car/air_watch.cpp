@@ -13,9 +13,11 @@ namespace {
 // m/s; a slower car stands, and its air forces are below a millionth of those at 1 m/s
 constexpr double kSlowest = 1e-3;
 
+constexpr const char* kFloorAxles[] = {"front", "rear"};
+
 }  // namespace
 
-void AirWatch::see(const car::Car& car, const car::CarState& state) {
+void AirWatch::see(const car::Car& car, const car::CarState& state, double time) {
   const auto heights = car.floor_heights(state);
   if (!heights || std::abs(state.bodies.rates[6 * car.parts().chassis]) < kSlowest) return;
   const auto map = car.parameters().aero->heights();
@@ -28,6 +30,16 @@ void AirWatch::see(const car::Car& car, const car::CarState& state) {
     axle.most = samples_ == 0 ? height : std::max(axle.most, height);
     if (height >= map[i].from && height <= map[i].to) continue;
     ++axle.outside;
+    if (first_.empty())
+      first_ = fmt::format(
+          "at {:.4g} s the car's floor is {:.4g} mm high at the {} axle, outside of the heights of "
+          "aero.map, {:.4g} to {:.4g} mm: the coefficients of the map's edge are taken there, "
+          "constant beyond it",
+          time,
+          1e3 * height,
+          kFloorAxles[i],
+          1e3 * map[i].from,
+          1e3 * map[i].to);
     is_outside = true;
   }
   ++samples_;
@@ -44,7 +56,7 @@ std::string AirWatch::sentence() const {
         "{}at the {} axle it is {:.4g} to {:.4g} mm high, the map has {:.4g} to "
         "{:.4g} mm",
         where.empty() ? "" : "; ",
-        i == 0 ? "front" : "rear",
+        kFloorAxles[i],
         1e3 * axle.least,
         1e3 * axle.most,
         1e3 * axle.map.from,

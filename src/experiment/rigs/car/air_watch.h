@@ -13,8 +13,12 @@ namespace latsch::experiment {
 
 class AirWatch {
  public:
-  /// Takes a sample. A car at rest, which has no air forces, and a car without a map do not count.
-  void see(const car::Car& car, const car::CarState& state);
+  /// Takes a sample at `time`, s. A car at rest, which has no air forces, and a car without a map
+  /// do not count.
+  void see(const car::Car& car, const car::CarState& state, double time);
+  /// Returns a sentence on the first sample outside of the map: time, axle, height, heights of the
+  /// map; empty if no sample was outside. Later samples do not change it.
+  const std::string& first() const { return first_; }
   /// Returns a sentence with the share of the samples outside of the map, and for each axle the
   /// heights that the floor reached and those of the map; empty if no sample was outside.
   std::string sentence() const;
@@ -26,6 +30,7 @@ class AirWatch {
     long outside = 0;                // samples
   };
   std::array<AtAxle, 2> axles_;
+  std::string first_;
   long samples_ = 0, outside_ = 0;  // all samples; those outside of the map at any axle
 };
 

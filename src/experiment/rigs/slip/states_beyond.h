@@ -10,9 +10,16 @@
 namespace latsch {
 
 struct StatesBeyond {
-  long count = 0;         // states in all
-  long unloaded = 0;      // states with a load of 0 or less, a tire in the air
-  long outside = 0;       // states outside the ranges of the file, at which limits clamp them
+  long count = 0;     // states in all
+  long unloaded = 0;  // states with a load of 0 or less, a tire in the air
+  long outside = 0;   // states outside the ranges of the file, at which limits clamp them
+  /// States beyond each end of magic_formula::file_ranges(), in its order, and the value, SI, that
+  /// is farthest beyond.
+  struct BeyondEnd {
+    long count = 0;
+    double farthest = 0.0;
+  };
+  std::vector<BeyondEnd> ends = {};
   long beyond_curve = 0;  // states whose load is beyond the [DEFLECTION_LOAD_CURVE] of the file
 
   void add(const std::vector<magic_formula::State>& states, const magic_formula::Parameters& tire);
