@@ -53,7 +53,7 @@ TEST(RollingFriction, ThickRingHasCartersForceAndStickBorder) { expect_carter(0.
 TEST(RollingFriction, ThickRingOnADrumHasCartersForceAndStickBorder) { expect_carter(0.6); }
 
 // The columns' ends are averaged over two elements by (T.1) and their pressure lowers their shear
-// stiffness by 0.2 %; forces are up to 2.5 % below those of the brush model on 40 elements.
+// stiffness by 0.2 %; forces are up to 2.0 % off those of the brush model on 40 elements.
 TEST(RollingFriction, ColumnsOnARigidRimAreABrush) {
   BrushRing brush(40);
   const HertzFit fit = fit_parabola(brush.ring().free_wheel());
