@@ -20,7 +20,8 @@ void roll_carter(bool lateral, double drum, int across, Table& table) {
   const double a = fit_hertz(carter.ring().free_wheel()).a;
   const double place = 2.0 * CarterRing::kHalf / across;
   double force = 0.0, border = 0.0;
-  for (const double share : {0.25, 0.5, 0.75}) {
+  for (const CarterRing::Slip& slip : CarterRing::kSlips) {
+    const double share = slip.share;
     const double along =
         CarterRing::kMu * a / CarterRing::radius(drum) * (1.0 - std::sqrt(1.0 - share));
     const fe_tire::RollingState state =
@@ -28,7 +29,7 @@ void roll_carter(bool lateral, double drum, int across, Table& table) {
                 : carter.ring().slipping(along, 0.0);
     const Eigen::Vector3d& F = state.forces.force;
     const double Q = (lateral ? -F.y() : F.x()) / (CarterRing::kMu * F.z());
-    force = std::max(force, std::abs(Q / share - 1.0));
+    force = std::max(force, std::abs(Q / (lateral ? slip.lateral : slip.along) - 1.0));
     double least = 1.0;
     for (const auto& point : state.patch)
       if (point.line == 2 && point.sticks) least = std::min(least, point.x);

@@ -8,9 +8,14 @@ and is summed over the circumference, which is unrolled to a straight line. The 
 rigid plane without friction. The tractions obey Coulomb's law with sticking points that do not creep:
     (u_k - u_{k-1})/dx = -xi where |t| <= mu p, else t = mu p.
 Points that exceed mu p slide, and sliding points whose traction points against their motion stick, until no state
-changes. `python3 line_contact.py` prints Carter's case for a half-plane and for the layer of the thick ring."""
+changes. Under a pressure a surface that is not quite incompressible contracts along the ground, by
+    -u_x,x = (1 - 2 nu)(1 + nu)/E p
+as that of a half-plane does; slip counts from that of a cylinder without force. `python3 line_contact.py` prints
+Carter's case for a half-plane and for the layer of the thick ring, then for the ring's own Poisson's ratio, with and
+without that contraction."""
 import numpy
 import scipy.linalg
+import scipy.optimize
 
 
 def compliance(k, E, nu, h):
@@ -69,28 +74,30 @@ def pressure(layer, R, P, dx, points):
         touching[n[p < 0]] = False
 
 
-def roll(compliance_of, x, p, mu, xi, dx):
-    """Returns the tractions along the flow, which enters at the largest x, and which points stick."""
+def roll(compliance_of, x, p, mu, xi, dx, contraction=0.0):
+    """Returns the tractions along the flow, which enters at the largest x, and which points stick. `contraction`:
+    strain along the ground of a unit of pressure."""
     n = numpy.flatnonzero(p > 0)[::-1]  # in the order of flow
     C = toeplitz(compliance_of)[numpy.ix_(n, n)]
     first = toeplitz(compliance_of)[n[0] + 1, n]  # the point before the leading edge
     limit = mu * p[n]
-    sticks = numpy.ones(len(n), bool)
+    slides = numpy.zeros(len(n))  # 1, -1: forward, backward
+    creep = xi - contraction * p[n]
+    rows = numpy.vstack([C[0] - first, C[1:] - C[:-1]]) / dx
     for _ in range(10 * len(n)):
-        rows = numpy.vstack([C[0] - first, C[1:] - C[:-1]]) / dx
-        S, r = rows.copy(), numpy.full(len(n), xi)
-        S[~sticks] = numpy.eye(len(n))[~sticks]
-        r[~sticks] = limit[~sticks]
+        S, r = rows.copy(), creep.copy()
+        S[slides != 0] = numpy.eye(len(n))[slides != 0]
+        r[slides != 0] = (slides * limit)[slides != 0]
         t = numpy.linalg.solve(S, r)
-        over = sticks & (t > limit * (1 + 1e-12))
+        over = (slides == 0) & (abs(t) > limit * (1 + 1e-12))
         if over.any():
-            sticks &= ~over
+            slides[over] = numpy.sign(t[over])
             continue
-        back = ~sticks & (rows @ t > xi)  # slides against its traction
+        back = slides * (rows @ t - creep) > 1e-15  # slides against its traction
         if not back.any():
             break
-        sticks |= back
-    return x[n], t, sticks
+        slides[back] = 0
+    return x[n], t, slides == 0
 
 
 def case(E, nu, h, R, mu, P, shares, dx, points):
@@ -111,6 +118,27 @@ def case(E, nu, h, R, mu, P, shares, dx, points):
                   f"Carter {1 - 2 * numpy.sqrt(1 - share):+.3f}")
 
 
+def contracted(E, nu, h, R, mu, P, shares, dx, points):
+    """Prints forces at Carter's slip from that without force, with and without the contraction by pressure."""
+    layer = Layer(E, nu, h, 2 * numpy.pi * R, dx, points + 2)
+    x, p = pressure(layer, R, P, dx, points)
+    fit = numpy.polyfit(x[p > 0] ** 2, p[p > 0] ** 2, 1)
+    a_p = numpy.sqrt(-fit[1] / fit[0])
+    for share in shares:
+        forces = []
+        for contraction in (0.0, (1 - 2 * nu) * (1 + nu) / E):
+            def force(xi):
+                return roll(layer.along, x, p, mu, xi, dx, contraction)[1].sum() * dx / (mu * P)
+            free = scipy.optimize.brentq(force, -0.01, 0.01, xtol=1e-10)
+            forces.append(force(free + mu * a_p / R * (1 - numpy.sqrt(1 - share))))
+        print(f"  along  Q/mu P {share}: {forces[0]:.5f}, with contraction {forces[1]:.5f} "
+              f"({forces[1] / forces[0]:.4f} x)")
+
+
 if __name__ == "__main__":
     for depth in (3.0, 0.1):
         case(2.5e5, 0.499, depth, 0.3, 0.5, 83.5, (0.05, 0.25, 0.5, 0.75), 9.77205e-3 / 100, 260)
+    print("nu 0.48, half width 6 mm:")
+    load = numpy.pi * 1e6 / (1 - 0.48**2) * 6e-3**2 / (4 * 0.3)
+    for places in (40, 80):
+        contracted(1e6, 0.48, 0.1, 0.3, 0.5, load, (0.25, 0.5, 0.75), 6e-3 / places, int(2.6 * places))

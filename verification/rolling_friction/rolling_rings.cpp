@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "models/fe_tire/rolling/rolling_forces.h"
 #include "ring_mesh.h"
 
 namespace latsch::verification {
@@ -37,10 +38,10 @@ std::vector<double> radii(double inner, double outer, double first, double growt
   return at;
 }
 
-Mesh carter_mesh(int across) {
+Mesh carter_mesh(int across, double width) {
   const double fine = 2.0 * CarterRing::kHalf / across;
   Mesh mesh = ring_mesh({{radii(CarterRing::kRim, CarterRing::kR, 0.75 * fine, 1.25),
-                          {0.5 * CarterRing::kWidth, -0.5 * CarterRing::kWidth},
+                          {0.5 * width, -0.5 * width},
                           0}},
                         3,
                         CarterRing::kRim);
@@ -154,7 +155,7 @@ HertzFit fit_hertz(const RollingState& state) { return fit(state, 2); }
 HertzFit fit_parabola(const RollingState& state) { return fit(state, 1); }
 
 CarterRing::CarterRing(int across, double drum)
-    : ring_(carter_mesh(across),
+    : ring_(carter_mesh(across, width(drum)),
             carter_materials(),
             kDeflection * kR / radius(drum),
             kMu,
@@ -162,8 +163,7 @@ CarterRing::CarterRing(int across, double drum)
 
 double BrushRing::half_length() { return std::sqrt(2.0 * kR * kDeflection); }
 double BrushRing::stiffness() {
-  constexpr double kPenalty = 1e10;  // Pa/m, along the ground (linear_roller.cpp)
-  return 1.0 / (kR * std::log(kR / (kR - kHeight)) / kShear + 1.0 / kPenalty);
+  return 1.0 / (kR * std::log(kR / (kR - kHeight)) / kShear + 1.0 / fe_tire::kAlongPenalty);
 }
 
 BrushRing::BrushRing(int across) : ring_(brush_mesh(across), brush_materials(), kDeflection, kMu) {}

@@ -4,6 +4,7 @@
 // RollingTire, as tires are; used by the tests of this folder and the benchmark `rolling`.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "models/fe_tire/analysis/fe_tire.h"
@@ -56,12 +57,27 @@ HertzFit fit_parabola(const fe_tire::RollingState& state);
 class CarterRing {
  public:
   static constexpr double kE = 1e6, kNu = 0.48, kR = 0.3, kRim = 0.2, kMu = 0.5;
-  static constexpr double kWidth = 1.0;  // m
   static constexpr double kHalf = 6e-3;  // m, about the half width of the patch
   static constexpr double kDeflection =
       2e-4;  // m, on flat ground; as much as gives kHalf on a drum
+  /// m. A ring that is steered on a drum touches along a slanted line, which raises the lateral
+  /// force of one of 1 m by 2.7 % at the largest slip.
+  static double width(double drum) { return drum > 0.0 ? 0.3 : 1.0; }
   static double curvature(double drum) { return drum > 0.0 ? 1.0 / drum : 0.0; }
   static double e_star() { return kE / (1.0 - kNu * kNu); }
+
+  /// A slip state of Carter's incompressible cylinder and the force of the ring's rubber at it.
+  struct Slip {
+    double share;    // Q/(mu P) by Carter, of which the slip follows
+    double lateral;  // Q/(mu P) across
+    double along;    // Q/(mu P) of a driven ring
+  };
+  /// Rubber of kNu contracts along the ground under pressure, which adds to the force of a driven
+  /// ring at the same slip from the free wheel. The factors of `along` are those of
+  /// line_contact.py, an independent program; they do not depend on the radius of a drum, because
+  /// slip and pressure grow alike.
+  static constexpr std::array<Slip, 3> kSlips{
+      {{0.25, 0.25, 1.0046 * 0.25}, {0.5, 0.5, 1.0080 * 0.5}, {0.75, 0.75, 1.0102 * 0.75}}};
   explicit CarterRing(int across, double drum = 0.0);
 
   RollingRing& ring() { return ring_; }

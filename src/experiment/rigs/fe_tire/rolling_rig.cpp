@@ -153,6 +153,9 @@ class FlatTrack {
     const RollingState* from = &*start_;
     double least = std::numeric_limits<double>::infinity();
     for (const RollingState& state : found_) {
+      // A wheel with a slip may be locked, and a tire that slides as a whole does not tell how its
+      // drive depends on the spin: a free wheel is found from free wheels alone.
+      if (of.drive && !state.of.drive) continue;
       RollingCase there = state.of, here = of;
       there.load = state.forces.force.z();
       if (!(here.height > 0.0)) here.height = there.height;

@@ -16,12 +16,6 @@ namespace {
 /// Height over the ground up to which points take part in an iteration, m. A larger one costs
 /// larger dense matrices, a smaller one more iterations.
 constexpr double kNear = 1.5e-3;
-/// Penalty along the ground, Pa/m. Its spring in series with the tread takes 7 % or more of a
-/// 205/55R16's slip stiffness and hardly any cornering stiffness (docs/notebook/rolling_tire.md).
-/// 3e10 leaves less of it, but spoils Carter's force: the step to the first point in contact then
-/// counts as a whole. With 1e12 the active set does not settle, because the points outnumber the
-/// nodes.
-constexpr double kAlong = 1e10;
 /// Speed of rotation of a locked wheel, relative to rolling: (F.1) needs a flow, however slow.
 constexpr double kLocked = 1e-6;
 /// Residual of the contact, relative to the accepted one of an iteration.
@@ -127,7 +121,7 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   if (!condense_for(body)) return Failure{"the tangent of the tread is not positive definite"};
   body.set_force_scale(load);
   const Eigen::VectorXd start = body.touching(Eigen::VectorXd::Zero(body.size()));
-  const RollingGrip grip(body.lines(), of.friction, kAlong);
+  const RollingGrip grip(body.lines(), of.friction, kAlongPenalty);
   const auto points = static_cast<int>(std::ssize(body.points()));
   const RollingContactOptions limits = {.tolerance = std::max(1e-10, kInside * enough),
                                         .most_left = enough > kUnsettled ? points / kShareLeft : 0,

@@ -13,6 +13,12 @@ namespace latsch::fe_tire {
 /// Normal penalty of the ground, Pa/m, as at rest (Ground::stiffness).
 inline constexpr double kNormalPenalty = 2e10;
 
+/// Penalty along the ground, epsilon_t of (F.1), Pa/m. It is a spring in series with the tread's
+/// shear. On a 205/55R16, whose G/h is 2.75e8 Pa/m, it takes some 3 % of the slip stiffness, and
+/// 1e10 takes some 9 %. With 1e11 the sets of sticking points do not settle on all tires, because
+/// the points outnumber the nodes (docs/notebook/rolling_tire.md).
+inline constexpr double kAlongPenalty = 3e10;
+
 /// Sums the tractions of an equilibrium of the contact in this case.
 void measure(const TreadBody& body,
              const RollingContactState& contact,
