@@ -7,8 +7,9 @@
 // F(t) - F(0) = -c v - k v t. They are fitted by least squares after the transient of the start has
 // decayed, as the mean of both directions. This is exact for a spring and damper. For other tires k
 // and c are valid below the frequencies of the tire's own (belt) modes, with sticking friction.
-// Along x a tire has no stiffness, because the wheel rolls freely. Derivatives by camber are
-// omitted.
+// Along x a tire has no stiffness, because the wheel rolls freely. Derivatives by camber and the
+// moments of a tire on its hub are omitted, so that its lateral force acts at the wheel center:
+// docs/car.md states the consequence for tires with lateral stiffness.
 #pragma once
 
 #include <string>
