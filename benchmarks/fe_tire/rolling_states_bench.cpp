@@ -44,7 +44,7 @@ RollingCase drawn(const FreeWheel& wheel, std::mt19937& random) {
   return of;
 }
 
-/// What became of the states.
+/// Counts of the states by their end, and the extremes of those found.
 struct Ends {
   int found = 0, told = 0, lawless = 0;
   double largest_force = 0.0;  // |Ft|/(mu Fz) - 1

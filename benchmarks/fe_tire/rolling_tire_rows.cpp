@@ -70,8 +70,8 @@ void roll_without_friction(const std::string& name, FreeWheel& wheel, Table& tab
             relative(moment / load),
             "<= 1e-6",
             moment <= 1e-6 * load);
-  // Fz - Fz(0) = D w + A w^2 + B w^4 with w as the share of the spin, solved from w = 1/4, 1/2 and 1:
-  // belts that grow make A and B; only an error of the transport around the wheel makes D.
+  // Fz - Fz(0) = D w + A w^2 + B w^4 with w as the share of the spin, solved from w = 1/4, 1/2
+  // and 1: belts that grow make A and B; only an error of the transport around makes D.
   const double a = 16.0 * (quarter.force.z() - none.force.z()),
                b = 4.0 * (half.force.z() - none.force.z()), c = load - none.force.z();
   const double odd = (c - b - 4.0 * (b - a)) / 7.0;

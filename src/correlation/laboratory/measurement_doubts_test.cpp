@@ -335,9 +335,9 @@ TEST_F(MeasurementDoubts, ASweepOfAConstantChannelIsDoubted) {
   EXPECT_EQ(said(read(sweep(kNames, 1.0), "sweep = {SA = \"rising\"}"), "but for noise"), "");
 }
 
-/// Returns a cornering test of a linear tire over slip angle and inclination as the axes of SAE J670
-/// have it, but with positive loads and with this sign of the side force. In iso axes it is read as
-/// a tire that leans against its force.
+/// Returns a cornering test of a linear tire over slip angle and inclination as the axes of SAE
+/// J670 have it, but with positive loads and with this sign of the side force. In iso axes it is
+/// read as a tire that leans against its force.
 std::string inclined_sweep(const std::string& names, double sign = 1.0) {
   std::string table = names + "\n";
   for (const double camber : {-4.0, -2.0, 0.0, 2.0, 4.0})
@@ -375,7 +375,7 @@ TEST_F(MeasurementDoubts, ARecordAndItsMirrorImageAreBothOffered) {
     EXPECT_EQ(said(read(inclined_sweep(kInclined), said_then), "raises Fy"), "") << said_then;
 }
 
-// The study turns the column of the side force: the directions that are named are those of the file.
+// The study turns the column of the side force: the named directions are those of the file.
 TEST_F(MeasurementDoubts, TheDirectionsThatTellAMirrorImageAreThoseOfTheFile) {
   const std::string text =
       said(read(inclined_sweep(kInclined, -1.0), "axes = \"iso\"\ncolumns = {Fy = \"-FY\"}"),
