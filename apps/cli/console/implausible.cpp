@@ -6,7 +6,7 @@
 #include "cli/console/console.h"
 #include "cli/console/tire_faults.h"
 #include "correlation/analysis/plausibility.h"
-#include "correlation/analysis/test_limits.h"
+#include "correlation/target/test_limits.h"
 
 namespace latsch::cli {
 

@@ -14,8 +14,8 @@
 #include "cli/console/parsed.h"
 #include "cli/console/tables.h"
 #include "cli/verbs/verbs.h"
-#include "correlation/analysis/test_limits.h"
 #include "correlation/target/study_trials.h"
+#include "correlation/target/test_limits.h"
 
 namespace latsch::cli {
 namespace {

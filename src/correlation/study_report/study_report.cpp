@@ -11,7 +11,6 @@
 #include "correlation/analysis/beyond_data.h"
 #include "correlation/analysis/coefficient_levels.h"
 #include "correlation/analysis/doe_surface.h"
-#include "correlation/analysis/test_limits.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"
@@ -20,6 +19,7 @@
 #include "correlation/target/best_trial.h"
 #include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
+#include "correlation/target/test_limits.h"
 #include "evaluation/schedule/scheduler.h"
 
 namespace latsch::correlation {

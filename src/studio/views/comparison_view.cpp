@@ -8,10 +8,10 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "correlation/analysis/test_limits.h"
 #include "correlation/study/study_experiment.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/study_trials.h"
+#include "correlation/target/test_limits.h"
 #include "numerics/signals/welch.h"
 #include "report/report.h"
 #include "studio/views/json_values.h"

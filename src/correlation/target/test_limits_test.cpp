@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the limits that a study tells before it runs: those of a tire's file hold in every trial,
 // unless the study varies one of them.
-#include "correlation/analysis/test_limits.h"
+#include "correlation/target/test_limits.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/analysis/test_limits.h"
+#include "correlation/target/test_limits.h"
 
 #include <fmt/format.h>
 
