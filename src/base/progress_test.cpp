@@ -83,9 +83,9 @@ TEST(Progress, SaysNoEndInTheFirstEvaluationsAndARangeBeforeASingleTime) {
   EXPECT_NE(lines.find("\n95/100 (95 %), 31 s left\n"), lines.npos) << lines;           // 30 s
 }
 
-// Eight workers finish 160 evaluations of 10 s in rounds, within 1.4 s of each other. Every time
-// that is said is right within a fifth or the 10 s of an evaluation, and every range holds the truth
-// within that.
+// Eight workers finish 160 evaluations of 10 s in rounds, within 1.4 s of each other. Every
+// time that is said is right within a fifth or the 10 s of an evaluation, and every range holds the
+// truth within that.
 TEST(Progress, ARangeHoldsTheTruthWhenWorkersFinishInRounds) {
   std::vector<double> times;
   for (int i = 0; i < 160; ++i) times.push_back(10.0 * (i / 8 + 1) + 0.2 * (i % 8));
