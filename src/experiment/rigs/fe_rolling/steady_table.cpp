@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -51,6 +53,27 @@ RollingTest rolling_test(const TireRig& rig,
       row.turn_slip = -row.turn_slip;
     }
   return test;
+}
+
+/// Returns in words that the sectors at the ground are too long for the patch of a state: forces of
+/// few points along the patch depend on the mesh. The patch is at least Fz/p over the tire's width
+/// long. Empty if every patch has kFewest sectors or more.
+std::string words_on_sectors(const TireRig& rig, const RollingTest& test) {
+  constexpr double kFewest = 2.0;  // of the lower bound; real patches have about twice as many
+  const fe_tire::Mesh& mesh = rig.tire().mesh();
+  const double sector = mesh.outer_radius() * mesh.angle(1);
+  const double width = mesh.X.row(1).maxCoeff() - mesh.X.row(1).minCoeff();
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const RollingRow& row : test.rows)
+    shortest = std::min(shortest, row.load / row.pressure.value_or(rig.own_pressure()) / width);
+  if (!(shortest < kFewest * sector)) return "";
+  return fmt::format(
+      "sectors at the ground are {:.0f} mm long, and the shortest patch is hardly longer than "
+      "{:.0f} "
+      "mm: slip and side forces of so few points depend on the mesh, often by a factor; narrow the "
+      "sectors there (mesh.sector_zones, or mesh.sectors) until the forces stay",
+      1e3 * sector,
+      1e3 * shortest);
 }
 
 /// Returns the channels of states found. If the tire is mirrored, the states are those of its
@@ -120,7 +143,8 @@ Result<Channels> roll_table(TireRig& rig,
 std::vector<std::string> remarks_on_table(const TireRig& rig,
                                           const formats::CsvTable& table,
                                           const SteadyConditions& conditions) {
-  rolling_test(rig, table, conditions);  // throws for what the tire does not take
+  // throws for conditions that the tire does not take
+  const RollingTest test = rolling_test(rig, table, conditions);
   std::vector<std::string> remarks;
   magic_formula::Parameters assumed;
   assumed.LONGVL = kAssumedSpeed;
@@ -130,6 +154,8 @@ std::vector<std::string> remarks_on_table(const TireRig& rig,
   if (std::string words = assumed_states(table, assumed); !words.empty())
     remarks.push_back(table.file() + ": " + words);
   if (!conditions.friction) remarks.push_back(friction_in_words(rig));
+  if (std::string words = words_on_sectors(rig, test); !words.empty())
+    remarks.push_back(std::move(words));
   if (!conditions.conventions.limits)
     remarks.emplace_back(
         "limits = \"off\" has no effect: a finite-element tire has no ranges that limit its "

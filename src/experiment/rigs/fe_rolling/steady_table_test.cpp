@@ -196,6 +196,12 @@ TEST_F(SteadyTable, FrictionIsThatOfTheTestElseOfTheTireElseAssumed) {
   EXPECT_GT(-loads["Fx"][0] / 2000.0, -loads["Fx"][1] / 4000.0);
 }
 
+TEST_F(SteadyTable, SaysThatSectorsAreTooLongForAPatch) {
+  EXPECT_FALSE(remarks("Fz [N]\n3000\n", "sectors at the ground"));
+  EXPECT_TRUE(remarks("Fz [N]\n3000\n300\n", "sectors at the ground are 11 mm long"));
+  EXPECT_TRUE(remarks("Fz [N],p [bar]\n3000,30\n", "hardly longer than 5 mm"));
+}
+
 TEST_F(SteadyTable, SaysThatRubberWithoutLossesHasNoRollingResistance) {
   const std::string straight = "Fz [N]\n3000\n";
   EXPECT_TRUE(remarks(straight, "no rubber of the tire has Prony terms"));
