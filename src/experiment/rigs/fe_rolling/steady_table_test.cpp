@@ -197,9 +197,10 @@ TEST_F(SteadyTable, FrictionIsThatOfTheTestElseOfTheTireElseAssumed) {
 }
 
 TEST_F(SteadyTable, SaysThatSectorsAreTooLongForAPatch) {
-  EXPECT_FALSE(remarks("Fz [N]\n3000\n", "sectors at the ground"));
-  EXPECT_TRUE(remarks("Fz [N]\n3000\n300\n", "sectors at the ground are 11 mm long"));
-  EXPECT_TRUE(remarks("Fz [N],p [bar]\n3000,30\n", "hardly longer than 5 mm"));
+  // 90 sectors around a radius of 0.32 m
+  EXPECT_FALSE(remarks("Fz [N]\n9000\n", "sectors at the ground"));
+  EXPECT_TRUE(remarks("Fz [N]\n9000\n3000\n", "sectors at the ground are 22 mm long"));
+  EXPECT_TRUE(remarks("Fz [N],p [bar]\n9000,10\n", "hardly longer than"));
 }
 
 TEST_F(SteadyTable, SaysThatRubberWithoutLossesHasNoRollingResistance) {
