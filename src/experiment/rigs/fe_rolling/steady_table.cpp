@@ -59,7 +59,7 @@ RollingTest rolling_test(const TireRig& rig,
 /// few points along the patch depend on the mesh. The patch is at least Fz/p over the tire's width
 /// long. Empty if every patch has kFewest sectors or more.
 std::string words_on_sectors(const TireRig& rig, const RollingTest& test) {
-  constexpr double kFewest = 2.0;  // of the lower bound; real patches have about twice as many
+  constexpr double kFewest = 2.0;  // sectors in the lower bound; patches have about twice as many
   const fe_tire::Mesh& mesh = rig.tire().mesh();
   const double sector = mesh.outer_radius() * mesh.angle(1);
   const double width = mesh.X.row(1).maxCoeff() - mesh.X.row(1).minCoeff();
