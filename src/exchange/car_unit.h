@@ -18,8 +18,8 @@
 // `road.continues` lets the road continue in the way that its kind of file defines
 // (models/road/road.h, beyond).
 //
-// Where the floor of the car leaves the heights of its map of air forces, the map is constant
-// (models/car/aero_map.h). The first such step is told at once, their share at the end.
+// The map of air forces is constant beyond its heights of the car's floor (models/car/aero_map.h).
+// The first step beyond them is told at once, the share of such steps at the end.
 //
 // The guide replaces a driver and holds the car on a line (models/car/car.h); without stiffness it
 // has no effect once the car has started.
