@@ -259,19 +259,25 @@ void rows_at_rest(bool rigid, TiresOfCar tires, bool smoke, Table& table) {
             rested.slowed <= 1e-3);
 }
 
+/// Responses against the linear model. On the slick they are printed and not judged, because the
+/// linear model leaves out the moments of a tire on its hub (docs/car.md).
 void rows_on_posts(TiresOfCar tires, bool smoke, Table& table) {
   using experiment::PostMode;
+  const bool is_judged = tires == TiresOfCar::springs;
   for (const auto& [mode, name] : {std::pair{PostMode::heave, "heave"},
                                    {PostMode::pitch, "pitch"},
                                    {PostMode::roll, "roll"}}) {
-    if (smoke && mode != PostMode::heave) continue;
+    if ((smoke || !is_judged) && mode != PostMode::heave) continue;
     const double error = error_of_responses(tires, mode, name);
-    table.row(fmt::format("four posts at their defaults, {}, {}: all sensors, 0.5 to 20 Hz",
-                          benchmarks::in_words(tires),
-                          name),
-              fmt::format("{:.2f} %", 100.0 * error),
-              "<= 2 %",
-              error <= 0.02);
+    const std::string what =
+        fmt::format("four posts at their defaults, {}, {}: all sensors, 0.5 to 20 Hz",
+                    benchmarks::in_words(tires),
+                    name);
+    const std::string value = fmt::format("{:.2f} %", 100.0 * error);
+    if (is_judged)
+      table.row(what, value, "<= 2 %", error <= 0.02);
+    else
+      table.note(what + " (not judged: the linear model has no moments of tires)", value);
   }
 }
 

@@ -83,16 +83,16 @@ int main(int argc, char** argv) {
     time_of("vertical springs", "four_post/baseline.toml", 5e-4, duration, table);
     time_of("Magic Formulas", "kerb/baseline.toml", 2e-4, duration, table);
     time_of("flexible rings", "four_post/specimen.toml", 2e-4, duration, table);
-    for (const auto tires : {benchmarks::TiresOfCar::springs, benchmarks::TiresOfCar::relaxing}) {
-      if (options.is_smoke() && tires != benchmarks::TiresOfCar::springs) continue;
-      const double error = error_of_responses(tires);
-      table.row(fmt::format("responses in a sweep of 0.5 mm on {} against the linear model, 10 to "
-                            "25 Hz, largest",
-                            benchmarks::in_words(tires)),
-                fmt::format("{:.2f} %", 100.0 * error),
-                "< 1 %",
-                error < 0.01);
-    }
+    const double error = error_of_responses(benchmarks::TiresOfCar::springs);
+    table.row("responses in a sweep of 0.5 mm against the linear model, 10 to 25 Hz, largest",
+              fmt::format("{:.2f} %", 100.0 * error),
+              "< 1 %",
+              error < 0.01);
+    // The linear model leaves out the moments of a tire on its hub (docs/car.md).
+    if (!options.is_smoke())
+      table.note(
+          "the same on the shipped slick, not judged: the linear model has no moments of tires",
+          fmt::format("{:.2f} %", 100.0 * error_of_responses(benchmarks::TiresOfCar::relaxing)));
     return table.exit_code();
   });
 }
