@@ -178,7 +178,7 @@ truth = float""", 1))
         return start, go
 
     def wait_for(self, name):
-        for _ in range(1000):
+        for _ in range(6000):
             if (self.tree / name).exists():
                 return
             time.sleep(0.01)
@@ -231,8 +231,16 @@ truth = float""", 1))
         descriptor = os.open(self.folder, os.O_RDONLY)
         self.addCleanup(os.close, descriptor)
         fcntl.flock(descriptor, fcntl.LOCK_EX)
-        threading.Timer(0.3, lambda: fcntl.flock(descriptor, fcntl.LOCK_UN)).start()
         said = io.StringIO()
+
+        def release_once_said():
+            for _ in range(6000):
+                if "waits until" in said.getvalue():
+                    break
+                time.sleep(0.01)
+            fcntl.flock(descriptor, fcntl.LOCK_UN)
+
+        threading.Thread(target=release_once_said).start()
         with contextlib.redirect_stderr(said):
             self.asked(studies.renew, [], False)
         self.assertIn(f"waits until process {os.getpid()} has written the results of spring", said.getvalue())
