@@ -171,8 +171,9 @@ void add_show(CommandLine& app, Program& program) {
   verb.add_option("file", *file, "File to look at").required();
   verb.add_option("--html", *html, "Page with plots and tables to write");
   auto axes = std::make_shared<std::string>();
-  verb.add_option(
-      "--axes", *axes, "Signs of the file: iso unless given, adapted_sae, sae or adams; shown in iso");
+  verb.add_option("--axes",
+                  *axes,
+                  "Signs of the file: iso unless given, adapted_sae, sae or adams; shown in iso");
   auto measurement = std::make_shared<std::string>();
   verb.add_option("--measurement", *measurement, "Of a study: the one [measurement.NAME] to show");
   verb.callback([=, &program] {

@@ -142,7 +142,7 @@ struct Confidence {
   /// Ratio of the observed spread of the residuals to the stated one, if chance cannot explain that
   /// it is larger; 1 otherwise.
   double excess = 1.0;
-  bool is_colored = false;    // true if neighbors share noise
+  bool is_colored = false;  // true if neighbors share noise
   /// True if the residuals are a smooth pattern, a misfit of the model and not noise: the intervals
   /// follow from their spread (residual_noise.h).
   bool is_pattern = false;

@@ -299,8 +299,7 @@ void Identification::weak_directions_observed(const std::vector<Result<Evaluated
 /// Continues after round 1, when weak directions have been checked.
 void Identification::after_slopes() {
   const double promised = confidence_->left_to_gain;
-  const bool stays =
-      centers_ >= options_.most_centers || !(promised > worthwhile());
+  const bool stays = centers_ >= options_.most_centers || !(promised > worthwhile());
   if (!options_.profiles && stays) {
     continues_at_better_point();
     return;
@@ -319,8 +318,7 @@ void Identification::after_slopes() {
 
 bool Identification::continues_at_better_point() {
   const double gain = at_->sum_of_squares() - least_;
-  if (centers_ >= options_.most_centers || !(gain > worthwhile()))
-    return false;
+  if (centers_ >= options_.most_centers || !(gain > worthwhile())) return false;
   ++centers_;
   begin_at(least_point_);
   return true;

@@ -355,7 +355,8 @@ std::string name(Verdict verdict) {
 
 std::string in_words(const TargetProfile& profile) {
   std::string words = name(profile.verdict);
-  if (profile.verdict == Verdict::flat) words += ": any value between the bounds fits as well, within the noise";
+  if (profile.verdict == Verdict::flat)
+    words += ": any value between the bounds fits as well, within the noise";
   if (profile.verdict == Verdict::several_minima) words += ": a search can end in the wrong one";
   if (profile.verdict == Verdict::one_sided) {
     words += std::isfinite(profile.interval.upper) ? ": the data give only an upper limit"
