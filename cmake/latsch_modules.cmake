@@ -47,17 +47,33 @@ function(latsch_limit seconds)
   set(limit ${seconds} PARENT_SCOPE)
 endfunction()
 
+# Sets `out` to the files that include kernels, each of which is compiled once for every set of instructions.
+function(latsch_files_of_kernels out)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.cpp)
+  set(found "")
+  foreach(source ${sources})
+    file(STRINGS ${source} is_of_kernels REGEX "numerics/kernels/for_each_kernel_set.h")
+    if(is_of_kernels)
+      list(APPEND found ${source})
+    endif()
+  endforeach()
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()
+
+# Keeps files of kernels out of the groups of latsch_compile_together: for_each_kernel_set.h allows one in a compilation.
+function(latsch_compile_kernels_alone)
+  latsch_files_of_kernels(files)
+  set_source_files_properties(${files} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # Limits the sanitizers for files of kernels. Checking each of their thousands of inlined vector
 # operations would take the compiler a quarter of an hour for each file, so only memory beyond the
 # stack is checked there. Must be called after all other options of files are set.
 function(latsch_sanitize_kernels_lightly)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/*.cpp)
-  foreach(source ${sources})
-    file(STRINGS ${source} is_of_kernels REGEX "numerics/kernels/for_each_kernel_set.h")
-    if(LATSCH_SANITIZE AND is_of_kernels)
-      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -O1 -fno-sanitize=undefined --param=asan-stack=0)
-    endif()
-  endforeach()
+  if(LATSCH_SANITIZE)
+    latsch_files_of_kernels(files)
+    set_property(SOURCE ${files} APPEND PROPERTY COMPILE_OPTIONS -O1 -fno-sanitize=undefined --param=asan-stack=0)
+  endif()
 endfunction()
 
 # Sets -O1 for targets that take longer to compile than their speed is worth.
@@ -68,8 +84,8 @@ function(latsch_optimize_little)
 endfunction()
 
 # Compiles eight files at a time as one, so that their includes are read once. Names in their
-# anonymous namespaces must differ from file to file. Not for inner loops that run a million times,
-# where each file has its own options.
+# anonymous namespaces must differ from file to file. A file with options of its own, such as one of
+# inner loops that run a million times, stays alone.
 function(latsch_compile_together)
   if(NOT LATSCH_UNITY)
     return()

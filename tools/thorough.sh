@@ -23,12 +23,8 @@ about() {
   esac
 }
 
-sources() {
-  find src apps benchmarks verification examples -name node_modules -prune -o \( -name '*.h' -o -name '*.cpp' \) -print
-}
-
 step_format() {
-  sources | xargs -P "$jobs" -n 50 clang-format --dry-run -Werror
+  tools/format.sh
 }
 
 # The compile commands, not the objects, of the tree for the sanitizers.

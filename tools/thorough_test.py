@@ -21,7 +21,7 @@ class Thorough(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.tree)
         (self.tree / "tools").mkdir()
         (self.tree / "src").mkdir()
-        for name in ("tools/thorough.sh", "tools/tidy.py", ".clang-format", ".clang-tidy"):
+        for name in ("tools/thorough.sh", "tools/format.sh", "tools/tidy.py", ".clang-format", ".clang-tidy"):
             shutil.copy(TREE / name, self.tree / name)
         (self.tree / "tools/install_packages.sh").write_text("#!/bin/sh\n")
         (self.tree / "tools/install_packages.sh").chmod(0o755)

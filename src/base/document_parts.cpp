@@ -106,7 +106,8 @@ Document with_lines(const Document& whole,
       !(behind.empty() || behind.front() == '#'))
     throw InputError(tree.place(index), std::string(path) + " expected on a line of its own");
   std::string own;
-  for (const std::string& one : lines) own += (own.empty() ? "" : "\n") + table + one;
+  for (const std::string& one : lines)
+    own.append(own.empty() ? "" : "\n").append(table).append(one);
   text.replace(line, end - line, own);
   return Document::parse(text, whole.file());
 }

@@ -194,9 +194,9 @@ std::string DocumentRecord::written(const std::string& path) const {
 std::string DocumentRecord::text() const {
   std::map<std::string, std::string> values = recorded_->in_place;
   for (const auto& [path, key] : recorded_->keys) {
-    const bool is_replaced =
-        std::any_of(recorded_->in_place.begin(), recorded_->in_place.end(), [&](const auto& one) {
-          return path == one.first || is_below(path, one.first);
+    const bool is_replaced = std::any_of(
+        recorded_->in_place.begin(), recorded_->in_place.end(), [&, at = path](const auto& one) {
+          return at == one.first || is_below(at, one.first);
         });
     if (is_replaced) continue;
     std::string value = key.value;
@@ -222,19 +222,19 @@ std::vector<std::filesystem::path> DocumentRecord::files() const {
   return files;
 }
 
-void DocumentRecord::stands_for(const Node& table, std::string value) {
+void DocumentRecord::stands_for(const Node& table, const std::string& value) {
   for (auto record = place_in_document(table).record; record; record = record->outer)
     record->in_place[record->path_of(table.path(), "")] = value;
 }
 
 void DocumentRecord::names_files(const Node& table,
                                  std::string_view key,
-                                 std::vector<std::filesystem::path> files) {
+                                 const std::vector<std::filesystem::path>& files) {
   for (auto record = place_in_document(table).record; record; record = record->outer)
     record->keys[record->path_of(table.path(), key)].files = files;
 }
 
-void DocumentRecord::expects(const Node& table, std::string_view key, std::string words) {
+void DocumentRecord::expects(const Node& table, std::string_view key, const std::string& words) {
   for (auto record = place_in_document(table).record; record; record = record->outer) {
     auto& expected = record->keys[record->path_of(table.path(), key)].expected;
     if (std::find(expected.begin(), expected.end(), words) == expected.end())

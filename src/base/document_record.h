@@ -90,14 +90,14 @@ class DocumentRecord {
   // recorded.
 
   /// Records the value into which a whole table, such as {from = "measurement.rig"}, was resolved.
-  static void stands_for(const Node& table, std::string value);
+  static void stands_for(const Node& table, const std::string& value);
   /// Records the files that a key names: the file itself, then the files that it refers to.
   static void names_files(const Node& table,
                           std::string_view key,
-                          std::vector<std::filesystem::path> files);
+                          const std::vector<std::filesystem::path>& files);
   /// Records in words the form that the text under the key must have, beyond the type of the getter
   /// that reads it. May be called several times for a key, once for each allowed form.
-  static void expects(const Node& table, std::string_view key, std::string words);
+  static void expects(const Node& table, std::string_view key, const std::string& words);
   /// Records that {from = "measurement.NAME"} is allowed under the key.
   static void may_be_measured(const Node& table, std::string_view key);
 

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "models/car/wheel_index.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::car {
@@ -16,12 +17,6 @@ using multibody::Motion;
 using multibody::Pose;
 using multibody::Poses;
 using multibody::Vector6d;
-
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 WheelState::WheelState(const WheelState& other)
     : tire(other.tire ? other.tire->clone() : nullptr),

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/car/wheel_index.h"
+
 namespace latsch::car {
 
 using Eigen::Index;
@@ -17,8 +19,6 @@ using multibody::Matrix6d;
 using multibody::Motion;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Force of a tire during motion at constant velocity: the changes -c v (at once, N) and -k v (per
 /// second, N/s) of F(t) - F(0).

@@ -10,6 +10,7 @@
 
 #include "models/car/car.h"
 #include "models/car/falling_ranges.h"
+#include "models/car/wheel_index.h"
 #include "models/road/plane_road.h"
 
 namespace latsch::car {
@@ -20,12 +21,6 @@ using multibody::Motion;
 using multibody::Pose;
 using multibody::Rest;
 using multibody::Vector6d;
-
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 Result<Rest> Car::stand(const LineTires& tires,
                         double speed,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "models/car/car.h"
+#include "models/car/wheel_index.h"
 
 namespace latsch::car {
 
@@ -20,8 +21,6 @@ using multibody::Pose;
 using multibody::Vector6d;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Extrapolates the motion of a wheel by `ahead` seconds with constant linear acceleration of its
 /// center and constant angular acceleration.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "models/car/car.h"
+#include "models/car/wheel_index.h"
 
 namespace latsch::car {
 
@@ -16,8 +17,6 @@ using multibody::Pose;
 using multibody::Vector6d;
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double critical(double stiffness, double inertia) { return 2.0 * std::sqrt(stiffness * inertia); }
 

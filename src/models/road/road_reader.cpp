@@ -20,7 +20,7 @@ namespace {
 constexpr std::array kKinds = {"flat", "cleat", "drum", "kerb", "wave"};
 constexpr double kSteepest = 10.0;
 constexpr double kLargest = 1e4;                        // m
-constexpr double kShortest = 1e-6;                      // m
+constexpr double kShortestRoad = 1e-6;                  // m
 constexpr double kThinnest = 1e-3;                      // m, smallest pitch and width of a kerb
 constexpr double kHighest = 2.0;                        // m, largest height of cleats and kerbs
 constexpr double kFastest = 1e3;                        // m/s
@@ -144,7 +144,8 @@ std::unique_ptr<Road> read_wave(const Node& table) {
   settings.amplitude_end = settings.amplitude_begin;
   settings.wave_length_end = settings.wave_length_begin;
   if (table.has("end")) {
-    settings.end = table.quantity("end", "m", Range::between(settings.start + kShortest, kLargest));
+    settings.end =
+        table.quantity("end", "m", Range::between(settings.start + kShortestRoad, kLargest));
     settings.amplitude_end =
         table.quantity("amplitude_end", "m", signed_range(), settings.amplitude_end);
     settings.wave_length_end =

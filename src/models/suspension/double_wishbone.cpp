@@ -7,16 +7,12 @@
 #include <cmath>
 
 #include "models/multibody/rod_spin.h"
+#include "models/suspension/plausible_points.h"
 
 namespace latsch::suspension {
 namespace {
 
 using Eigen::Vector3d;
-
-// Smallest length of a rod, and smallest distance of a rod from the axis about which it holds a
-// wishbone, m.
-constexpr double kNear = 1e-3;
-constexpr double kFar = 50.0;  // m; largest plausible coordinate
 
 /// Returns a message if a rod points at the axis about which it should hold a wishbone. However
 /// stiff such a rod is, the corner can then move freely.

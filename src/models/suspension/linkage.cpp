@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/suspension/plausible_points.h"
+
 namespace latsch::suspension {
 namespace {
 
 using Eigen::Vector3d;
 
-// Smallest length of a link, m. A shorter one is a fault.
-constexpr double kNear = 1e-3;
-constexpr double kFar = 50.0;  // m, largest plausible coordinate
 // Convergence tolerance, m: the rounding of coordinates of about a meter.
 constexpr double kConverged = 1e-13;
 // Residual, m, that is accepted if rounding prevents a smaller one.

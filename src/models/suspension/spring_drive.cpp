@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "models/suspension/plausible_points.h"
+
 namespace latsch::suspension {
 namespace {
 
@@ -13,7 +15,6 @@ using Eigen::Matrix;
 using Eigen::Vector3d;
 using Velocities = Matrix<double, 3, 2>;  // columns: derivatives by wheel travel and by rack travel
 
-constexpr double kNear = 1e-3;  // m
 // Smallest distance of a rod from the rocker's axis at which it can turn the rocker, m.
 constexpr double kNoArm = 1e-3;
 constexpr double kPastReach = 1e-9;  // amount by which rounding may raise a cosine above 1 at rest

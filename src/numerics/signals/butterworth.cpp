@@ -174,6 +174,7 @@ std::vector<FilterSection> sections_of(const ZerosAndPoles& filter) {
     return distance_to_circle(poles[i]) > distance_to_circle(poles[j]);
   });
   std::vector<FilterSection> sorted;
+  sorted.reserve(order.size());
   for (const std::size_t i : order) sorted.push_back(sections[i]);
   sorted.front().b0 *= filter.gain;
   sorted.front().b1 *= filter.gain;

@@ -185,7 +185,8 @@ EigenPairs<double> Davidson::sharpen(Eigen::Index wanted, double tolerance) {
       pairs.vectors = product(V(), S.leftCols(wanted));
       break;
     }
-    MatrixXd D = corrections(erring, lambda, S), MD = times(M_, D);
+    MatrixXd D = corrections(erring, lambda, S);
+    MatrixXd MD = times(M_, D);
     pairs.solves += static_cast<int>(D.cols());
     for (std::size_t c = 0; c < erring.size(); ++c) {
       const Eigen::Index i = erring[c], column = static_cast<Eigen::Index>(c);

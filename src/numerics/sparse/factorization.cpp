@@ -17,9 +17,9 @@ namespace {
 // achieving 64-bit accuracy, ACM Trans. Math. Softw. 34 (2008) 17]
 class Refined final : public Factorization::Impl {
  public:
-  Refined(const SymmetricPattern& pattern, std::shared_ptr<const Elimination> order)
+  Refined(const SymmetricPattern& pattern, const std::shared_ptr<const Elimination>& order)
       : pattern_(pattern), single_(multifrontal<float>(pattern, order)) {
-    elimination = std::move(order);
+    elimination = order;
   }
 
   FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) override {
@@ -83,12 +83,12 @@ class Refined final : public Factorization::Impl {
 
 std::unique_ptr<Factorization::Impl> make(const SymmetricPattern& pattern,
                                           Precision precision,
-                                          std::shared_ptr<const Elimination> order) {
+                                          const std::shared_ptr<const Elimination>& order) {
   if (precision == Precision::single) {
-    return multifrontal<float>(pattern, std::move(order));
+    return multifrontal<float>(pattern, order);
   }
-  if (precision == Precision::refined) return std::make_unique<Refined>(pattern, std::move(order));
-  return multifrontal<double>(pattern, std::move(order));
+  if (precision == Precision::refined) return std::make_unique<Refined>(pattern, order);
+  return multifrontal<double>(pattern, order);
 }
 
 }  // namespace
@@ -97,8 +97,8 @@ Factorization::Factorization(const SymmetricPattern& pattern, Precision precisio
     : Factorization(pattern, precision, std::make_shared<const Elimination>(eliminate(pattern))) {}
 Factorization::Factorization(const SymmetricPattern& pattern,
                              Precision precision,
-                             std::shared_ptr<const Elimination> elimination)
-    : impl_(make(pattern, precision, std::move(elimination))) {}
+                             const std::shared_ptr<const Elimination>& elimination)
+    : impl_(make(pattern, precision, elimination)) {}
 Factorization::~Factorization() = default;
 Factorization::Factorization(Factorization&&) noexcept = default;
 Factorization& Factorization::operator=(Factorization&&) noexcept = default;
@@ -115,11 +115,9 @@ void Factorization::solve(Eigen::Ref<Eigen::VectorXd> x) const {
   impl_->solve(Eigen::Map<Eigen::MatrixXd>(x.data(), x.size(), 1), 0.0);
 }
 void Factorization::solve_columns(Eigen::Ref<Eigen::MatrixXd> X, double enough) const {
-  impl_->solve(std::move(X), enough);
+  impl_->solve(X, enough);
 }
-void Factorization::solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) const {
-  impl_->solve_roughly(std::move(X));
-}
+void Factorization::solve_roughly(Eigen::Ref<Eigen::MatrixXd> X) const { impl_->solve_roughly(X); }
 const std::shared_ptr<const Elimination>& Factorization::elimination() const {
   return impl_->elimination;
 }

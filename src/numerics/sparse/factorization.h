@@ -60,7 +60,7 @@ class Factorization {
   /// most of the symbolic work.
   Factorization(const SymmetricPattern& pattern,
                 Precision precision,
-                std::shared_ptr<const Elimination> elimination);
+                const std::shared_ptr<const Elimination>& elimination);
   ~Factorization();
   Factorization(Factorization&&) noexcept;
   Factorization& operator=(Factorization&&) noexcept;

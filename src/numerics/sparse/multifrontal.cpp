@@ -60,7 +60,7 @@ std::vector<Run> runs(const std::vector<int>& places, int block) {
 template <class Real>
 class Multifrontal final : public Factorization::Impl {
  public:
-  Multifrontal(const SymmetricPattern& pattern, std::shared_ptr<const Elimination> order);
+  Multifrontal(const SymmetricPattern& pattern, const std::shared_ptr<const Elimination>& order);
   FactorStatus factorize(const SymmetricMatrix& A, bool but_interface) override;
   void solve(Eigen::Ref<Eigen::MatrixXd> X, double enough) override;
   Eigen::MatrixXd condensed() const override;
@@ -114,9 +114,9 @@ class Multifrontal final : public Factorization::Impl {
 
 template <class Real>
 Multifrontal<Real>::Multifrontal(const SymmetricPattern& pattern,
-                                 std::shared_ptr<const Elimination> order)
+                                 const std::shared_ptr<const Elimination>& order)
     : size_(pattern.size()), block_(pattern.block_size()), position_(size_) {
-  elimination = std::move(order);
+  elimination = order;
   for (int i = 0; i < size_; ++i) {
     position_[i] = elimination->position[i / block_] * block_ + i % block_;
   }
@@ -496,12 +496,12 @@ void Multifrontal<Real>::expand(Eigen::Ref<Eigen::VectorXd> x) {
 
 template <class Real>
 std::unique_ptr<Factorization::Impl> multifrontal(const SymmetricPattern& pattern,
-                                                  std::shared_ptr<const Elimination> order) {
-  return std::make_unique<Multifrontal<Real>>(pattern, std::move(order));
+                                                  const std::shared_ptr<const Elimination>& order) {
+  return std::make_unique<Multifrontal<Real>>(pattern, order);
 }
 template std::unique_ptr<Factorization::Impl> multifrontal<float>(
-    const SymmetricPattern&, std::shared_ptr<const Elimination>);
+    const SymmetricPattern&, const std::shared_ptr<const Elimination>&);
 template std::unique_ptr<Factorization::Impl> multifrontal<double>(
-    const SymmetricPattern&, std::shared_ptr<const Elimination>);
+    const SymmetricPattern&, const std::shared_ptr<const Elimination>&);
 
 }  // namespace latsch::numerics

@@ -29,6 +29,6 @@ struct Factorization::Impl {
 /// Creates a factorization in the precision Real, float or double.
 template <class Real>
 std::unique_ptr<Factorization::Impl> multifrontal(const SymmetricPattern& pattern,
-                                                  std::shared_ptr<const Elimination> order);
+                                                  const std::shared_ptr<const Elimination>& order);
 
 }  // namespace latsch::numerics

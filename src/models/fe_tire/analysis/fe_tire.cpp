@@ -91,7 +91,7 @@ bool same_tangent(const TireState& a, const TireState& b) {
 
 }  // namespace
 
-FeTire::FeTire(Mesh mesh, Materials materials, SolverSettings settings)
+FeTire::FeTire(Mesh mesh, const Materials& materials, SolverSettings settings)
     : impl_(std::make_unique<Impl>(std::move(mesh), materials, settings)) {}
 FeTire::FeTire(const TireDescription& description)
     : FeTire(
@@ -106,7 +106,7 @@ const Materials& FeTire::materials() const { return impl_->elements().materials(
 SolverCounts FeTire::counts() const { return impl_->counts; }
 void FeTire::reset_counts() { impl_->counts = {}; }
 
-void FeTire::set(Materials materials) { impl_->set(materials); }
+void FeTire::set(const Materials& materials) { impl_->set(materials); }
 
 Result<Inflated> FeTire::inflate(double pressure) {
   Impl& tire = *impl_;
@@ -175,6 +175,7 @@ Result<std::vector<TireState>> FeTire::press(const Inflated& inflated,
                                              const Ground& ground,
                                              const std::vector<double>& deflections) {
   std::vector<GroundPose> poses;
+  poses.reserve(deflections.size());
   for (const double deflection : deflections) poses.push_back(below(inflated, deflection));
   return advance(over(inflated, ground), poses);
 }

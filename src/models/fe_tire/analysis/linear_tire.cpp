@@ -26,10 +26,10 @@ constexpr double kExact = 1e-8;  // tolerance relative to g; the matrix S has si
 // Shares of the largest depth at which the undeformed tire would penetrate the ground. Points
 // deeper than kWithin times this depth are expected to touch, because a deformed tire touches in a
 // smaller area than its undeformed outline cuts from the ground. A new condensed tire includes more
-// points, those deeper than kWithinReach times this depth minus kNear, so that it can be used
+// points, those deeper than kWithinReach times this depth minus kNearGround, so that it can be used
 // longer.
 constexpr double kWithin = 0.35, kWithinReach = 0.2;
-constexpr double kNear = 0.2e-3;  // m
+constexpr double kNearGround = 0.2e-3;  // m
 // An old factorization of the ground's tangent is used as long as its step leaves at most this
 // share of the residual.
 constexpr double kOfUse = 0.3;
@@ -351,6 +351,7 @@ bool LinearTire::touch_by_heights(const TreadContact& contact, const Eigen::Vect
     c_ = forces_by_heights(tread_, touches);
     Eigen::VectorXd left = g + c_ - S_ * w_;
     std::vector<std::pair<int, double>> springs;
+    springs.reserve(touches.size());
     for (const TreadContact::Touch& touch : touches)
       springs.emplace_back(touch.point, touch.stiffness(2, 2));
     const bool same = springs_ == springs;
@@ -397,7 +398,7 @@ bool LinearTire::reach_likely(const TreadContact& contact, const Eigen::VectorXd
   const Eigen::Matrix3Xd u = moved_back(w);
   const double deepest = contact.deepest(u);
   if (reaches(contact.within(-kWithin * deepest, u))) return true;
-  return reach(contact.within(kNear - kWithinReach * deepest, u));
+  return reach(contact.within(kNearGround - kWithinReach * deepest, u));
 }
 
 /// Solves S w = g + c(u - w) in all directions, starting from the given w. The set of points within
@@ -415,7 +416,7 @@ bool LinearTire::touch_by_nodes(const TreadContact& contact,
       w = std::move(all);
       return true;
     }
-    if (!reach(contact.within(kNear, moved_back(all)))) return false;
+    if (!reach(contact.within(kNearGround, moved_back(all)))) return false;
   }
 }
 

@@ -22,7 +22,7 @@ constexpr int kRingBlock = 8;
 // SolverSettings::mode_tolerance. The first is not smaller than the error of the single-precision
 // operator. The second holds for spare modes, whose relative frequency error is about its square
 // over the relative gap to the next frequency.
-constexpr double kNear = 1e-3, kNearOfSpare = 0.02;
+constexpr double kNearFrequency = 1e-3, kNearOfSpare = 0.02;
 // Tolerance of the corrections by Davidson's method, as a multiple of
 // SolverSettings::mode_tolerance. With this value the relative error of tire B's frequencies is
 // 2e-9.
@@ -273,7 +273,7 @@ Result<std::vector<double>> LoadedModes::approach(int count, int spare) {
   const auto near = ring_pairs(solve,
                                M_,
                                {.count = std::min(count, M_.size()),
-                                .tolerance = kNear,
+                                .tolerance = kNearFrequency,
                                 .spare = spare,
                                 .spare_tolerance = kNearOfSpare,
                                 .block = kRingBlock});

@@ -9,8 +9,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kNear = 3e-4;  // m, lower of the two heights at which (F.1) is fitted
-constexpr double kRatio = 4.0;  // ratio of the upper height to the lower one
+constexpr double kLowHeight = 3e-4;  // m, lower of the two heights at which (F.1) is fitted
+constexpr double kRatio = 4.0;       // ratio of the upper height to the lower one
 // Smallest ratio of the lower height to the distance that samples inside the patch have from the
 // ground.
 constexpr double kBeyondRest = 4.0;
@@ -142,7 +142,7 @@ Eigen::VectorXd means(const std::vector<std::vector<int>>& lines, const Eigen::V
   return mean;
 }
 
-struct Extent {
+struct Spread {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   void add(double at) {
     lowest = std::min(lowest, at);
@@ -167,9 +167,9 @@ FootprintSize footprint_size(const TreadSurface& tread,
                              const Eigen::VectorXd& area,
                              double rest) {
   FootprintSize size;
-  Extent along, across;
+  Spread along, across;
   const bool halved = tread.multiplicity() > 1.0;
-  const double near = std::max(kNear, kBeyondRest * rest);
+  const double near = std::max(kLowHeight, kBeyondRest * rest);
   const std::vector<std::vector<int>> lines_across = tread.lines_across();
   Eigen::Matrix3Xd around = at;
   if (tread.shape() == TreadShape::smooth) {

@@ -105,6 +105,7 @@ void TreadSurface::add_means(const std::vector<TreadStrip>& strips,
     return is_near(mesh.angle(plane % mesh.sectors), half_angle);
   };
   std::vector<std::vector<MeanAcross>> means;
+  means.reserve(strips.size());
   for (const TreadStrip& strip : strips) means.push_back(means_across(mesh, strip));
   std::vector<std::vector<int>> lines(strips.size(), std::vector<int>(mesh.sectors, -1));
   // Number of positions around the tire: half a ring has those up to its last section plane, a

@@ -9,11 +9,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "models/fe_tire/element/element_law.h"
 
 namespace latsch::fe_tire {
+
+/// Pairs of Gauss points of an element that lie on one streamline; the first two are those of a
+/// cord layer, too.
+inline constexpr std::array<std::pair<int, int>, 4> kOnLine = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
 
 /// Green-Lagrange strains at the points of an element.
 struct PointStrains {

@@ -14,6 +14,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Angles of the middles of sectors, rad, ascending.
 std::vector<double> middles(const Mesh& mesh) {
   std::vector<double> theta;
+  theta.reserve(mesh.sectors);
   for (int s = 0; s < mesh.sectors; ++s) theta.push_back(0.5 * (mesh.angle(s) + mesh.angle(s + 1)));
   return theta;
 }

@@ -314,6 +314,7 @@ Result<DampedTire::Projected> DampedTire::project(const Materials& materials,
   const Ring& ring = elements.ring();
   const RingUnknowns whole(ring, RingSymmetry::none, {});
   std::vector<NumberedShape> in_numbers;
+  in_numbers.reserve(shapes.size());
   for (const Mode& mode : shapes) in_numbers.push_back(numbered(mode.shape, whole, nullptr));
   return project_on(elements,
                     losses_,
@@ -334,6 +335,7 @@ Result<DampedTire::Projected> DampedTire::project(const Materials& materials,
   const Systems& all = tire_.impl_->systems(state.is_halved, state.window);
   const RingUnknowns* odd = all.odd_unknowns ? &*all.odd_unknowns : nullptr;
   std::vector<NumberedShape> in_numbers;
+  in_numbers.reserve(shapes.size());
   for (const Mode& mode : shapes) in_numbers.push_back(numbered(mode.shape, all.unknowns, odd));
   return project_on(elements,
                     losses_,

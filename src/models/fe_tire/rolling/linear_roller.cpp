@@ -15,7 +15,7 @@ namespace {
 
 /// Height over the ground up to which points take part in an iteration, m. A larger one costs
 /// larger dense matrices, a smaller one more iterations.
-constexpr double kNear = 1.5e-3;
+constexpr double kNearPatch = 1.5e-3;
 /// Speed of rotation of a locked wheel, relative to rolling: (F.1) needs a flow, however slow.
 constexpr double kLocked = 1e-6;
 /// Residual of the contact, relative to the accepted one of an iteration.
@@ -113,7 +113,7 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   const GroundMotion motion = motion_of(of);
   const RollingSurface surface(of.curvature, -motion.velocity.normalized());
   TreadBody body(
-      tread_, lines_, ground, surface, kNormalPenalty, motion, tread_.displacements(x), kNear);
+      tread_, lines_, ground, surface, kNormalPenalty, motion, tread_.displacements(x), kNearPatch);
   if (body.rows().empty())
     return Failure{fmt::format("the tread is off the ground, {:.4g} mm below the wheel center",
                                1e3 * of.height)};

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "models/fe_tire/history/point_strains.h"
 #include "models/fe_tire/history/sector_spline.h"
@@ -13,9 +12,6 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Pairs of Gauss points of an element that lie on one streamline; the first two are those of a
-/// cord layer, too.
-constexpr std::array<std::pair<int, int>, 4> kOnLine = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
 /// Waves around whose storage modulus stiffens the laws. A free wheel of tire B with a loss factor
 /// of 0.15 takes 24, 29 and 36 iterations with 2, 8 and 30: the tire as a whole, which sees the
 /// relaxed moduli, decides.

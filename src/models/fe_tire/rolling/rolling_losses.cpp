@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/fe_tire/rolling/rolling_losses.h"
 
-#include <array>
 #include <numbers>
-#include <utility>
 
 #include "models/fe_tire/analysis/fe_tire_impl.h"
 #include "models/fe_tire/element/cord_law.h"
@@ -11,10 +9,6 @@
 
 namespace latsch::fe_tire {
 namespace {
-
-/// Pairs of Gauss points of an element that lie on one streamline; the first two are those of a
-/// cord layer, too.
-constexpr std::array<std::pair<int, int>, 4> kOnLine = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}}};
 
 /// Returns the displacements of an element's nodes in the frame of its sector.
 Matrix38 displacements(const Ring& ring, int sector, int element, const Eigen::Matrix3Xd& u) {

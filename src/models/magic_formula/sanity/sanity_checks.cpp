@@ -42,6 +42,7 @@ struct Widened {
   std::vector<double> points(int count) const {
     if (!(to > from)) return {from};
     std::vector<double> all;
+    all.reserve(count);
     for (int i = 0; i < count; ++i) all.push_back(from + (to - from) * i / (count - 1));
     return all;
   }

@@ -120,7 +120,7 @@ double BeltForces::energy(const NodeValues& q, const RimFrame& rim) const {
     sum += 0.5 * EI / (L0 * L0 * L0) *
            (kKnotShare * (at_knot - s0) * (at_knot - s0) +
             (1.0 - kKnotShare) * (between - s0_between) * (between - s0_between));  // (3)
-    const auto curvature = [&](const BendRule& rule, double torsion_by_bend) {
+    const auto curvature = [&, L0 = L0](const BendRule& rule, double torsion_by_bend) {
       double sum = 0.0;
       for (int i = 0; i < 4; ++i)
         sum += rule.second[i] * rim.a.dot(place(i - 1)) -
