@@ -98,7 +98,10 @@ Result<Channels> ModesTest::run_with_slopes(Specimen& specimen, const Asked& ask
 
 std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
   auto* tire = specimen.find<IsFeTire>();
-  if (!tire || test_.is_damped) return {};
+  if (!tire) return {};
+  std::vector<std::string> limits;
+  if (test_.loaded()) limits = limits_of_standing(specimen, test_.ground.mu);
+  if (test_.is_damped) return limits;
   bool is_elastic = true;
   (void)tire->drive(
       [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
@@ -107,13 +110,14 @@ std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
       },
       true,
       {});
-  if (is_elastic) return {};
-  return {
+  if (is_elastic) return limits;
+  limits.emplace_back(
       test_.moves()
           ? "modes: losses of rubber and layers are not counted in a tire that spins or whose "
             "rim moves; frequencies are those of the relaxed moduli"
           : "modes: frequencies are those of the relaxed moduli of rubber and layers; damping = "
-            "true in the test counts their losses and their moduli at each frequency"};
+            "true in the test counts their losses and their moduli at each frequency");
+  return limits;
 }
 
 Result<std::vector<std::string>> ModesTest::run_in_blocks(

@@ -172,7 +172,11 @@ std::vector<std::string> RollsFeTire::limits(Specimen& specimen) const {
   (void)specimen.find<IsFeTire>()->drive(
       [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
         limits = limits_of_losses(rig.losses());
-        if (!rolling().friction) limits.push_back("rolling: " + friction_in_words(rig));
+        if (rolling().friction) return Channels();
+        limits.push_back("rolling: " +
+                         friction_in_words(rig,
+                                           highest_pressure(rolling(), rig.own_pressure()),
+                                           fastest(rolling().rows)));
         return Channels();
       },
       true,

@@ -153,7 +153,9 @@ std::vector<std::string> remarks_on_table(const TireRig& rig,
     remarks.push_back(fmt::format("{}: column {} is not used", table.file(), in_quotes(column)));
   if (std::string words = assumed_states(table, assumed); !words.empty())
     remarks.push_back(table.file() + ": " + words);
-  if (!conditions.friction) remarks.push_back(friction_in_words(rig));
+  if (!conditions.friction)
+    remarks.push_back(
+        friction_in_words(rig, highest_pressure(test, rig.own_pressure()), fastest(test.rows)));
   if (std::string words = words_on_sectors(rig, test); !words.empty())
     remarks.push_back(std::move(words));
   if (!conditions.conventions.limits)
