@@ -9,7 +9,7 @@
 #include "base/document_record.h"
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/rigs/fe_tire/ground_friction.h"
+#include "experiment/rigs/fe_rolling/ground_friction.h"
 #include "experiment/rigs/static_stiffness.h"
 #include "experiment/tests/test_kinds.h"
 #include "models/road/plane_road.h"

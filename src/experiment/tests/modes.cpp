@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "base/document_record.h"
 #include "base/units.h"
@@ -120,11 +122,47 @@ std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
   return limits;
 }
 
+namespace {
+
+/// Says that modes have more waves around than the sectors of a finite-element tire carry; empty if
+/// none has.
+std::string words_on_waves(Specimen& specimen, double most_waves) {
+  auto* tire = specimen.find<IsFeTire>();
+  if (!tire) return "";
+  int sectors = 0;
+  (void)tire->drive(
+      [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+        sectors = rig.tire().mesh().sectors;
+        return Channels();
+      },
+      true,
+      {});
+  const double carried = sectors / (2.0 * std::numbers::pi);  // n times a sector's angle is 1
+  if (!(most_waves > carried)) return "";
+  return fmt::format(
+      "modes: frequencies of more than {:.0f} waves around are not exact: {} sectors carry no "
+      "shorter waves, of which there are up to {:.0f}; expected finer sectors (mesh.sectors), or "
+      "fewer modes",
+      std::floor(carried),
+      sectors,
+      most_waves);
+}
+
+}  // namespace
+
 Result<std::vector<std::string>> ModesTest::run_in_blocks(
     Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
-  auto notes = Test::run_in_blocks(specimen, tell);
+  double most_waves = 0.0;
+  const auto watched = [&](const Channels& block) {
+    if (const Channel* n = block.find("n"))
+      for (const double waves : n->values) most_waves = std::max(most_waves, waves);
+    tell(block);
+  };
+  auto notes = Test::run_in_blocks(specimen, watched);
   if (!notes) return notes;
   for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+  if (std::string words = words_on_waves(specimen, most_waves); !words.empty())
+    notes->push_back(std::move(words));
   return notes;
 }
 

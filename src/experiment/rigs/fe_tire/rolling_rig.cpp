@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "experiment/rigs/fe_rolling/patch_limits.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "models/fe_tire/motion/spinning_tire.h"
 #include "models/fe_tire/rolling/rolling_forces.h"
@@ -227,6 +228,8 @@ Status roll_at(TireRig& rig,
     auto found = track.find(test.rows[k], states[k].kappa, states[k].effective_radius);
     if (!found)
       return Failure{in_words(test.rows[k], k, test.rows.size()) + ": " + found.failure().reason};
+    if (const Status fits = check_drum(*found, test.drum_radius); !fits)
+      return Failure{in_words(test.rows[k], k, test.rows.size()) + ": " + fits.failure().reason};
     states[k].losses = meter.measure(found->u, found->alpha, found->of.spin);
     states[k].state = *std::move(found);
     if (progress) progress(states, k);

@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-#include "experiment/rigs/fe_tire/ground_friction.h"
+#include "experiment/rigs/fe_rolling/ground_friction.h"
 #include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/inflation.h"
 #include "models/fe_tire/rolling/rolling_case.h"

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
+#include "base/document.h"
 #include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/motion/spin.h"
 
@@ -188,6 +190,20 @@ TEST_F(RollingTireB, SaysWhatIsOutOfRange) {
   of = frictionless(10.0);
   of.drive = 50.0;
   EXPECT_NE(rolling_.roll(start_, of).failure().reason.find("torque"), std::string::npos);
+  of.friction.at_rest = 0.8;
+  of.load = load_;
+  of.drive = 0.9 * load_ * start_.of.height;
+  const std::string said = rolling_.roll(start_, of).failure().reason;
+  EXPECT_NE(said.find("the ground carries at most"), std::string::npos) << said;
+}
+
+// The message of a state that is not found names the state to which the path was followed.
+TEST_F(RollingTireB, SaysHowFarThePathWent) {
+  RollingCase of = frictionless(1200.0);  // far above the standing-wave speed
+  const auto state = rolling_.roll(start_, of);
+  ASSERT_FALSE(state);
+  for (const char* part : {"rad/s", "slip angle", "camber", "expected a lower speed"})
+    EXPECT_NE(state.failure().reason.find(part), std::string::npos) << state.failure().reason;
 }
 
 /// mu p of a friction law at a point of the patch, Pa, with its terms written out.
@@ -259,6 +275,43 @@ TEST_F(RollingTireB, BrakesOverThePeakOfAFrictionThatDependsOnTheSpeed) {
   EXPECT_EQ(top, 2);                      // w = 2 m/s at kappa = -0.1
   EXPECT_GT(forces[2], 1.3 * forces[6]);  // the falling branch
   EXPECT_TRUE(std::ranges::is_sorted(forces.begin() + 2, forces.end(), std::greater<>()));
+}
+
+// A tire whose belts cross has a side force and an aligning moment at no slip (ply steer). The
+// mirror image of its angles is the mirror image of the tire, so that both change their signs and
+// nothing else does. Tire B, of smeared cords without belts of its own angles, has neither.
+TEST(PlySteer, ChangesItsSignWithTheMirrorImageOfTheAngles) {
+  TireDescription tire = read_tire(Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) /
+                                                  "studies/tires/passenger_205_55R16.toml")
+                                       .root());
+  tire.section.sectors = 40;
+  tire.section.sector_zones = {{4, 0.06}};
+  const auto free_wheel = [](const TireDescription& of) {
+    FeTire rolled(of);
+    RollingTire rolling(rolled);
+    const Inflated inflated = *rolled.inflate(of.pressure);
+    const auto pressed = rolled.advance(rolled.over(inflated, {}, FeTire::Poses::any),
+                                        {FeTire::below(inflated, 0.015)});
+    const RollingState start = rolling.start(pressed->back());
+    RollingCase free;
+    free.speed = kSpeed;
+    free.spin = kSpeed / 0.31;
+    free.load = 3000.0;
+    free.drive = 0.0;
+    const auto state = rolling.roll(start, free);
+    EXPECT_TRUE(state) << state.failure().reason;
+    return state->forces;
+  };
+  const RollingForces own = free_wheel(tire);
+  for (CordPly& ply : tire.plies) ply.cords.angle = -ply.cords.angle;
+  const RollingForces image = free_wheel(tire);
+  EXPECT_GT(std::abs(own.force.y()), 20.0);   // N
+  EXPECT_GT(std::abs(own.moment.z()), 0.05);  // N m
+  constexpr double kRounding = 1e-10 * 3000.0;
+  EXPECT_NEAR(own.force.y(), -image.force.y(), kRounding);
+  EXPECT_NEAR(own.moment.z(), -image.moment.z(), kRounding);
+  EXPECT_NEAR(own.force.x(), image.force.x(), kRounding);
+  EXPECT_NEAR(own.moment.x(), -image.moment.x(), kRounding);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/fe_tire/ground_friction.h"
+#include "experiment/rigs/fe_rolling/ground_friction.h"
 
 #include <gtest/gtest.h>
 
