@@ -15,6 +15,7 @@
 #include "cli/run/model_source.h"
 #include "cli/templates/meshed_tire.h"
 #include "cli/verbs/exported_bushings.h"
+#include "cli/verbs/exported_rolling.h"
 #include "cli/verbs/exported_unit.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/study_report/fitted_model.h"
@@ -36,7 +37,7 @@ using fe_tire::TireDescription;
 constexpr int kLoadSteps = 5;
 
 struct ExportOptions {
-  std::string file, vtu, ccx, model, pressure, deflection, fmu, road, output, bus;
+  std::string file, vtu, ccx, model, pressure, deflection, rolling, fmu, road, output, bus;
   int modes = 0;
   bool measurements = false, sti = false;
 };
@@ -200,12 +201,26 @@ void write_measurements(const std::string& file, const experiment::Language& lan
   for (const auto& path : files.written) say_written(path.string());
 }
 
+/// Writes a tire that rolls. Throws InputError for options whose values the test states.
+void write_rolling(const ExportOptions& options, const experiment::Language& language) {
+  if (options.vtu.empty())
+    throw InputError("--rolling: expected --vtu FILE beside it, the ParaView file to write");
+  if (!options.pressure.empty() || !options.deflection.empty() || options.modes > 0)
+    throw InputError(
+        "--rolling: the test states the pressure and the load of the tire that rolls; expected no "
+        "--pressure, --deflection or --modes");
+  if (!options.ccx.empty())
+    throw InputError("--rolling: a deck of CalculiX has no tire that rolls; expected --vtu alone");
+  write_rolling_vtu(options.file, options.rolling, options.vtu, language);
+}
+
 void export_files(const ExportOptions& options, const experiment::Language& language) {
   if (options.measurements) return write_measurements(options.file, language);
   if (options.sti) say_sti(options.file, language);
   if (!options.fmu.empty())
     write_fmu(options.file, options.fmu, options.road, options.output, language);
   if (!options.bus.empty()) write_bushings(options.file, options.bus, language);
+  if (!options.rolling.empty()) return write_rolling(options, language);
   const bool mesh = !options.vtu.empty() || !options.ccx.empty();
   if (!mesh && options.model.empty()) {
     if (options.sti || !options.fmu.empty() || !options.bus.empty()) return;
@@ -233,6 +248,9 @@ void add_export(CommandLine& app, Program& program) {
       "Examples:\n"
       "  latsch export studies/tires/passenger_225_50R16.toml --vtu tire.vtu --deflection \"25 "
       "mm\" --modes 6\n"
+      "  # A tire that rolls: its ring and its patch, of a rolling_chain its chains, too.\n"
+      "  latsch export studies/tires/passenger_225_50R16.toml --vtu rolling.vtu --rolling '{kind = "
+      "\"rolling\", load = \"4 kN\", speed = \"60 km/h\", alpha = \"2 deg\"}'\n"
       "  latsch export studies/tires/passenger_225_50R16.toml --ccx tire.inp --deflection \"25 "
       "mm\"\n"
       "  latsch export studies/tire_b_twin/study.toml --model identified.toml\n"
@@ -258,6 +276,10 @@ void add_export(CommandLine& app, Program& program) {
   verb.add_option("--deflection",
                   options->deflection,
                   "Presses the tire on the ground by this much, such as \"25 mm\"");
+  verb.add_option("--rolling",
+                  options->rolling,
+                  "Test of a tire that rolls, a file or its keys in braces: --vtu writes its "
+                  "states");
   verb.add_option("--modes", options->modes, "Number of lowest modes to write; 0 unless given")
       .between(0, 200);
   verb.add_option(
@@ -275,7 +297,10 @@ void add_export(CommandLine& app, Program& program) {
                 "Write the study's measurement files from the model itself: a twin");
   const bool alone = false;
   verb.forms(
-      {{"writes a ParaView file", {"--vtu"}, {"--pressure", "--deflection", "--modes"}, alone},
+      {{"writes a ParaView file",
+        {"--vtu"},
+        {"--pressure", "--deflection", "--modes", "--rolling"},
+        alone},
        {"writes a CalculiX deck", {"--ccx"}, {"--pressure", "--deflection", "--modes"}, alone},
        {"writes a model file as it is", {"--model"}, {}, alone},
        {"writes a unit, which starts at the pressure of the model",

@@ -24,6 +24,7 @@
 #include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
 #include "cli/run/model_source.h"
+#include "cli/run/test_argument.h"
 #include "cli/verbs/shown_page.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/study/ledgers/file_ledgers.h"
@@ -85,20 +86,6 @@ int say_matrix(const experiment::Language& language) {
     say("{:<17} {}\n{:<17} {}\n", test->name, test->in_words, "", fmt::join(able, ", "));
   }
   return kDone;
-}
-
-/// Reads a test from a file, or from a text of its keys in braces, together with the names of the
-/// files that it opens.
-experiment::ReadTest test_of(const std::string& text, const experiment::Language& language) {
-  if (!text.starts_with('{')) {
-    auto test = language.read_identified_test(text);
-    reject_impossible(experiment::unusual_numbers(Document::read(text), "test"));
-    return test;
-  }
-  const Document keys = Document::parse("test = " + text, "the test in braces");
-  auto test = language.read_identified_test(keys.root().table("test"), {});
-  reject_impossible(experiment::unusual_numbers(keys));
-  return test;
 }
 
 /// Writes the further output that the user requested in addition to the channels.
@@ -217,7 +204,7 @@ int test(const TestOptions& options, const experiment::Language& language) {
         "test: expected a model and a test, such as: latsch test tire.toml test.toml; "
         "latsch test --list says which model can do which");
   const ModelSource model = model_source(options.model, language, options.kind);
-  const experiment::ReadTest read = test_of(options.test, language);
+  const experiment::ReadTest read = test_argument(options.test, language);
   const std::unique_ptr<experiment::Test>& test = read.test;
   const bool gives_data = options.output.empty() && options.html.empty() && options.details.empty();
   const std::string model_file = is_study(options.model)

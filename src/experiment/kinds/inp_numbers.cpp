@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 
 #include "base/file.h"
 #include "base/text.h"
+#include "formats/mesh/inp_losses.h"
 #include "formats/text/letter_case.h"
 
 namespace latsch::experiment {
@@ -110,6 +112,12 @@ std::vector<std::string> inp_notes(const std::filesystem::path& file) {
         "shear by the thickness of the wall; on a coarse 205/55R16 of 14 columns this raises the "
         "growth by 1.6 %, the force by 1.2 % and the lowest mode by 3.8 %, on shorter columns "
         "less");
+  const auto relaxes = [](const auto& named) { return !named.second.relaxation.empty(); };
+  if (std::ranges::any_of(deck.materials, relaxes))
+    notes.emplace_back(
+        "its moduli are taken as those of the relaxed materials (MODULI=LONG TERM), and the shares "
+        "g of *VISCOELASTIC as those of the instantaneous ones, as in Abaqus; CalculiX knows no "
+        "*VISCOELASTIC");
   if (!deck.contacts.empty())
     notes.emplace_back(
         "its ground determines the downward direction and the faces of the tread; a test states "
@@ -137,6 +145,7 @@ bool take_numbers(InpModel& model, const Document& numbers) {
       number.value = from_si(si, number.quantity, model.deck.units);
   }
   model.tire.materials = formats::materials_of(model.tire, model.deck);
+  model.tire.losses = formats::losses_of(model.tire, model.deck);
   model.tire.pressure = formats::pressure_of(model.deck);
   return true;
 }

@@ -20,12 +20,15 @@ class InpTireSpecimen : public FeTireSpecimen {
  public:
   InpTireSpecimen(InpModel model, const Document& numbers)
       : FeTireSpecimen(tire_of(model.tire), model.tire.pressure, numbers, varied),
-        model_(std::move(model)) {}
+        model_(std::move(model)) {
+    set_losses(model_.tire.losses);
+  }
 
   /// Sets the numbers of the model; returns false if they belong to another file.
   bool becomes(const Document& numbers) {
     if (!take_numbers(model_, numbers)) return false;
     set(model_.tire.materials, model_.tire.pressure, numbers);
+    set_losses(model_.tire.losses);
     return true;
   }
 

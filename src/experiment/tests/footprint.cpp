@@ -5,10 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/language/test_words.h"
+#include "experiment/tests/load_deflection.h"
 #include "experiment/tests/pictures/footprint_pictures.h"
 #include "experiment/tests/test_kinds.h"
 
@@ -60,7 +62,10 @@ class StandingFootprintTest : public Test, public TellsLimits {
     return with_slopes_of(asked.channels, *printed);
   }
   std::vector<std::string> limits(Specimen& specimen) const override {
-    return limits_of_camber(specimen, test_.camber, /*rolls=*/false);
+    std::vector<std::string> limits = limits_of_camber(specimen, test_.camber, /*rolls=*/false);
+    std::ranges::move(limits_of_standing(specimen, test_.friction.value_or(0.0)),
+                      std::back_inserter(limits));
+    return limits;
   }
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {

@@ -9,7 +9,7 @@
 #include "base/document_record.h"
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
-#include "experiment/language/known_limits.h"
+#include "experiment/rigs/fe_rolling/ground_friction.h"
 #include "experiment/rigs/static_stiffness.h"
 #include "experiment/tests/test_kinds.h"
 #include "models/road/plane_road.h"
@@ -37,6 +37,21 @@ Result<Channels> press_rolling(Tire& tire, const LoadDeflection& test) {
 }
 
 }  // namespace
+
+std::vector<std::string> limits_of_standing(Specimen& specimen, double of_test) {
+  std::vector<std::string> limits;
+  auto* tire = specimen.find<IsFeTire>();
+  if (!tire) return limits;
+  (void)tire->drive(
+      [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+        if (std::string words = friction_at_rest_in_words(rig, of_test); !words.empty())
+          limits.push_back(std::move(words));
+        return Channels();
+      },
+      true,
+      {});
+  return limits;
+}
 
 fe_tire::Ground read_ground(const Node& table) {
   fe_tire::Ground ground;
@@ -107,6 +122,18 @@ Result<Channels> LoadDeflectionTest::run_with_slopes(Specimen& specimen, const A
   const auto pressed = press_rolling(*tared(specimen.find<Rolls>()->tire(test_.pressure)), test_);
   if (pressed) stood_under(specimen, (*pressed)["force"]);
   return pressed;
+}
+
+std::vector<std::string> LoadDeflectionTest::limits(Specimen& specimen) const {
+  return limits_of_standing(specimen, test_.ground.mu);
+}
+
+Result<std::vector<std::string>> LoadDeflectionTest::run_in_blocks(
+    Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
+  auto notes = Test::run_in_blocks(specimen, tell);
+  if (!notes) return notes;
+  for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+  return notes;
 }
 
 namespace {

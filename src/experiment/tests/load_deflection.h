@@ -10,12 +10,13 @@
 // The keys are in experiment/tests/keys/load_deflection_keys.cpp.
 #pragma once
 
+#include "experiment/language/known_limits.h"
 #include "experiment/language/test.h"
 #include "experiment/rigs/load_case.h"
 
 namespace latsch::experiment {
 
-class LoadDeflectionTest : public Test {
+class LoadDeflectionTest : public Test, public TellsLimits {
  public:
   explicit LoadDeflectionTest(LoadDeflection settings) : test_(std::move(settings)) {}
 
@@ -29,6 +30,10 @@ class LoadDeflectionTest : public Test {
   /// Only a finite-element tire has derivatives, a rolling tire has none.
   bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override;
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
+  /// Says which friction the tire stands on if its file has a law for rolling.
+  std::vector<std::string> limits(Specimen& specimen) const override;
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override;
 
  private:
   RigSettings rig_settings() const override { return &test_; }
@@ -36,6 +41,9 @@ class LoadDeflectionTest : public Test {
   LoadDeflection test_;
 };
 
+/// Says which friction a tire stands on whose file has a law by pressure or sliding speed, which is
+/// that of rolling; `of_test` is the test's friction. Empty for other specimens.
+std::vector<std::string> limits_of_standing(Specimen& specimen, double of_test);
 /// Reads `friction` of a test on the ground. Throws InputError.
 fe_tire::Ground read_ground(const Node& table);
 /// Returns "2.6 bar, friction 0.8", "" if neither is stated.

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "base/document_record.h"
 #include "base/units.h"
@@ -98,7 +100,10 @@ Result<Channels> ModesTest::run_with_slopes(Specimen& specimen, const Asked& ask
 
 std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
   auto* tire = specimen.find<IsFeTire>();
-  if (!tire || test_.is_damped) return {};
+  if (!tire) return {};
+  std::vector<std::string> limits;
+  if (test_.loaded()) limits = limits_of_standing(specimen, test_.ground.mu);
+  if (test_.is_damped) return limits;
   bool is_elastic = true;
   (void)tire->drive(
       [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
@@ -107,20 +112,57 @@ std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
       },
       true,
       {});
-  if (is_elastic) return {};
-  return {
+  if (is_elastic) return limits;
+  limits.emplace_back(
       test_.moves()
           ? "modes: losses of rubber and layers are not counted in a tire that spins or whose "
             "rim moves; frequencies are those of the relaxed moduli"
           : "modes: frequencies are those of the relaxed moduli of rubber and layers; damping = "
-            "true in the test counts their losses and their moduli at each frequency"};
+            "true in the test counts their losses and their moduli at each frequency");
+  return limits;
 }
+
+namespace {
+
+/// Says that modes have more waves around than the sectors of a finite-element tire carry; empty if
+/// none has.
+std::string words_on_waves(Specimen& specimen, double most_waves) {
+  auto* tire = specimen.find<IsFeTire>();
+  if (!tire) return "";
+  int sectors = 0;
+  (void)tire->drive(
+      [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+        sectors = rig.tire().mesh().sectors;
+        return Channels();
+      },
+      true,
+      {});
+  const double carried = sectors / (2.0 * std::numbers::pi);  // n times a sector's angle is 1
+  if (!(most_waves > carried)) return "";
+  return fmt::format(
+      "modes: frequencies of more than {:.0f} waves around are not exact: {} sectors carry no "
+      "shorter waves, of which there are up to {:.0f}; expected finer sectors (mesh.sectors), or "
+      "fewer modes",
+      std::floor(carried),
+      sectors,
+      most_waves);
+}
+
+}  // namespace
 
 Result<std::vector<std::string>> ModesTest::run_in_blocks(
     Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
-  auto notes = Test::run_in_blocks(specimen, tell);
+  double most_waves = 0.0;
+  const auto watched = [&](const Channels& block) {
+    if (const Channel* n = block.find("n"))
+      for (const double waves : n->values) most_waves = std::max(most_waves, waves);
+    tell(block);
+  };
+  auto notes = Test::run_in_blocks(specimen, watched);
   if (!notes) return notes;
   for (std::string& limit : limits(specimen)) notes->push_back(std::move(limit));
+  if (std::string words = words_on_waves(specimen, most_waves); !words.empty())
+    notes->push_back(std::move(words));
   return notes;
 }
 

@@ -38,6 +38,7 @@ class FeRollingChainTest : public RollsFeTire {
     if (!found) return found.failure();
     return chain_details(*found);
   }
+  const ChainPlaces* chain_places() const override { return &places_; }
 
  protected:
   Result<Channels> measure(TireRig& rig) const override { return chains(rig, rolling(), places_); }

@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
+#include "experiment/rigs/fe_rolling/patch_limits.h"
 #include "experiment/rigs/fe_rolling/rolling_table.h"
 #include "experiment/rigs/slip/slip_states.h"
 
@@ -40,7 +41,19 @@ Column column(const Node& root, const char* key, const char* unit, Range range) 
   return {key, root.has(key) ? root.one_or_more(key, unit, range) : std::vector<double>()};
 }
 
+/// Throws InputError for a speed of 0, of which the range alone would not say what to do.
+void refuse_standstill(const Node& root) {
+  if (!root.has("speed")) return;
+  for (const double speed : root.one_or_more("speed", "m/s"))
+    if (speed == 0.0)
+      root.reject(
+          "speed",
+          "is 0: a wheel that stands does not roll; expected speeds above 0, or a test of a "
+          "standing tire, static_stiffness or load_deflection");
+}
+
 std::vector<RollingRow> read_rows(const Node& root) {
+  refuse_standstill(root);
   const Column load = column(root, "load", "N", Range::positive());
   const Column speed = column(root, "speed", "m/s", Range::between(1e-3, 150.0));
   const Column kappa =
@@ -172,7 +185,13 @@ std::vector<std::string> RollsFeTire::limits(Specimen& specimen) const {
   (void)specimen.find<IsFeTire>()->drive(
       [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
         limits = limits_of_losses(rig.losses());
-        if (!rolling().friction) limits.push_back("rolling: " + friction_in_words(rig));
+        if (std::string words = words_on_sectors(rig, rolling()); !words.empty())
+          limits.push_back("rolling: " + words);
+        if (rolling().friction) return Channels();
+        limits.push_back("rolling: " +
+                         friction_in_words(rig,
+                                           highest_pressure(rolling(), rig.own_pressure()),
+                                           fastest(rolling().rows)));
         return Channels();
       },
       true,

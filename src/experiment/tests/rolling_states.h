@@ -11,6 +11,7 @@
 
 #include "experiment/language/known_limits.h"
 #include "experiment/language/test.h"
+#include "experiment/rigs/fe_tire/rolling_chain_rig.h"
 #include "experiment/rigs/fe_tire/rolling_rig.h"
 #include "formats/tables/csv_table.h"
 
@@ -37,9 +38,11 @@ class RollsFeTire : public Test, public TellsLimits {
   std::vector<std::string> limits(Specimen& specimen) const override;
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override;
+  const RollingTest& rolling() const { return states_.test; }
+  /// Places of the chains that the test measures; null: it measures none.
+  virtual const ChainPlaces* chain_places() const { return nullptr; }
 
  protected:
-  const RollingTest& rolling() const { return states_.test; }
   /// Returns "in 3 steady states, friction 1, 2.6 bar".
   std::string states_in_words() const;
   /// Returns the channels of the test's states.

@@ -153,11 +153,12 @@ class RollingStiffness : public Test, public TellsLimits {
   }
 
   /// Returns a sentence about the friction of a finite-element tire, which the test does not state.
-  static std::vector<std::string> assumed_by(IsFeTire& tire) {
+  std::vector<std::string> assumed_by(IsFeTire& tire) const {
     std::vector<std::string> sentences;
     (void)tire.drive(
         [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
-          sentences.push_back(friction_in_words(rig));
+          sentences.push_back(
+              friction_in_words(rig, test_.pressure.value_or(rig.own_pressure()), test_.speed));
           return Channels();
         },
         true,

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numbers>
 
 #include "base/text.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/fe_tire/standing_rig.h"
+#include "experiment/tests/load_deflection.h"
 #include "experiment/tests/test_kinds.h"
 #include "models/tire/tared_tire.h"
 
@@ -72,6 +74,8 @@ class StaticStiffnessTest : public Test, public TellsLimits {
       for (const Direction direction : test_.directions)
         if (std::string assumed = knows->assumed_stiffness(name_of(direction)); !assumed.empty())
           all.push_back(std::move(assumed));
+    std::ranges::move(limits_of_standing(specimen, test_.friction.value_or(0.0)),
+                      std::back_inserter(all));
     return all;
   }
   /// Returns sentences about what the tire's model does not describe on the cleat.

@@ -51,6 +51,7 @@ class DeckReader {
         {"HYPERELASTIC", &DeckReader::hyperelastic},
         {"ELASTIC", &DeckReader::elastic},
         {"DENSITY", &DeckReader::density},
+        {"VISCOELASTIC", &DeckReader::viscoelastic},
         {"ORIENTATION", &DeckReader::orientation},
         {"SOLID SECTION", &DeckReader::solid_section},
         {"EQUATION", &DeckReader::equation},
@@ -291,7 +292,28 @@ class DeckReader {
                fields[i].second));
   }
 
+  void viscoelastic(const InpCard& card) {
+    InpMaterial& material = current_material(card);
+    if (card.option("TIME", "") != "PRONY")
+      throw InputError(card.place, "*VISCOELASTIC states no Prony terms, expected TIME=PRONY");
+    if (!material.relaxation.empty())
+      throw InputError(card.place,
+                       fmt::format("a second *VISCOELASTIC of material {}", material.name));
+    if (card.lines.empty())
+      throw InputError(card.place, "*VISCOELASTIC has no rows, expected g, k, tau in each");
+    const std::string path = "material." + in_path(material.name);
+    for (const InpLine& line : card.lines) {
+      const std::size_t row = material.relaxation.size() + 1;
+      material.relaxation.push_back(
+          {note(fmt::format("{}.g{}", path, row), InpQuantity::ratio, card, line, 0),
+           note(fmt::format("{}.tau{}", path, row), InpQuantity::time, card, line, 2),
+           card.number(line, 1, 0.0),
+           card.at(line)});
+    }
+  }
+
   void hyperelastic(const InpCard& card) {
+    current_material(card).instantaneous = card.option("MODULI", "") == "INSTANTANEOUS";
     constexpr auto kStress = InpQuantity::stress;
     constexpr Constant kC10{"C10", kStress}, kC01{"C01", kStress},
         kD1{"D1", InpQuantity::compliance};
@@ -306,6 +328,7 @@ class DeckReader {
   }
 
   void elastic(const InpCard& card) {
+    current_material(card).instantaneous = card.option("MODULI", "") == "INSTANTANEOUS";
     const auto stresses = [](std::initializer_list<const char*> names) {
       std::vector<Constant> constants;
       for (const char* name : names) constants.push_back({name, InpQuantity::stress});

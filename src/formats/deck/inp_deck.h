@@ -3,12 +3,12 @@
 // of the file.
 //
 // The supported part of the language is what tires need: nodes, eight-node elements, sets,
-// hyperelastic and linear materials, cylindrical orientations, sections, layers of rebars in
-// embedded surface elements, equations that tie a node to the line between two others or to a mean
-// of the corners of an element, springs and masses at such means, surfaces, one kind of contact,
-// supports, face pressures, static and frequency steps. Unknown cards, unknown options
-// (inp_options.h) and values of options that mean another model are refused with their names,
-// because ignoring them would give a wrong model.
+// hyperelastic and linear materials with their Prony terms, cylindrical orientations, sections,
+// layers of rebars in embedded surface elements, equations that tie a node to the line between two
+// others or to a mean of the corners of an element, springs and masses at such means, surfaces, one
+// kind of contact, supports, face pressures, static and frequency steps. Unknown cards, unknown
+// options (inp_options.h) and values of options that mean another model are refused with their
+// names, because ignoring them would give a wrong model.
 #pragma once
 
 #include <Eigen/Core>
@@ -94,6 +94,14 @@ struct InpMaterial {
   std::vector<int> constants;  // indices in InpDeck::numbers
   int density = -1;            // index in InpDeck::numbers; -1: none
   bool no_compression = false;
+  /// A row of *VISCOELASTIC, TIME=PRONY.
+  struct Relaxation {
+    int share = -1, time = -1;  // indices in InpDeck::numbers of g and tau
+    double bulk = 0.0;          // k
+    Place place;
+  };
+  std::vector<Relaxation> relaxation;
+  bool instantaneous = false;  // true: moduli are those of fast loading
   Place place;
 };
 

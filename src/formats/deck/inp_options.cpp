@@ -52,6 +52,8 @@ const std::map<std::string, CardOptions>& known_options() {
         {{"N", {{"1"}, "means a law of higher order"}}}}},
       {"ELASTIC", {{"TYPE"}, {"MODULI"}, {}}},
       {"DENSITY", {{}, {}, {}}},
+      {"VISCOELASTIC",
+       {{}, {}, {{"TIME", {{"PRONY"}, "means terms that are to be fitted to data"}}}}},
       {"ORIENTATION",
        {{"NAME"},
         {},

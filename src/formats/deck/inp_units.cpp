@@ -68,6 +68,8 @@ double factor_of(InpQuantity quantity, const InpUnits& units) {
       return units.length;
     case InpQuantity::area:
       return area;
+    case InpQuantity::time:  // force = mass length/time^2
+      return std::sqrt(units.mass * units.length / units.force);
     case InpQuantity::ratio:
     case InpQuantity::angle:
       break;
@@ -87,6 +89,8 @@ const char* unit_of(InpQuantity quantity) {
       return "m";
     case InpQuantity::area:
       return "m^2";
+    case InpQuantity::time:
+      return "s";
     case InpQuantity::angle:
       return "deg";
     case InpQuantity::ratio:

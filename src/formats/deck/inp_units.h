@@ -24,7 +24,7 @@ struct InpUnits {
 };
 
 /// Kind of quantity of a number in a deck.
-enum class InpQuantity { ratio, stress, compliance, density, length, area, angle };
+enum class InpQuantity { ratio, stress, compliance, density, length, area, angle, time };
 
 /// Returns the factor that converts a number of the file to the unit that unit_of() returns.
 double factor_of(InpQuantity quantity, const InpUnits& units);

@@ -11,6 +11,7 @@
 
 #include "formats/mesh/element_axes.h"
 #include "formats/mesh/inp_cords.h"
+#include "formats/mesh/inp_losses.h"
 #include "formats/mesh/inp_materials.h"
 #include "formats/mesh/mesh_surface.h"
 #include "formats/mesh/rotational_symmetry.h"
@@ -44,6 +45,7 @@ class TireReader {
     for (const InpStep& step : deck_.steps) tire_.modes = std::max(tire_.modes, step.modes);
     if (deck_.element_type == "C3D8") tire_.element = fe_tire::ElementKind::full_integration;
     tire_.materials = materials_of(tire_, deck_);
+    tire_.losses = losses_of(tire_, deck_);
     return std::move(tire_);
   }
 

@@ -19,6 +19,7 @@
 #include "formats/deck/inp_deck.h"
 #include "formats/mesh/inp_rebars.h"
 #include "models/fe_tire/element/hex8.h"
+#include "models/fe_tire/history/loss_materials.h"
 #include "models/fe_tire/mesh/materials.h"
 #include "models/fe_tire/mesh/mesh.h"
 
@@ -45,7 +46,8 @@ struct InpTire {
   std::vector<InpLayer> layers;
   std::vector<fe_tire::CordLayer> cords;  // layers of cords that the deck models as springs
   fe_tire::Materials materials;
-  double pressure = 0.0;  // Pa
+  fe_tire::LossMaterials losses;  // Prony terms of the materials (inp_losses.h)
+  double pressure = 0.0;          // Pa
   std::optional<InpGround> ground;
   int modes = 0;  // number of modes requested by the deck; 0: none
 };

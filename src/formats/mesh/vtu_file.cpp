@@ -16,7 +16,7 @@ namespace {
 using fe_tire::Corners;
 using fe_tire::Mesh;
 
-constexpr int kHexahedron = 12, kVertex = 1;  // VTK's cell types
+constexpr int kHexahedron = 12, kVertex = 1, kPolyLine = 4;  // VTK's cell types
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -124,7 +124,10 @@ std::string region_comment(const Mesh& mesh) {
 
 }  // namespace
 
-void write_tire_vtu(std::ostream& out, const Mesh& mesh, const std::vector<VtuField>& fields) {
+void write_tire_vtu(std::ostream& out,
+                    const Mesh& mesh,
+                    const std::vector<VtuField>& fields,
+                    const std::vector<VtuField>& cells) {
   const int n = mesh.nodes_per_sector(), per_sector = static_cast<int>(mesh.elements.size());
   const Corners corners = corners_of(mesh);
   const int tied = static_cast<int>(corners.tied.size());
@@ -161,6 +164,10 @@ void write_tire_vtu(std::ostream& out, const Mesh& mesh, const std::vector<VtuFi
   file.integers("region", [&](long i) { return element(i).region; });
   file.integers("inner", [&](long i) { return element(i).inner; });
   file.integers("tread", [&](long i) { return element(i).tread; });
+  for (const VtuField& field : cells) {
+    assert(field.values.cols() == mesh.element_count());
+    file.numbers(field.name, field.values);
+  }
   file.close("CellData");
   file.finish();
 }
@@ -177,28 +184,52 @@ void write_patch_vtu(std::ostream& out, const fe_tire::Standing& standing) {
     area(0, i) = points[i].area;
     sticks(0, i) = points[i].sticks;
   }
-  VtuWriter file(out, count, count, "");
+  write_points_vtu(out,
+                   {x,
+                    {{"pressure [Pa]", pressure},
+                     {"shear [Pa]", shear},
+                     {"area [m^2]", area},
+                     {"sticks", sticks}}});
+}
+
+void write_points_vtu(std::ostream& out, const VtuPoints& points) {
+  const bool are_lines = !points.loops.empty();
+  const long cells = are_lines ? std::ssize(points.loops) : points.x.cols();
+  std::vector<long> ends;  // first point after each loop
+  for (const long count : points.loops) ends.push_back((ends.empty() ? 0 : ends.back()) + count);
+  VtuWriter file(out, points.x.cols(), cells, "");
   file.open("Points");
-  file.numbers("points", x);
+  file.numbers("points", points.x);
   file.close("Points");
   file.open("Cells");
-  file.integers("connectivity", [](long i) { return i; });
-  file.integers("offsets", [](long i) { return i + 1; });
-  file.integers("types", [](long) { return kVertex; });
+  if (are_lines) {
+    file.integers("connectivity", [&](long i, fmt::memory_buffer& line) {
+      const long first = ends[i] - points.loops[i];
+      for (long k = first; k < ends[i]; ++k) fmt::format_to(std::back_inserter(line), "{} ", k);
+      fmt::format_to(std::back_inserter(line), "{}", first);
+    });
+    file.integers("offsets", [&](long i) { return ends[i] + i + 1; });
+  } else {
+    file.integers("connectivity", [](long i) { return i; });
+    file.integers("offsets", [](long i) { return i + 1; });
+  }
+  file.integers("types", [&](long) { return are_lines ? kPolyLine : kVertex; });
   file.close("Cells");
   file.open("PointData");
-  file.numbers("pressure [Pa]", pressure);
-  file.numbers("shear [Pa]", shear);
-  file.numbers("area [m^2]", area);
-  file.numbers("sticks", sticks);
+  for (const VtuField& field : points.fields) file.numbers(field.name, field.values);
   file.close("PointData");
   file.finish();
 }
 
 void write_tire_vtu(const std::filesystem::path& file,
                     const Mesh& mesh,
-                    const std::vector<VtuField>& fields) {
-  write_file(file, [&](std::ostream& out) { write_tire_vtu(out, mesh, fields); });
+                    const std::vector<VtuField>& fields,
+                    const std::vector<VtuField>& cells) {
+  write_file(file, [&](std::ostream& out) { write_tire_vtu(out, mesh, fields, cells); });
+}
+
+void write_points_vtu(const std::filesystem::path& file, const VtuPoints& points) {
+  write_file(file, [&](std::ostream& out) { write_points_vtu(out, points); });
 }
 
 void write_patch_vtu(const std::filesystem::path& file, const fe_tire::Standing& standing) {

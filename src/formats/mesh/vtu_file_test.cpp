@@ -67,6 +67,32 @@ assert set(values('types')) == {1}
             0);
 }
 
+TEST(VtuFile, ElementsHaveTheFieldsOfTheirSectors) {
+  const fe_tire::Mesh mesh = build_mesh(fe_tire::reference_tire_b());
+  Eigen::MatrixXd at(2, mesh.element_count());
+  for (int k = 0; k < mesh.element_count(); ++k) at.col(k) << k, 0.5;
+  const auto file = std::filesystem::path(testing::TempDir()) / "cells.vtu";
+  write_tire_vtu(file, mesh, {}, {{"at", at}});
+  EXPECT_EQ(python_says(file, R"(
+cells = [a.get('Name') for a in root.find('UnstructuredGrid/Piece/CellData')]
+assert cells == ['region', 'inner', 'tread', 'at']
+assert values('at') == [v for k in range(3480) for v in (k, 0.5)]
+)"),
+            0);
+}
+
+TEST(VtuFile, ChainsAreClosedLines) {
+  VtuPoints chains{Eigen::Matrix3Xd::Zero(3, 5), {{"s", Eigen::RowVectorXd::LinSpaced(5, 0, 4)}}};
+  chains.loops = {3, 2};
+  const auto file = std::filesystem::path(testing::TempDir()) / "chains.vtu";
+  write_points_vtu(file, chains);
+  EXPECT_EQ(python_says(file, R"(
+assert values('connectivity') == [0, 1, 2, 0, 3, 4, 3] and values('offsets') == [4, 7]
+assert values('types') == [4, 4] and values('s') == [0, 1, 2, 3, 4]
+)"),
+            0);
+}
+
 TEST(VtuFile, AFileThatCannotBeWrittenIsSaid) {
   EXPECT_THROW(write_patch_vtu("/nonexistent/patch.vtu", {}), InputError);
 }

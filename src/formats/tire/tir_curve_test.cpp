@@ -9,13 +9,13 @@
 namespace latsch::formats {
 namespace {
 
-const std::string kPlain =
+const std::string kPlainFile =
     "[UNITS]\nLENGTH='m'\nFORCE='N'\nANGLE='radians'\nMASS='kg'\nTIME='second'\n"
     "PRESSURE='Pa'\n[MODEL]\nFITTYP=61\n[DIMENSION]\nUNLOADED_RADIUS=0.3\n"
     "[VERTICAL]\nFNOMIN=4000\nVERTICAL_STIFFNESS=2e5\n";
 
 TirFile with_curve(const std::string& rows, const std::string& more = "") {
-  return parse_tir(kPlain + more + "[DEFLECTION_LOAD_CURVE]\n" + rows, "t.tir");
+  return parse_tir(kPlainFile + more + "[DEFLECTION_LOAD_CURVE]\n" + rows, "t.tir");
 }
 
 std::string curve_refusal(const std::string& rows) {
@@ -74,7 +74,7 @@ TEST(LoadCurveOfATir, IsDoubtedWhereItContradictsTheFile) {
 
 TEST(ForcesOfATir, ThatNoTireHasAreDoubtedByTheirCoefficient) {
   const auto doubts = [](const std::string& more, const std::string& part) {
-    EXPECT_TRUE(is_doubted(parse_tir(kPlain + more, "t.tir"), part)) << more;
+    EXPECT_TRUE(is_doubted(parse_tir(kPlainFile + more, "t.tir"), part)) << more;
   };
   const std::string side = "[LATERAL_COEFFICIENTS]\nPCY1=1.3\nPDY1=1\nPKY2=1.5\nPKY1=";
   const std::string along = "[LONGITUDINAL_COEFFICIENTS]\nPCX1=1.6\nPDX1=1.2\nPKX1=";
@@ -85,7 +85,7 @@ TEST(ForcesOfATir, ThatNoTireHasAreDoubtedByTheirCoefficient) {
   doubts("BREFF=-80\nDREFF=0.3\nFREFF=0.1\n", "BREFF, DREFF and FREFF");
   doubts("BREFF=8\nDREFF=30\nFREFF=0.1\n", "BREFF, DREFF and FREFF");
   doubts("[CONTACT_PATCH]\nQ_RA1=39\n", "Q_RA1 and Q_RA2");
-  const TirFile usual = parse_tir(kPlain + "BREFF=8\nDREFF=0.3\nFREFF=0.1\n" + side + "-20\n" +
+  const TirFile usual = parse_tir(kPlainFile + "BREFF=8\nDREFF=0.3\nFREFF=0.1\n" + side + "-20\n" +
                                       along + "20\n[CONTACT_PATCH]\nQ_RA1=0.6\n",
                                   "t.tir");
   EXPECT_TRUE(usual.doubts.empty()) << usual.doubts.front().sentence;

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "experiment/rigs/fe_rolling/patch_limits.h"
 #include "experiment/rigs/fe_rolling/rolling_table.h"
 #include "experiment/rigs/slip/slip_states.h"
 
@@ -53,27 +54,6 @@ RollingTest rolling_test(const TireRig& rig,
       row.turn_slip = -row.turn_slip;
     }
   return test;
-}
-
-/// Returns in words that the sectors at the ground are too long for the patch of a state: forces of
-/// few points along the patch depend on the mesh. The patch is at least Fz/p over the tire's width
-/// long. Empty if every patch has kFewest sectors or more.
-std::string words_on_sectors(const TireRig& rig, const RollingTest& test) {
-  constexpr double kFewest = 2.0;  // sectors in the lower bound; patches have about twice as many
-  const fe_tire::Mesh& mesh = rig.tire().mesh();
-  const double sector = mesh.outer_radius() * mesh.angle(1);
-  const double width = mesh.X.row(1).maxCoeff() - mesh.X.row(1).minCoeff();
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const RollingRow& row : test.rows)
-    shortest = std::min(shortest, row.load / row.pressure.value_or(rig.own_pressure()) / width);
-  if (!(shortest < kFewest * sector)) return "";
-  return fmt::format(
-      "sectors at the ground are {:.0f} mm long, and the shortest patch is hardly longer than "
-      "{:.0f} "
-      "mm: slip and side forces of so few points depend on the mesh, often by a factor; narrow the "
-      "sectors there (mesh.sector_zones, or mesh.sectors) until the forces stay",
-      1e3 * sector,
-      1e3 * shortest);
 }
 
 /// Returns the channels of states found. If the tire is mirrored, the states are those of its
@@ -153,7 +133,9 @@ std::vector<std::string> remarks_on_table(const TireRig& rig,
     remarks.push_back(fmt::format("{}: column {} is not used", table.file(), in_quotes(column)));
   if (std::string words = assumed_states(table, assumed); !words.empty())
     remarks.push_back(table.file() + ": " + words);
-  if (!conditions.friction) remarks.push_back(friction_in_words(rig));
+  if (!conditions.friction)
+    remarks.push_back(
+        friction_in_words(rig, highest_pressure(test, rig.own_pressure()), fastest(test.rows)));
   if (std::string words = words_on_sectors(rig, test); !words.empty())
     remarks.push_back(std::move(words));
   if (!conditions.conventions.limits)

@@ -86,27 +86,47 @@ void begin_behind(std::vector<ChainPoint>& points) {
 
 Channels no_chains() { return channels_of_chains({}); }
 
-Result<Channels> chains(TireRig& rig, const RollingTest& test, const ChainPlaces& places) {
+namespace {
+
+/// Returns the places in the tire's section, or a Failure that names one that does not exist.
+Result<std::vector<fe_tire::ChainPlace>> found_places(const TireRig& rig,
+                                                      const ChainPlaces& places) {
   std::vector<fe_tire::ChainPlace> found;
   for (const double position : places.positions) {
     const auto place = fe_tire::find_place(rig.tire().mesh(), rig.losses(), position, places.depth);
     if (!place) return place.failure();
     found.push_back(*place);
   }
+  return found;
+}
+
+}  // namespace
+
+Result<Channels> chains(TireRig& rig, const RollingTest& test, const ChainPlaces& places) {
+  // A place that does not exist is told before states are found.
+  if (const auto found = found_places(rig, places); !found) return found.failure();
   const auto states = roll_states(rig, test);
   if (!states) return states.failure();
+  return chains_of(rig, *states, places);
+}
+
+Result<Channels> chains_of(TireRig& rig,
+                           const std::vector<RolledState>& states,
+                           const ChainPlaces& places) {
+  const auto found = found_places(rig, places);
+  if (!found) return found.failure();
   std::map<double, std::unique_ptr<fe_tire::LossMeter>> meters;  // one for each pressure
   std::vector<MeasuredChain> all;
-  for (std::size_t k = 0; k < states->size(); ++k) {
-    const fe_tire::RollingState& state = (*states)[k].state;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const fe_tire::RollingState& state = states[k].state;
     auto& meter = meters[state.pressure];
     if (!meter) {
       const auto& inflated = rig.inflated(state.pressure);
       if (!inflated) return inflated.failure();
       meter = std::make_unique<fe_tire::LossMeter>(rig.tire(), rig.losses(), *inflated);
     }
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      auto points = fe_tire::chain(*meter, found[i], state.u, state.alpha, state.of.spin);
+    for (std::size_t i = 0; i < found->size(); ++i) {
+      auto points = fe_tire::chain(*meter, (*found)[i], state.u, state.alpha, state.of.spin);
       begin_behind(points);
       all.push_back({static_cast<double>(k + 1), places.positions[i], std::move(points)});
     }

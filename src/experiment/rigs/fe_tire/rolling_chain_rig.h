@@ -27,5 +27,9 @@ Channels no_chains();
 /// "cord_force" (N/m), "energy" (J/m^3), "dissipation" (W/m^3). A Failure names the place that does
 /// not exist or the state that was not found.
 Result<Channels> chains(TireRig& rig, const RollingTest& test, const ChainPlaces& places);
+/// Returns the chains of states that are found.
+Result<Channels> chains_of(TireRig& rig,
+                           const std::vector<RolledState>& states,
+                           const ChainPlaces& places);
 
 }  // namespace latsch::experiment

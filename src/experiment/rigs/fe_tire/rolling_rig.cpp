@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "experiment/rigs/fe_rolling/patch_limits.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "models/fe_tire/motion/spinning_tire.h"
 #include "models/fe_tire/rolling/rolling_forces.h"
@@ -126,7 +127,7 @@ class FlatTrack {
     of.curvature = curvature_;
     of.load = row.load;
     of.drive = 0.0;
-    of.friction = friction_;
+    of.friction = stable_friction(rig_, friction_, pressure_, of.speed);
     return of;
   }
 
@@ -227,6 +228,8 @@ Status roll_at(TireRig& rig,
     auto found = track.find(test.rows[k], states[k].kappa, states[k].effective_radius);
     if (!found)
       return Failure{in_words(test.rows[k], k, test.rows.size()) + ": " + found.failure().reason};
+    if (const Status fits = check_drum(*found, test.drum_radius); !fits)
+      return Failure{in_words(test.rows[k], k, test.rows.size()) + ": " + fits.failure().reason};
     states[k].losses = meter.measure(found->u, found->alpha, found->of.spin);
     states[k].state = *std::move(found);
     if (progress) progress(states, k);
@@ -236,24 +239,18 @@ Status roll_at(TireRig& rig,
 
 }  // namespace
 
-fe_tire::RollingFriction friction_of(const TireRig& rig, std::optional<double> of_test) {
-  if (of_test) return {.at_rest = *of_test};
-  return rig.own_friction().value_or(fe_tire::RollingFriction{.at_rest = kAssumedFriction});
+double fastest(const std::vector<RollingRow>& rows) {
+  double speed = 0.0;
+  for (const RollingRow& row : rows) speed = std::max(speed, row.speed);
+  return speed;
 }
 
-std::string friction_in_words(const TireRig& rig) {
-  if (!rig.own_friction())
-    return fmt::format(
-        "friction {:g} is taken, because neither the test nor the tire's file states one",
-        kAssumedFriction);
-  const fe_tire::RollingFriction& own = *rig.own_friction();
-  const std::string law =
-      own.a > 0.0
-          ? fmt::format(
-                " at {:.4g} bar, less by the power {:g} of the pressure,", own.p_0 / 1e5, own.a)
-          : std::string();
-  return fmt::format(
-      "friction {:g}{} is that of the tire's file, because the test states none", own.at_rest, law);
+double highest_pressure(const RollingTest& test, double own) {
+  const double usual = test.pressure.value_or(own);
+  double pressure = test.rows.empty() ? usual : 0.0;
+  for (const RollingRow& row : test.rows)
+    pressure = std::max(pressure, row.pressure.value_or(usual));
+  return pressure;
 }
 
 RollingPatch patch_of(const RollingState& state) {

@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "experiment/rigs/fe_rolling/ground_friction.h"
 #include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/inflation.h"
 #include "models/fe_tire/rolling/rolling_case.h"
@@ -33,9 +34,6 @@ struct RollingRow {
   std::optional<double> pressure = {};  // Pa; none: that of the test
 };
 
-/// Friction of a tire if neither the test nor the tire's file states one.
-constexpr double kAssumedFriction = 1.0;
-
 struct RollingTest {
   Inflation pressure = {};
   /// Friction with the ground; none: that of the tire's file, else kAssumedFriction.
@@ -52,10 +50,10 @@ struct RolledState {
   fe_tire::RollingLosses losses;  // powers that rubber and cords lose
 };
 
-/// Returns the law of friction of a test.
-fe_tire::RollingFriction friction_of(const TireRig& rig, std::optional<double> of_test);
-/// Says which friction a tire has in a test that states none.
-std::string friction_in_words(const TireRig& rig);
+/// Returns the highest speed of the states, m/s.
+double fastest(const std::vector<RollingRow>& rows);
+/// Returns the highest pressure of the states, Pa; `own` is that of the tire.
+double highest_pressure(const RollingTest& test, double own);
 
 /// Extents of the patch, and the share of the load on points that stick.
 struct RollingPatch {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/rigs/fe_tire/standing_rig.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -123,6 +125,22 @@ void require_friction(const StandingTest& test, const fe_tire::Ground& ground) {
         "friction = 0.8 or so beside longitudinal, lateral or torsional");
 }
 
+/// Throws InputError for a cleat as high as the section, which the rim would hit.
+void refuse_high_cleat(const FeTire& tire, const StandingTest& test) {
+  if (!test.cleat) return;
+  const fe_tire::Mesh& mesh = tire.mesh();
+  double rim = mesh.outer_radius();
+  for (const int node : mesh.clamped)
+    rim = std::min(rim, std::hypot(mesh.X(0, node), mesh.X(2, node)));
+  const double section = mesh.outer_radius() - rim;
+  if (test.cleat->height < section) return;
+  throw InputError(
+      fmt::format("cleat.height is {:.4g} mm, but the section of this tire is {:.4g} mm high: the "
+                  "rim would hit the cleat; expected a lower one",
+                  1e3 * test.cleat->height,
+                  1e3 * section));
+}
+
 /// The tire on the ground and what has been recorded of it so far.
 struct StandingRun {
   FeTire& tire;
@@ -209,6 +227,7 @@ Result<Channels> stand(FeTire& tire,
                        fe_tire::TireSlopes* slopes) {
   const fe_tire::Ground ground = ground_of(test);
   require_friction(test, ground);
+  refuse_high_cleat(tire, test);
   const auto inflated = tire.inflate(test.pressure.value_or(own_pressure));
   if (!inflated) return inflated.failure();
   StandingRun run{tire, test, *inflated, ground, slopes};

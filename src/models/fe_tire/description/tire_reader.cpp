@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reader of a tire file: the tables [mesh], [section], [rubber.*], [region.*], [layer.*] and [rim],
-// and the keys of friction, see docs/fe_tire_section.md.
+// Reader of a tire file: the tables [mesh], [section], [rubber.*], [region.*], [layer.*], [rim] and
+// [friction], see docs/fe_tire_section.md.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,24 +21,72 @@ constexpr double kLeastFriction = 0.01, kMostFriction = 5.0;
 /// Largest power of the pressure by which friction falls: a round limit, not one of a theory.
 constexpr double kMostExponent = 0.5;
 
-/// Reads friction = 1.2, alone or as that at a pressure from which it falls by a power.
+/// Narrowest and widest peak over the sliding speed, in natural logarithms of it. A narrower peak
+/// falls so steeply that no tread slides on it steadily.
+constexpr double kNarrowest = 0.3, kWidest = 5.0;
+
+/// Throws InputError if one of two keys that need each other is missing. Returns whether both are
+/// there.
+bool has_both(const Node& node, const char* a, const char* b, const char* what_they_are) {
+  if (node.has(a) != node.has(b))
+    node.reject(node.has(a) ? a : b,
+                fmt::format("stands without {}: expected both, {}, or neither",
+                            node.has(a) ? b : a,
+                            what_they_are));
+  return node.has(a);
+}
+
+/// Reads the table [friction].
+RollingFriction read_friction_law(const Node& node) {
+  RollingFriction friction;
+  const Range usual = Range::between(kLeastFriction, kMostFriction);
+  friction.at_rest = node.quantity("static", "1", usual);
+  if (has_both(node,
+               "pressure",
+               "slope_pressure",
+               "the contact pressure at which static holds and the power by which friction falls "
+               "above it")) {
+    friction.p_0 = node.quantity("pressure", "Pa", Range::between(1e3, 1e8));
+    friction.a = node.quantity("slope_pressure", "1", Range::between(0.0, kMostExponent));
+  }
+  if (!has_both(node,
+                "peak",
+                "peak_speed",
+                "the largest coefficient and the sliding speed at which friction has it")) {
+    if (node.has("peak_width"))
+      node.reject("peak_width", "stands without peak: expected peak and peak_speed beside it");
+    return friction;
+  }
+  const double peak = node.quantity("peak", "1", usual);
+  if (peak < friction.at_rest)
+    node.reject("peak",
+                fmt::format("is {:g}, below static = {:g}: expected the largest coefficient, at "
+                            "peak_speed, which is that at rest or more",
+                            peak,
+                            friction.at_rest));
+  friction.peak = peak / friction.at_rest;
+  friction.peak_speed = node.quantity("peak_speed", "m/s", Range::between(1e-3, 100.0));
+  friction.width =
+      node.quantity("peak_width", "1", Range::between(kNarrowest, kWidest), friction.width);
+  return friction;
+}
+
+/// Reads friction = 1.2, or a table in which it depends on pressure and sliding speed.
 std::optional<RollingFriction> read_friction(const Node& root) {
   for (const char* key : {"friction_pressure", "friction_exponent"})
-    if (root.has(key) && !root.has("friction"))
-      root.reject(key, "stands without friction: expected friction = 1.2 or so beside it");
+    if (root.has(key))
+      root.reject(key,
+                  "has become part of a table: expected [friction] with static, pressure and "
+                  "slope_pressure in place of friction, friction_pressure and friction_exponent");
   if (!root.has("friction")) return {};
-  RollingFriction friction;
-  friction.at_rest = root.quantity("friction", "1", Range::between(kLeastFriction, kMostFriction));
-  const bool has_pressure = root.has("friction_pressure");
-  if (has_pressure != root.has("friction_exponent"))
-    root.reject(
-        has_pressure ? "friction_pressure" : "friction_exponent",
-        "needs the other one, too: expected friction_pressure, at which friction holds, and "
-        "friction_exponent, by which it falls with the pressure");
-  if (!has_pressure) return friction;
-  friction.p_0 = root.quantity("friction_pressure", "Pa", Range::between(1e3, 1e8));
-  friction.a = root.quantity("friction_exponent", "1", Range::between(0.0, kMostExponent));
-  return friction;
+  std::optional<Node> table;
+  try {
+    table = root.find_table("friction");
+  } catch (const InputError&) {  // a number
+  }
+  if (table) return read_friction_law(*table);
+  return RollingFriction{
+      .at_rest = root.quantity("friction", "1", Range::between(kLeastFriction, kMostFriction))};
 }
 
 Extent read_extent(const Node& node) {

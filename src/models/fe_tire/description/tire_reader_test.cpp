@@ -158,18 +158,93 @@ TEST(TireReader, FrictionIsOptionalAndWithinWhatATireHas) {
   EXPECT_FALSE(with("").friction);
   EXPECT_EQ(with("friction = 0.9\n").friction->at_rest, 0.9);
   EXPECT_EQ(with("friction = 0.9\n").friction->a, 0.0);
-  const std::string law =
-      "friction = 0.9\nfriction_pressure = \"2 bar\"\nfriction_exponent = 0.2\n";
-  EXPECT_NEAR(with(law).friction->at(4e5, 0.0), 0.9 * std::pow(2.0, -0.2), 1e-12);
   EXPECT_TRUE(same_mesh(with(""), with("friction = 0.9\n")));
   for (const char* line : {"friction = 0\n",
                            "friction = 6\n",
                            "friction = \"1 N\"\n",
-                           "friction = 1\nfriction_exponent = 0.2\n",
-                           "friction = 1\nfriction_pressure = \"2 bar\"\n",
-                           "friction_pressure = \"2 bar\"\nfriction_exponent = 0.2\n",
-                           "friction = 1\nfriction_pressure = \"2 bar\"\nfriction_exponent = 2\n"})
+                           "friction = 1\nfriction_exponent = 0.2\n"})
     EXPECT_THROW((void)with(line), InputError) << line;
+}
+
+TEST(TireReader, FrictionMayDependOnPressureAndSlidingSpeed) {
+  const auto with = [](const std::string& table) {
+    std::ifstream in(kTires / "passenger_225_50R16.toml");
+    std::stringstream text;
+    text << in.rdbuf() << "[friction]\n" << table;
+    return read_tire(Document::parse(text.str(), "tire.toml").root());
+  };
+  const std::string by_pressure = "static = 0.9\npressure = \"2 bar\"\nslope_pressure = 0.2\n";
+  EXPECT_NEAR(with(by_pressure).friction->at(4e5, 3.0), 0.9 * std::pow(2.0, -0.2), 1e-12);
+  const RollingFriction law =
+      *with(by_pressure + "peak = 1.2\npeak_speed = \"2 m/s\"\npeak_width = 1.5\n").friction;
+  EXPECT_NEAR(law.at(2e5, 0.0), 0.9, 1e-14);
+  EXPECT_NEAR(law.at(2e5, 2.0), 1.2, 1e-14);
+  EXPECT_NEAR(law.at(4e5, 2.0), 1.2 * std::pow(2.0, -0.2), 1e-12);
+  EXPECT_NEAR(law.at(2e5, 2.0 * std::exp(1.5)), 0.9 + 0.3 * std::exp(-1.0), 1e-12);
+  // Every number is a path that a study may vary.
+  Document numbers = Document::parse(
+      "[friction]\n" + by_pressure + "peak = 1.2\npeak_speed = \"2 m/s\"\npeak_width = 1.5\n",
+      "friction.toml");
+  EXPECT_EQ(numbers.paths(),
+            (std::vector<std::string>{"friction.static",
+                                      "friction.pressure",
+                                      "friction.slope_pressure",
+                                      "friction.peak",
+                                      "friction.peak_speed",
+                                      "friction.peak_width"}));
+  struct Wrong {
+    const char* table;
+    const char* words;  // part of the message
+  };
+  for (const Wrong& wrong : {
+           Wrong{"peak = 1.2\npeak_speed = \"1 m/s\"\n", "friction.static"},
+           Wrong{"static = 0\n", "friction.static is 0, expected 0.01 to 5"},
+           Wrong{"static = 0.9\npressure = \"2 bar\"\n", "pressure stands without slope_pressure"},
+           Wrong{"static = 0.9\nslope_pressure = 0.2\n", "slope_pressure stands without pressure"},
+           Wrong{"static = 0.9\npressure = \"2 bar\"\nslope_pressure = 2\n", "expected 0 to 0.5"},
+           Wrong{"static = 0.9\npeak = 1.2\n", "peak stands without peak_speed"},
+           Wrong{"static = 0.9\npeak_speed = \"1 m/s\"\n", "peak_speed stands without peak"},
+           Wrong{"static = 0.9\npeak_width = 1\n", "peak_width stands without peak"},
+           Wrong{"static = 0.9\npeak = 0.8\npeak_speed = \"1 m/s\"\n", "below static = 0.9"},
+           Wrong{"static = 0.9\npeak = 1.2\npeak_speed = \"0 m/s\"\n", "peak_speed"},
+           Wrong{"static = 0.9\npeak = 1.2\npeak_speed = \"1 m/s\"\npeak_width = 0.1\n",
+                 "0.3 to 5"},
+           Wrong{"static = 0.9\nslope_presure = 0.2\n", "did you mean \"slope_pressure\""},
+       }) {
+    try {
+      (void)with(wrong.table);
+      ADD_FAILURE() << wrong.table;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(wrong.words), std::string::npos) << error.what();
+    }
+  }
+}
+
+// A straight line takes the place of the part that falls faster than is allowed, and joins the law.
+TEST(TireReader, FrictionFallsNoFasterThanItIsAllowedTo) {
+  const RollingFriction law{.at_rest = 0.8, .peak = 1.6, .peak_speed = 1.0, .width = 0.8};
+  double steepest = 0.0;
+  for (double w = 1.0; w < 10.0; w += 1e-3) {
+    const double slope = (law.at(1e5, w + 1e-6) - law.at(1e5, w - 1e-6)) / 2e-6;
+    EXPECT_NEAR(law.speed_slope(1e5, w), slope, 1e-7);
+    steepest = std::max(steepest, -slope / law.at_rest);
+  }
+  EXPECT_NEAR(law.steepest_fall(), steepest, 1e-6);
+  EXPECT_EQ(law.no_steeper_than(1.01 * steepest).line_to, 0.0);
+  const RollingFriction flat = law.no_steeper_than(0.3 * steepest);
+  EXPECT_GT(flat.line_to, flat.line_from);
+  double above = 0.0;
+  for (double w = 0.01; w < 20.0; w += 1e-3) {
+    const double mu = flat.at(1e5, w), next = flat.at(1e5, w + 1e-3);
+    EXPECT_GE(next - mu, -0.3001 * steepest * law.at_rest * 1e-3) << w;
+    EXPECT_GE(mu, law.at(1e5, w) - 1e-12);
+    above = std::max(above, mu - law.at(1e5, w));
+    if (w < flat.line_from || w > flat.line_to) {
+      EXPECT_EQ(mu, law.at(1e5, w)) << w;
+    }
+  }
+  EXPECT_NEAR(flat.most_above() * law.at_rest, above, 1e-5);
+  EXPECT_NEAR(flat.at(1e5, flat.line_to), law.at(1e5, flat.line_to), 1e-9);
 }
 
 // A cord that lies on a drum of radius r_0 at the angle a_0 and is lifted to the radius r has the

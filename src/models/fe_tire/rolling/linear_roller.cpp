@@ -30,7 +30,6 @@ GripState listed(const GripState& all, const std::vector<int>& points) {
     const auto i = static_cast<Eigen::Index>(k);
     part.grip[k] = all.grip[points[k]];
     part.direction.col(i) = all.direction.col(points[k]);
-    part.speed[i] = all.speed[points[k]];
   }
   return part;
 }
@@ -41,7 +40,6 @@ void put_back(const RollingContactState& found, const std::vector<int>& points, 
     const auto i = static_cast<Eigen::Index>(k);
     all.grip[points[k]] = found.state.grip[k];
     all.direction.col(points[k]) = found.state.direction.col(i);
-    all.speed[points[k]] = found.tractions.w.col(i).norm();
   }
 }
 

@@ -172,6 +172,24 @@ Vector6 at_depth(const Eigen::Matrix<double, 6, 8>& E, double zeta) {
   return (1.0 - share) * inner + share * outer;
 }
 
+/// Adds what the dashpots of a stress S take, both counted from the round state.
+void add_dissipation(const LossMeter& meter,
+                     const PronyTerms& terms,
+                     const Eigen::MatrixXd& S,
+                     const Eigen::MatrixXd& E,
+                     double Omega,
+                     std::vector<ChainPoint>& points) {
+  for (const PronyTerm& term : terms) {
+    if (term.beta == 0.0 || Omega == 0.0) continue;
+    const Eigen::MatrixXd h_S = meter.line().history(term, Omega, S),
+                          h_E = meter.line().history(term, Omega, E);
+    for (std::size_t s = 0; s < points.size(); ++s) {
+      const auto k = static_cast<Eigen::Index>(s);
+      points[s].dissipation += h_S.col(k).dot(h_E.col(k)) / (term.beta * term.tau);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<ChainPoint> chain(const LossMeter& meter,
@@ -213,13 +231,9 @@ std::vector<ChainPoint> chain(const LossMeter& meter,
     point.cord_force =
         layer.thickness * point.cord_stress * std::sqrt(1.0 + 2.0 * point.cord_strain);
   }
-  for (const PronyTerm& term : terms) {
-    if (term.beta == 0.0 || Omega == 0.0) continue;
-    const Eigen::MatrixXd h_S = meter.line().history(term, Omega, S_iso),
-                          h_E = meter.line().history(term, Omega, E);
-    for (int s = 0; s < S; ++s)
-      points[s].dissipation += h_S.col(s).dot(h_E.col(s)) / (term.beta * term.tau);
-  }
+  add_dissipation(meter, terms, S_iso, E, Omega, points);
+  for (const RelaxingCords& cords : meter.materials().solids[at].smeared)
+    add_dissipation(meter, cords.terms, cords.D * E, E, Omega, points);
   return points;
 }
 

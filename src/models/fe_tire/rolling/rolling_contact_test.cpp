@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
+#include <vector>
 
 #include "models/fe_tire/rolling/line_contact_testing.h"
 
@@ -207,6 +209,124 @@ TEST(RollingContact, BrushModelHasItsClosedForm) {
     EXPECT_NEAR(force / (mu * load), row.F, 0.002 * row.F);
     EXPECT_NEAR(moment / force / a, row.trail, 0.002);
   }
+}
+
+/// The law of docs/fe_tire_motion.md, written out: mu at pressure p, Pa, and sliding speed w, m/s.
+double written_law(const RollingFriction& of, double p, double w) {
+  const double at_rest = of.at_rest * std::pow(p / of.p_0, -of.a), top = of.peak * at_rest;
+  if (!(w > 0.0)) return at_rest;
+  const double log = std::log(w / of.peak_speed);
+  return at_rest + (top - at_rest) * std::exp(-log * log / (of.width * of.width));
+}
+
+TEST(RollingContact, EveryPointHasTheFrictionOfItsPressureAndSpeed) {
+  LineContact body(40);
+  for (const double peak_speed : {0.03, 0.2, 1.0}) {
+    const RollingFriction law{.at_rest = LineContact::kMu,
+                              .p_0 = kPeak,
+                              .a = 0.15,
+                              .peak = 1.4,
+                              .peak_speed = peak_speed,
+                              .width = 1.5};
+    const RollingGrip grip(body.lines(), law, 1e4 * LineContact::kEStar / kHalf);
+    for (const double creep : {0.004, 0.01, 0.03}) {
+      body.set_creep(creep, 0.3 * creep);
+      const auto state = rolled(body, grip);
+      ASSERT_TRUE(state.ok()) << peak_speed << " " << creep << ": " << state.failure().reason;
+      int sliding = 0;
+      for (int k = 0; k < grip.lines().points(); ++k) {
+        const double p = state->input.p[k], t = state->tractions.t.col(k).norm();
+        if (!(p > 0.0)) continue;
+        const double w = state->tractions.w.col(k).norm();
+        if (state->state.grip[k] == Grip::slides) {
+          ++sliding;
+          EXPECT_GT(w, 0.0);
+          EXPECT_NEAR(t, written_law(law, p, w) * p, 1e-6 * t) << peak_speed << creep << k;
+        } else {
+          EXPECT_LE(t, (1.0 + 1e-6) * written_law(law, p, 0.0) * p);
+        }
+      }
+      EXPECT_GT(sliding, 4) << peak_speed << " " << creep;
+    }
+  }
+}
+
+/// A rigid belt under a parabolic pressure along 2a = 0.1 m, which the ground passes at 20 m/s with
+/// the slip sigma: a brush whose bristles are the penalty, Pa/m.
+struct Brush {
+  static constexpr int kPlaces = 4000;
+  static constexpr double kHalfLength = 0.05, kSpeed = 20.0, kTop = 4e5;
+  RollingGrip grip;
+  RollingInput input;
+  double step = 2.0 * kHalfLength / kPlaces;
+
+  Brush(const RollingFriction& law, double stiffness, double sigma, bool is_even = false)
+      : grip({{{0, kPlaces + 1}},
+              Eigen::VectorXd::Constant(kPlaces + 1, 2.0 * kHalfLength / kPlaces / kSpeed)},
+             law,
+             stiffness),
+        input{Eigen::Matrix2Xd::Zero(2, kPlaces + 1),
+              Eigen::VectorXd::Zero(kPlaces + 1),
+              Eigen::VectorXd::Constant(kPlaces + 1, 0.5),
+              Eigen::Matrix2Xd::Zero(2, kPlaces + 1)} {
+    for (int k = 0; k <= kPlaces; ++k) {
+      const double x = kHalfLength + 0.5 * step - k * step, share = x / kHalfLength;
+      input.x.col(k) << x, 0.0;
+      input.V_g.col(k) << -kSpeed, -kSpeed * sigma;
+      if (k > 0) input.p[k] = is_even ? kTop : kTop * (1.0 - share * share);
+    }
+  }
+  /// Side force for each meter of width, N/m.
+  double force() const {
+    GripState state(kPlaces + 1);
+    return -step * grip.explicit_tractions(input, state).t.row(1).sum();
+  }
+};
+
+TEST(RollingContact, ABrushThatSlidesAsAWholeHasItsClosedFormAlongPeakAndFallingBranch) {
+  // F = mu(w) p_0^(1-a') a sqrt(pi) Gamma(2-a')/Gamma(5/2-a') with the exponent a' of the pressure,
+  // since the integral of (1 - x^2)^(1-a') over -1 to 1 is sqrt(pi) Gamma(2-a')/Gamma(5/2-a').
+  const RollingFriction law{
+      .at_rest = 0.9, .p_0 = 2e5, .a = 0.2, .peak = 1.5, .peak_speed = 2.0, .width = 1.2};
+  const double by_shape = std::pow(Brush::kTop / law.p_0, -law.a) * Brush::kTop *
+                          Brush::kHalfLength * std::sqrt(std::numbers::pi) *
+                          std::tgamma(2.0 - law.a) / std::tgamma(2.5 - law.a);
+  std::vector<double> forces;
+  for (const double w : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+    forces.push_back(Brush(law, 1e14, w / Brush::kSpeed).force());
+    const double mu = written_law(law, law.p_0, w);
+    EXPECT_NEAR(forces.back(), mu * by_shape, 1e-4 * mu * by_shape) << w;
+  }
+  EXPECT_NEAR(forces[2], 1.5 * 0.9 * by_shape, 1e-4 * forces[2]);  // the peak
+  for (const int k : {0, 1, 3, 4}) EXPECT_LT(forces[k], forces[2]);
+  EXPECT_NEAR(forces[1], forces[3], 1e-9 * forces[1]);  // the peak is even in log w
+}
+
+TEST(RollingContact, ABrushUnderEvenPressureSlidesFasterAndFasterAsTheQuadratureSays) {
+  // Bristles come down with t = 0, stick until t = mu p at rest, then dt/ds = k (sigma - w/V) with
+  // t = mu(w) p: s = int p mu'(w)/(k (sigma - w/V)) dw, as long as mu rises.
+  const RollingFriction law{
+      .at_rest = 0.8, .p_0 = Brush::kTop, .a = 0.0, .peak = 1.5, .peak_speed = 4.0, .width = 1.1};
+  const double k = 1e9, sigma = 0.1, p = Brush::kTop, full = Brush::kSpeed * sigma;
+  ASSERT_LT(full, law.peak_speed);
+  const auto t = [&](double w) { return written_law(law, p, w) * p; };
+  double s = t(0.0) / (k * sigma), force = 0.5 * t(0.0) * s;
+  const double length = 2.0 * Brush::kHalfLength;
+  // Steps in u, w = (1 - e^-u) V sigma, end at 1e-9 of the last speed.
+  constexpr int kSteps = 200000;
+  double before = 0.0;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double u = 21.0 * (i - 0.5) / kSteps, w = -std::expm1(-21.0 * i / kSteps) * full;
+    const double ds = (t(w) - t(before)) / (k * sigma * std::exp(-u));
+    force += 0.5 * (t(w) + t(before)) * ds;
+    s += ds;
+    before = w;
+  }
+  ASSERT_LT(s, length);
+  force += t(full) * (length - s);
+  const double found = Brush(law, k, sigma, true).force();
+  EXPECT_NEAR(found, force, 1e-3 * force);
+  EXPECT_GT(std::abs(t(full) * (length - s) / force - 1.0), 0.05);  // the way there counts
 }
 
 TEST(RollingContact, FrictionDependsOnPressureAndSpeedAsStated) {

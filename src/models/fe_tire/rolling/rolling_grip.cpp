@@ -23,15 +23,53 @@ struct RollingGrip::Step {
   Pair full;     // m, (x_k - x_{k-1}) - V_g Delta t_k
   double share;  // part of it that counts
   bool carries;  // the point before is in contact
+  double time;   // s, of the part that counts; 0: there is no step
 };
+
+/// Traction of a sliding point by (F.2).
+struct RollingGrip::Slide {
+  double t;               // Pa
+  double by_along = 0.0;  // derivative by the trial traction along, 0 if mu is that at rest
+  double by_p = 0.0;      // derivative by the pressure
+  double by_time = 0.0;   // Pa/s, derivative by the time of the step
+};
+
+RollingGrip::Slide RollingGrip::slide(double p, double along, double time) const {
+  constexpr int kMostSteps = 60;
+  constexpr double kEnough = 1e-14;  // relative to the trial traction
+  const double at_rest = friction_.at(p, 0.0) * p, drag = stiffness_ * time;
+  if (!friction_.depends_on_speed() || along <= at_rest || !(drag > 0.0))
+    return {at_rest, 0.0, friction_.limit_slope(p, 0.0)};
+  // mu p + drag w - along is below 0 at rest and not below 0 where mu p would be 0. Up to the peak
+  // it rises, so a root there is the one that the point comes to as it begins to slide. Newton's
+  // method finds it, and halves the bracket where a step leaves that.
+  const auto excess = [&](double w) { return friction_.at(p, w) * p + drag * w - along; };
+  double low = 0.0, high = along / drag;
+  const double peak = friction_.peak_speed;
+  if (peak < high) (excess(peak) < 0.0 ? low : high) = peak;
+  double w = 0.5 * (low + high);
+  for (int k = 0; k < kMostSteps; ++k) {
+    const double f = excess(w);
+    if (std::abs(f) <= kEnough * along) break;
+    (f < 0.0 ? low : high) = w;
+    const double next = w - f / (friction_.speed_slope(p, w) * p + drag);
+    w = next > low && next < high ? next : 0.5 * (low + high);
+  }
+  const double slope = friction_.speed_slope(p, w) * p, whole = slope + drag;
+  return {friction_.at(p, w) * p,
+          slope / whole,
+          friction_.limit_slope(p, w) * drag / whole,
+          -slope * stiffness_ * w / whole};
+}
 
 RollingGrip::Step RollingGrip::step_to(const RollingInput& input,
                                        const RollingLines::Line& line,
                                        int k) const {
-  if (k == line.first) return {Pair::Zero(), 0.0, false};
+  if (k == line.first) return {Pair::Zero(), 0.0, false, 0.0};
   const bool carries = input.p[k - 1] > 0.0;
   const Pair full = input.x.col(k) - input.x.col(k - 1) - input.V_g.col(k) * lines_.time[k];
-  return {full, carries ? 1.0 : input.share[k], carries};
+  const double share = carries ? 1.0 : input.share[k];
+  return {full, share, carries, share * lines_.time[k]};
 }
 
 GripTractions RollingGrip::tractions(const RollingInput& input,
@@ -52,24 +90,31 @@ GripTractions RollingGrip::tractions(const RollingInput& input,
       Pair trial = -stiffness_ * step.share * step.full;
       if (step.carries) trial += found.t.col(k - 1);
       found.trial.col(k) = trial;
-      found.limit[k] = friction_.at(input.p[k], state.speed[k]) * input.p[k];
       const bool slides = state.grip[k] == Grip::slides;
       const Pair kept = state.direction.col(k);
       const bool turned = slides && directions == Directions::of_trial && turns(trial, kept);
       const Pair direction = turned ? Pair(trial.normalized()) : kept;
-      found.t.col(k) = slides ? Pair(found.limit[k] * direction) : trial;
+      const Slide slide = this->slide(input.p[k], slides ? trial.dot(direction) : 0.0, step.time);
+      found.limit[k] = slide.t;
+      found.t.col(k) = slides ? Pair(slide.t * direction) : trial;
       if (!with_derivatives) continue;
-      // The traction follows the trial as a whole, or across its direction, or not at all.
+      // The traction follows the trial as a whole, or across its direction, or not at all; along
+      // its direction it follows as far as mu depends on the speed.
       Eigen::Matrix2d follows = Eigen::Matrix2d::Zero();
       if (!slides) follows.setIdentity();
       if (turned)
-        follows = found.limit[k] / trial.norm() *
+        follows = slide.t / trial.norm() *
                   (Eigen::Matrix2d::Identity() - direction * direction.transpose());
+      if (slides && slide.by_along != 0.0)
+        follows += slide.by_along * direction * direction.transpose();
       GripLink& link = found.links[k];
       if (step.carries) link.by_before = follows;
       if (k > line.first) link.by_step = -stiffness_ * step.share * follows;
       if (k > line.first && !step.carries) link.by_share = -stiffness_ * (follows * step.full);
-      if (slides) link.by_p = friction_.limit_slope(input.p[k], state.speed[k]) * direction;
+      if (!slides) continue;
+      link.by_p = slide.by_p * direction;
+      if (k > line.first && !step.carries)
+        link.by_share += slide.by_time * lines_.time[k] * direction;
     }
   }
   find_slip(input, state, found);
@@ -89,14 +134,16 @@ void RollingGrip::admit(const RollingInput& input, GripState& state) const {
       const Step step = step_to(input, line, k);
       Pair trial = -stiffness_ * step.share * step.full;
       if (step.carries) trial += before;
-      const double limit = friction_.at(input.p[k], state.speed[k]) * input.p[k];
       if (grip == Grip::none) {
-        const double size = trial.norm();
+        const double size = trial.norm(), limit = friction_.at(input.p[k], 0.0) * input.p[k];
         grip = size <= limit && friction_.at_rest > 0.0 ? Grip::sticks : Grip::slides;
         if (grip == Grip::slides)
           state.direction.col(k) = size > 0.0 ? Pair(trial / size) : Pair(Pair::Zero());
       }
-      before = grip == Grip::slides ? Pair(limit * state.direction.col(k)) : trial;
+      before = trial;
+      if (grip != Grip::slides) continue;
+      const Pair direction = state.direction.col(k);
+      before = slide(input.p[k], trial.dot(direction), step.time).t * direction;
     }
   }
 }
@@ -116,8 +163,8 @@ GripTractions RollingGrip::explicit_tractions(const RollingInput& input, GripSta
       Pair trial = -stiffness_ * step.share * step.full;
       if (step.carries) trial += found.t.col(k - 1);
       found.trial.col(k) = trial;
-      found.limit[k] = friction_.at(input.p[k], state.speed[k]) * input.p[k];
       const double size = trial.norm();
+      found.limit[k] = slide(input.p[k], size, step.time).t;
       state.grip[k] = size <= found.limit[k] ? Grip::sticks : Grip::slides;
       if (state.grip[k] == Grip::slides) {
         state.direction.col(k) = trial / size;

@@ -11,6 +11,10 @@
 // counts by the share that lies in contact, as (C.4). Nothing depends on a threshold of velocity,
 // and a steady state does not depend on the path to it. A point slides over the ground with
 //   w = [(x_k - x_{k-1}) - V_g Delta t_k + (t_k - t_{k-1})/epsilon_t]/Delta t_k.
+// If mu depends on the speed, |w| of this very step enters it: with w along t, the traction of a
+// sliding point solves
+//   |t_k| = mu(p_k, w) p_k,   |t_k| + epsilon_t Delta t_k w = |t'_k|                          (F.2)
+// and sticking ends at mu of w = 0. No speed of an earlier iteration is needed.
 //
 // The penalty epsilon_t acts in series with the surface's own shear. It has to be some hundred
 // times the surface's shear stiffness per length; there is no other limit, as rolling_contact.h
@@ -51,11 +55,8 @@ struct RollingInput {
 struct GripState {
   std::vector<Grip> grip;
   Eigen::Matrix2Xd direction;  // unit vectors of the tractions of sliding points
-  Eigen::VectorXd speed;       // m/s, |w| that enters mu
   explicit GripState(int points)
-      : grip(points, Grip::sticks),
-        direction(Eigen::Matrix2Xd::Zero(2, points)),
-        speed(Eigen::VectorXd::Zero(points)) {}
+      : grip(points, Grip::sticks), direction(Eigen::Matrix2Xd::Zero(2, points)) {}
 };
 
 /// Derivative of a point's traction, given that of the point before it on its line:
@@ -71,7 +72,7 @@ struct GripLink {
 struct GripTractions {
   Eigen::Matrix2Xd t;           // Pa
   Eigen::Matrix2Xd trial;       // t' of (F.1), Pa
-  Eigen::VectorXd limit;        // mu p, Pa
+  Eigen::VectorXd limit;        // mu p, Pa, at the speed of a sliding point
   Eigen::Matrix2Xd w;           // m/s; 0 of points that stick
   std::vector<GripLink> links;  // one for each point; empty if not asked for
 };
@@ -97,11 +98,15 @@ class RollingGrip {
   /// states of the points before them; points without pressure lose theirs.
   void admit(const RollingInput& input, GripState& state) const;
   /// Returns the tractions of (F.1), point by point from the leading edge: solves for a surface
-  /// whose positions are known. `state` supplies the sliding speeds in mu and receives the states.
+  /// whose positions are known. `state` receives the states.
   GripTractions explicit_tractions(const RollingInput& input, GripState& state) const;
 
  private:
   struct Step;
+  struct Slide;
+  /// Solves (F.2) at the pressure p, Pa, where `along`, Pa, is the trial traction in the direction
+  /// of sliding and `time`, s, that of the step.
+  Slide slide(double p, double along, double time) const;
   Step step_to(const RollingInput& input, const RollingLines::Line& line, int k) const;
   void find_slip(const RollingInput& input, const GripState& state, GripTractions& found) const;
 

@@ -138,9 +138,13 @@ Status RollingTire::Impl::evaluate(Iterate& at, double pressure, double spin, bo
   at.g -= spin * spin * (w_0 + Wu);
   if (!with_tangent) return {};
   K.add(-spin * spin, W);
-  if (!linear.factorize(K))
+  if (linear.factorize(K)) return {};
+  if (spin == 0.0)
     return Failure{"the tangent of the tire is not positive definite: the tire buckles"};
-  return {};
+  return Failure{
+      fmt::format("nothing holds the tire that turns at {:.5g} rad/s: a standing wave grows on it, "
+                  "or it buckles under its load; expected a lower speed or more pressure",
+                  spin)};
 }
 
 /// Returns the state from which a case is found: that before, moved on as far as the case is. The
@@ -284,6 +288,23 @@ Status check(const RollingCase& of) {
   return {};
 }
 
+/// Fails if the drive asks for a torque that no friction with the ground carries.
+Status check_drive(const RollingCase& of, double height) {
+  const RollingFriction& friction = of.friction;
+  if (!of.drive || !of.load || friction.a > 0.0) return {};
+  const double most = friction.at_rest * std::max(1.0, friction.peak) * *of.load * height;
+  if (std::abs(*of.drive) <= most) return {};
+  return Failure{
+      fmt::format("a torque of {:.5g} N m is asked for, and the ground carries at most the largest "
+                  "friction times load and height, {:.4g} x {:.5g} N x {:.4g} m = {:.5g} N m: "
+                  "expected a smaller one, or a slip in its place",
+                  *of.drive,
+                  friction.at_rest * std::max(1.0, friction.peak),
+                  *of.load,
+                  height,
+                  most)};
+}
+
 /// Says which state of a path was not reached.
 Failure not_reached(const RollingCase& at, const std::string& why) {
   return Failure{fmt::format(
@@ -326,6 +347,7 @@ RollingState RollingTire::start(const TireState& pressed) {
 
 Result<RollingState> RollingTire::roll(const RollingState& from, const RollingCase& of) {
   if (const Status done = check(of); !done) return done.failure();
+  if (const Status done = check_drive(of, from.of.height); !done) return done.failure();
   RollingState state = from;
   RollingCase start = from.of;
   if (!(start.speed > 0.0)) {  // a tire at rest begins to roll with the speed and the spin at once

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <vector>
 
+#include "base/document.h"
 #include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/motion/spin.h"
 
@@ -186,21 +190,44 @@ TEST_F(RollingTireB, SaysWhatIsOutOfRange) {
   of = frictionless(10.0);
   of.drive = 50.0;
   EXPECT_NE(rolling_.roll(start_, of).failure().reason.find("torque"), std::string::npos);
+  of.friction.at_rest = 0.8;
+  of.load = load_;
+  of.drive = 0.9 * load_ * start_.of.height;
+  const std::string said = rolling_.roll(start_, of).failure().reason;
+  EXPECT_NE(said.find("the ground carries at most"), std::string::npos) << said;
 }
 
-// A wheel that slides as a whole has the force of the law at each point's pressure, and under less
-// load more grip.
-TEST_F(RollingTireB, ALockedWheelSlidesWithTheFrictionOfItsPressures) {
+// The message of a state that is not found names the state to which the path was followed.
+TEST_F(RollingTireB, SaysHowFarThePathWent) {
+  RollingCase of = frictionless(1200.0);  // far above the standing-wave speed
+  const auto state = rolling_.roll(start_, of);
+  ASSERT_FALSE(state);
+  for (const char* part : {"rad/s", "slip angle", "camber", "expected a lower speed"})
+    EXPECT_NE(state.failure().reason.find(part), std::string::npos) << state.failure().reason;
+}
+
+/// mu p of a friction law at a point of the patch, Pa, with its terms written out.
+double limit_of(const RollingFriction& law, const RollingPatchPoint& at) {
+  const double log = std::log(std::hypot(at.slide_x, at.slide_y) / law.peak_speed) / law.width;
+  const double by_speed = at.sticks ? 1.0 : 1.0 + (law.peak - 1.0) * std::exp(-log * log);
+  return law.at_rest * std::pow(at.pressure / law.p_0, -law.a) * by_speed * at.pressure;
+}
+
+// A wheel that slides as a whole has the force of the law at each point's pressure and speed, and
+// under less load more grip.
+TEST_F(RollingTireB, ALockedWheelSlidesWithTheFrictionOfItsPressuresAndSpeeds) {
   RollingCase locked;
   locked.speed = kSpeed;
   locked.height = start_.of.height;
   locked.load = load_;
-  locked.friction = {.at_rest = 1.2, .p_0 = 2e5, .a = 0.25};
+  locked.friction = {
+      .at_rest = 1.2, .p_0 = 2e5, .a = 0.25, .peak = 1.3, .peak_speed = 8.0, .width = 1.5};
   const auto state = rolling_.roll(start_, locked);
   ASSERT_TRUE(state) << state.failure().reason;
-  double force = 0.0;
+  const double log = std::log(kSpeed / 8.0) / 1.5;
+  double force = 0.0, by_speed = 1.0 + 0.3 * std::exp(-log * log);
   for (const RollingPatchPoint& point : state->patch)
-    force += 1.2 * std::pow(point.pressure / 2e5, -0.25) * point.pressure * point.area;
+    force += 1.2 * by_speed * std::pow(point.pressure / 2e5, -0.25) * point.pressure * point.area;
   EXPECT_NEAR(-state->forces.force.x(), force, 1e-6 * force);
   locked.load = 0.6 * load_;
   const auto lighter = rolling_.roll(*state, locked);
@@ -209,6 +236,82 @@ TEST_F(RollingTireB, ALockedWheelSlidesWithTheFrictionOfItsPressures) {
     return -of.forces.force.x() / of.forces.force.z();
   };
   EXPECT_GT(grip(*lighter), grip(*state));
+}
+
+// Braking over the peak: every point has the friction of its own speed, and the force rises with
+// the law, has its peak and falls.
+TEST_F(RollingTireB, BrakesOverThePeakOfAFrictionThatDependsOnTheSpeed) {
+  RollingState at = free_wheel();
+  const RollingState free = at;
+  const RollingFriction law{
+      .at_rest = 0.8, .p_0 = 2.5e5, .a = 0.1, .peak = 1.5, .peak_speed = 2.0, .width = 1.3};
+  std::vector<double> forces;
+  for (const double kappa : {-0.02, -0.05, -0.1, -0.2, -0.4, -0.7, -1.0}) {
+    RollingCase of = slipping(free, kappa, 0.0);
+    of.friction = law;
+    const auto next = rolling_.roll(at, of);
+    ASSERT_TRUE(next) << kappa << ": " << next.failure().reason;
+    at = *next;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double tractions = 0.0;
+    for (const RollingPatchPoint& point : at.patch) {
+      const Eigen::Vector2d t(point.shear_x, point.shear_y);
+      sum += point.area * t;
+      tractions += point.area * t.norm();
+      const double limit = limit_of(law, point);
+      if (point.sticks) {
+        EXPECT_LE(t.norm(), (1.0 + 1e-6) * limit) << kappa;
+      } else {
+        EXPECT_NEAR(t.norm(), limit, 1e-6 * limit) << kappa;
+      }
+    }
+    EXPECT_NEAR(at.forces.force.x(), sum.x(), 1e-6 * load_) << kappa;
+    if (kappa == -1.0) {  // every point slides straight ahead
+      EXPECT_NEAR(-sum.x(), tractions, 1e-6 * tractions) << kappa;
+    }
+    forces.push_back(-at.forces.force.x());
+  }
+  const auto top = std::ranges::max_element(forces) - forces.begin();
+  EXPECT_EQ(top, 2);                      // w = 2 m/s at kappa = -0.1
+  EXPECT_GT(forces[2], 1.3 * forces[6]);  // the falling branch
+  EXPECT_TRUE(std::ranges::is_sorted(forces.begin() + 2, forces.end(), std::greater<>()));
+}
+
+// A tire whose belts cross has a side force and an aligning moment at no slip (ply steer). The
+// mirror image of its angles is the mirror image of the tire, so that both change their signs and
+// nothing else does. Tire B, of smeared cords without belts of its own angles, has neither.
+TEST(PlySteer, ChangesItsSignWithTheMirrorImageOfTheAngles) {
+  TireDescription tire = read_tire(Document::read(std::filesystem::path(LATSCH_SOURCE_DIR) /
+                                                  "studies/tires/passenger_205_55R16.toml")
+                                       .root());
+  tire.section.sectors = 40;
+  tire.section.sector_zones = {{4, 0.06}};
+  const auto free_wheel = [](const TireDescription& of) {
+    FeTire rolled(of);
+    RollingTire rolling(rolled);
+    const Inflated inflated = *rolled.inflate(of.pressure);
+    const auto pressed = rolled.advance(rolled.over(inflated, {}, FeTire::Poses::any),
+                                        {FeTire::below(inflated, 0.015)});
+    const RollingState start = rolling.start(pressed->back());
+    RollingCase free;
+    free.speed = kSpeed;
+    free.spin = kSpeed / 0.31;
+    free.load = 3000.0;
+    free.drive = 0.0;
+    const auto state = rolling.roll(start, free);
+    EXPECT_TRUE(state) << state.failure().reason;
+    return state->forces;
+  };
+  const RollingForces own = free_wheel(tire);
+  for (CordPly& ply : tire.plies) ply.cords.angle = -ply.cords.angle;
+  const RollingForces image = free_wheel(tire);
+  EXPECT_GT(std::abs(own.force.y()), 20.0);   // N
+  EXPECT_GT(std::abs(own.moment.z()), 0.05);  // N m
+  constexpr double kRounding = 1e-10 * 3000.0;
+  EXPECT_NEAR(own.force.y(), -image.force.y(), kRounding);
+  EXPECT_NEAR(own.moment.z(), -image.moment.z(), kRounding);
+  EXPECT_NEAR(own.force.x(), image.force.x(), kRounding);
+  EXPECT_NEAR(own.moment.x(), -image.moment.x(), kRounding);
 }
 
 }  // namespace
