@@ -8,7 +8,7 @@ import math
 import re
 import unittest
 
-from cli_testing import WRONG_INPUT, Coarse
+from cli_testing import FAILED, WRONG_INPUT, Coarse
 
 RIM = """
 [rim]
@@ -79,7 +79,8 @@ class Response(RespondingTire):
         self.refused('{kind = "response", input = "wheel", frequencies = ["9 Hz", "1 Hz"]}', "frequencies", "ascending")
         self.refused('{kind = "response", input = "wheel", from = "9 Hz", to = "1 Hz"}', "to", "below from")
         self.refused('{kind = "response", input = "wheel", from = "9 Hz", to = "9 kHz"}', "2000 Hz")
-        self.refused('{kind = "response", input = "point", at = ["0 m", "0 m", "1 m"], from = "1 Hz", to = "9 Hz"}', "1000")
+        far = '{kind = "response", input = "point", at = ["0 m", "0 m", "1 m"], from = "1 Hz", to = "9 Hz"}'
+        self.latsch("test", self.folder / "tire.toml", far, code=FAILED)
 
     def test_a_tire_that_nothing_damps_is_told(self):
         said = self.latsch("test", self.folder / "tire.toml", GROUND % "")
