@@ -157,6 +157,10 @@ class SampleFolder {
               "mode,x [mm],y [mm],z [mm],ux,uy,uz\n1,0,50,310,0,0,1\n2,0,50,310,1,0,0\n"},
              {"step.csv", swinging("time [s],z [mm]", 0.0, 10.0)},
              {"slow_measured.csv", swinging("time [s],Fz [N]", 4000.0, 200.0)},
+             {"frf.csv",
+              "frequency [Hz],re_hub_Fz [N/mm],im_hub_Fz "
+              "[N/mm],coherence\n20,210,12,0.99\n40,190,15,"
+              "0.95\n"},
              {"cornering.csv", steered()}})
       write_text_file(path_ / name, text);
   }

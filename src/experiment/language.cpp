@@ -43,7 +43,8 @@ const Language& language() {
                                 &kInflationTest,
                                 &kRollingTest,
                                 &kRollingFootprintTest,
-                                &kRollingChainTest}};
+                                &kRollingChainTest,
+                                &kResponseTest}};
   return all;
 }
 

@@ -89,6 +89,14 @@ TEST(FreeRing, inertia_of_the_standing_mesh_splits_them_to_second_order) {
   EXPECT_GT(coarse.split, 2.5 * fine.split);
 }
 
+// With 240 sectors damping is within 1 % (./bench.sh response).
+TEST(FreeRing, waves_of_a_ring_that_relaxes_decay_as_its_modulus_says_to_second_order) {
+  const DampedRingErrors coarse = damped_ring_errors(60), fine = damped_ring_errors(120);
+  EXPECT_LT(fine.frequency, 1e-3);
+  EXPECT_LT(fine.damping, 2e-2);
+  EXPECT_GT(coarse.damping, 2.5 * fine.damping);
+}
+
 // The radius of a free thin ring grows by rho Omega^2 r^3 / E.
 TEST(FreeRing, grows_by_the_tension_that_holds_its_mass) {
   FeTire ring(free_ring_mesh(120), free_ring_materials(0.0));

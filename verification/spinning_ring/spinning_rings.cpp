@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <numbers>
 #include <stdexcept>
 
+#include "models/fe_tire/motion/damped_tire.h"
 #include "models/fe_tire/motion/spin.h"
 #include "numerics/sparse/gyroscopic.h"
 #include "ring_mesh.h"
@@ -181,6 +183,70 @@ SplitErrors bryan_errors_by_flow(int sectors) {
     }
     throw std::runtime_error("a free ring lacks a mode");
   });
+}
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Returns the damped mode in the plane with these waves and this sense.
+const DecayingWave& wave_in_plane(const std::vector<DecayingWave>& waves, int n, int sign) {
+  for (const DecayingWave& wave : waves) {
+    const SpinningMode& mode = wave.mode;
+    const bool is_meant = (mode.sense == Sense::with) == (sign > 0);
+    if (mode.n == n && mode.type == ModeType::radial && is_meant) return wave;
+  }
+  throw std::runtime_error("a damped free ring lacks a mode");
+}
+
+/// Returns the square of the bending frequency, rad/s, of an inextensible thin ring.
+double bending_squared(int n) {
+  constexpr double kRadius = 0.3, kThickness = 0.002;  // m, of free_ring_mesh()
+  const double by_number = n * n * (n * n - 1.0) * (n * n - 1.0) / (n * n + 1.0);
+  return by_number * kFreeRingModulus * kThickness * kThickness /
+         (12.0 * kFreeRingDensity * std::pow(kRadius, 4));
+}
+
+}  // namespace
+
+DampedRingErrors damped_ring_errors(int sectors) {
+  constexpr double kSpeed = 20.0, kPoisson = 0.3;
+  constexpr int kCount = 40, kSteps = 60;
+  const double shear = kFreeRingModulus / (2.0 * (1.0 + kPoisson));
+  const double bulk = kFreeRingModulus / (3.0 * (1.0 - 2.0 * kPoisson));
+  const PronyTerm term{0.3, 1e-3};
+  LossMaterials losses{{{"rubber.ring"}}, {{}, {{term}, 0, shear, {}}}, {}};
+  FeTire ring = free_ring(sectors);
+  const Inflated at_rest = value_of(ring.inflate(0.0));
+  const Inflated spinning = value_of(SpinningTire(ring).inflate(at_rest, kSpeed));
+  const auto waves = value_of(DampedTire(ring, losses).modes(spinning, Rim{}, kCount));
+  const auto resting = value_of(SpinningTire(ring).modes(at_rest, {}, kCount));
+  DampedRingErrors errors;
+  for (int n = 2; n <= 5; ++n) {
+    const auto rest = std::ranges::find_if(resting, [&](const SpinningMode& mode) {
+      return mode.n == n && mode.type == ModeType::radial;
+    });
+    if (rest == resting.end()) throw std::runtime_error("a free ring lacks a mode");
+    const double omega_n = kTwoPi * rest->frequency;
+    const double kappa = n * (n * n - 1.0) / (n * n + 1.0), g = 2.0 * n * kSpeed / (n * n + 1.0);
+    for (const int sign : {1, -1}) {
+      Complex sigma = sign * omega_n - g;
+      for (int step = 0; step < kSteps; ++step) {
+        const Complex s = Complex(0.0, 1.0) * sigma;
+        const Complex G = shear * (1.0 + term.beta * s * term.tau / (1.0 + s * term.tau));
+        const Complex E = 9.0 * bulk * G / (3.0 * bulk + G);
+        const Complex held = omega_n * omega_n + bending_squared(n) * (E / kFreeRingModulus - 1.0);
+        sigma = double(sign) * std::sqrt(held + kappa * kappa * kSpeed * kSpeed) - g;
+      }
+      const Complex omega = sigma + n * kSpeed;
+      const DecayingWave& wave = wave_in_plane(waves, n, sign);
+      errors.frequency = std::max(errors.frequency,
+                                  std::abs(kTwoPi * wave.mode.frequency / std::abs(omega) - 1.0));
+      errors.damping =
+          std::max(errors.damping, std::abs(wave.damping * std::abs(omega) / omega.imag() - 1.0));
+    }
+  }
+  return errors;
 }
 
 }  // namespace latsch::verification

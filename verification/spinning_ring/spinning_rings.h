@@ -56,4 +56,17 @@ SplitErrors bryan_errors(int sectors);
 /// Returns the same errors for frequencies that were computed by equation (W.1).
 SplitErrors bryan_errors_by_flow(int sectors);
 
+/// Errors of the damped waves of the same ring at 20 rad/s, whose shear stress relaxes by one term:
+/// the largest of frequency and damping, over n = 2 ... 5 and both senses, compared with the roots
+/// of
+///   (sigma + g)^2 = omega_n^2 + omega_b^2 (E(i sigma)/E - 1) + kappa^2 Omega^2,
+///   omega = sigma + n Omega,   g = 2 n Omega/(n^2 + 1),   E(s) = 9 K G(s)/(3 K + G(s)),
+/// which is (Q.1) with the Young's modulus of a bulk that is elastic. omega_n is the frequency of
+/// the same ring at rest with relaxed moduli, and omega_b^2 = n^2 (n^2 - 1)^2/(n^2 + 1) E I/(rho A
+/// R^4) the part of its square that bending has: the soft foundation does not relax.
+struct DampedRingErrors {
+  double frequency = 0.0, damping = 0.0;
+};
+DampedRingErrors damped_ring_errors(int sectors);
+
 }  // namespace latsch::verification

@@ -3,10 +3,11 @@
 
 namespace latsch::correlation {
 
-extern const ComparedKind kCurveKind, kValuesKind;
+extern const ComparedKind kCurveKind, kValuesKind, kFrequencyResponseKind;
 
 const std::vector<const ComparedKind*>& compared_kinds() {
-  static const std::vector<const ComparedKind*> kinds = {&kCurveKind, &kValuesKind};
+  static const std::vector<const ComparedKind*> kinds = {
+      &kCurveKind, &kValuesKind, &kFrequencyResponseKind};
   return kinds;
 }
 

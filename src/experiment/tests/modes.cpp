@@ -73,6 +73,7 @@ std::vector<ChannelInfo> ModesTest::channels() const {
                                        {"frequency_on_tire", "Hz"},
                                        {"spin", "rad/s"},
                                        {"outer_radius", "m"}};
+  if (test_.is_damped) channels.push_back({"damping", "1"});
   if (test_.standing_wave) {
     channels.push_back({"standing_wave_speed", "rad/s"});
     channels.push_back({"standing_wave_n", "1"});
@@ -114,11 +115,8 @@ std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
       {});
   if (is_elastic) return limits;
   limits.emplace_back(
-      test_.moves()
-          ? "modes: losses of rubber and layers are not counted in a tire that spins or whose "
-            "rim moves; frequencies are those of the relaxed moduli"
-          : "modes: frequencies are those of the relaxed moduli of rubber and layers; damping = "
-            "true in the test counts their losses and their moduli at each frequency");
+      "modes: frequencies are those of the relaxed moduli of rubber and layers; damping = true in "
+      "the test counts their losses and their moduli at each frequency");
   return limits;
 }
 
@@ -166,14 +164,14 @@ Result<std::vector<std::string>> ModesTest::run_in_blocks(
   return notes;
 }
 
-namespace {
-
-Eigen::Matrix3Xd points_of(const std::vector<std::vector<double>>& rows) {
+Eigen::Matrix3Xd rows_as_points(const std::vector<std::vector<double>>& rows) {
   Eigen::Matrix3Xd points(3, std::ssize(rows));
   for (std::size_t i = 0; i < rows.size(); ++i)
     points.col(static_cast<Eigen::Index>(i)) = Eigen::Vector3d::Map(rows[i].data());
   return points;
 }
+
+namespace {
 
 constexpr long kMost = 200;  // modes
 
@@ -239,14 +237,10 @@ std::unique_ptr<Test> read_modes_test(const Node& root, const TestSource& source
   }
   read_motion(root, test);
   test.is_damped = root.flag("damping", false);
-  if (test.is_damped && test.moves())
-    root.reject("damping",
-                "is true for a tire that spins or whose rim moves, expected false, because losses "
-                "are counted in modes at rest with the rim held");
   if (const auto from = find_measured(root, "points"))
     test.points = measured_points(*from, source.measured);
   else if (root.has("points"))
-    test.points = points_of(root.rows("points", {"m", "m", "m"}));
+    test.points = rows_as_points(root.rows("points", {"m", "m", "m"}));
   return std::make_unique<ModesTest>(std::move(test));
 }
 

@@ -54,4 +54,7 @@ class ModesTest : public Test, public TellsLimits {
 /// Returns "unloaded", "pressed 25 mm", "under 4000 N", with the camber.
 std::string state_in_words(const ModalTest& test);
 
+/// Returns rows of x, y, z (m) as points [3 x points].
+Eigen::Matrix3Xd rows_as_points(const std::vector<std::vector<double>>& rows);
+
 }  // namespace latsch::experiment

@@ -9,6 +9,7 @@ namespace latsch::experiment {
 extern const TestKind kDrumCleatTest, kSlipSweepTest, kRollingStiffnessTest, kUniformityTest,
     kStaticStiffnessTest, kFootprintTest, kModesTest, kSteadyStatesTest, kSlipHistoryTest,
     kLoadDeflectionTest, kKcTest, kKinematicsTest, kFourPostTest, kKerbTest, kAxleKcTest,
-    kMassPropertiesTest, kInflationTest, kRollingTest, kRollingFootprintTest, kRollingChainTest;
+    kMassPropertiesTest, kInflationTest, kRollingTest, kRollingFootprintTest, kRollingChainTest,
+    kResponseTest;
 
 }  // namespace latsch::experiment

@@ -4,13 +4,15 @@
 // Channels besides those of mode_record.h, one value for each mode: "sense" (1 if the mode travels
 // with the rotation, -1 against it, 0 neither), "frequency_on_tire" (Hz, seen by a sensor on the
 // tire; "frequency" is seen from axes that do not rotate), and "shape_later", the shape a quarter
-// of a period later. One value: "spin" (rad/s) and "outer_radius" (m) of the rotating tire and, if
-// requested, "standing_wave_speed" (rad/s) and "standing_wave_n".
+// of a period later, and if the test asks for damped modes "damping" (of critical). One value:
+// "spin" (rad/s) and "outer_radius" (m) of the rotating tire and, if requested,
+// "standing_wave_speed" (rad/s) and "standing_wave_n".
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/mode_record.h"
+#include "models/fe_tire/motion/damped_tire.h"
 #include "models/fe_tire/motion/spinning_tire.h"
 
 namespace latsch::experiment {
@@ -54,7 +56,19 @@ Result<Channels> TireRig::run_spinning(const ModalTest& test) {
   const auto state = spinning(pressure, test.speed.value_or(SpinSpeed{}));
   if (!state) return state.failure();
   fe_tire::SpinningTire spinning(tire_);
-  const auto modes = spinning.modes(*state, rim, test.count);
+  std::vector<double> damping;
+  const auto modes = [&]() -> Result<std::vector<fe_tire::SpinningMode>> {
+    if (!test.is_damped) return spinning.modes(*state, rim, test.count);
+    if (losses_.is_elastic()) return damping_of_elastic();
+    auto damped = fe_tire::DampedTire(tire_, losses_).modes(*state, rim, test.count);
+    if (!damped) return damped.failure();
+    std::vector<fe_tire::SpinningMode> found;
+    for (fe_tire::DecayingWave& wave : *damped) {
+      found.push_back(std::move(wave.mode));
+      damping.push_back(wave.damping);
+    }
+    return found;
+  }();
   if (!modes) return modes.failure();
   const auto sensors = nearest_sensors(tire_.mesh(), test.points).nodes;
   std::vector<ModeRecord> records;
@@ -73,6 +87,7 @@ Result<Channels> TireRig::run_spinning(const ModalTest& test) {
     later.values.insert(later.values.end(), next.begin(), next.end());
   }
   Channels channels = to_channels(records);
+  if (!damping.empty()) channels.add({"damping", "1", std::move(damping)});
   channels.add(std::move(sense));
   channels.add(std::move(on_tire));
   if (!later.values.empty()) channels.add(std::move(later));

@@ -121,6 +121,12 @@ Result<TireRig::Vibrating> TireRig::vibrate(const ModalTest& test) {
   return found;
 }
 
+Failure damping_of_elastic() {
+  return Failure{
+      "modes: damping = true, but the tire's file states no prony or loss_factor of a rubber or a "
+      "layer: state one, or leave damping out"};
+}
+
 Status TireRig::add_modes(Vibrating& found, const Inflated& inflated, const ModalTest& test) {
   const int count = test.count;
   if (!test.is_damped) {
@@ -129,10 +135,7 @@ Status TireRig::add_modes(Vibrating& found, const Inflated& inflated, const Moda
     found.modes = std::move(*modes);
     return {};
   }
-  if (losses_.is_elastic())
-    return Failure{
-        "modes: damping = true, but the tire's file states no prony or loss_factor of a rubber or "
-        "a layer: state one, or leave damping out"};
+  if (losses_.is_elastic()) return damping_of_elastic();
   fe_tire::DampedTire damped(tire_, losses_);
   auto modes = found.state ? damped.modes(*found.state, count) : damped.modes(inflated, count);
   if (!modes) return modes.failure();

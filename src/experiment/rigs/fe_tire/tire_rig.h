@@ -46,6 +46,10 @@ class TireRig {
   Result<fe_tire::Inflated> spinning(double pressure, const SpinSpeed& speed);
   /// Sets the data of the rim, for tests in which it moves.
   void set_rim(std::optional<fe_tire::RimBody> rim) { rim_ = rim; }
+  const std::optional<fe_tire::RimBody>& rim() const { return rim_; }
+  /// Returns the state on the ground at the load or the deflection of a test, about which small
+  /// motions are asked for.
+  Result<fe_tire::TireState> stand(const ModalTest& test, const fe_tire::Inflated& inflated);
   /// Sets the Prony terms of rubbers and cords, for tests that measure losses. The default is an
   /// elastic tire.
   void set_losses(fe_tire::LossMaterials losses) { losses_ = std::move(losses); }
@@ -74,7 +78,6 @@ class TireRig {
     std::vector<double> damping;  // shares of critical damping; empty: nothing relaxes
   };
   Result<Vibrating> vibrate(const ModalTest& test);
-  Result<fe_tire::TireState> stand(const ModalTest& test, const fe_tire::Inflated& inflated);
   /// Adds the lowest modes, damped if the test asks for it.
   Status add_modes(Vibrating& found, const fe_tire::Inflated& inflated, const ModalTest& test);
   Channels channels_of(const ModalTest& test, const Vibrating& found);
@@ -93,6 +96,9 @@ class TireRig {
   std::optional<Result<fe_tire::Inflated>> inflated_;  // at pressure_
   std::optional<Pressed> pressed_;                     // pressed from the state inflated_
 };
+
+/// Returns the failure that damped modes of a tire without losses give.
+Failure damping_of_elastic();
 
 /// Default points for shapes: up to 3 sensors across the outer surface at up to 24 angles around,
 /// [3 x points], m, wheel frame.

@@ -49,7 +49,8 @@ spin, -1 against it, 0 neither), "shape_later", the shape a quarter of a period 
               {"damping",
                "`true`: rubber and layers of a finite-element tire whose file states `prony` or "
                "`loss_factor` relax. \"damping\" is then a channel, and every frequency is that of "
-               "the moduli at this frequency. The tire is at rest with its rim held."},
+               "the moduli at this frequency; of a tire that spins, at its frequency on the "
+               "tire."},
               {"points",
                "Points in the wheel frame, on the undeformed tire, at which shapes are recorded; "
                "`{from = \"measurement.shapes\"}` takes its x, y, z. Without points no shapes are "
@@ -73,6 +74,7 @@ damping = true
 speed = "100 km/h"
 rim = "free"
 standing_wave = true
+damping = true
 )toml",
           },
       .shared = {{"", pressure_keys}},

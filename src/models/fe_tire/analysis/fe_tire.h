@@ -176,6 +176,7 @@ class FeTire {
   friend class RollingTire;
   friend class LossMeter;
   friend class DampedTire;
+  friend class TireResponse;
   friend struct Varied;
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -9,6 +9,7 @@
 #include "models/fe_tire/analysis/fe_tire_impl.h"
 #include "models/fe_tire/analysis/modes.h"
 #include "models/fe_tire/element/cord_law.h"
+#include "models/fe_tire/history/dynamic_moduli.h"
 #include "models/fe_tire/history/point_strains.h"
 
 namespace latsch::fe_tire {
@@ -301,10 +302,6 @@ Result<std::vector<DecayingMode>> damped(const std::vector<Mode>& basis,
   return modes;
 }
 
-double storage(const PronyTerms& terms, double omega) {
-  return relative_modulus(terms, omega).real();
-}
-
 }  // namespace
 
 Result<DampedTire::Projected> DampedTire::project(const Materials& materials,
@@ -349,32 +346,13 @@ Result<DampedTire::Projected> DampedTire::project(const Materials& materials,
                     });
 }
 
-/// Returns the materials with the storage moduli at an angular frequency, rad/s. Solids with
-/// smeared cords stay relaxed: the basis is then less good, not wrong.
-Materials DampedTire::stiffened(double omega) const {
-  Materials materials = tire_.materials();
-  for (std::size_t i = 0; i < materials.solids.size(); ++i) {
-    const double factor = storage(losses_.solids[i].terms, omega);
-    if (auto* rubber = std::get_if<Hyperelastic>(&materials.solids[i].law)) {
-      rubber->C10 *= factor;
-      rubber->C01 *= factor;
-    }
-  }
-  for (std::size_t i = 0; i < materials.layers.size(); ++i) {
-    const double factor = storage(losses_.layers[i].terms, omega);
-    materials.layers[i].E_tension *= factor;
-    materials.layers[i].E_compression *= factor;
-  }
-  return materials;
-}
-
 template <class State>
 Result<std::vector<DecayingMode>> DampedTire::modes_about(const State& state, int count) {
   const auto first = tire_.modes(state, count);
   if (!first) return first.failure();
   const double amid =
       2.0 * std::numbers::pi * std::sqrt(first->front().frequency * first->back().frequency);
-  const Materials relaxed = tire_.materials(), stiff = stiffened(amid);
+  const Materials relaxed = tire_.materials(), stiff = stiffened(relaxed, losses_, amid);
   tire_.set(stiff);
   const auto basis = tire_.modes(state, static_cast<int>(std::ceil(kBasis * count)));
   tire_.set(relaxed);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damped modes of a tire that does not spin, with its rim clamped: its rubber and its cords relax.
+// Damped modes of a tire whose rubber and cords relax: at rest with its rim clamped, off the ground
+// also of a tire that spins or whose rim moves (damped_waves.cpp).
 //
 // The tire vibrates in the coordinates of kBasis times as many modes as are asked for. They are
 // modes of the tire with the moduli that its rubbers and cords have at a frequency amid those
@@ -15,6 +16,7 @@
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/history/free_vibrations.h"
 #include "models/fe_tire/history/loss_materials.h"
+#include "models/fe_tire/motion/spinning_tire.h"
 
 namespace latsch::fe_tire {
 
@@ -23,6 +25,14 @@ namespace latsch::fe_tire {
 struct DecayingMode {
   Mode mode;
   double damping = 0.0;  // share of critical damping, -Re s/|s|
+};
+
+/// A damped mode of a tire that spins or whose rim moves. `mode` is named as if it were not damped;
+/// its frequencies are |s|/(2 pi), with s as seen from axes that do not spin and from the tire, and
+/// its shape is that at the instant 0 of u = Re(shape exp(s t)).
+struct DecayingWave {
+  SpinningMode mode;
+  double damping = 0.0;  // share of critical damping, -Re s/|s|, in axes that do not spin
 };
 
 class DampedTire {
@@ -39,6 +49,14 @@ class DampedTire {
   /// Returns the `count` lowest damped modes about a state on the ground. Points in contact stay in
   /// contact, and with friction they stick.
   Result<std::vector<DecayingMode>> modes(const TireState& state, int count);
+
+  /// Returns the `count` lowest damped modes of the inflated tire as it spins (SpinningTire). In
+  /// axes that spin along no material passes the mesh, so the history of a wave is that of its
+  /// frequency on the tire, sigma = omega - n Omega:
+  ///   [K(n) - Omega^2 W(n) + sum_r K_r(n) sum_i beta_ri i sigma tau_ri/(1 + i sigma tau_ri)
+  ///    + omega Omega (iG)(n) - omega^2 M(n)] phi = 0                                         (H.6)
+  /// in waves of each number n of the tire with the moduli of a frequency amid those wanted.
+  Result<std::vector<DecayingWave>> modes(const Inflated& spinning, const Rim& rim, int count);
 
   /// Stiffness in the coordinates of shapes of unit mass, 1/s^2.
   struct Projected {
@@ -57,7 +75,6 @@ class DampedTire {
  private:
   template <class State>
   Result<std::vector<DecayingMode>> modes_about(const State& state, int count);
-  Materials stiffened(double omega) const;
 
   FeTire& tire_;
   const LossMaterials& losses_;

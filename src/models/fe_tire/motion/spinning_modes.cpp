@@ -16,24 +16,17 @@
 #include "models/fe_tire/analysis/mode_label.h"
 #include "models/fe_tire/motion/spinning_harmonics.h"
 #include "models/fe_tire/motion/spinning_tire.h"
+#include "models/fe_tire/motion/spinning_waves.h"
 #include "models/fe_tire/motion/standing_wave.h"
 
 namespace latsch::fe_tire {
 namespace {
 
 constexpr int kPerSense = 3;          // modes of one number and sense computed at first
-constexpr double kWholeWheel = 0.5;   // Hz, below which a free wheel moves as a whole
 constexpr double kPair = 1e-6;        // relative distance of the frequencies of a pair at rest
 constexpr double kNearCutoff = 1e-9;  // relative distance of frequencies that count as equal
 
 double in_hertz(double omega) { return omega / (2.0 * std::numbers::pi); }
-
-struct FoundWave {
-  double omega;  // rad/s, negative: against the spin
-  int n;
-  Eigen::VectorXcd phi;
-  Eigen::Vector3d energy;
-};
 
 /// True for n = 0 and n = S / 2, in which both signs of omega are the same motion.
 bool is_one_motion(int n, int sectors) { return n == 0 || 2 * n == sectors; }
@@ -216,17 +209,32 @@ Result<std::vector<SpinningMode>> SpinningTire::modes(const Inflated& spinning,
   FeTire::Impl& tire = *tire_.impl_;
   const auto harmonics = SpinningHarmonics::about(tire.even_elements(), spinning, rim);
   if (!harmonics) return harmonics.failure();
-  auto waves = WaveSearch(*harmonics, count, tire.settings.mode_tolerance).run();
+  auto waves = lowest_waves(*harmonics, count, tire.settings.mode_tolerance);
   if (!waves) return waves.failure();
+  return named_waves(*harmonics, tire.ring.mesh(), std::move(*waves), spinning.spin);
+}
+
+Result<std::vector<FoundWave>> lowest_waves(const SpinningHarmonics& harmonics,
+                                            int count,
+                                            double tolerance) {
+  auto waves = WaveSearch(harmonics, count, tolerance).run();
+  if (!waves) return waves;
   std::stable_sort(waves->begin(), waves->end(), [](const FoundWave& a, const FoundWave& b) {
     return std::abs(a.omega) < std::abs(b.omega);
   });
   waves->resize(std::min<std::size_t>(waves->size(), count),
                 FoundWave{0.0, 0, {}, Eigen::Vector3d::Zero()});
+  return waves;
+}
+
+std::vector<SpinningMode> named_waves(const SpinningHarmonics& harmonics,
+                                      const Mesh& mesh,
+                                      std::vector<FoundWave> waves,
+                                      double speed) {
   std::vector<SpinningMode> modes;
   std::map<std::tuple<int, ModeType, Sense>, int> orders;
-  for (FoundWave& wave : *waves) {
-    modes.push_back(named(*harmonics, tire.ring.mesh(), std::move(wave), spinning.spin));
+  for (FoundWave& wave : waves) {
+    modes.push_back(named(harmonics, mesh, std::move(wave), speed));
     SpinningMode& mode = modes.back();
     int& order = orders[{mode.n, mode.type, mode.sense}];
     const bool is_partner =

@@ -16,7 +16,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kTurning = 40.0;  // rad/s
+constexpr double kChainSpin = 40.0;  // rad/s
 
 TireDescription chained_tire(bool is_zoned) {
   TireDescription tire = reference_tire_b();
@@ -46,7 +46,7 @@ class ChainOfTireB : public testing::TestWithParam<bool> {
 
 TEST_P(ChainOfTireB, ATireThatSpinsOffTheGroundMovesAsARigidWheel) {
   const Inflated rest = *tire_.inflate(2.6e5);
-  const Inflated spun = *SpinningTire(tire_).inflate(rest, kTurning);
+  const Inflated spun = *SpinningTire(tire_).inflate(rest, kChainSpin);
   const Mesh& mesh = tire_.mesh();
   Eigen::Matrix3Xd u(3, mesh.nodes());
   for (int s = 0; s < mesh.sectors; ++s)
@@ -54,10 +54,10 @@ TEST_P(ChainOfTireB, ATireThatSpinsOffTheGroundMovesAsARigidWheel) {
   const LossMeter meter(tire_, losses_, rest);
   for (const char* depth : {"inner", "outer"}) {
     const auto points =
-        chain(meter, place(depth), u, spun.alpha.replicate(mesh.sectors, 1), kTurning);
+        chain(meter, place(depth), u, spun.alpha.replicate(mesh.sectors, 1), kChainSpin);
     ASSERT_EQ(std::ssize(points), mesh.sectors);
     for (const ChainPoint& at : points) {
-      const Eigen::Vector3d spin(0.0, kTurning, 0.0);
+      const Eigen::Vector3d spin(0.0, kChainSpin, 0.0);
       EXPECT_LT((at.v - spin.cross(at.x)).norm(), 1e-9);
       EXPECT_LT((at.a - spin.cross(spin.cross(at.x))).norm(), 1e-6);
       EXPECT_NEAR(at.dissipation, 0.0, 1e-3);  // W/m^3; a rolling tire has some 1e5
@@ -82,17 +82,17 @@ TEST_P(ChainOfTireB, AWaveHasItsVelocityAccelerationAndDissipation) {
   none.alpha = Eigen::VectorXd::Zero(8 * std::ssize(mesh.elements));
   const LossMeter meter(tire_, losses_, none);
   const Eigen::VectorXd alpha = Eigen::VectorXd::Zero(8 * mesh.element_count());
-  const auto points = chain(meter, place("outer"), u, alpha, kTurning);
+  const auto points = chain(meter, place("outer"), u, alpha, kChainSpin);
   double mean = 0.0;
   for (const ChainPoint& at : points) {
     const Eigen::Vector3d moved = at.x - at.u;
     const double r = std::hypot(moved.x(), moved.z());
     EXPECT_NEAR(at.u.y(), kHigh * std::cos(n * at.theta), 1e-3 * kHigh);
     // Material moves toward decreasing theta: d/dt = -Omega d/dtheta.
-    const double rate = n * kTurning * kHigh;
+    const double rate = n * kChainSpin * kHigh;
     EXPECT_NEAR(at.v.y(), rate * std::sin(n * at.theta), 5e-3 * rate);
     EXPECT_NEAR(
-        at.a.y(), -n * kTurning * rate * std::cos(n * at.theta), 0.03 * n * kTurning * rate);
+        at.a.y(), -n * kChainSpin * rate * std::cos(n * at.theta), 0.03 * n * kChainSpin * rate);
     EXPECT_GE(at.dissipation, 0.0);
     mean += at.dissipation * r * r;
   }
@@ -101,8 +101,8 @@ TEST_P(ChainOfTireB, AWaveHasItsVelocityAccelerationAndDissipation) {
   mean /= static_cast<double>(points.size());
   const Solid& solid = tire_.materials().solids[mesh.elements[place("outer").element].solid];
   const double G = 2.0 * std::get<Hyperelastic>(solid.law).C10;
-  const double loss = relative_modulus(PronyTerm{0.2, 2e-3}, n * kTurning).imag();
-  const double expected = 0.5 * n * kTurning * G * loss * std::pow(kHigh * n, 2);
+  const double loss = relative_modulus(PronyTerm{0.2, 2e-3}, n * kChainSpin).imag();
+  const double expected = 0.5 * n * kChainSpin * G * loss * std::pow(kHigh * n, 2);
   EXPECT_NEAR(mean, expected, 0.05 * expected);
 }
 

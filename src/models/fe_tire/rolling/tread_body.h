@@ -55,6 +55,8 @@ class TreadBody : public RollingBody {
   const RollingLines& lines() const { return lines_; }
   /// Sets T and r on rows(), in the axes of the nodes' unknowns.
   void set(Eigen::MatrixXd T, Eigen::VectorXd r);
+  /// Returns T in the ground's axes.
+  const Eigen::MatrixXd& stiffness() const { return T_; }
 
   RollingInput input(const Eigen::VectorXd& q) const override;
   Eigen::VectorXd residual(const Eigen::VectorXd& q,
@@ -117,6 +119,7 @@ class TreadBody : public RollingBody {
                 double near);
   Eigen::VectorXd forces_in_ground(const RollingInput& input, const GripTractions& tractions) const;
   class LineJacobian;
+  friend class HarmonicContact;
 
   RollingSurface surface_;
   GroundMotion motion_;
