@@ -29,7 +29,6 @@ GripState of_listed(const GripState& all, const std::vector<int>& points) {
     const auto i = static_cast<Eigen::Index>(k);
     part.grip[k] = all.grip[points[k]];
     part.direction.col(i) = all.direction.col(points[k]);
-    part.speed[i] = all.speed[points[k]];
   }
   return part;
 }
