@@ -108,6 +108,22 @@ class RollingVtu(Coarse):
             gap = min(sum((X[k][i] + u[k][i] - x[i]) ** 2 for i in range(3)) for k in range(ring.points))
             self.assertLess(math.sqrt(gap), 0.03)
 
+    def test_a_patch_on_a_drum_lies_on_it(self):
+        keys = '{kind = "%s", load = "4 kN", speed = "60 km/h", alpha = "3 deg", drum_radius = "0.3 m"}'
+        self.latsch("export", self.folder / "tire.toml", "--vtu", self.folder / "drum.vtu", "--rolling", keys % "rolling")
+        file = self.folder / "state.csv"
+        self.latsch("test", self.folder / "tire.toml", keys % "rolling", "-o", file)
+        head, row = list(csv.reader(io.StringIO(file.read_text())))
+        R_l = float(row[head.index("R_l [m]")])
+        patch, turn = Vtu(self.folder / "drum.patch.vtu"), math.radians(3)
+        for x, shear in zip(patch["points"], patch["shear [Pa]"]):
+            # The drum's axis is across the wheel's velocity, R + R_l below its center.
+            out = (math.cos(turn) * x[0] + math.sin(turn) * x[1], x[2] + R_l + 0.3)
+            self.assertAlmostEqual(math.hypot(*out), 0.3, delta=1e-6)
+            # Shear is along the drum's surface.
+            along = math.cos(turn) * shear[0] + math.sin(turn) * shear[1]
+            self.assertAlmostEqual(out[0] * along + out[1] * shear[2], 0.0, delta=1.0)
+
     def test_several_states_are_numbered(self):
         keys = '{kind = "rolling", load = ["2 kN", "3 kN"], speed = "60 km/h"}'
         said = self.latsch("export", self.folder / "tire.toml", "--vtu", self.folder / "both.vtu", "--rolling", keys)
