@@ -19,7 +19,10 @@ states or one for each, or a table.
                "`states` one speed, which replaces the table's column Vx, as `pressure` replaces "
                "p."},
               {"friction",
-               "Coefficient of friction with the ground. With 0 no state may have a slip; the "
+               "Coefficient of friction with the ground, whatever the pressure and the sliding "
+               "speed; "
+               "the table [friction] of the tire's file depends on both "
+               "([keys](fe_tire_section.md)). With 0 no state may have a slip; the "
                "wheel then spins with its speed over the inflated radius less a third of the "
                "deflection.",
                "that of the tire's file, else 1"},
