@@ -11,8 +11,8 @@ namespace latsch::experiment {
 namespace {
 
 /// Largest fall of mu p with the sliding speed, in shear moduli of the tread over the speed. Tire B
-/// with 60 sectors has one steady state up to 18 of them, whether it is approached from less or
-/// from more slip, and two at 70; finer sectors hold less.
+/// with 60 sectors has one steady state up to 37 of them, whether it is approached from less or
+/// from more slip, and two at 73; finer sectors hold less.
 constexpr double kStable = 5.0;
 /// Contact pressure at which the slope is limited, in inflation pressures: that below a tread is
 /// hardly higher but at its edges.
