@@ -22,9 +22,9 @@ measure: deflections = ["5 mm", "10 mm"], or measured_modes = 12.
       .sentences =
           {
               {"kind",
-               "Comparison of a force over deflection, of modes, of curves or of single values. "
-               "The first two can have their test's keys in the experiment itself. An outside "
-               "program has the last two."},
+               "Comparison of a force over deflection, of modes, of curves, of single values or of "
+               "frequency responses. The first two can have their test's keys in the experiment "
+               "itself. An outside program has the others."},
               {"test",
                "Test of the study whose channels are compared, `[test.NAME]`, for "
                "\"load_deflection\" and \"modes\".",

@@ -2,6 +2,7 @@
 #include "models/fe_tire/motion/damped_tire.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -174,13 +175,6 @@ class MotionStrains {
   std::vector<Eigen::VectorXd> forces;
 
  private:
-  /// Returns the displacements of an element with shape `i` times `factor` added.
-  Matrix38 moved(int sector, int element, std::size_t i, double factor) const {
-    const NumberedShape& shape = shapes_[i];
-    return unknowns_.gather(sector, element, x_) +
-           factor * shape.step * shape.unknowns->gather(sector, element, shape.x);
-  }
-
   const RingElements& elements_;
   const RingUnknowns& unknowns_;
   const Eigen::VectorXd& x_;
@@ -191,12 +185,19 @@ bool MotionStrains::find(int sector, int element, const double* near) {
   constexpr int kPairs = ElementBatch::kLanes / 2;
   const int alphas = elements_.ring().alphas_per_element();
   plus.resize(shapes_.size()), minus.resize(shapes_.size());
+  const Matrix38 at = unknowns_.gather(sector, element, x_);
+  std::array<Matrix38, 2 * kPairs> moved;  // with a shape added, and with it taken away
   for (std::size_t first = 0; first < shapes_.size(); first += kPairs) {
     const int pairs = static_cast<int>(std::min<std::size_t>(kPairs, shapes_.size() - first));
     ElementBatch batch;
     batch.count = 2 * pairs;
-    for (int k = 0; k < 2 * pairs; ++k)
-      batch.set(k, moved(sector, element, first + k / 2, k % 2 == 0 ? 1.0 : -1.0), near, alphas);
+    for (int k = 0; k < pairs; ++k) {
+      const NumberedShape& shape = shapes_[first + k];
+      const Matrix38 by = shape.step * shape.unknowns->gather(sector, element, shape.x);
+      moved[2 * k] = at + by;
+      moved[2 * k + 1] = at - by;
+    }
+    for (int k = 0; k < 2 * pairs; ++k) batch.set(k, moved[k], near, alphas);
     const unsigned done = elements_.evaluate(sector, element, 0.0, Stiffness::none, batch);
     if (done != (1u << (2 * pairs)) - 1u) return false;
     for (int k = 0; k < 2 * pairs; ++k) {
@@ -207,9 +208,7 @@ bool MotionStrains::find(int sector, int element, const double* near) {
       const double per = (k % 2 == 0 ? 0.5 : -0.5) / shapes_[i].step;
       shapes_[i].unknowns->add_forces(sector, element, per * f, forces[i]);
       (k % 2 == 0 ? plus : minus)[i] = {
-          point_strains(elements_.law(sector, element),
-                        moved(sector, element, i, k % 2 == 0 ? 1.0 : -1.0),
-                        alpha),
+          point_strains(elements_.law(sector, element), moved[k], alpha),
           Eigen::Vector3d(alpha[5], alpha[6], alpha[7])};
     }
   }

@@ -12,9 +12,12 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr int kFirstModes = 24;        // modes that are computed at first
-constexpr int kShapeBlock = 8;         // see kRingBlock of modes.cpp
-constexpr double kApproximate = 1e-3;  // residual relative to the inverse eigenvalue
+constexpr int kFirstModes = 48;  // modes that are computed at first
+/// A large block: orthogonalization reads all vectors once a step, which costs more than solutions.
+constexpr int kShapeBlock = 24;
+/// Residual relative to the inverse eigenvalue. It may be large, because the vectors only have to
+/// span the space.
+constexpr double kApproximate = 1e-2;
 /// The number of a tire's modes below a frequency grows with about this power of it.
 constexpr double kModeGrowth = 2.0, kMostModeGrowth = 4.0, kLeastModeGrowth = 1.3;
 /// Share of a vector's norm that is new; with less, the vector is in the space.

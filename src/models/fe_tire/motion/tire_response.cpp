@@ -109,23 +109,16 @@ Result<TireResponse> TireResponse::about(FeTire& tire,
     add_static(false);
   }
 
-  Eigen::Index count = 0;
-  for (const ShapedMotions& kind : kinds) count += kind.shapes.cols();
-  response.motion_.K.setZero(count, count);
-  response.motion_.rayleigh = settings.rayleigh;
-  response.still_.setZero(count, std::ssize(ports));
-  response.inertial_ = response.still_;
-  Eigen::Index first = 0;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     const Eigen::MatrixXd& shapes = kinds[k].shapes;
-    const Eigen::Index own = shapes.cols();
-    Eigen::MatrixXd K_shapes(shapes.rows(), own);
+    Eigen::MatrixXd K_shapes(shapes.rows(), shapes.cols());
     kinds[k].K->multiply(shapes, K_shapes);
-    response.motion_.K.block(first, first, own, own) = shapes.transpose() * K_shapes;
+    Part& part = response.parts_.emplace_back();
+    part.motion.K = shapes.transpose() * K_shapes;
+    part.motion.rayleigh = settings.rayleigh;
     const double scale = std::sqrt(kinds[k].motions.unknowns->multiplicity());
-    response.still_.middleRows(first, own) = scale * (shapes.transpose() * loads.still[k]);
-    response.inertial_.middleRows(first, own) = scale * (shapes.transpose() * loads.inertial[k]);
-    first += own;
+    part.still = scale * (shapes.transpose() * loads.still[k]);
+    part.inertial = scale * (shapes.transpose() * loads.inertial[k]);
   }
   response.sign_ = loads.sign;
   response.direct_ = loads.direct;
@@ -133,15 +126,30 @@ Result<TireResponse> TireResponse::about(FeTire& tire,
   if (!relaxes) return response;
   auto projected = DampedTire(tire, losses).project(relaxed, state, on_the_ring(kinds));
   if (!projected) return projected.failure();
-  response.motion_.parts = std::move(projected->parts);
+  Eigen::Index first = 0;
+  for (Part& part : response.parts_) {
+    const Eigen::Index own = part.motion.K.rows();
+    for (const RelaxingStiffness& relaxing : projected->parts)
+      part.motion.parts.push_back({relaxing.K.block(first, first, own, own), relaxing.terms});
+    first += own;
+  }
   return response;
+}
+
+int TireResponse::shapes() const {
+  Eigen::Index count = 0;
+  for (const Part& part : parts_) count += part.motion.K.rows();
+  return static_cast<int>(count);
 }
 
 Eigen::MatrixXcd TireResponse::at(double frequency) const {
   const double omega = 2.0 * std::numbers::pi * frequency, squared = omega * omega;
-  const Eigen::MatrixXd loads = still_ + squared * inertial_;
-  const Eigen::MatrixXcd q = motion_.motions(omega, loads.cast<std::complex<double>>());
-  Eigen::MatrixXcd H = sign_.asDiagonal() * (loads.transpose() * q);
+  Eigen::MatrixXcd H = Eigen::MatrixXcd::Zero(direct_.rows(), direct_.cols());
+  for (const Part& part : parts_) {
+    const Eigen::MatrixXd loads = part.still + squared * part.inertial;
+    H += loads.transpose() * part.motion.motions(omega, loads.cast<std::complex<double>>());
+  }
+  H = (sign_.asDiagonal() * H).eval();
   H += direct_ + squared * direct_inertial_;
   return H;
 }

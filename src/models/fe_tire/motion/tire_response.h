@@ -29,7 +29,7 @@ class TireResponse {
  public:
   /// Modes are taken up to this multiple of the highest frequency unless the settings say
   /// otherwise.
-  static constexpr double kBeyond = 2.5;
+  static constexpr double kBeyond = 2.0;
 
   /// Computes the shapes in which the tire moves and their equations. A Failure says that the state
   /// is unstable or why there are no modes. The tire has its materials afterwards.
@@ -44,12 +44,16 @@ class TireResponse {
   Eigen::MatrixXcd at(double frequency) const;
 
   int modes() const { return modes_; }
-  int shapes() const { return static_cast<int>(motion_.K.rows()); }
+  int shapes() const;
 
  private:
-  ReducedMotion motion_;
-  // Work of the ports' loads on the shapes, [shapes x ports], and outputs without motion of them.
-  Eigen::MatrixXd still_, inertial_, direct_, direct_inertial_;
+  /// Motions that do not work on others: all, or even and odd ones.
+  struct Part {
+    ReducedMotion motion;
+    Eigen::MatrixXd still, inertial;  // work of the ports' loads on the shapes, [shapes x ports]
+  };
+  std::vector<Part> parts_;
+  Eigen::MatrixXd direct_, direct_inertial_;  // outputs without motion of the shapes
   Eigen::VectorXd sign_;
   int modes_ = 0;
 };
