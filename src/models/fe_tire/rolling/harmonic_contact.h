@@ -6,7 +6,7 @@
 // and for motions dx e^(i omega t), with the derivatives of GripLink and e_k = exp(-i omega Delta
 // t_k),
 //   dt_k = by_before e_k dt_{k-1} + by_step (dx_k - e_k dx_{k-1}) + by_share dshare_k + by_p dp_k
-//                                                                                             (F.2)
+//                                                                                             (F.3)
 // Points that stick go on sticking and sliding ones go on sliding. At omega = 0 it is the tangent
 // of (F.1). dx is the motion of points relative to the ground. On flat ground.
 #pragma once

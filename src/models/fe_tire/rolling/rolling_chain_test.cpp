@@ -110,25 +110,25 @@ TEST_P(ChainOfTireB, AWaveHasItsVelocityAccelerationAndDissipation) {
 // wheel, and an element has the mean of its faces' strains and of its energies' sums.
 TEST_P(ChainOfTireB, FieldsOfAllElementsAreThoseOfChains) {
   const Inflated rest = *tire_.inflate(2.6e5);
-  const Inflated spun = *SpinningTire(tire_).inflate(rest, kTurning);
+  const Inflated spun = *SpinningTire(tire_).inflate(rest, kChainSpin);
   const Mesh& mesh = tire_.mesh();
   const int n = mesh.nodes_per_sector(), own = static_cast<int>(mesh.elements.size());
   const Eigen::Matrix3Xd u = spun.u.replicate(1, mesh.sectors);
   const Eigen::VectorXd alpha = spun.alpha.replicate(mesh.sectors, 1);
   const LossMeter meter(tire_, losses_, rest);
-  const RollingFields fields = rolling_fields(meter, u, alpha, kTurning);
+  const RollingFields fields = rolling_fields(meter, u, alpha, kChainSpin);
   for (int s = 0; s < mesh.sectors; ++s) {
     const Eigen::Matrix3d frame = mesh.frame(s);
     for (int node = 0; node < n; ++node) {
       const Eigen::Vector3d x = frame * (mesh.X.col(node) + spun.u.col(node));
       const Eigen::Vector3d v = frame * fields.v.col(s * n + node);
-      EXPECT_LT((v - Eigen::Vector3d(0.0, kTurning, 0.0).cross(x)).norm(), 1e-9);
+      EXPECT_LT((v - Eigen::Vector3d(0.0, kChainSpin, 0.0).cross(x)).norm(), 1e-9);
     }
   }
   ASSERT_EQ(fields.S.cols(), mesh.element_count());
   const ChainPlace outer = place("outer");
-  const auto lower = chain(meter, {outer.element, -1.0, -1}, u, alpha, kTurning);
-  const auto upper = chain(meter, {outer.element, 1.0, -1}, u, alpha, kTurning);
+  const auto lower = chain(meter, {outer.element, -1.0, -1}, u, alpha, kChainSpin);
+  const auto upper = chain(meter, {outer.element, 1.0, -1}, u, alpha, kChainSpin);
   for (int s = 0; s < mesh.sectors; ++s) {
     const Vector6 E = 0.5 * (lower[s].E + upper[s].E);
     EXPECT_LT((fields.E.col(s * own + outer.element) - E).norm(), 1e-12);

@@ -7,9 +7,9 @@
 //   lateral.Fy, lateral.relaxation
 //
 // About a steady state with the equilibrium (R.1), motions of the tread's nodes q obey
-//   (T - C(omega)) q = C(omega) moved,                                                        (F.3)
+//   (T - C(omega)) q = C(omega) moved,                                                        (F.4)
 // with the tire T condensed to the nodes below which the ground is, centrifugal forces included,
-// and the contact (F.2). A slip angle of the size alpha is a motion of the wheel to the side, y = V
+// and the contact (F.3). A slip angle of the size alpha is a motion of the wheel to the side, y = V
 // alpha/(i omega). Inertia of the vibration is left out, which holds far below the lowest mode, and
 // so is what relaxes in rubber. The wheel keeps its height and its spin. On flat ground, elastic.
 #pragma once
