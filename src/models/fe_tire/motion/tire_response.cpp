@@ -35,14 +35,12 @@ std::vector<ShapedMotions> numberings(Systems& all) {
   return kinds;
 }
 
-/// Appends the static displacements under the loads to the shapes, and with `inertia` those under
-/// the inertia of these displacements: the first two terms of the response in powers of omega^2, of
-/// which truncated modes lack the rest.
-void append_static(const Eigen::MatrixXd& loads, bool inertia, ShapedMotions& kind) {
+/// Appends the static displacements under the loads to the shapes, and those under the inertia of
+/// these displacements: the first two terms of what truncated modes lack, in powers of omega^2.
+void append_static(const Eigen::MatrixXd& loads, ShapedMotions& kind) {
   Eigen::MatrixXd displacements = loads;
   kind.factor->solve_columns(displacements);
   append_orthogonal(displacements, **kind.M, kind.shapes);
-  if (!inertia) return;
   Eigen::MatrixXd further(displacements.rows(), displacements.cols());
   (*kind.M)->multiply(displacements, further);
   kind.factor->solve_columns(further);
@@ -78,11 +76,11 @@ Result<TireResponse> TireResponse::about(FeTire& tire,
     if (done.ok()) all.find_masses(impl.elements());
     return done;
   };
-  const auto add_static = [&](bool inertia) {
+  const auto add_static = [&] {
     if (!settings.has_static_shapes) return;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
-      append_static(loads.still[k], inertia, kinds[k]);
-      append_static(loads.inertial[k], inertia, kinds[k]);
+      append_static(loads.still[k], kinds[k]);
+      append_static(loads.inertial[k], kinds[k]);
     }
   };
   // Modes, and static displacements with the moduli at the highest frequency.
@@ -101,12 +99,12 @@ Result<TireResponse> TireResponse::about(FeTire& tire,
   }();
   TireResponse response;
   for (const ShapedMotions& kind : kinds) response.modes_ += static_cast<int>(kind.shapes.cols());
-  if (stiff.ok()) add_static(true);
+  if (stiff.ok()) add_static();
   if (relaxes) tire.set(relaxed);
   if (!stiff) return stiff.failure();
   if (relaxes) {
     if (const Status done = factorize(); !done) return done.failure();
-    add_static(false);
+    add_static();
   }
 
   for (std::size_t k = 0; k < kinds.size(); ++k) {
