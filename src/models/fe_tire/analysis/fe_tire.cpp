@@ -91,8 +91,8 @@ bool same_tangent(const TireState& a, const TireState& b) {
 
 }  // namespace
 
-FeTire::FeTire(Mesh mesh, const Materials& materials, SolverSettings settings)
-    : impl_(std::make_unique<Impl>(std::move(mesh), materials, settings)) {}
+FeTire::FeTire(Mesh mesh, Materials materials, SolverSettings settings)
+    : impl_(std::make_unique<Impl>(std::move(mesh), std::move(materials), settings)) {}
 FeTire::FeTire(const TireDescription& description)
     : FeTire(
           build_mesh(description), build_materials(description), {.element = description.element}) {
@@ -106,7 +106,7 @@ const Materials& FeTire::materials() const { return impl_->elements().materials(
 SolverCounts FeTire::counts() const { return impl_->counts; }
 void FeTire::reset_counts() { impl_->counts = {}; }
 
-void FeTire::set(const Materials& materials) { impl_->set(materials); }
+void FeTire::set(Materials materials) { impl_->set(std::move(materials)); }
 
 Result<Inflated> FeTire::inflate(double pressure) {
   Impl& tire = *impl_;

@@ -103,7 +103,7 @@ struct TireDescription;
 class FeTire {
  public:
   /// Makes a tire from a mesh and its materials.
-  FeTire(Mesh mesh, const Materials& materials, SolverSettings settings = {});
+  FeTire(Mesh mesh, Materials materials, SolverSettings settings = {});
   /// Makes a tire from a description, with its mesh, materials and element kind.
   explicit FeTire(const TireDescription& description);
   ~FeTire();
@@ -117,7 +117,7 @@ class FeTire {
   /// The current materials.
   const Materials& materials() const;
   /// Replaces the materials. The mesh remains.
-  void set(const Materials& materials);
+  void set(Materials materials);
 
   /// Returns the equilibrium of the tire under this pressure, Pa, with clamped rim. A Failure names
   /// the load step and the residual.

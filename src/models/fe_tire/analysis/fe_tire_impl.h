@@ -88,15 +88,15 @@ struct FeTire::Impl {
   /// belongs to a nearby state. The final state is returned, not reported here.
   std::function<void(Systems& all, const TireState& state)> on_passing;
 
-  Impl(Mesh mesh, const Materials& materials, const SolverSettings& s)
+  Impl(Mesh mesh, Materials materials, const SolverSettings& s)
       : ring(std::move(mesh), s.element), settings(s) {
     if (ring.widths() > 1) even.emplace(ring.mesh().evenly_divided(), s.element);
-    set(materials);
+    set(std::move(materials));
   }
 
-  void set(const Materials& materials) {
-    elements_.emplace(ring, materials);
+  void set(Materials materials) {  // a copy, because they may be those of elements_
     if (even) even_elements_.emplace(*even, materials);
+    elements_.emplace(ring, std::move(materials));
     is_symmetry_known_ = false;
     for (auto& [of, systems] : systems_) {
       systems->forget_tangents();
