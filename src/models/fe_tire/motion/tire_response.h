@@ -29,7 +29,7 @@ class TireResponse {
  public:
   /// Modes are taken up to this multiple of the highest frequency unless the settings say
   /// otherwise.
-  static constexpr double kBeyond = 2.0;
+  static constexpr double kBeyond = 2.25;
 
   /// Computes the shapes in which the tire moves and their equations. A Failure says that the state
   /// is unstable or why there are no modes. The tire has its materials afterwards.
