@@ -146,7 +146,7 @@ void cost_rows(Table& table,
                       (finer - found[k - 1]).cwiseAbs().maxCoeff() / finer.cwiseAbs().maxCoeff());
     largest = std::max(largest, finer.cwiseAbs().maxCoeff());
   }
-  table.row("forces with modes up to four times that frequency differ by at most",
+  table.row("forces with modes up to twice that multiple differ by at most",
             percent(change),
             "<= 0.5 % of the largest at the frequency",
             change <= 5e-3);
