@@ -78,7 +78,7 @@ class Response(RespondingTire):
         self.refused('{kind = "response", input = "wheel", rim = "free", from = "1 Hz", to = "9 Hz"}', "input", "hub")
         self.refused('{kind = "response", input = "wheel", frequencies = ["9 Hz", "1 Hz"]}', "frequencies", "ascending")
         self.refused('{kind = "response", input = "wheel", from = "9 Hz", to = "1 Hz"}', "to", "below from")
-        self.refused('{kind = "response", input = "wheel", from = "9 Hz", to = "9 kHz", step = "1 kHz"}', "2000 Hz")
+        self.refused('{kind = "response", input = "wheel", from = "9 Hz", to = "9 kHz", step = "1 kHz"}', "500 Hz")
         far = '{kind = "response", input = "point", at = ["0 m", "0 m", "1 m"], from = "1 Hz", to = "9 Hz"}'
         self.latsch("test", self.folder / "tire.toml", far, code=FAILED)
 
