@@ -174,6 +174,7 @@ class FeTire {
   friend class TireSlopes;
   friend class SpinningTire;
   friend class RollingTire;
+  friend class RollingTransient;
   friend class LossMeter;
   friend class DampedTire;
   friend class TireResponse;

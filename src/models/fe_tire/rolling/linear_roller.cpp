@@ -49,6 +49,28 @@ GroundMotion motion_of(const RollingCase& of) {
   return {-of.speed * heading, of.turn_slip * of.speed, std::max(of.spin, least)};
 }
 
+/// Returns the contact of a tread that touches nothing.
+RollingContactState off_ground(const TreadBody& body) {
+  RollingContactState contact;
+  contact.q = Eigen::VectorXd::Zero(body.size());
+  contact.input = body.input(contact.q);
+  contact.tractions.t.setZero(2, contact.input.p.size());
+  return contact;
+}
+
+/// Returns the instant of all points of the tread from positions and tractions of the listed ones.
+TreadPast::Instant instant_of(const TreadBody& body,
+                              const Eigen::Matrix3Xd& x,
+                              const Eigen::Matrix2Xd& t) {
+  TreadPast::Instant now{body.all_positions(),
+                         Eigen::Matrix2Xd::Zero(2, body.all_positions().cols())};
+  for (std::size_t k = 0; k < body.points().size(); ++k) {
+    now.x.col(body.points()[k]) = x.col(static_cast<Eigen::Index>(k));
+    now.t.col(body.points()[k]) = t.col(static_cast<Eigen::Index>(k));
+  }
+  return now;
+}
+
 }  // namespace
 
 LinearRoller::LinearRoller(const RingAssembly& assembly,
@@ -82,7 +104,7 @@ Eigen::VectorXd LinearRoller::at_nodes(const Eigen::VectorXd& v) const {
 
 /// Eliminates the nodes beyond the body's reach. Returns false if they buckle.
 bool LinearRoller::condense_for(TreadBody& body) {
-  if (rows_ != body.rows()) {
+  if (rows_ != body.rows() || rows_.empty()) {
     if (!condensed_.set(S_, body.rows())) return false;
     rows_ = body.rows();
   }
@@ -98,7 +120,8 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
                                                 double load,
                                                 double enough,
                                                 GripState& states,
-                                                int& passes) {
+                                                int& passes,
+                                                const PassingMoment* moment) {
   if (is_spent())
     return Failure{
         fmt::format("no steady state after {} solutions of sticking and sliding points", spent_)};
@@ -109,10 +132,12 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   nodes_ = at_nodes(found.d);
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
   const GroundMotion motion = motion_of(of);
-  const RollingSurface surface(of.curvature, -motion.velocity.normalized());
+  RollingSurface surface(of.curvature, -motion.velocity.normalized());
+  if (moment != nullptr && moment->bar != nullptr) surface.set_bar(*moment->bar, moment->bar_at);
   TreadBody body(
       tread_, lines_, ground, surface, kNormalPenalty, motion, tread_.displacements(x), kNearPatch);
-  if (body.rows().empty())
+  if (moment != nullptr) body.set_upstream(moment->past.upstream(body.points(), body.lines(), moment->step));
+  if (body.rows().empty() && moment == nullptr)
     return Failure{fmt::format("the tread is off the ground, {:.4g} mm below the wheel center",
                                1e3 * of.height)};
   body.ask(of.load, of.drive);
@@ -127,7 +152,9 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
                                         .most_passes = 50,
                                         .most_iterations = 15,
                                         .most_returns = 6};
-  auto contact = fe_tire::roll(body, grip, start, listed(states, body.points()), limits);
+  auto contact = body.rows().empty()
+                     ? Result<RollingContactState>(off_ground(body))
+                     : fe_tire::roll(body, grip, start, listed(states, body.points()), limits);
   if (!contact) {
     spent_ += 2 * limits.most_passes;  // both starts, at least
     return contact.failure();
@@ -140,8 +167,23 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   contact->tractions.w *= 1.0 + change;  // the times of the lines are those of the spin before
   put_back(*contact, body.points(), states);
   measure(body, *contact, found.of, found.forces, found.patch);
+  if (moment != nullptr)
+    found.instant = instant_of(body, body.positions(contact->q), contact->tractions.t);
   complete(body, *contact, found);
   return found;
+}
+
+TreadPast::Instant LinearRoller::instant(const RollingCase& of, const Eigen::VectorXd& x) const {
+  const PosedGround ground({}, {.height = of.height, .camber = of.camber});
+  const GroundMotion motion = motion_of(of);
+  const RollingSurface surface(of.curvature, -motion.velocity.normalized());
+  const TreadBody body(
+      tread_, lines_, ground, surface, kNormalPenalty, motion, tread_.displacements(x), kNearPatch);
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(body.size());
+  const RollingGrip grip(body.lines(), of.friction, kAlongPenalty);
+  GripState states(static_cast<int>(std::ssize(body.points())));
+  return instant_of(
+      body, body.positions(still), grip.explicit_tractions(body.input(still), states).t);
 }
 
 /// Finds the motion of all unknowns and the ground's forces on them.

@@ -19,9 +19,18 @@
 #include "models/fe_tire/analysis/ring_assembly.h"
 #include "models/fe_tire/rolling/rolling_case.h"
 #include "models/fe_tire/rolling/tread_body.h"
+#include "models/fe_tire/rolling/tread_past.h"
 #include "numerics/sparse/factorization.h"
 
 namespace latsch::fe_tire {
+
+/// A moment of a tire that does not roll steadily.
+struct PassingMoment {
+  const TreadPast& past;            // of its tread, up to one step before
+  double step;                      // s
+  const PassingBar* bar = nullptr;  // bar on the surface; none: it is smooth
+  double bar_at = 0.0;              // m, arc to the bar's middle ahead of the wheel center
+};
 
 class LinearRoller {
  public:
@@ -32,6 +41,7 @@ class LinearRoller {
     Eigen::VectorXd c;  // the ground's forces on the unknowns, N
     RollingForces forces;
     std::vector<RollingPatchPoint> patch;
+    TreadPast::Instant instant;  // of the tread, if the tire does not roll steadily
   };
 
   /// All must outlive the roller.
@@ -52,14 +62,17 @@ class LinearRoller {
   /// Solves (R.2) about the unknowns x with the forces g. `states`: of all points of the tread; the
   /// start, then those found. `load`, N: the size of the ground's forces. `enough`: accepted
   /// residual, load and drive included, relative to it. `passes` counts active
-  /// sets.
+  /// sets. `moment`: none if the tire rolls steadily.
   Result<Found> solve(const RollingCase& of,
                       const Eigen::VectorXd& x,
                       const Eigen::VectorXd& g,
                       double load,
                       double enough,
                       GripState& states,
-                      int& passes);
+                      int& passes,
+                      const PassingMoment* moment = nullptr);
+  /// Returns the instant of the tread in a steady state with the unknowns x.
+  TreadPast::Instant instant(const RollingCase& of, const Eigen::VectorXd& x) const;
 
  private:
   static constexpr int kMostSets = 1500;  // limit of the work for one state; most need some 50

@@ -21,6 +21,8 @@ RollingGrip::RollingGrip(RollingLines lines, RollingFriction friction, double st
 /// One step of (F.1): the creep distance, and whether a traction comes with it.
 struct RollingGrip::Step {
   Pair full;     // m, (x_k - x_{k-1}) - V_g Delta t_k
+  double now;    // weight of the present traction of the point before
+  Pair earlier;  // Pa, earlier part of that traction
   double share;  // part of it that counts
   bool carries;  // the point before is in contact
   double time;   // s, of the part that counts; 0: there is no step
@@ -65,11 +67,16 @@ RollingGrip::Slide RollingGrip::slide(double p, double along, double time) const
 RollingGrip::Step RollingGrip::step_to(const RollingInput& input,
                                        const RollingLines::Line& line,
                                        int k) const {
-  if (k == line.first) return {Pair::Zero(), 0.0, false, 0.0};
-  const bool carries = input.p[k - 1] > 0.0;
-  const Pair full = input.x.col(k) - input.x.col(k - 1) - input.V_g.col(k) * lines_.time[k];
-  const double share = carries ? 1.0 : input.share[k];
-  return {full, share, carries, share * lines_.time[k]};
+  if (k == line.first) return {Pair::Zero(), 1.0, Pair::Zero(), 0.0, false, 0.0};
+  const Upstream& upstream = input.upstream;
+  const bool carries = input.carries(k);
+  const double share = carries ? 1.0 : input.share[k], time = share * lines_.time[k];
+  const Pair passed = input.x.col(k) - input.V_g.col(k) * lines_.time[k];
+  if (!upstream.is_past())
+    return {passed - input.x.col(k - 1), 1.0, Pair::Zero(), share, carries, time};
+  const double now = upstream.now[k];
+  const Pair before = now * input.x.col(k - 1) + upstream.x.col(k).head<2>();
+  return {passed - before, now, upstream.t.col(k), share, carries, time};
 }
 
 GripTractions RollingGrip::tractions(const RollingInput& input,
@@ -88,7 +95,7 @@ GripTractions RollingGrip::tractions(const RollingInput& input,
       if (!(input.p[k] > 0.0)) continue;
       const Step step = step_to(input, line, k);
       Pair trial = -stiffness_ * step.share * step.full;
-      if (step.carries) trial += found.t.col(k - 1);
+      if (step.carries) trial += step.now * found.t.col(k - 1) + step.earlier;
       found.trial.col(k) = trial;
       const bool slides = state.grip[k] == Grip::slides;
       const Pair kept = state.direction.col(k);
@@ -108,7 +115,8 @@ GripTractions RollingGrip::tractions(const RollingInput& input,
       if (slides && slide.by_along != 0.0)
         follows += slide.by_along * direction * direction.transpose();
       GripLink& link = found.links[k];
-      if (step.carries) link.by_before = follows;
+      link.now = step.now;
+      if (step.carries) link.by_before = step.now * follows;
       if (k > line.first) link.by_step = -stiffness_ * step.share * follows;
       if (k > line.first && !step.carries) link.by_share = -stiffness_ * (follows * step.full);
       if (!slides) continue;
@@ -133,7 +141,7 @@ void RollingGrip::admit(const RollingInput& input, GripState& state) const {
       }
       const Step step = step_to(input, line, k);
       Pair trial = -stiffness_ * step.share * step.full;
-      if (step.carries) trial += before;
+      if (step.carries) trial += step.now * before + step.earlier;
       if (grip == Grip::none) {
         const double size = trial.norm(), limit = friction_.at(input.p[k], 0.0) * input.p[k];
         grip = size <= limit && friction_.at_rest > 0.0 ? Grip::sticks : Grip::slides;
@@ -161,7 +169,7 @@ GripTractions RollingGrip::explicit_tractions(const RollingInput& input, GripSta
       if (!(input.p[k] > 0.0)) continue;
       const Step step = step_to(input, line, k);
       Pair trial = -stiffness_ * step.share * step.full;
-      if (step.carries) trial += found.t.col(k - 1);
+      if (step.carries) trial += step.now * found.t.col(k - 1) + step.earlier;
       found.trial.col(k) = trial;
       const double size = trial.norm();
       found.limit[k] = slide(input.p[k], size, step.time).t;
@@ -183,7 +191,7 @@ void RollingGrip::find_slip(const RollingInput& input,
                             GripTractions& found) const {
   for (const RollingLines::Line& line : lines_.lines) {
     for (int k = line.first + 1; k < line.last; ++k) {
-      const double time = lines_.time[k] * (input.p[k - 1] > 0.0 ? 1.0 : input.share[k]);
+      const double time = lines_.time[k] * (input.carries(k) ? 1.0 : input.share[k]);
       if (input.p[k] > 0.0 && state.grip[k] == Grip::slides && time > 0.0)
         found.w.col(k) = (found.t.col(k) - found.trial.col(k)) / (stiffness_ * time);
     }

@@ -42,6 +42,16 @@ struct RollingLines {
   int points() const { return static_cast<int>(time.size()); }
 };
 
+/// What point k - 1 of a line was when the material of point k passed there, if that is not its
+/// present state (tread_past.h): its present state by the weight `now`, and an earlier part.
+struct Upstream {
+  Eigen::VectorXd now;        // empty: the state is steady, and all weights are 1
+  Eigen::Matrix3Xd x;         // m, earlier part of the place along the ground and over it
+  Eigen::Matrix2Xd t;         // Pa, earlier part of the traction
+  std::vector<char> touched;  // true: the point before was in contact
+  bool is_past() const { return now.size() > 0; }
+};
+
 /// Positions and pressures of the points.
 struct RollingInput {
   Eigen::Matrix2Xd x;  // m, along the ground
@@ -49,6 +59,12 @@ struct RollingInput {
   /// Part of the step to a point that lies in contact, 0 to 1; used where a line comes down.
   Eigen::VectorXd share;
   Eigen::Matrix2Xd V_g;  // m/s
+  Upstream upstream = {};
+
+  /// True if the traction of the point before comes along to point k.
+  bool carries(int k) const {
+    return upstream.is_past() ? upstream.touched[k] != 0 : p[k - 1] > 0.0;
+  }
 };
 
 /// State of the points between iterations.
@@ -60,8 +76,9 @@ struct GripState {
 };
 
 /// Derivative of a point's traction, given that of the point before it on its line:
-///   dt_k = by_before dt_{k-1} + by_step (dx_k - dx_{k-1}) + by_share dshare_k + by_p dp_k.
+///   dt_k = by_before dt_{k-1} + by_step (dx_k - now dx_{k-1}) + by_share dshare_k + by_p dp_k.
 struct GripLink {
+  double now = 1.0;  // weight of the present state of the point before (Upstream)
   Eigen::Matrix2d by_before = Eigen::Matrix2d::Zero();
   Eigen::Matrix2d by_step = Eigen::Matrix2d::Zero();   // Pa/m
   Eigen::Vector2d by_share = Eigen::Vector2d::Zero();  // Pa

@@ -121,9 +121,14 @@ void RollingHistory::set_spin(double Omega) {
   if (stiffened_at_ && std::abs(Omega - *stiffened_at_) <= kOtherSpin * std::abs(*stiffened_at_))
     return;
   stiffened_at_ = Omega;
-  stiffer_.clear();
+  std::vector<double> stiffer;
   for (const PronyTerms& terms : series_)
-    stiffer_.push_back(relative_modulus(terms, kWavesOfTire * std::abs(Omega)).real() - 1.0);
+    stiffer.push_back(relative_modulus(terms, kWavesOfTire * std::abs(Omega)).real() - 1.0);
+  stiffen_by(std::move(stiffer));
+}
+
+void RollingHistory::stiffen_by(std::vector<double> stiffer) {
+  stiffer_ = std::move(stiffer);
   const Element* const first = elements_.ring().mesh().elements.data();
   stiffened_.emplace(elements_, [&](const Element& element, ElementLaw& law) {
     stiffen(relaxing_[&element - first], law);
@@ -172,10 +177,9 @@ void RollingHistory::set_still(const Relaxing& of,
   }
 }
 
-/// Returns the histories of the followed stresses S [rows x sectors]; those of a linear solid are
-/// strains.
-Eigen::MatrixXd RollingHistory::history(const Relaxing& of, const Eigen::MatrixXd& S) const {
+Eigen::MatrixXd RollingHistory::history(int element, const Eigen::MatrixXd& S) {
   constexpr int kSolid = 6 * kPairs;
+  const Relaxing& of = relaxing_[element];
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(S.rows(), S.cols());
   if (of.rubber >= 0)
     H.topRows<kSolid + 3>().noalias() = S.topRows<kSolid + 3>() * carry_[of.rubber];
@@ -221,6 +225,10 @@ void RollingHistory::update(const RingUnknowns& unknowns,
                             const AssembledState& state,
                             double Omega) {
   set_spin(Omega);
+  follow(unknowns, state);
+}
+
+void RollingHistory::follow(const RingUnknowns& unknowns, const AssembledState& state) {
   const Ring& ring = elements_.ring();
   const int per_sector = ring.elements_per_sector(), alphas = ring.alphas_per_element();
   const auto groups = elements_.groups(ring.sectors());
@@ -244,7 +252,7 @@ void RollingHistory::update(const RingUnknowns& unknowns,
         S.col(first + lane) -= round_[ring.width(first)][e];
       }
     }
-    const Eigen::MatrixXd H = history(of, S);
+    const Eigen::MatrixXd H = history(e, S);
     for (const RingElements::Sectors& group : groups)
       add_history(of, H, group, stiffened_->dead(group.first, e));
   }

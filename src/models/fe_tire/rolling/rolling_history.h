@@ -41,6 +41,7 @@ class RollingHistory {
   /// Keeps a reference to the elements of the whole ring. `round`: the inflated tire, from which
   /// stresses count.
   RollingHistory(const RingElements& elements, LossMaterials losses, const Inflated& round);
+  virtual ~RollingHistory() = default;
 
   /// Computes the history of a state whose material passes with Omega, rad/s.
   void update(const RingUnknowns& unknowns, const AssembledState& state, double Omega);
@@ -48,7 +49,7 @@ class RollingHistory {
   /// the last update().
   const RingElements& elements() const { return *stiffened_; }
 
- private:
+ protected:
   static constexpr int kPairs = 4, kCordPairs = 2;  // streamlines of an element and of a layer
   /// A stress D E of a linear solid that relaxes.
   struct LinearPart {
@@ -63,6 +64,20 @@ class RollingHistory {
     bool is_elastic() const;
   };
 
+  /// Returns the histories of the followed stresses S [rows x sectors] of a section element; those
+  /// of a linear solid are strains.
+  virtual Eigen::MatrixXd history(int element, const Eigen::MatrixXd& S);
+  /// Takes the stresses of a state, and adds their histories to the dead stresses.
+  void follow(const RingUnknowns& unknowns, const AssembledState& state);
+  /// Sets m of each series.
+  void stiffen_by(std::vector<double> stiffer);
+
+  const RingElements& elements_;
+  std::vector<PronyTerms> series_;  // those that differ
+  std::vector<Relaxing> relaxing_;  // one for each section element
+  std::vector<double> stiffer_;     // m of each series
+
+ private:
   int series(const PronyTerms& terms);
   Relaxing relaxing(const Element& element);
   int rows(const Relaxing& of) const;
@@ -70,23 +85,18 @@ class RollingHistory {
   void set_spin(double Omega);
   void stiffen(const Relaxing& of, ElementLaw& law) const;
   void set_still(const Relaxing& of, const PointStresses& S, int lanes, PointStresses& dead) const;
-  Eigen::MatrixXd history(const Relaxing& of, const Eigen::MatrixXd& S) const;
   void add_history(const Relaxing& of,
                    const Eigen::MatrixXd& H,
                    RingElements::Sectors at,
                    PointStresses& dead) const;
 
-  const RingElements& elements_;
   LossMaterials losses_;
   Streamline line_;         // places of spline_
   Eigen::MatrixXd spline_;  // stresses at these places by those of sectors [sectors x places]
-  std::vector<PronyTerms> series_;                   // those that differ
-  std::vector<Relaxing> relaxing_;                   // one for each section element
   std::vector<std::vector<Eigen::VectorXd>> round_;  // stresses [width][section element]
   // These belong to the current spin.
   std::optional<double> spin_, stiffened_at_;
   std::vector<Eigen::MatrixXd> carry_;  // H = S carry, [sectors x sectors] for each series
-  std::vector<double> stiffer_;         // m of each series
   std::optional<RingElements> stiffened_;
 };
 

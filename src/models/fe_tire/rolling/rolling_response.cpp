@@ -19,9 +19,8 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Angle to both sides of the lowest point up to which the tread may touch, rad, as in
-/// rolling_tire.cpp, and height up to which its points take part, m.
-constexpr double kTouching = 0.4, kHighest = 1.5e-3;
+/// Height over the ground up to which points of the tread take part, m.
+constexpr double kHighest = 1.5e-3;
 
 GripState of_listed(const GripState& all, const std::vector<int>& points) {
   GripState part(static_cast<int>(points.size()));
@@ -55,7 +54,7 @@ struct RollingResponse::Impl {
       : ring(mesh, settings.element),
         elements(ring, materials),
         unknowns(ring, RingSymmetry::none, {}),
-        tread(unknowns, settings.tread_shape(), kTouching),
+        tread(unknowns, settings.tread_shape(), kTouchingAngle),
         assembly(unknowns),
         lines(tread, ring.mesh()),
         of(state.of) {}

@@ -12,7 +12,30 @@ RollingSurface::RollingSurface(double curvature, const Eigen::Vector2d& along)
 }
 
 RollingSurface::Place RollingSurface::place(const Eigen::Vector3d& q) const {
-  if (is_flat()) return {q, Eigen::Matrix3d::Identity()};
+  Place place = is_flat() ? Place{q, Eigen::Matrix3d::Identity()} : on_drum(q);
+  if (bar_ != nullptr) add_bar(place);
+  return place;
+}
+
+/// Changes a place over the smooth surface to one over the bar.
+void RollingSurface::add_bar(Place& place) const {
+  const Eigen::Vector2d across = heading_ * bar_->direction();
+  const double s = across.dot(place.x.head<2>() - bar_at_ * heading_.col(0));
+  const PassingBar::Place bar = bar_->at(s);
+  place.x.head<2>() += bar.longer * across;
+  if (bar.height == 0.0 && bar.slope == 0.0) return;
+  const double cosine = 1.0 / std::hypot(1.0, bar.slope), sine = bar.slope * cosine;
+  place.x.z() = cosine * (place.x.z() - bar.height);
+  Eigen::Matrix3d tilt;  // rows: axes along the slope and across it, and its normal
+  tilt.row(0) << cosine * across.transpose(), sine;
+  tilt.row(1) << -across.y(), across.x(), 0.0;
+  tilt.row(2) << -sine * across.transpose(), cosine;
+  Eigen::Matrix3d turn = tilt;
+  turn.topRows<2>() = across * tilt.row(0) + Eigen::Vector2d(-across.y(), across.x()) * tilt.row(1);
+  place.turn = turn * place.turn;
+}
+
+RollingSurface::Place RollingSurface::on_drum(const Eigen::Vector3d& q) const {
   const Eigen::Vector2d across = heading_.transpose() * q.head<2>();
   const double radius = 1.0 / curvature_, up = q.z() + radius;
   const double arc = std::atan2(across.x(), up);
@@ -28,12 +51,21 @@ RollingSurface::Place RollingSurface::place(const Eigen::Vector3d& q) const {
 }
 
 Eigen::Vector3d RollingSurface::point(const Eigen::Vector2d& x) const {
-  Eigen::Vector3d at(x.x(), x.y(), 0.0);
-  if (is_flat()) return at;
-  const Eigen::Vector2d out = heading_.transpose() * x;
-  const double radius = 1.0 / curvature_, arc = out.x() * curvature_;
-  at << heading_ * Eigen::Vector2d(radius * std::sin(arc), out.y()), radius * (std::cos(arc) - 1.0);
-  return at;
+  Eigen::Vector2d at = x;
+  double height = 0.0;
+  if (bar_ != nullptr) {
+    const Eigen::Vector2d across = heading_ * bar_->direction();
+    const double arc = across.dot(x - bar_at_ * heading_.col(0)), s = bar_->across(arc);
+    at += (s - arc) * across;
+    height = bar_->at(s).height;
+  }
+  if (is_flat()) return {at.x(), at.y(), height};
+  const Eigen::Vector2d out = heading_.transpose() * at;
+  const double radius = 1.0 / curvature_, angle = out.x() * curvature_, to_axis = radius + height;
+  Eigen::Vector3d point;
+  point << heading_ * Eigen::Vector2d(to_axis * std::sin(angle), out.y()),
+      to_axis * std::cos(angle) - radius;
+  return point;
 }
 
 }  // namespace latsch::fe_tire

@@ -5,10 +5,14 @@
 // top line, the place along the drum's axis, and the height over the surface. Arc and place are
 // turned into the axes of the wheel's heading, so that friction (F.1) is that of flat ground:
 //   q = surface(x, y) + z n                                                                   (G.2)
-// where the surface moves with one velocity in x and y.
+// where the surface moves with one velocity in x and y. A bar on the surface (passing_bar.h) raises
+// it: z is then the distance from the bar's surface, to first order, and arcs include those of its
+// slopes.
 #pragma once
 
 #include <Eigen/Core>
+
+#include "models/fe_tire/rolling/passing_bar.h"
 
 namespace latsch::fe_tire {
 
@@ -18,6 +22,12 @@ class RollingSurface {
   /// below the wheel center; 0: flat ground. The drum's surface moves, seen from the wheel, along
   /// the horizontal unit vector `along`.
   RollingSurface(double curvature, const Eigen::Vector2d& along);
+  /// Puts a bar on the surface, whose middle is at the arc `at`, m, ahead of the point below the
+  /// wheel center. The bar must outlive the surface.
+  void set_bar(const PassingBar& bar, double at) {
+    bar_ = &bar;
+    bar_at_ = at;
+  }
 
   struct Place {
     Eigen::Vector3d x;  // m, rolled out: x, y, and the height z over the surface
@@ -33,7 +43,12 @@ class RollingSurface {
   bool is_flat() const { return curvature_ == 0.0; }
 
  private:
+  Place on_drum(const Eigen::Vector3d& q) const;
+  void add_bar(Place& place) const;
+
   double curvature_;
+  const PassingBar* bar_ = nullptr;
+  double bar_at_ = 0.0;
   Eigen::Matrix2d heading_;  // columns: across the drum's axis, and along it
 };
 

@@ -17,9 +17,6 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Half angle of the tread that may touch, rad: flat ground below a tire pressed by 8 % of its
-/// radius reaches to 0.22 rad.
-constexpr double kReach = 0.4;
 /// Residual of a state, relative to the ground's load.
 constexpr double kAccepted = 1e-6;
 constexpr int kMostIterations = 25;
@@ -100,7 +97,7 @@ struct RollingTire::Impl {
       : tire(of),
         elements(with),
         unknowns(with.ring(), RingSymmetry::none, {}),
-        tread(unknowns, shape, kReach),
+        tread(unknowns, shape, kTouchingAngle),
         assembly(unknowns),
         lines(tread, with.ring().mesh()),
         K(*assembly.pattern()),

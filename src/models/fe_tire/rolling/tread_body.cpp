@@ -78,11 +78,15 @@ TreadBody::TreadBody(const TreadSurface& tread,
   for (const std::vector<int>& line : lines.lines) add_line(tread, lines, line, height, near);
   // Points along the ground follow the mean itself: the offset stands for the arc that the ground
   // flattens, and would creep as it does.
+  all_.resize(3, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto& [x, turn] = all[k];
+    const Eigen::Vector3d offset = turn * (R_ * tread.points()[k].offset);
+    all_.col(k) = x - Eigen::Vector3d(offset.x(), offset.y(), 0.0);
+  }
   for (const int point : points_) {
-    const auto& [x, turn] = all[point];
-    const Eigen::Vector3d offset = turn * (R_ * tread.points()[point].offset);
-    x_0_.push_back(x - Eigen::Vector3d(offset.x(), offset.y(), 0.0));
-    turn_.push_back(turn);
+    x_0_.emplace_back(all_.col(point));
+    turn_.push_back(all[point].turn);
   }
   lines_.time = Eigen::Map<const Eigen::VectorXd>(times_.data(), std::ssize(times_));
   std::vector<int> column(3 * static_cast<std::size_t>(tread.nodes()), -1);
@@ -196,17 +200,27 @@ RollingInput TreadBody::input(const Eigen::VectorXd& q) const {
   RollingInput input{x.topRows<2>(),
                      (-penalty_ * x.row(2).transpose()).cwiseMax(0.0),
                      Eigen::VectorXd::Ones(n),
-                     Eigen::Matrix2Xd(2, n)};
+                     Eigen::Matrix2Xd(2, n),
+                     upstream_};
+  if (upstream_.is_past()) input.upstream.touched.assign(n, 0);
   // The lines' times are those of the spin at the start; what (F.1) needs is V_g Delta t.
   const double faster = 1.0 + spin_change(q);
   for (Eigen::Index k = 0; k < n; ++k) {
     const Eigen::Vector2d from = x.col(k).head<2>() - hub_.head<2>();
     input.V_g.col(k) =
         (motion_.velocity + motion_.turn * Eigen::Vector2d(-from.y(), from.x())) / faster;
-    if (k > 0 && x(2, k) < 0.0 && x(2, k - 1) >= 0.0)
-      input.share[k] = x(2, k) / (x(2, k) - x(2, k - 1));
+    if (k == 0) continue;
+    const double before = height_before(k, x);
+    if (upstream_.is_past()) input.upstream.touched[k] = before < 0.0 ? 1 : 0;
+    if (x(2, k) < 0.0 && before >= 0.0) input.share[k] = x(2, k) / (x(2, k) - before);
   }
   return input;
+}
+
+/// Returns the height of point k - 1 over the ground when the material of point k was there, m.
+double TreadBody::height_before(Eigen::Index k, const Eigen::Matrix3Xd& x) const {
+  if (!upstream_.is_past()) return x(2, k - 1);
+  return upstream_.now[k] * x(2, k - 1) + upstream_.x(2, k);
 }
 
 Eigen::VectorXd TreadBody::touching(Eigen::VectorXd q) const {
@@ -328,7 +342,7 @@ class TreadBody::LineJacobian {
     const bool follows = k + 1 < line_.last && input_.p[k + 1] > 0.0;
     const GripLink none, &next = follows ? tractions_.links[k + 1] : none;
     Behind behind;
-    behind << -next.by_step, shared_;
+    behind << -next.now * next.by_step, shared_;
     shared_.setZero();
     if (!(input_.p[k] > 0.0)) {
       act_behind(k, point, behind);
@@ -340,10 +354,10 @@ class TreadBody::LineJacobian {
     // Derivatives of the point's own traction by its position.
     Behind own;
     own << link.by_step, stiff * link.by_p;
-    if (k > line_.first && !(input_.p[k - 1] > 0.0)) {
-      const double here = x_(2, k), there = x_(2, k - 1), drop = here - there;
+    if (k > line_.first && !input_.carries(k)) {
+      const double here = x_(2, k), there = body_.height_before(k, x_), drop = here - there;
       own.col(2) -= there / (drop * drop) * link.by_share;
-      shared_ = here / (drop * drop) * link.by_share;
+      shared_ = link.now * here / (drop * drop) * link.by_share;
     }
     behind += next.by_before * own;
     act_behind(k, point, behind);

@@ -18,6 +18,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "models/fe_tire/contact/ground.h"
@@ -53,6 +54,9 @@ class TreadBody : public RollingBody {
   /// Points of the tread in the order of the lines.
   const std::vector<int>& points() const { return points_; }
   const RollingLines& lines() const { return lines_; }
+  /// States what the points before the listed ones were when their material passed there, for a
+  /// tire that is not in a steady state; `touched` is not used.
+  void set_upstream(Upstream upstream) { upstream_ = std::move(upstream); }
   /// Sets T and r on rows(), in the axes of the nodes' unknowns.
   void set(Eigen::MatrixXd T, Eigen::VectorXd r);
   /// Returns T in the ground's axes.
@@ -83,6 +87,9 @@ class TreadBody : public RollingBody {
   Eigen::VectorXd to_nodes(const Eigen::VectorXd& q) const;
   /// Returns the ground's forces at rows(), N, in the same axes.
   Eigen::VectorXd forces(const RollingInput& input, const GripTractions& tractions) const;
+  /// Returns the positions of all points of the tread on the surface rolled out at the start, m [3 x
+  /// points of the tread].
+  const Eigen::Matrix3Xd& all_positions() const { return all_; }
   /// Returns the positions of the listed points on the surface rolled out, m [3 x points].
   Eigen::Matrix3Xd positions(const Eigen::VectorXd& q) const;
   double area(int k) const { return areas_[k]; }
@@ -109,6 +116,7 @@ class TreadBody : public RollingBody {
     std::vector<int> columns;
     std::vector<PointNodes> points;
   };
+  double height_before(Eigen::Index k, const Eigen::Matrix3Xd& x) const;
   int rise_at() const { return static_cast<int>(rows_.size()); }
   int spin_at() const { return rise_at() + (load_ ? 1 : 0); }
   double drive(const RollingInput& input, const GripTractions& tractions, double rise) const;
@@ -130,7 +138,9 @@ class TreadBody : public RollingBody {
   RollingLines lines_;
   std::vector<int> points_, rows_;
   std::vector<double> areas_, times_;
-  std::vector<Eigen::Vector3d> x_0_;   // positions, without the offset of (T.1) along the ground
+  Eigen::Matrix3Xd all_;  // positions of all points, without the offset of (T.1) along the ground
+  Upstream upstream_;
+  std::vector<Eigen::Vector3d> x_0_;   // those of the listed points
   std::vector<Eigen::Matrix3d> turn_;  // turns the ground's axes to the surface's at a point
   std::vector<Section> sections_;
   std::vector<Eigen::Matrix3d> turns_;  // turns each node's axes to the ground's

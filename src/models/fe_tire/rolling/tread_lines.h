@@ -9,6 +9,10 @@
 
 namespace latsch::fe_tire {
 
+/// Half angle of the tread that may touch, rad: flat ground below a tire pressed by 8 % of its
+/// radius reaches to 0.22 rad.
+inline constexpr double kTouchingAngle = 0.4;
+
 /// All points of a smooth tread surface of the whole ring.
 struct TreadLines {
   /// Indices of points, line by line, each in the order in which material passes them in forward

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Forces of the history that the rubber and the cords of a tire carry along streamlines while its
+// state changes in time.
+//
+// In a step h of time the material at a place comes from the place Omega h upstream. With the
+// deviations dS, dH_i of stress and history from those of the steady state at the start,
+//   dH_i(t + h) = e^(-a_i) dH_i* + c_i beta_i (dS(t + h) - dS*),   a = h/tau, c = (1 - e^(-a))/a (H.6)
+// where * are the values of the last step at the place upstream, by the cubic through the four
+// sectors around. It is (H.1) for stresses that change linearly within the step. The steady state
+// itself obeys (H.2) of rolling_history.h and does not change, however long the passage lasts.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "models/fe_tire/rolling/rolling_history.h"
+
+namespace latsch::fe_tire {
+
+class TransientHistory : public RollingHistory {
+ public:
+  using RollingHistory::RollingHistory;
+
+  /// Begins with a steady state whose material passes with Omega, rad/s.
+  void start(const RingUnknowns& unknowns, const AssembledState& steady, double Omega);
+  /// Begins a step of `h`, s, during which material passes with Omega, rad/s.
+  void begin_step(double h, double Omega);
+  /// Computes the history of an iterate of the step.
+  void update_step(const RingUnknowns& unknowns, const AssembledState& state) {
+    follow(unknowns, state);
+  }
+  /// Takes the last iterate as the end of the step.
+  void end_step();
+
+  /// Deviations from the steady state at the end of the last step, for going back to them.
+  struct Deviations {
+    std::vector<Eigen::MatrixXd> S;               // [section element], [rows x sectors]
+    std::vector<std::vector<Eigen::MatrixXd>> H;  // [section element][part and term]
+  };
+  const Deviations& deviations() const { return last_; }
+  void set_deviations(Deviations of) { last_ = std::move(of); }
+
+ private:
+  /// Rows of an element that relax by one series, and the stiffness of a linear solid, whose rows
+  /// are strains.
+  struct Part {
+    int series;
+    Eigen::Index first, rows;
+    const Matrix6* D = nullptr;
+  };
+  /// Sectors around the place upstream of a sector, and their weights.
+  struct Around {
+    std::array<int, 4> sectors;
+    std::array<double, 4> weights;
+  };
+  Eigen::MatrixXd history(int element, const Eigen::MatrixXd& S) override;
+  std::vector<Part> parts(int element) const;
+  void find_upstream(double angle);
+  Eigen::MatrixXd upstream(const Eigen::MatrixXd& of) const;
+  static void add(const Part& part, const Eigen::MatrixXd& h, Eigen::MatrixXd& H);
+
+  bool is_steady_ = true;  // the state that is followed is the steady one
+  double step_ = 0.0, stiffened_step_ = 0.0;  // s
+  std::vector<Around> around_;                // of every sector
+  std::vector<Eigen::MatrixXd> S_0_, H_0_;    // of the steady state, [section element]
+  Deviations last_, next_;  // next_.S: of the last iterate; next_.H: the known part of (H.6)
+  std::vector<Eigen::MatrixXd> sum_;          // H_0 and the known parts
+};
+
+}  // namespace latsch::fe_tire
