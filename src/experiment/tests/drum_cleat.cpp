@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
+#include "experiment/rigs/fe_tire/cleat_rig.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/rigs/slip/lift_watch.h"
 #include "experiment/rigs/wheel_scheme.h"
@@ -55,6 +56,11 @@ std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
 }
 
 Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
+  if (auto* elements = specimen.find<IsFeTire>())
+    return elements->drive(
+        [&](TireRig& rig, fe_tire::TireSlopes*) { return cross_cleat(rig, test_); },
+        test_.pressure.has_value(),
+        {});
   refuse_high_cleat(specimen, test_.cleat);
   LiftLog lifts;
   auto record =
@@ -65,11 +71,39 @@ Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
 
 namespace {
 
+/// Returns the radius of the unloaded tire, m.
+double free_radius(Specimen& specimen, const DrumTest& test) {
+  if (const auto* rolls = specimen.find<Rolls>())
+    return rolls->tire(test.pressure)->free_radius();
+  double radius = 0.0;
+  (void)specimen.find<IsFeTire>()->drive(
+      [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+        radius = rig.tire().mesh().outer_radius();
+        return Channels();
+      },
+      true,
+      {});
+  return radius;
+}
+
+/// Returns the remarks of a finite-element tire on the test.
+std::vector<std::string> remarks(IsFeTire& tire, const DrumTest& test) {
+  std::vector<std::string> sentences;
+  (void)tire.drive(
+      [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+        sentences = remarks_on_cleat(rig, test);
+        return Channels();
+      },
+      true,
+      {});
+  return sentences;
+}
+
 /// Returns a sentence if the record, or even the simulation, does not contain the whole passage
 /// over the cleat; empty if it does.
 std::string cut_passage(Specimen& specimen, const DrumTest& test) {
   const auto* knows = specimen.find<KnowsLimits>();
-  const double radius = specimen.find<Rolls>()->tire(test.pressure)->free_radius();
+  const double radius = free_radius(specimen, test);
   const double reach = reach_of_cleat(test, radius, knows ? knows->felt_half_width() : 0.0);
   const double time = reach / test.speed, before = test.lead, after = test.duration - test.lead;
   if (time <= before && time <= after) return "";
@@ -95,6 +129,7 @@ std::string cut_passage(Specimen& specimen, const DrumTest& test) {
 
 std::vector<std::string> DrumCleatTest::limits_of_model(Specimen& specimen) const {
   std::vector<std::string> limits = limits_of(specimen, test_.cleat);
+  if (auto* elements = specimen.find<IsFeTire>()) limits = remarks(*elements, test_);
   for (std::string& limit : limits_of_camber(specimen, test_.camber, /*rolls=*/true))
     limits.push_back(std::move(limit));
   if (!test_.cleat) return limits;
@@ -118,6 +153,18 @@ std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {
 
 Result<std::vector<std::string>> DrumCleatTest::run_in_blocks(
     Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
+  if (auto* elements = specimen.find<IsFeTire>()) {
+    const auto done = elements->drive(
+        [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+          const Status crossed = cross_cleat(rig, test_, tell);
+          if (!crossed) return crossed.failure();
+          return Channels();
+        },
+        test_.pressure.has_value(),
+        {});
+    if (!done) return done.failure();
+    return limits_of_model(specimen);
+  }
   const auto notes = Test::run_in_blocks(specimen, tell);
   if (!notes) return notes;
   return limits_of_model(specimen);
@@ -146,7 +193,7 @@ const KeySection& drum_cleat_keys();
 
 const TestKind kDrumCleatTest = {"drum_cleat",
                                  "rolls over a cleat on the drum",
-                                 {Rolls::kName},
+                                 {Rolls::kName, IsFeTire::kName},
                                  read_drum,
                                  drum_cleat_keys,
                                  kWheelScheme};
