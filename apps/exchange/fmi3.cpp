@@ -136,8 +136,11 @@ Status fmi3SetFloat64(Handle handle,
 }
 
 #define LATSCH_TYPE(Name, Value)                                                         \
-  Status fmi3Get##Name(                                                                  \
-      Handle handle, const Reference[], std::size_t count, Value[], std::size_t) {       \
+  Status fmi3Get##Name(Handle handle,                                                    \
+                       const Reference[],                                                \
+                       std::size_t count,                                                \
+                       [[maybe_unused]] Value values[],                                  \
+                       std::size_t) {                                                    \
     return none(handle, count);                                                          \
   }                                                                                      \
   Status fmi3Set##Name(                                                                  \

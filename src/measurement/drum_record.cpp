@@ -114,7 +114,9 @@ std::span<const double> DrumRecord::channel(const std::string& name) const {
   return found->values;
 }
 
-DrumRecord drum_record(Channels channels, const std::string& time_channel, std::string source) {
+DrumRecord drum_record(const Channels& channels,
+                       const std::string& time_channel,
+                       std::string source) {
   const Channel* time = channels.find(time_channel);
   if (!time) missing(channels, time_channel, source);
   const std::vector<double>& t = time->values;

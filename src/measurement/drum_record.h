@@ -25,7 +25,9 @@ struct DrumRecord {
 /// names the source, the channel, the sample and its time: if a channel is missing, of another
 /// length or not finite, if there are fewer than 16 samples, or if the time does not rise, misses
 /// samples or has steps that differ by more than a tenth.
-DrumRecord drum_record(Channels channels, const std::string& time_channel, std::string source);
+DrumRecord drum_record(const Channels& channels,
+                       const std::string& time_channel,
+                       std::string source);
 
 /// Throws InputError if the channel is missing or has a unit of another quantity. A plain number is
 /// assumed to be in `unit`.

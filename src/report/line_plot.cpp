@@ -155,7 +155,7 @@ std::string line_plot(const LinePlot& plot) {
       svg.polyline(points, stroke);
     }
     if (line.name.empty()) continue;
-    const Point at = legend[k];
+    const Point& at = legend[k];
     svg.line({at.x(), at.y()}, {at.x() + 18.0, at.y()}, stroke);
     svg.text({at.x() + 24.0, at.y() + 4.0}, line.name);
   }

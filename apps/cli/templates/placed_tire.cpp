@@ -19,7 +19,7 @@ std::string columns_line(const std::vector<double>& columns) {
 
 std::string placed_tire(std::string_view text, const std::vector<double>& columns, int sectors) {
   const std::string line = columns_line(columns);
-  std::string placed = by_lines(text, [&](std::string old) -> std::string {
+  std::string placed = by_lines(text, [&](const std::string& old) -> std::string {
     if (old.starts_with("meridional") || old.starts_with("columns")) return line + "\n";
     if (old.starts_with("sectors =")) return fmt::format("sectors = {}\n", sectors);
     return old.starts_with("spacing = [[") ? "" : old;

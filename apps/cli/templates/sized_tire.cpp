@@ -131,7 +131,7 @@ bool is_position(const std::string& path) {
 
 /// Returns the text with the value of the key `key` replaced in its line.
 std::string with_line(std::string_view text, const std::string& key, const std::string& value) {
-  return by_lines(text, [&](std::string line) {
+  return by_lines(text, [&](const std::string& line) {
     return line.starts_with(key + " =") ? fmt::format("{} = {}\n", key, value) : line;
   });
 }
@@ -170,7 +170,7 @@ std::string stretched_tire(std::string_view text, const std::string& size) {
       2.0 * half_rim(wanted) / kInch);
   Document tire = Document::parse(
       with_head(by_lines(text,
-                         [&](std::string line) {
+                         [&](const std::string& line) {
                            const char* key = line.starts_with("name =")   ? "name"
                                              : line.starts_with("size =") ? "size"
                                                                           : nullptr;
@@ -241,7 +241,7 @@ std::string inflated_size_in_words(const Document& tire,
 }
 
 std::string coarse_tire(const std::string& text) {
-  return by_lines(text, [](std::string line) -> std::string {
+  return by_lines(text, [](const std::string& line) -> std::string {
     if (line.starts_with("columns =")) return "meridional = 16\n";
     if (line.starts_with("sectors =")) return "sectors = 24\n";
     const bool of_fine_mesh = line.starts_with("sector_zones =") ||

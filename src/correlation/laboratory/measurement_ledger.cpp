@@ -130,8 +130,8 @@ std::vector<LedgerDoubt> Measurement::unknown_keys() const {
   std::vector<LedgerDoubt> errors;
   for (const auto& [key, column] : told_.stated) {
     if (recognized(key)) continue;
-    const bool is_used =
-        std::any_of(told_.ledgers->begin(), told_.ledgers->end(), [&](const Ledger& ledger) {
+    const bool is_used = std::any_of(
+        told_.ledgers->begin(), told_.ledgers->end(), [&column = column](const Ledger& ledger) {
           const LedgerRow* row = ledger.find_written(column.column);
           return !row || !row->used_by.empty();
         });

@@ -293,7 +293,8 @@ Result<SimulatedValues> Curve::samples(const Channels& trial, const std::string&
 Result<SimulatedValues> Curve::delayed_samples(const Channels& trial) const {
   const auto both = channels_of(trial, c_.y);
   if (!both) return both.failure();
-  const auto& [x, y] = *both;
+  const Channel* x = both->first;
+  const Channel* y = both->second;
   if (x->values.size() < 2 || !rises(x->values))
     return wrong(c_.x, "does not rise over two values at least, as a fitted delay needs it");
   const auto range = delay_range(c_.x_measured, x->values);

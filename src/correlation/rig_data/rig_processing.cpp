@@ -154,7 +154,7 @@ DrumRecord read_record(const RigFile& rig,
     const bool asked_for = std::find(needed.begin(), needed.end(), channel.name) != needed.end();
     if (asked_for || !time || channel.values.size() == time->values.size()) channels.add(channel);
   }
-  return drum_record(std::move(channels), rig.time, file.string());
+  return drum_record(channels, rig.time, file.string());
 }
 
 void add_speed(const RigFile& rig, DrumRecord& record) {

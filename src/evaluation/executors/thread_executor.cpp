@@ -10,7 +10,7 @@
 
 namespace latsch {
 
-ThreadExecutor::ThreadExecutor(std::function<Evaluator()> make, int workers)
+ThreadExecutor::ThreadExecutor(const std::function<Evaluator()>& make, int workers)
     : slots_(std::max(workers, 0)) {
   if (workers < 1) throw InputError("worker threads need a number of at least 1");
   for (int i = 0; i < workers; ++i) {

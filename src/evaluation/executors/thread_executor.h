@@ -19,7 +19,7 @@ namespace latsch {
 class ThreadExecutor : public Executor {
  public:
   /// `make` is called once in every thread and returns an evaluator that no other thread uses.
-  ThreadExecutor(std::function<Evaluator()> make, int workers);
+  ThreadExecutor(const std::function<Evaluator()>& make, int workers);
   /// Waits for running trials.
   ~ThreadExecutor() override;
 

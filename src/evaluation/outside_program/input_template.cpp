@@ -92,7 +92,7 @@ std::string written(const DesignVariable& variable, double value, const std::str
 
 }  // namespace
 
-InputTemplate::InputTemplate(std::string text, std::string file, const DesignSpace& space)
+InputTemplate::InputTemplate(std::string text, const std::string& file, const DesignSpace& space)
     : text_(std::move(text)) {
   Part part;
   int line = 1;

@@ -21,7 +21,7 @@ class InputTemplate {
  public:
   /// Throws InputError naming `file` and line for a hole that names no variable or has an invalid
   /// format.
-  InputTemplate(std::string text, std::string file, const DesignSpace& space);
+  InputTemplate(std::string text, const std::string& file, const DesignSpace& space);
 
   /// Returns the text with values in place of the holes.
   std::string filled(const DesignSpace& space, const DesignPoint& point) const;

@@ -290,7 +290,7 @@ class CarKind : public SpecimenKind {
         document = with_part(document, tire, tire_kind(written.root(), of, tire).read(named));
       }
     }
-    CarSpecimen{document};
+    (void)CarSpecimen{document};  // throws for a wrong file
     return document;
   }
   std::vector<Part> parts(const std::filesystem::path& file) const override {

@@ -76,7 +76,7 @@ class SuspensionKind : public SpecimenKind {
     try {
       SuspensionSpecimen{composed.document};
     } catch (const InputError& error) {  // messages refer to the file as written
-      const Place there = error.place();
+      const Place& there = error.place();
       if (there.file != written.file() || composed.added.empty()) throw;
       const std::string words = error.what();
       throw InputError(composed.origin(there), words.substr(there.text().size() + 2));

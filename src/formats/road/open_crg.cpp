@@ -92,7 +92,7 @@ OpenCrg OpenCrg::read(const std::filesystem::path& file) {
   return assemble(resolved.bytes, std::move(resolved.header));
 }
 
-OpenCrg OpenCrg::parse(std::string bytes, std::string file_name) {
+OpenCrg OpenCrg::parse(const std::string& bytes, const std::string& file_name) {
   check_open_crg_size(bytes, file_name);
   OpenCrgHeader header = read_open_crg_header(bytes, file_name);
   if (!header.references.empty()) {

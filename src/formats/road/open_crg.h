@@ -58,7 +58,7 @@ struct OpenCrg {
   /// data), what was found and what was expected.
   static OpenCrg read(const std::filesystem::path& file);
   /// Parses a file from its bytes. Refuses a section $ROAD_CRG_FILE, which refers to other files.
-  static OpenCrg parse(std::string bytes, std::string file_name);
+  static OpenCrg parse(const std::string& bytes, const std::string& file_name);
 };
 
 }  // namespace latsch::formats

@@ -56,9 +56,10 @@ void take_stated_units(std::vector<LabColumn>& columns, const Units& units, cons
   std::vector<std::string> names, missing;
   for (const LabColumn& column : columns) names.push_back(column.source.name);
   for (const auto& [name, unit] : units) {
-    const auto found = std::find_if(columns.begin(), columns.end(), [&](const LabColumn& column) {
-      return column.source.name == name || column.source.title == name;
-    });
+    const auto found =
+        std::find_if(columns.begin(), columns.end(), [&name = name](const LabColumn& column) {
+          return column.source.name == name || column.source.title == name;
+        });
     if (found == columns.end()) {
       missing.push_back(name);
       continue;

@@ -143,17 +143,17 @@ bool MatVariable::is_vector() const {
 }
 
 MatFile MatFile::read(const std::filesystem::path& file) {
-  std::string bytes = read_settled_file(file, kLargestMatFile);
+  const std::string bytes = read_settled_file(file, kLargestMatFile);
   if (bytes.starts_with("MATLAB 7.3")) {
     MatFile result;
     result.file = file.string();
     Hdf5Reading(result).run();
     return result;
   }
-  return parse(std::move(bytes), file.string());
+  return parse(bytes, file.string());
 }
 
-MatFile MatFile::parse(std::string bytes, std::string file_name) {
+MatFile MatFile::parse(const std::string& bytes, std::string file_name) {
   MatFile result;
   result.file = std::move(file_name);
   read_mat_v5(bytes, result);

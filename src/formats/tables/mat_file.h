@@ -37,7 +37,7 @@ struct MatFile {
   /// unpacked.
   static MatFile read(const std::filesystem::path& file);
   /// Reads version 5 only.
-  static MatFile parse(std::string bytes, std::string file_name);
+  static MatFile parse(const std::string& bytes, std::string file_name);
 
   /// All vectors of numbers as channels in SI. The unit of a vector is, in this order: a text
   /// beside it in its struct, S.unit (or units) of S.data (or value, values), in which case the

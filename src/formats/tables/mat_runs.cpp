@@ -31,7 +31,7 @@ std::vector<std::string> runs_in(const MatFile& file) {
     const auto known = recognized(name);
     if (!known) continue;
     auto at = std::find_if(
-        found.begin(), found.end(), [&](const auto& one) { return one.first == path; });
+        found.begin(), found.end(), [&path = path](const auto& one) { return one.first == path; });
     if (at == found.end()) at = found.insert(found.end(), {path, {}});
     at->second.insert(known->channel);
   }

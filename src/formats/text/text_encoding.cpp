@@ -98,7 +98,8 @@ std::shared_ptr<const MappedFile> utf8_file(std::shared_ptr<const MappedFile> so
   expect_text(bytes, file);
   const bool is_kept = is_ascii(bytes) || is_utf8(bytes);
   source->let_go(bytes.size());
-  return is_kept ? source : std::make_shared<const MappedFile>(from_windows_1252(bytes));
+  if (is_kept) return source;
+  return std::make_shared<const MappedFile>(from_windows_1252(bytes));
 }
 
 std::string_view columns_of(std::string_view line, std::size_t first, std::size_t count) {

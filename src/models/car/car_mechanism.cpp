@@ -253,13 +253,13 @@ class Builder {
   void add_axle(const Axle& axle, int left, const std::string& name) {
     if (!axle.inboard) return;
     const Inboard& inboard = *axle.inboard;
-    const auto& [rocker_left, rocker_right] = rockers_[is_front(left) ? 0 : 1];
+    const auto& rockers = rockers_[is_front(left) ? 0 : 1];
     const int chassis = is_front(left) ? parts_.chassis : parts_.chassis_rear;
     const auto both = [&](const Vector3d& on_chassis,
                           const Vector3d& on_rocker,
                           double right) -> std::vector<multibody::StrutLine> {
-      return {{chassis, rocker_left, on_chassis, on_rocker, 1.0},
-              {chassis, rocker_right, mirrored(on_chassis), mirrored(on_rocker), right}};
+      return {{chassis, rockers[0], on_chassis, on_rocker, 1.0},
+              {chassis, rockers[1], mirrored(on_chassis), mirrored(on_rocker), right}};
     };
     if (inboard.bar)
       struts_.push_back(strut_of("the " + name + " anti-roll bar",

@@ -350,7 +350,8 @@ Result<Rest> Car::roll_rounds(int rounds,
         wheel.hub = *hub;
         wheel.motion = there;
         if (2 * i <= way.steps) continue;
-        const double share = 1.0 / (way.steps - way.steps / 2);
+        const int first_half = way.steps / 2;  // number of its steps, rounded down
+        const double share = 1.0 / (way.steps - first_half);
         height += share * there.center.z();
         mean.force += share * hub->force;
         mean.moment += share * hub->moment;

@@ -238,7 +238,8 @@ void TrustRegionRun::start_again(const Eigen::VectorXd& failed) {
     if (another) wanted_.push_back(*another);
     return;
   }
-  const double reach = options_.initial_radius * (1.0 + radius_.failures() / n());
+  const int rounds = radius_.failures() / n();  // number of complete rounds of n failures
+  const double reach = options_.initial_radius * (1.0 + rounds);
   for (int k = 0; k < tuning_.search.tries; ++k) {
     const Eigen::VectorXd u = box_.drawn_near(failed, reach);
     // The point may have been proposed before and would fail again.

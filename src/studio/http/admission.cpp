@@ -92,7 +92,7 @@ std::string random_token() {
 Admission::Admission(const std::string& listen,
                      std::uint16_t port,
                      std::string token,
-                     std::vector<std::string> names)
+                     const std::vector<std::string>& names)
     : token_(std::move(token)), cookie_name_(fmt::format("latsch_{}", port)) {
   check_token(token_);
   const std::string host = listen.find(':') == listen.npos ? listen : "[" + listen + "]";

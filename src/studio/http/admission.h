@@ -51,7 +51,7 @@ class Admission {
   Admission(const std::string& listen,
             std::uint16_t port,
             std::string token,
-            std::vector<std::string> names);
+            const std::vector<std::string>& names);
 
   /// Applies checks 1 to 4 of the list above. Returns the refusal; nullopt if the request passes.
   std::optional<Refusal> refuse_stranger(const Head& head) const;

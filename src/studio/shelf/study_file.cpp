@@ -144,7 +144,7 @@ std::string edited(const std::string& text, const std::string& file_name, const 
 std::string write_study_text(const fs::path& file,
                              const std::string& version,
                              const std::string& text) {
-  DocumentTree(text, file.string());  // throws before writing if the text is no TOML
+  (void)DocumentTree(text, file.string());  // throws before writing if the text is no TOML
   if (read_study_text(file).version != version)
     throw ChangedMeanwhile(
         file.string() + " was changed by somebody else meanwhile: load it again before you write");

@@ -25,7 +25,7 @@ struct Side {
 };
 
 Side side_of(const ShelvedStudy& shelved) {
-  Side side;
+  Side side{};
   side.id = shelved.id();
   side.convergence = convergence_view(shelved, {.most = 600}, "");
   side.convergence.erase("failed");

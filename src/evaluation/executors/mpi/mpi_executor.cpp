@@ -117,7 +117,8 @@ void MpiJob::say(int rank, int tag, std::string bytes) {
     MPI_Test(&letter.request, &done, MPI_STATUS_IGNORE);
     return done != 0;
   });
-  Outbox::Letter& letter = outbox_->letters.emplace_back(std::move(bytes), MPI_Request{});
+  Outbox::Letter& letter =
+      outbox_->letters.emplace_back(Outbox::Letter{std::move(bytes), MPI_Request{}});
   MPI_Isend(letter.bytes.data(),
             static_cast<int>(letter.bytes.size()),
             MPI_BYTE,

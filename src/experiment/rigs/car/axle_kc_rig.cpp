@@ -383,9 +383,11 @@ Result<Channels> axle_compliance(const car::CarMechanism& car, const AxleKcTest&
   for (const auto& [phase, suffix] :
        {std::pair{suspension::Phase::in, "in_phase"}, {suspension::Phase::out, "out_of_phase"}})
     for (const auto& [name, unit, member] : all)
-      add(fmt::format("{}_{}", name, suffix), unit, [=](const suspension::Matrix12d& C) {
-        return suspension::classical_compliances(C, phase).*member;
-      });
+      add(fmt::format("{}_{}", name, suffix),
+          unit,
+          [phase = phase, member = member](const suspension::Matrix12d& C) {
+            return suspension::classical_compliances(C, phase).*member;
+          });
   return channels;
 }
 

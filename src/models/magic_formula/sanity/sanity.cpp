@@ -57,6 +57,11 @@ double neutral_value(std::string_view name) {
   return name.starts_with("L") && name.size() > 2 ? 1.0 : 0.0;
 }
 
+/// Sets a coefficient to its neutral value.
+void neutralize(Parameters& p, const ParameterField& field) {
+  p.*field.member = neutral_value(field.name);
+}
+
 bool is_suspect(const Row& row, std::string_view name) {
   return std::ranges::any_of(row.suspects, [&](auto prefix) { return name.starts_with(prefix); });
 }
@@ -88,7 +93,7 @@ std::vector<std::string> single_causes(const Row& row, const Parameters& p, cons
     if (!is_suspect(row, field.name) && !(row.others_may_cause && span)) continue;
     if (p.*field.member == neutral_value(field.name)) continue;
     Parameters without = p;
-    without.*field.member = neutral_value(field.name);
+    neutralize(without, field);
     if (row.look(without).severity > 0.0) continue;
     all.push_back({std::string(field.name), oddity(p.*field.member, span)});
   }
@@ -107,10 +112,9 @@ std::vector<std::string> joint_causes(const Row& row, Parameters p, double sever
     const ParameterField* best = nullptr;
     double least = severity;
     for (const ParameterField& field : parameter_fields()) {
-      const double neutral = neutral_value(field.name);
-      if (!is_suspect(row, field.name) || p.*field.member == neutral) continue;
+      if (!is_suspect(row, field.name) || p.*field.member == neutral_value(field.name)) continue;
       Parameters without = p;
-      without.*field.member = neutral;
+      neutralize(without, field);
       const double left = row.look(without).severity;
       if (left < least) {
         least = left;
@@ -120,7 +124,7 @@ std::vector<std::string> joint_causes(const Row& row, Parameters p, double sever
     // No coefficient reduces the severity by more than 10 %.
     if (!best || !(least < 0.9 * severity)) break;
     named.emplace_back(best->name);
-    p.*best->member = neutral_value(best->name);
+    neutralize(p, *best);
     severity = least;
   }
   return named;
