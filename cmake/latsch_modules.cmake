@@ -23,7 +23,7 @@ add_compile_options(-Wall -Wextra -Wno-psabi -ffp-contract=off)
 if(LATSCH_WERROR)
   # GCC 12 also warns of "x" + std::string, inside of its own header, where nothing overlaps, and of the inside of an
   # optional that it has not proved to be empty.
-  add_compile_options(-Werror -Wno-restrict -Wno-maybe-uninitialized)
+  add_compile_options(-Werror $<$<COMPILE_LANGUAGE:C,CXX>:-Wno-restrict> $<$<COMPILE_LANGUAGE:C,CXX>:-Wno-maybe-uninitialized>)
 endif()
 
 # GCC copies structs of registers in pieces of sixteen bytes; reading them back in pieces of 32 then
@@ -109,7 +109,7 @@ function(latsch_tests folder name library)
   list(SORT tests COMPARE FILE_BASENAME)
   if(LATSCH_TESTS AND tests)
     add_executable(${name}_test ${tests})
-    target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main)
+    target_link_libraries(${name}_test PRIVATE ${library} GTest::gtest_main GTest::gmock)
     target_compile_definitions(${name}_test PRIVATE LATSCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     latsch_optimize_little(${name}_test)
     latsch_limit(600)

@@ -217,7 +217,7 @@ void CarUnit::watch(const car::Car& car, double time, double step) {
   constexpr double kGravity = 9.81;  // m/s^2
   watch_->set_weight(kGravity * mass);
   for (std::size_t i = 0; i < kGiven; ++i) {
-    const bool is_brake = i >= brake && i < brake + kCorners;
+    const bool is_brake = i >= brake && i < std::size_t{brake} + kCorners;
     if (is_brake)
       watch_->add_brake((*variables_)[i], given_[i]);
     else

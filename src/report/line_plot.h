@@ -14,7 +14,7 @@ struct PlotLine {
   /// values in the units of the plot; values that are not finite are omitted
   std::vector<double> x, y;
   int color = 0;               // index of the line's color, see category() in color_map.h
-  std::vector<double> spread;  // half width of a band around y; may be empty
+  std::vector<double> spread = {};  // half width of a band around y; may be empty
   bool are_dots = false;       // draws dots that are not joined
   /// ends of the band, as an alternative to `spread`; may be empty
   std::vector<double> lower = {}, upper = {};
@@ -22,8 +22,8 @@ struct PlotLine {
 };
 
 struct LinePlot {
-  std::string description;       // text for screen readers
-  std::string x_title, y_title;  // with units
+  std::string description = {};  // text for screen readers
+  std::string x_title = {}, y_title = {};  // with units
   std::vector<PlotLine> lines;
   bool logarithmic_y = false;  // omits values that are not positive
   double width = 520.0, height = 300.0;

@@ -35,8 +35,7 @@ void check_friction(const formats::CsvTable& table, const RollingTest& test) {
 }
 
 /// Returns the states in the axes of the side for which the tire is described.
-RollingTest rolling_test(const TireRig& rig,
-                         const formats::CsvTable& table,
+RollingTest rolling_test(const formats::CsvTable& table,
                          const SteadyConditions& conditions) {
   if (const std::string why = refused_conditions(conditions); !why.empty()) throw InputError(why);
   TableReading reading;
@@ -94,7 +93,7 @@ Status roll_table(TireRig& rig,
                   const formats::CsvTable& table,
                   const SteadyConditions& conditions,
                   const std::function<void(const Channels&)>& tell) {
-  const RollingTest test = rolling_test(rig, table, conditions);
+  const RollingTest test = rolling_test(table, conditions);
   // States are found in another order than that of the table.
   std::vector<char> is_known(test.rows.size());
   std::size_t told = 0;
@@ -115,7 +114,7 @@ Status roll_table(TireRig& rig,
 Result<Channels> roll_table(TireRig& rig,
                             const formats::CsvTable& table,
                             const SteadyConditions& conditions) {
-  const auto states = roll_states(rig, rolling_test(rig, table, conditions));
+  const auto states = roll_states(rig, rolling_test(table, conditions));
   if (!states) return states.failure();
   return channels_of(*states, conditions.conventions.mirrored);
 }
@@ -124,7 +123,7 @@ std::vector<std::string> remarks_on_table(const TireRig& rig,
                                           const formats::CsvTable& table,
                                           const SteadyConditions& conditions) {
   // throws for conditions that the tire does not take
-  const RollingTest test = rolling_test(rig, table, conditions);
+  const RollingTest test = rolling_test(table, conditions);
   std::vector<std::string> remarks;
   magic_formula::Parameters assumed;
   assumed.LONGVL = kAssumedSpeed;

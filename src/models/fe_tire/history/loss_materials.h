@@ -26,7 +26,7 @@ struct RelaxingSolid {
   PronyTerms terms;    // on the isochoric stress of the rubber
   int owner = 0;       // index into LossMaterials::owners
   double shear = 0.0;  // Pa, shear modulus of the rubber in a solid with smeared cords
-  std::vector<RelaxingCords> smeared;  // empty: the solid is rubber alone
+  std::vector<RelaxingCords> smeared = {};  // empty: the solid is rubber alone
 };
 
 struct RelaxingLayer {

@@ -77,7 +77,7 @@ struct RollingTransient::Impl {
     BossakStep::Motion motion;
     Eigen::VectorXd alpha;
     Eigen::VectorXd f;  // N, internal forces
-    Eigen::VectorXd g;  // N, forces of (R.3) without the ground
+    Eigen::VectorXd g;  // N, forces of (V.5) without the ground
     MovingInertia::Forces inertia;
     double spin = 0.0, spin_rate = 0.0;
   };

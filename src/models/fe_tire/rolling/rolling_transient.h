@@ -8,10 +8,10 @@
 //   now->force                                              // of the tire on the hub
 //
 // The mesh stands and the tire runs through it, as in rolling_tire.h:
-//   M a + Omega (G' - G'^T) v + f_int(x) - Omega^2 (w_0 + W u) + Omega' G' x = c               (R.3)
+//   M a + Omega (G' - G'^T) v + f_int(x) - Omega^2 (w_0 + W u) + Omega' G' x = c               (V.5)
 // in axes that travel with the wheel center, whose acceleration adds to a. c is the ground's
 // pressure (C.1) and friction in time, (F.5) of tread_past.h. Steps are those of bossak_step.h. The
-// steady state is the start without any run-in, because it solves (R.3), and (F.5) is (F.1) there.
+// steady state is the start without any run-in, because it solves (V.5), and (F.5) is (F.1) there.
 //
 // Newton's method has the symmetric part of the tangent, K + M (1 - alpha)/(beta h^2) - Omega^2 W,
 // which is factorized at the start and again only if iterations become slow. Contact is solved in

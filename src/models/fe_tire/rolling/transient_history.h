@@ -4,7 +4,7 @@
 //
 // In a step h of time the material at a place comes from the place Omega h upstream. With the
 // deviations dS, dH_i of stress and history from those of the steady state at the start,
-//   dH_i(t + h) = e^(-a_i) dH_i* + c_i beta_i (dS(t + h) - dS*),   a = h/tau, c = (1 - e^(-a))/a (H.6)
+//   dH_i(t + h) = e^(-a_i) dH_i* + c_i beta_i (dS(t + h) - dS*),   a = h/tau, c = (1 - e^(-a))/a (H.7)
 // where * are the values of the last step at the place upstream, by the cubic through the four
 // sectors around. It is (H.1) for stresses that change linearly within the step. The steady state
 // itself obeys (H.2) of rolling_history.h and does not change, however long the passage lasts.
@@ -65,7 +65,7 @@ class TransientHistory : public RollingHistory {
   double step_ = 0.0, stiffened_step_ = 0.0;  // s
   std::vector<Around> around_;                // of every sector
   std::vector<Eigen::MatrixXd> S_0_, H_0_;    // of the steady state, [section element]
-  Deviations last_, next_;  // next_.S: of the last iterate; next_.H: the known part of (H.6)
+  Deviations last_, next_;  // next_.S: of the last iterate; next_.H: the known part of (H.7)
   std::vector<Eigen::MatrixXd> sum_;          // H_0 and the known parts
 };
 

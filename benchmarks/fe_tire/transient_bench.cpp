@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// The finite-element tire in time: accuracy beside CalculiX, beside steady states and beside the
+// response in frequency, and the CPU time of a passage over a cleat.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "cpu_time.h"
+#include "dropped_wheel.h"
+#include "free_wheel.h"
+#include "models/fe_tire/rolling/rolling_transient.h"
+#include "shipped_tires.h"
+#include "table.h"
+
+namespace latsch::benchmarks {
+namespace {
+
+using namespace fe_tire;
+
+constexpr double kLoad = 4000.0, kSpeed = 60.0 / 3.6;  // N, m/s
+constexpr double kLoss = 0.15;                         // of every rubber
+
+std::string percent(double error) { return fmt::format("{:.3f} %", 100.0 * error); }
+
+void dropped_rows(Table& table, const Options& options) {
+  const double step = options.size(1e-4, 2e-4);
+  for (const bool spins : {false, true}) {
+    const auto errors = verification::drop_errors(spins, verification::drop_wheel(spins, step));
+    const std::string name = spins ? "drop_spinning_wheel" : "drop_wheel";
+    table.row(name + ", CalculiX: impulse", percent(errors.impulse), "<= 0.1 %",
+              errors.impulse <= 1e-3);
+    const double most = spins ? 0.05 : 0.02;
+    table.full_row(name + ", load at 52 times, rms",
+                   percent(errors.load),
+                   fmt::format("<= {:g} %", 100.0 * most),
+                   errors.load <= most);
+    table.row(name + ", means of the load over 2 ms, rms",
+              percent(errors.load_of_passages),
+              fmt::format("<= {:g} %", 100.0 * most),
+              errors.load_of_passages <= most);
+  }
+}
+
+TireDescription relaxing_tire(const Options& options) {
+  TireDescription tire = tire_for(options, "passenger_225_50R16");
+  for (Rubber& rubber : tire.rubbers)
+    rubber.prony = value_of(constant_loss_factor(kLoss, 0.1, 1000.0));
+  return tire;
+}
+
+/// A passage that begins with the steady state of a free wheel.
+RollingTransient passage_of(FreeWheel& wheel, const TireDescription& of) {
+  RollingTransient passage(wheel.tire);
+  passage.set_history(build_losses(of), wheel.inflated);
+  return passage;
+}
+
+/// Largest errors of forces and of the moment about the vertical, relative to the largest force and
+/// the largest moment of the steady state.
+double error_of(const RollingForces& found, const RollingForces& steady) {
+  const double force = (found.force - steady.force).cwiseAbs().maxCoeff();
+  return std::max(force / steady.force.cwiseAbs().maxCoeff(),
+                  std::abs(found.moment.z() / steady.moment.z() - 1.0));
+}
+
+void steady_rows(Table& table, const Options& options, FreeWheel& wheel, const TireDescription& of) {
+  constexpr double kAngle = 0.03, kSlip = -0.01, kRamp = 0.06;  // rad, 1, s
+  const double step = 1e-3, time = options.size(0.5, 0.15);
+  const RollingCase turned = wheel.at(0.0, kAngle);
+  const RollingState steady = value_of(wheel.rolling.roll(wheel.state, turned));
+  RollingTransient passage = passage_of(wheel, of);
+
+  auto now = value_of(passage.start(steady, {.step = 3.3e-4}));
+  for (int k = 0; k < 3; ++k) now = value_of(passage.advance({.of = turned}));
+  const double moved = (now.ground.force - steady.forces.force).norm() / kLoad;
+  table.row("a steady state in the equations of a passage: change of the forces, over the load",
+            fmt::format("{:.1e}", moved),
+            "<= 1e-5",
+            moved <= 1e-5);
+
+  (void)value_of(passage.start(wheel.state, {.step = step, .rho = 0.3}));
+  const double begin = cpu_seconds();
+  for (long k = 1; k <= std::lround(time / step); ++k) {
+    WheelMoment to{.of = turned};
+    to.of.slip_angle = kAngle * std::min(1.0, static_cast<double>(k) * step / kRamp);
+    to.of.speed = kSpeed / std::cos(to.of.slip_angle);
+    to.of.spin = wheel.state.of.spin;
+    now = value_of(passage.advance(to));
+  }
+  const double error = error_of(now.ground, steady.forces);
+  table.full_row(fmt::format("{:g} s after a new slip angle, largest error of Fx, Fy, Fz, Mz", time),
+                 percent(error),
+                 "<= 1 %",
+                 error <= 1e-2);
+  table.note("CPU time of each of these steps",
+             fmt::format("{:.0f} ms", 1e3 * step / time * (cpu_seconds() - begin)));
+
+  const RollingState braked = value_of(wheel.rolling.roll(wheel.state, wheel.at(kSlip, 0.0)));
+  now = value_of(passage.start(braked, {.step = step, .rho = 0.3}));
+  for (long k = 1; k <= std::lround(time / step); ++k)
+    now = value_of(passage.advance({.of = braked.of, .wheel = SpinningWheel{.inertia = 0.5}}));
+  const double radius = std::abs(now.spin / wheel.state.of.spin - 1.0);
+  table.full_row("effective radius of a wheel that was braked by 1 % and then spins freely",
+                 percent(radius),
+                 "<= 0.2 %",
+                 radius <= 2e-3);
+}
+
+struct Record {
+  std::vector<double> Fx, Fz;  // N, changes on the hub
+  double seconds = 0.0;        // CPU
+  int factors = 0;
+};
+
+/// Rolls over a cleat for `time`, s, from 50 ms before it is below the axle.
+Record over_cleat(RollingTransient& passage,
+                  const FreeWheel& wheel,
+                  double step,
+                  double smooth,
+                  double time) {
+  constexpr double kLead = 0.05, kSample = 5e-4;  // s
+  Record record;
+  const double begin = cpu_seconds();
+  const PassingBar::Size bar{.height = 0.01, .length = 0.02, .smooth = smooth};
+  const auto still = value_of(passage.start(wheel.state, {.step = step, .bar = bar}));
+  const long every = std::lround(kSample / step);
+  for (long k = 1; k <= std::lround(time / step); ++k) {
+    const auto now =
+        value_of(passage.advance({.of = wheel.state.of,
+                                  .bar_at = kSpeed * (kLead - static_cast<double>(k) * step),
+                                  .wheel = SpinningWheel{.inertia = 1.0}}));
+    record.factors += now.factors;
+    if (k % every != 0) continue;
+    record.Fx.push_back(now.force.x() - still.force.x());
+    record.Fz.push_back(now.force.z() - still.force.z());
+  }
+  record.seconds = cpu_seconds() - begin;
+  return record;
+}
+
+double relative_rms(const std::vector<double>& of, const std::vector<double>& to) {
+  double difference = 0.0, size = 0.0;
+  for (std::size_t k = 0; k < std::min(of.size(), to.size()); ++k) {
+    difference += std::pow(of[k] - to[k], 2);
+    size += std::pow(to[k], 2);
+  }
+  return std::sqrt(difference / size);
+}
+
+void cleat_rows(Table& table, const Options& options, FreeWheel& wheel, const TireDescription& of) {
+  const double step = 5e-4, time = options.size(0.25, 0.07), smooth = 0.011;
+  RollingTransient passage = passage_of(wheel, of);
+  const Record record = over_cleat(passage, wheel, step, smooth, time);
+  const auto most = [](const std::vector<double>& values) {
+    double largest = 0.0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return largest;
+  };
+  table.note("cleat of 10 mm x 20 mm at 60 km/h: largest changes of Fx, Fz",
+             fmt::format("{:.0f} N, {:.0f} N", most(record.Fx), most(record.Fz)));
+  table.full_row(fmt::format("{:g} s of it in steps of 0.5 ms", time),
+                 fmt::format("{:.1f} s CPU, {} factorizations", record.seconds, record.factors),
+                 "<= 90 s",
+                 record.seconds <= 90.0);
+  const auto change = [&](const std::string& what, const Record& other) {
+    table.note(what,
+               fmt::format("{}, {}",
+                           percent(relative_rms(record.Fx, other.Fx)),
+                           percent(relative_rms(record.Fz, other.Fz))));
+  };
+  change("the same with half the step: rms of the change of Fx, Fz",
+         over_cleat(passage, wheel, 0.5 * step, smooth, time));
+  change("the same with means twice as wide", over_cleat(passage, wheel, step, 2.0 * smooth, time));
+}
+
+int run(const Options& options) {
+  Table table("transient", options);
+  dropped_rows(table, options);
+  const TireDescription description = relaxing_tire(options);
+  FreeWheel wheel(description, {}, kLoad, kSpeed, 1.0);
+  table.note("unknowns of the whole ring", fmt::format("{}", wheel.tire.mesh().free_dofs()));
+  cleat_rows(table, options, wheel, description);
+  steady_rows(table, options, wheel, description);
+  return table.exit_code();
+}
+
+}  // namespace
+}  // namespace latsch::benchmarks
+
+int main(int argc, char** argv) {
+  return latsch::benchmarks::run_benchmark(argc, argv, {}, latsch::benchmarks::run);
+}

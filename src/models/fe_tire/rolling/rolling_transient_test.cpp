@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/rolling/rolling_transient.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "models/fe_tire/description/reference_tires.h"
+#include "models/fe_tire/rolling/rolling_response.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+constexpr double kTwoSixBar = 2.6e5, kRollsAt = 50.0 / 3.6, kPressedDown = 0.02;  // Pa, m/s, m
+
+TireDescription with_few_columns(bool relaxes) {
+  TireDescription tire = reference_tire_b();
+  tire.element = ElementKind::solid_shell;
+  tire.section.meridional = 13;
+  if (relaxes)
+    for (Rubber& rubber : tire.rubbers) rubber.prony = *constant_loss_factor(0.2, 0.1, 1000.0);
+  return tire;
+}
+
+/// Tire B with few columns that rolls freely, elastic or with rubber that relaxes.
+class Passing {
+ public:
+  explicit Passing(bool relaxes, std::optional<double> mu = 1.0)
+      : description_(with_few_columns(relaxes)),
+        losses_(build_losses(description_)),
+        tire_(description_),
+        inflated_(*tire_.inflate(kTwoSixBar)),
+        rolling_(tire_),
+        passage_(tire_) {
+    rolling_.set_history(losses_, inflated_);
+    passage_.set_history(losses_, inflated_);
+    const auto pressed = tire_.advance(tire_.over(inflated_, {}, FeTire::Poses::any),
+                                       {FeTire::below(inflated_, kPressedDown)});
+    start_ = rolling_.start(pressed->back());
+    RollingCase of = start_.of;
+    of.speed = kRollsAt;
+    of.spin = kRollsAt / 0.312;
+    of.friction.at_rest = mu.value_or(0.0);
+    if (mu) of.drive = 0.0;
+    free_ = roll(start_, of);
+  }
+
+  RollingState roll(const RollingState& from, const RollingCase& of) {
+    auto found = rolling_.roll(from, of);
+    EXPECT_TRUE(found) << found.failure().reason;
+    return *std::move(found);
+  }
+  TransientForces start(const RollingState& state, const TransientSettings& settings) {
+    auto found = passage_.start(state, settings);
+    EXPECT_TRUE(found) << found.failure().reason;
+    return *found;
+  }
+  TransientForces advance(const WheelMoment& to) {
+    auto found = passage_.advance(to);
+    EXPECT_TRUE(found) << found.failure().reason;
+    return found ? *found : TransientForces();
+  }
+
+  TireDescription description_;
+  LossMaterials losses_;
+  FeTire tire_;
+  Inflated inflated_;
+  RollingTire rolling_;
+  RollingTransient passage_;
+  RollingState start_, free_;
+};
+
+class RollingTransientTest : public testing::TestWithParam<bool> {};
+
+TEST_P(RollingTransientTest, KeepsASteadyStateWithSlipAndCamber) {
+  Passing tire(GetParam());
+  RollingCase of = tire.free_.of;
+  of.drive.reset();
+  of.slip_angle = 0.02;
+  of.camber = 0.03;
+  of.spin *= 1.01;
+  const RollingState steady = tire.roll(tire.free_, of);
+  const double load = steady.forces.force.z();
+  // The step is no multiple of the time between points.
+  const TransientForces begin = tire.start(steady, {.step = 3.3e-4});
+  TransientForces end;
+  for (int k = 0; k < 8; ++k) end = tire.advance({.of = of});
+  EXPECT_LT((end.ground.force - steady.forces.force).norm(), 1e-5 * load);
+  EXPECT_LT((end.force - begin.force).norm(), 1e-5 * load);
+  EXPECT_LT((end.moment - begin.moment).norm(), 1e-5 * load * of.height);
+  // On the hub the forces are those of the ground, turned by the camber.
+  const Eigen::Vector3d& ground = steady.forces.force;
+  const double c = std::cos(of.camber), s = std::sin(of.camber);
+  EXPECT_NEAR(begin.force.x(), ground.x(), 1e-6 * load);
+  EXPECT_NEAR(begin.force.y(), c * ground.y() + s * ground.z(), 1e-6 * load);
+  EXPECT_NEAR(begin.force.z(), c * ground.z() - s * ground.y(), 1e-6 * load);
+}
+
+INSTANTIATE_TEST_SUITE_P(ElasticAndRelaxing, RollingTransientTest, testing::Bool());
+
+TEST(RollingTransient, KeepsAFreeWheelFree) {
+  Passing tire(true);
+  tire.start(tire.free_, {});
+  for (int k = 0; k < 10; ++k) {
+    const TransientForces now =
+        tire.advance({.of = tire.free_.of, .wheel = SpinningWheel{.inertia = 1.0}});
+    EXPECT_NEAR(now.spin, tire.free_.of.spin, 1e-6 * tire.free_.of.spin);
+  }
+}
+
+// With a moment on the wheel that stays, the spin ends at that of the steady state with this drive.
+TEST(RollingTransient, EndsWithTheSteadySpinOfItsDrive) {
+  constexpr double kDrive = 60.0;  // N m
+  Passing tire(true);
+  RollingCase driven = tire.free_.of;
+  driven.drive = kDrive;
+  const RollingState steady = tire.roll(tire.free_, driven);
+  tire.start(tire.free_, {.step = 1e-3, .rho = 0.3});
+  TransientForces now;
+  for (int k = 1; k <= 250; ++k) {
+    const double moment = kDrive * std::min(1.0, k / 50.0);
+    now = tire.advance({.of = tire.free_.of, .wheel = SpinningWheel{0.4, moment}});
+  }
+  const double change = steady.of.spin - tire.free_.of.spin;
+  EXPECT_NEAR(now.spin - tire.free_.of.spin, change, 0.02 * std::abs(change));
+  EXPECT_NEAR(now.ground.force.x(), steady.forces.force.x(), 0.02 * steady.forces.force.x());
+}
+
+// A slip angle that is reached and kept ends in the steady state of that slip angle, whatever the
+// size of the steps.
+TEST(RollingTransient, EndsInTheSteadyStateOfANewSlipAngle) {
+  constexpr double kAngle = 0.03;
+  Passing tire(true);
+  RollingCase of = tire.free_.of;
+  of.drive.reset();
+  of.slip_angle = kAngle;
+  of.speed = kRollsAt / std::cos(kAngle);
+  const RollingState steady = tire.roll(tire.free_, of);
+  tire.start(tire.free_, {.step = 1e-3, .rho = 0.3});
+  TransientForces now;
+  for (int k = 1; k <= 200; ++k) {
+    WheelMoment to{.of = of};
+    const double share = std::min(1.0, k / 60.0);
+    to.of.slip_angle = share * kAngle;
+    to.of.speed = kRollsAt / std::cos(to.of.slip_angle);
+    now = tire.advance(to);
+  }
+  const RollingForces &found = now.ground, &expected = steady.forces;
+  EXPECT_NEAR(found.force.y(), expected.force.y(), 0.01 * std::abs(expected.force.y()));
+  EXPECT_NEAR(found.force.z(), expected.force.z(), 0.01 * expected.force.z());
+  EXPECT_NEAR(found.moment.z(), expected.moment.z(), 0.01 * std::abs(expected.moment.z()));
+}
+
+/// Amplitude of what follows cos(omega t) and sin(omega t) in samples of one period.
+std::complex<double> at_frequency(const std::vector<double>& values) {
+  std::complex<double> sum = 0.0;
+  const double n = static_cast<double>(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    sum += values[k] * std::polar(2.0 / n, -2.0 * std::numbers::pi * static_cast<double>(k) / n);
+  return sum;
+}
+
+// Slip angles that swing slowly let the side force lag as the response in frequency says (F.4),
+// which has no steps of time and no inertia.
+TEST(RollingTransient, LagsBehindSlowSlipAnglesAsTheResponseInFrequencySays) {
+  constexpr double kFrequency = 4.0, kSwing = 2e-3, kStep = 1e-3;
+  Passing tire(false);
+  const auto response = RollingResponse::about(
+      tire.tire_.mesh(),
+      tire.tire_.materials(),
+      {.element = ElementKind::solid_shell},
+      tire.free_);
+  ASSERT_TRUE(response) << response.failure().reason;
+  const SlipResponse expected = response->by_slip_angle(kFrequency);
+  tire.start(tire.free_, {.step = kStep, .rho = 0.0});
+  const int period = static_cast<int>(std::lround(1.0 / (kFrequency * kStep)));
+  std::vector<double> side;
+  for (int k = 1; k <= 2 * period; ++k) {
+    const double phase = 2.0 * std::numbers::pi * k / period;
+    WheelMoment to{.of = tire.free_.of};
+    // It begins without a jump of the slip angle's rate.
+    const double begin = std::min(1.0, 2.0 * k / static_cast<double>(period));
+    to.of.slip_angle = begin * begin * kSwing * std::cos(phase);
+    to.of.speed = kRollsAt / std::cos(to.of.slip_angle);
+    const TransientForces now = tire.advance(to);
+    if (k > period) side.push_back(now.ground.force.y());
+  }
+  // The first sample is one step after the peak of the slip angle.
+  const std::complex<double> found =
+      at_frequency(side) * std::polar(1.0 / kSwing, -2.0 * std::numbers::pi / period);
+  EXPECT_NEAR(std::abs(found), std::abs(expected.Fy), 0.02 * std::abs(expected.Fy));
+  EXPECT_NEAR(std::arg(found / expected.Fy), 0.0, 0.02);
+}
+
+// Halved steps have a quarter of the error.
+TEST(RollingTransient, IsOfSecondOrder) {
+  Passing tire(false, std::nullopt);
+  const auto load = [&](double step) {
+    tire.start(tire.free_, {.step = step, .rho = 0.7, .enough = 1e-8});
+    TransientForces now;
+    const double end = 8e-3;
+    for (long k = 1; k <= std::lround(end / step); ++k) {
+      const double share = k * step / end, rise = 1e-4;
+      // A smooth rise of the axle, whose acceleration is that of the axes.
+      WheelMoment to{.of = tire.free_.of};
+      to.of.height += rise * share * share * share * (10.0 - 15.0 * share + 6.0 * share * share);
+      to.acceleration.z() =
+          rise / (end * end) * (60.0 * share - 180.0 * share * share + 120.0 * share * share * share);
+      now = tire.advance(to);
+    }
+    return now.force.z();
+  };
+  const double coarse = load(1e-3), middle = load(5e-4), fine = load(2.5e-4);
+  EXPECT_NEAR((coarse - middle) / (middle - fine), 4.0, 1.0);
+}
+
+TEST(RollingTransient, RollsOverABarAndSettles) {
+  Passing tire(true);
+  const TransientForces begin =
+      tire.start(tire.free_, {.bar = PassingBar::Size{.height = 0.005, .length = 0.02}});
+  double most = 0.0;
+  TransientForces now;
+  for (int k = 1; k <= 300; ++k) {
+    now = tire.advance({.of = tire.free_.of,
+                        .bar_at = 0.12 - kRollsAt * 5e-4 * k,
+                        .wheel = SpinningWheel{.inertia = 1.0}});
+    most = std::max(most, now.force.z());
+  }
+  EXPECT_GT(most, 1.1 * begin.force.z());
+  EXPECT_NEAR(now.force.z(), begin.force.z(), 0.02 * begin.force.z());
+  EXPECT_NEAR(now.spin, tire.free_.of.spin, 2e-3 * tire.free_.of.spin);
+}
+
+TEST(RollingTransient, RefusesAWheelThatTurnsOrStands) {
+  Passing tire(false);
+  RollingState turning = tire.free_;
+  turning.of.turn_slip = 0.01;
+  EXPECT_FALSE(tire.passage_.start(turning, {}));
+  EXPECT_FALSE(tire.passage_.start(tire.start_, {}));
+}
+
+}  // namespace
+}  // namespace latsch::fe_tire
