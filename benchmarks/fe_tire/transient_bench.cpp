@@ -21,7 +21,7 @@ namespace {
 using namespace fe_tire;
 
 constexpr double kLoad = 4000.0, kSpeed = 60.0 / 3.6;  // N, m/s
-constexpr double kLoss = 0.15;                         // of every rubber
+constexpr double kLoss = 0.15;                         // loss factor of every rubber
 
 std::string percent(double error) { return fmt::format("{:.3f} %", 100.0 * error); }
 
@@ -30,8 +30,8 @@ void dropped_rows(Table& table, const Options& options) {
   for (const bool spins : {false, true}) {
     const auto errors = verification::drop_errors(spins, verification::drop_wheel(spins, step));
     const std::string name = spins ? "drop_spinning_wheel" : "drop_wheel";
-    table.row(name + ", CalculiX: impulse", percent(errors.impulse), "<= 0.1 %",
-              errors.impulse <= 1e-3);
+    table.row(
+        name + ", CalculiX: impulse", percent(errors.impulse), "<= 0.1 %", errors.impulse <= 1e-3);
     const double most = spins ? 0.05 : 0.02;
     table.full_row(name + ", load at 52 times, rms",
                    percent(errors.load),
@@ -66,7 +66,10 @@ double error_of(const RollingForces& found, const RollingForces& steady) {
                   std::abs(found.moment.z() / steady.moment.z() - 1.0));
 }
 
-void steady_rows(Table& table, const Options& options, FreeWheel& wheel, const TireDescription& of) {
+void steady_rows(Table& table,
+                 const Options& options,
+                 FreeWheel& wheel,
+                 const TireDescription& of) {
   constexpr double kAngle = 0.03, kSlip = -0.01, kRamp = 0.06;  // rad, 1, s
   const double step = 1e-3, time = options.size(0.5, 0.15);
   const RollingCase turned = wheel.at(0.0, kAngle);
@@ -91,10 +94,11 @@ void steady_rows(Table& table, const Options& options, FreeWheel& wheel, const T
     now = value_of(passage.advance(to));
   }
   const double error = error_of(now.ground, steady.forces);
-  table.full_row(fmt::format("{:g} s after a new slip angle, largest error of Fx, Fy, Fz, Mz", time),
-                 percent(error),
-                 "<= 1 %",
-                 error <= 1e-2);
+  table.full_row(
+      fmt::format("{:g} s after a new slip angle, largest error of Fx, Fy, Fz, Mz", time),
+      percent(error),
+      "<= 1 %",
+      error <= 1e-2);
   table.note("CPU time of each of these steps",
              fmt::format("{:.0f} ms", 1e3 * step / time * (cpu_seconds() - begin)));
 
@@ -116,11 +120,8 @@ struct Record {
 };
 
 /// Rolls over a cleat for `time`, s, from 50 ms before it is below the axle.
-Record over_cleat(RollingTransient& passage,
-                  const FreeWheel& wheel,
-                  double step,
-                  double smooth,
-                  double time) {
+Record over_cleat(
+    RollingTransient& passage, const FreeWheel& wheel, double step, double smooth, double time) {
   constexpr double kLead = 0.05, kSample = 5e-4;  // s
   Record record;
   const double begin = cpu_seconds();

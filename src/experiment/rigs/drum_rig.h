@@ -7,7 +7,8 @@
 // meets the smooth drum. The wheel's spin is solved by steps of the tire (free_wheel.h), with
 // order 2.
 //
-// The keys are in experiment/tests/keys/drum_cleat_keys.cpp.
+// The keys are in experiment/tests/keys/drum_cleat_keys.cpp. A finite-element tire crosses the
+// cleat on a rig of its own, fe_tire/cleat_rig.h.
 #pragma once
 
 #include <optional>

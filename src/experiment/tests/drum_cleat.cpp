@@ -73,8 +73,7 @@ namespace {
 
 /// Returns the radius of the unloaded tire, m.
 double free_radius(Specimen& specimen, const DrumTest& test) {
-  if (const auto* rolls = specimen.find<Rolls>())
-    return rolls->tire(test.pressure)->free_radius();
+  if (const auto* rolls = specimen.find<Rolls>()) return rolls->tire(test.pressure)->free_radius();
   double radius = 0.0;
   (void)specimen.find<IsFeTire>()->drive(
       [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {

@@ -35,8 +35,7 @@ void check_friction(const formats::CsvTable& table, const RollingTest& test) {
 }
 
 /// Returns the states in the axes of the side for which the tire is described.
-RollingTest rolling_test(const formats::CsvTable& table,
-                         const SteadyConditions& conditions) {
+RollingTest rolling_test(const formats::CsvTable& table, const SteadyConditions& conditions) {
   if (const std::string why = refused_conditions(conditions); !why.empty()) throw InputError(why);
   TableReading reading;
   if (values_of(table, "Vx").empty()) reading.speed = kAssumedSpeed;

@@ -33,9 +33,7 @@ constexpr long kAhead = 3;
 constexpr std::size_t kBlock = 20;
 
 /// Returns the length of an element around the tread at the ground, m.
-double element_length(const fe_tire::Mesh& mesh) {
-  return mesh.outer_radius() * mesh.angle(1);
-}
+double element_length(const fe_tire::Mesh& mesh) { return mesh.outer_radius() * mesh.angle(1); }
 
 fe_tire::PassingBar::Size bar_of(const fe_tire::Mesh& mesh, const Cleat& cleat) {
   return {.height = cleat.height,
@@ -78,8 +76,7 @@ Result<RollingState> steady(TireRig& rig, const fe_tire::Inflated& inflated, con
   free.spin =
       test.speed / (inflated.radius - kEffectiveShare * (inflated.radius - standing->of.height));
   free.drive = 0.0;
-  free.friction =
-      stable_friction(rig, friction_of(rig, {}), inflated.pressure, test.speed);
+  free.friction = stable_friction(rig, friction_of(rig, {}), inflated.pressure, test.speed);
   auto rolls = rolling.roll(*start, free);
   if (!rolls) return Failure{"before the cleat: " + rolls.failure().reason};
   if (const Status fits = check_drum(*rolls, 0.5 * test.diameter); !fits) return fits.failure();
@@ -140,8 +137,7 @@ Status cross_cleat(TireRig& rig,
   const fe_tire::Mesh& mesh = rig.tire().mesh();
   if (const Status done = check_cleat(mesh, test); !done) return done;
   const double pressure = test.pressure.value_or(rig.own_pressure());
-  if (const auto spins = rig.spinning(pressure, {test.speed, true}); !spins)
-    return spins.failure();
+  if (const auto spins = rig.spinning(pressure, {test.speed, true}); !spins) return spins.failure();
   const auto& inflated = rig.inflated(pressure);
   if (!inflated) return inflated.failure();
   const auto rolls = steady(rig, *inflated, test);

@@ -23,6 +23,10 @@ Without `[cleat]` the drum is smooth.
 The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
 a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is
 that of the road on the tire.
+
+A finite-element tire begins with its steady state as a free wheel, so `run_in` has no effect on it.
+The tread feels the cleat through means as wide as an element. Such a tire takes its friction from
+its own file.
 )md",
       .sentences =
           {

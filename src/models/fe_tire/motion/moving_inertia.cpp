@@ -75,8 +75,7 @@ MovingInertia::Forces MovingInertia::forces(const Motion& motion) const {
     }
   }
   sum.force = sum.at_nodes.rowwise().sum();
-  for (Eigen::Index k = 0; k < x.cols(); ++k)
-    sum.moment += x.col(k).cross(sum.at_nodes.col(k));
+  for (Eigen::Index k = 0; k < x.cols(); ++k) sum.moment += x.col(k).cross(sum.at_nodes.col(k));
   for (int s = 0; s < ring_.sectors(); ++s)
     sum.at_nodes.middleCols(s * n, n) =
         (frames_[s].transpose() * sum.at_nodes.middleCols(s * n, n)).eval();

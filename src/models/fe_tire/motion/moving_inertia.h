@@ -41,15 +41,16 @@ class MovingInertia {
   double twice_kinetic(const Eigen::Matrix3Xd& v) const;
 
  private:
-  struct Scalars {  // of one element, the same in each direction
+  /// Inertia of one element, the same in each direction.
+  struct Scalars {
     Matrix8 M, G, W;
   };
   Eigen::Matrix3Xd in_wheel_axes(const Eigen::Matrix3Xd& of) const;
 
   const Ring& ring_;
   std::vector<std::vector<Scalars>> of_width_;  // [width][section element]
-  std::vector<Eigen::Matrix3d> frames_;         // from the frame of a plane to the wheel's axes
-  Eigen::Matrix3Xd X_;                          // m, places of all nodes in the wheel's axes
+  std::vector<Eigen::Matrix3d> frames_;  // turns from the frame of a plane to the wheel's axes
+  Eigen::Matrix3Xd X_;                   // m, places of all nodes in the wheel's axes
 };
 
 }  // namespace latsch::fe_tire

@@ -136,7 +136,8 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   if (moment != nullptr && moment->bar != nullptr) surface.set_bar(*moment->bar, moment->bar_at);
   TreadBody body(
       tread_, lines_, ground, surface, kNormalPenalty, motion, tread_.displacements(x), kNearPatch);
-  if (moment != nullptr) body.set_upstream(moment->past.upstream(body.points(), body.lines(), moment->step));
+  if (moment != nullptr)
+    body.set_upstream(moment->past.upstream(body.points(), body.lines(), moment->step));
   if (body.rows().empty() && moment == nullptr)
     return Failure{fmt::format("the tread is off the ground, {:.4g} mm below the wheel center",
                                1e3 * of.height)};

@@ -26,7 +26,7 @@ namespace latsch::fe_tire {
 
 /// A moment of a tire that does not roll steadily.
 struct PassingMoment {
-  const TreadPast& past;            // of its tread, up to one step before
+  const TreadPast& past;            // its tread up to one step before
   double step;                      // s
   const PassingBar* bar = nullptr;  // bar on the surface; none: it is smooth
   double bar_at = 0.0;              // m, arc to the bar's middle ahead of the wheel center
@@ -41,7 +41,7 @@ class LinearRoller {
     Eigen::VectorXd c;  // the ground's forces on the unknowns, N
     RollingForces forces;
     std::vector<RollingPatchPoint> patch;
-    TreadPast::Instant instant;  // of the tread, if the tire does not roll steadily
+    TreadPast::Instant instant;  // state of the tread, if the tire does not roll steadily
   };
 
   /// All must outlive the roller.

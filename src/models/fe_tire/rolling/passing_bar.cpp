@@ -8,7 +8,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr int kPieces = 2000;  // of the table of arcs
+constexpr int kPieces = 2000;  // pieces in the table of arcs
 constexpr int kMostTurns = 60;
 constexpr double kClose = 1e-14;  // m
 
@@ -23,15 +23,15 @@ PassingBar::PassingBar(const Size& size) : size_(size) {
             {-end + c, 0.0, -slope},
             {end - c, 0.0, -slope},
             {end, c - size.height, slope}};
-  // By Simpson's rule; at() needs no table for the slope.
+  // Simpson's rule sums the arcs; at() needs no table for the slope.
   const double step = 2.0 * reach() / kPieces;
   const auto stretch = [&](double s) { return std::hypot(1.0, at(s).slope) - 1.0; };
   std::vector<double> longer(kPieces + 1, 0.0);
   for (int k = 0; k < kPieces; ++k) {
     const double from = -reach() + k * step;
-    longer[k + 1] = longer[k] + step / 6.0 *
-                                    (stretch(from) + 4.0 * stretch(from + 0.5 * step) +
-                                     stretch(from + step));
+    longer[k + 1] =
+        longer[k] +
+        step / 6.0 * (stretch(from) + 4.0 * stretch(from + 0.5 * step) + stretch(from + step));
   }
   longer_ = std::move(longer);
 }

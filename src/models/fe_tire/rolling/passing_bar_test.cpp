@@ -20,7 +20,7 @@ double section(const PassingBar::Size& of, double s) {
 TEST(PassingBar, IsTheMeanOfItsSectionByAHat) {
   const PassingBar::Size size{.height = 0.01, .length = 0.025, .bevel = 0.004, .smooth = 0.011};
   const PassingBar bar(size);
-  constexpr int kPieces = 20000;
+  constexpr int kPieces = 200000;
   for (const double s : {-0.022, -0.012, -0.004, 0.0, 0.009, 0.0171}) {
     double mean = 0.0;
     for (int k = 0; k < kPieces; ++k) {
@@ -29,9 +29,8 @@ TEST(PassingBar, IsTheMeanOfItsSectionByAHat) {
     }
     EXPECT_NEAR(bar.at(s).height, mean, 1e-7) << s;
     const double step = 1e-6;
-    EXPECT_NEAR(bar.at(s).slope,
-                (bar.at(s + step).height - bar.at(s - step).height) / (2.0 * step),
-                1e-4)
+    EXPECT_NEAR(
+        bar.at(s).slope, (bar.at(s + step).height - bar.at(s - step).height) / (2.0 * step), 1e-4)
         << s;
   }
 }
@@ -80,7 +79,7 @@ TEST_P(SurfaceWithBar, FindsTheGroundBelowAPlace) {
 }
 
 TEST_P(SurfaceWithBar, TurnsMotionsAsPlacesMove) {
-  const double step = 1e-7;
+  const double step = 1e-7, round = GetParam() * bar_.size().height;
   for (const double x : {0.012, 0.019, 0.027, 0.04}) {
     const Eigen::Vector3d q = surface_.point({x, 0.004});  // on the ground
     const RollingSurface::Place at = surface_.place(q);
@@ -89,14 +88,14 @@ TEST_P(SurfaceWithBar, TurnsMotionsAsPlacesMove) {
       const Eigen::Vector3d moved = step * Eigen::Vector3d::Unit(k);
       const Eigen::Vector3d slope =
           (surface_.place(q + moved).x - surface_.place(q - moved).x) / (2.0 * step);
-      // The distance is that to first order, so only motions along the ground change it by more.
-      EXPECT_NEAR(slope.z(), at.turn(2, k), 1e-4) << x << " " << k;
+      // On a drum slopes are too steep by the height over the radius, which is left out.
+      EXPECT_NEAR(slope.z(), at.turn(2, k), 1e-4 + round) << x << " " << k;
     }
     // Along the slope a place moves by the arc.
     const Eigen::Vector3d along = at.turn.row(0).transpose();
     const Eigen::Vector3d slope =
         (surface_.place(q + step * along).x - surface_.place(q - step * along).x) / (2.0 * step);
-    EXPECT_NEAR(slope.x(), 1.0, 2e-3) << x;
+    EXPECT_NEAR(slope.x(), 1.0, 2e-3 + round) << x;
   }
 }
 

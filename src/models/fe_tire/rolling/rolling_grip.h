@@ -42,8 +42,8 @@ struct RollingLines {
   int points() const { return static_cast<int>(time.size()); }
 };
 
-/// What point k - 1 of a line was when the material of point k passed there, if that is not its
-/// present state (tread_past.h): its present state by the weight `now`, and an earlier part.
+/// The state of point k - 1 of a line when the material of point k passed there, if that is not its
+/// present one (tread_past.h): its present state by the weight `now`, and an earlier part.
 struct Upstream {
   Eigen::VectorXd now;        // empty: the state is steady, and all weights are 1
   Eigen::Matrix3Xd x;         // m, earlier part of the place along the ground and over it

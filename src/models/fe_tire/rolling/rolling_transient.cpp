@@ -20,14 +20,38 @@ namespace {
 
 constexpr int kMostOfStep = 20;  // iterations
 /// Share of the residual before above which the tangent is renewed.
-constexpr double kSlowInTime = 0.6;
-constexpr int kMostFactors = 4;       // of one step
-constexpr int kMostSharesHalved = 4;  // of an iteration that inverts elements
+constexpr double kSlowInTime = 0.85;
+constexpr int kMostFactors = 4;       // factorizations of one step
+constexpr int kMostSharesHalved = 4;  // halvings of an iteration that inverts elements
 constexpr int kMostStepsHalved = 4;
 /// Share of the first spin below which the wheel's is not kept in memory any more.
 constexpr double kSlowest = 4.0;
 /// Change of the spin in an iteration, relative, at which it has settled.
-constexpr double kSpinSettled = 1e-6;
+constexpr double kSpinSettled = 5e-6;
+/// Accepted error of the contact in an iteration, relative to the load.
+constexpr double kContact = 1e-4;
+
+/// Finds the ratio of successive steps of an iteration that converges linearly by one ratio. The
+/// history of stresses that vary within a sector is not in the tangent (rolling_history.h), and lets
+/// iterations converge so.
+class GeometricSteps {
+ public:
+  /// Returns the ratio, 0 if it is not known or if a sum of such steps would be no better.
+  double ratio(const Eigen::VectorXd& step) {
+    double ratio = 0.0;
+    if (before_.size() > 0) ratio = step.dot(before_) / before_.squaredNorm();
+    if (ratio > kLeast && ratio < kMost) {
+      before_.resize(0);  // the step that follows is another one
+      return ratio;
+    }
+    before_ = step;
+    return 0.0;
+  }
+
+ private:
+  static constexpr double kLeast = 0.4, kMost = 0.95;
+  Eigen::VectorXd before_;
+};
 
 }  // namespace
 
@@ -42,7 +66,7 @@ struct RollingTransient::Impl {
   numerics::SymmetricMatrix K, M, W;
   LinearRoller linear;
   std::optional<TransientHistory> history;  // none: the tire is elastic
-  double factored_step = 0.0;  // s, of the factorization
+  double factored_step = 0.0;               // s, of the factorization
   TransientSettings settings;
   std::optional<PassingBar> bar;
   double pressure = 0.0, load = 1.0;
@@ -126,11 +150,8 @@ void RollingTransient::Impl::add_inertia(Iterate& at,
     for (int s = 0; s < mesh.sectors; ++s)
       a.middleCols(s * n, n).colwise() += mesh.frame(s).transpose() * to.acceleration;
   }
-  at.inertia = inertia.forces({unknowns.expand(at.motion.x),
-                               unknowns.expand(at.motion.v),
-                               a,
-                               at.spin,
-                               at.spin_rate});
+  at.inertia = inertia.forces(
+      {unknowns.expand(at.motion.x), unknowns.expand(at.motion.v), a, at.spin, at.spin_rate});
   at.g = at.f + unknowns.compress(at.inertia.at_nodes);
 }
 
@@ -209,6 +230,7 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
   linear.begin();
   if (history) history->begin_step(h, at.spin);
   if (const Status done = evaluate(at, rule, to, false); !done) return done.failure();
+  GeometricSteps shares;
   double before = 0.0, residual = 0.0;
   bool is_old = !linear.has_factor() || factored_step != h;
   for (work.iterations = 1; work.iterations <= kMostOfStep; ++work.iterations) {
@@ -218,8 +240,14 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       is_old = false;
     }
     of.spin = at.spin;
-    auto found =
-        linear.solve(of, at.motion.x, at.g, load, settings.enough, states, work.passes, &moment);
+    auto found = linear.solve(of,
+                              at.motion.x,
+                              at.g,
+                              load,
+                              std::min(kContact, settings.enough),
+                              states,
+                              work.passes,
+                              &moment);
     if (!found) {
       if (work.factors >= kMostFactors) return found.failure();
       is_old = true;
@@ -249,6 +277,13 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       now.spin_rate = at.spin_rate;
       now.wheel = to;
       return reached;
+    }
+    if (*share == 1.0) {
+      const double ratio = shares.ratio(found->d);
+      if (ratio > 0.0) {
+        at.motion.x -= ratio / (1.0 - ratio) * found->d;
+        if (const Status done = evaluate(at, rule, to, false); !done) return done.failure();
+      }
     }
     is_old = *share < 1.0 || (before > 0.0 && residual > kSlowInTime * before &&
                               residual > settings.enough * load && work.factors < kMostFactors);
@@ -288,6 +323,7 @@ Result<TransientForces> RollingTransient::Impl::halves(const WheelMoment& to,
 RollingTransient::RollingTransient(FeTire& tire)
     : impl_(std::make_unique<Impl>(
           tire, tire.impl_->elements(), tire.impl_->settings.tread_shape())) {}
+RollingTransient::RollingTransient(RollingTransient&&) noexcept = default;
 RollingTransient::~RollingTransient() = default;
 
 void RollingTransient::set_history(const LossMaterials& losses, const Inflated& round) {

@@ -16,7 +16,9 @@
 // Newton's method has the symmetric part of the tangent, K + M (1 - alpha)/(beta h^2) - Omega^2 W,
 // which is factorized at the start and again only if iterations become slow. Contact is solved in
 // each iteration on the tire linear about the iterate (linear_roller.h), so it limits no step. The
-// gyroscopic part is left to the iterations, which it makes converge linearly.
+// gyroscopic part and the history of stresses that vary within a sector are left to the iterations,
+// which converge linearly; two steps that follow each other by one ratio are summed as a geometric
+// series. A step without an equilibrium is made in halves.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,9 +34,9 @@
 namespace latsch::fe_tire {
 
 struct TransientSettings {
-  double step = 5e-4;     // s
-  double rho = 0.7;       // share of high frequencies that is left after each step (bossak_step.h)
-  double enough = 1e-4;   // residual of a step, relative to the load at the start
+  double step = 5e-4;    // s
+  double rho = 0.7;      // share of high frequencies that is left after each step (bossak_step.h)
+  double enough = 5e-4;  // residual of a step, relative to the load at the start
   std::optional<PassingBar::Size> bar = {};
 };
 
@@ -46,8 +48,8 @@ struct SpinningWheel {
 
 /// The wheel at the end of a step.
 struct WheelMoment {
-  RollingCase of;        // load and drive are not used; turn slip has to be 0
-  double bar_at = 0.0;   // m, arc to the bar's middle ahead of the wheel center
+  RollingCase of;       // load and drive are not used; turn slip has to be 0
+  double bar_at = 0.0;  // m, arc to the bar's middle ahead of the wheel center
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // m/s^2, of the center, wheel axes
   /// Set: the spin of `of` is not used, it follows from the moments.
   std::optional<SpinningWheel> wheel = {};
@@ -57,7 +59,7 @@ struct WheelMoment {
 struct TransientForces {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // N, on the hub, axes of the wheel (TYDEX C)
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // N m, on the hub, about its center
-  RollingForces ground;                              // of the ground on the tire
+  RollingForces ground;                              // forces of the ground on the tire
   double spin = 0.0;                                 // rad/s
   int iterations = 0, factors = 0, passes = 0;       // work of the step
 };
@@ -66,6 +68,7 @@ class RollingTransient {
  public:
   /// Keeps a reference to the tire; its material values must not change.
   explicit RollingTransient(FeTire& tire);
+  RollingTransient(RollingTransient&&) noexcept;
   ~RollingTransient();
 
   /// Lets rubber and cords relax by these terms, as RollingTire::set_history() does.

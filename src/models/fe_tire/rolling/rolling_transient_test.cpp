@@ -15,7 +15,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr double kTwoSixBar = 2.6e5, kRollsAt = 50.0 / 3.6, kPressedDown = 0.02;  // Pa, m/s, m
+constexpr double kTwoSixBar = 2.6e5, kRollsAt = 30.0, kPressedDown = 0.02;  // Pa, m/s, m
 
 TireDescription with_few_columns(bool relaxes) {
   TireDescription tire = reference_tire_b();
@@ -29,7 +29,7 @@ TireDescription with_few_columns(bool relaxes) {
 /// Tire B with few columns that rolls freely, elastic or with rubber that relaxes.
 class Passing {
  public:
-  explicit Passing(bool relaxes, std::optional<double> mu = 1.0)
+  explicit Passing(bool relaxes, std::optional<double> mu = 1.0, double speed = kRollsAt)
       : description_(with_few_columns(relaxes)),
         losses_(build_losses(description_)),
         tire_(description_),
@@ -42,8 +42,8 @@ class Passing {
                                        {FeTire::below(inflated_, kPressedDown)});
     start_ = rolling_.start(pressed->back());
     RollingCase of = start_.of;
-    of.speed = kRollsAt;
-    of.spin = kRollsAt / 0.312;
+    of.speed = speed;
+    of.spin = speed / 0.312;
     of.friction.at_rest = mu.value_or(0.0);
     if (mu) of.drive = 0.0;
     free_ = roll(start_, of);
@@ -121,7 +121,7 @@ TEST(RollingTransient, EndsWithTheSteadySpinOfItsDrive) {
   const RollingState steady = tire.roll(tire.free_, driven);
   tire.start(tire.free_, {.step = 1e-3, .rho = 0.3});
   TransientForces now;
-  for (int k = 1; k <= 250; ++k) {
+  for (int k = 1; k <= 200; ++k) {
     const double moment = kDrive * std::min(1.0, k / 50.0);
     now = tire.advance({.of = tire.free_.of, .wheel = SpinningWheel{0.4, moment}});
   }
@@ -133,7 +133,7 @@ TEST(RollingTransient, EndsWithTheSteadySpinOfItsDrive) {
 // A slip angle that is reached and kept ends in the steady state of that slip angle, whatever the
 // size of the steps.
 TEST(RollingTransient, EndsInTheSteadyStateOfANewSlipAngle) {
-  constexpr double kAngle = 0.03;
+  constexpr double kAngle = 0.03, kPatch = 0.1;  // rad; m, length of the patch
   Passing tire(true);
   RollingCase of = tire.free_.of;
   of.drive.reset();
@@ -142,7 +142,7 @@ TEST(RollingTransient, EndsInTheSteadyStateOfANewSlipAngle) {
   const RollingState steady = tire.roll(tire.free_, of);
   tire.start(tire.free_, {.step = 1e-3, .rho = 0.3});
   TransientForces now;
-  for (int k = 1; k <= 200; ++k) {
+  for (int k = 1; k <= 220; ++k) {
     WheelMoment to{.of = of};
     const double share = std::min(1.0, k / 60.0);
     to.of.slip_angle = share * kAngle;
@@ -150,9 +150,10 @@ TEST(RollingTransient, EndsInTheSteadyStateOfANewSlipAngle) {
     now = tire.advance(to);
   }
   const RollingForces &found = now.ground, &expected = steady.forces;
+  EXPECT_NEAR(found.force.x(), expected.force.x(), 0.01 * std::abs(expected.force.y()));
   EXPECT_NEAR(found.force.y(), expected.force.y(), 0.01 * std::abs(expected.force.y()));
   EXPECT_NEAR(found.force.z(), expected.force.z(), 0.01 * expected.force.z());
-  EXPECT_NEAR(found.moment.z(), expected.moment.z(), 0.01 * std::abs(expected.moment.z()));
+  EXPECT_NEAR(found.moment.z(), expected.moment.z(), 0.01 * expected.force.z() * kPatch);
 }
 
 /// Amplitude of what follows cos(omega t) and sin(omega t) in samples of one period.
@@ -165,51 +166,49 @@ std::complex<double> at_frequency(const std::vector<double>& values) {
 }
 
 // Slip angles that swing slowly let the side force lag as the response in frequency says (F.4),
-// which has no steps of time and no inertia.
+// which has no steps of time and no inertia. At 4 Hz and 30 m/s gyroscopic forces would change its
+// size and phase by 7 %.
 TEST(RollingTransient, LagsBehindSlowSlipAnglesAsTheResponseInFrequencySays) {
-  constexpr double kFrequency = 4.0, kSwing = 2e-3, kStep = 1e-3;
-  Passing tire(false);
+  constexpr double kFrequency = 0.4, kSwing = 2e-3, kStep = 5e-3, kSlow = 5.0;
+  Passing tire(false, 1.0, kSlow);
   const auto response = RollingResponse::about(
-      tire.tire_.mesh(),
-      tire.tire_.materials(),
-      {.element = ElementKind::solid_shell},
-      tire.free_);
+      tire.tire_.mesh(), tire.tire_.materials(), {.element = ElementKind::solid_shell}, tire.free_);
   ASSERT_TRUE(response) << response.failure().reason;
   const SlipResponse expected = response->by_slip_angle(kFrequency);
   tire.start(tire.free_, {.step = kStep, .rho = 0.0});
   const int period = static_cast<int>(std::lround(1.0 / (kFrequency * kStep)));
   std::vector<double> side;
-  for (int k = 1; k <= 2 * period; ++k) {
+  for (int k = 1; k <= period + period / 2; ++k) {
     const double phase = 2.0 * std::numbers::pi * k / period;
     WheelMoment to{.of = tire.free_.of};
-    // It begins without a jump of the slip angle's rate.
-    const double begin = std::min(1.0, 2.0 * k / static_cast<double>(period));
-    to.of.slip_angle = begin * begin * kSwing * std::cos(phase);
-    to.of.speed = kRollsAt / std::cos(to.of.slip_angle);
+    to.of.slip_angle = kSwing * std::sin(phase);
+    to.of.speed = kSlow / std::cos(to.of.slip_angle);
     const TransientForces now = tire.advance(to);
-    if (k > period) side.push_back(now.ground.force.y());
+    if (k > period / 2) side.push_back(now.ground.force.y());
   }
-  // The first sample is one step after the peak of the slip angle.
+  // The samples begin one step after half a period, at -sin.
+  const double first = std::numbers::pi + 2.0 * std::numbers::pi / period;
   const std::complex<double> found =
-      at_frequency(side) * std::polar(1.0 / kSwing, -2.0 * std::numbers::pi / period);
+      at_frequency(side) * std::polar(1.0 / kSwing, -first) * std::complex<double>(0.0, 1.0);
   EXPECT_NEAR(std::abs(found), std::abs(expected.Fy), 0.02 * std::abs(expected.Fy));
   EXPECT_NEAR(std::arg(found / expected.Fy), 0.0, 0.02);
 }
 
-// Halved steps have a quarter of the error.
+// Halved steps have a quarter of the error. The axle rises so little that no point comes down or
+// lifts off, and so slowly that it excites no vibration that these steps do not follow.
 TEST(RollingTransient, IsOfSecondOrder) {
   Passing tire(false, std::nullopt);
   const auto load = [&](double step) {
-    tire.start(tire.free_, {.step = step, .rho = 0.7, .enough = 1e-8});
+    tire.start(tire.free_, {.step = step, .rho = 0.7, .enough = 1e-9});
     TransientForces now;
-    const double end = 8e-3;
+    const double end = 0.03;
     for (long k = 1; k <= std::lround(end / step); ++k) {
-      const double share = k * step / end, rise = 1e-4;
+      const double share = k * step / end, rise = 2e-6;
       // A smooth rise of the axle, whose acceleration is that of the axes.
       WheelMoment to{.of = tire.free_.of};
       to.of.height += rise * share * share * share * (10.0 - 15.0 * share + 6.0 * share * share);
-      to.acceleration.z() =
-          rise / (end * end) * (60.0 * share - 180.0 * share * share + 120.0 * share * share * share);
+      to.acceleration.z() = rise / (end * end) *
+                            (60.0 * share - 180.0 * share * share + 120.0 * share * share * share);
       now = tire.advance(to);
     }
     return now.force.z();
@@ -224,15 +223,17 @@ TEST(RollingTransient, RollsOverABarAndSettles) {
       tire.start(tire.free_, {.bar = PassingBar::Size{.height = 0.005, .length = 0.02}});
   double most = 0.0;
   TransientForces now;
-  for (int k = 1; k <= 300; ++k) {
+  double late = 0.0;  // N, largest change in the last 20 ms
+  for (int k = 1; k <= 120; ++k) {
     now = tire.advance({.of = tire.free_.of,
                         .bar_at = 0.12 - kRollsAt * 5e-4 * k,
                         .wheel = SpinningWheel{.inertia = 1.0}});
-    most = std::max(most, now.force.z());
+    most = std::max(most, now.force.z() - begin.force.z());
+    if (k > 80) late = std::max(late, std::abs(now.force.z() - begin.force.z()));
   }
-  EXPECT_GT(most, 1.1 * begin.force.z());
-  EXPECT_NEAR(now.force.z(), begin.force.z(), 0.02 * begin.force.z());
-  EXPECT_NEAR(now.spin, tire.free_.of.spin, 2e-3 * tire.free_.of.spin);
+  EXPECT_GT(most, 0.1 * begin.force.z());
+  EXPECT_LT(late, 0.5 * most);
+  EXPECT_NEAR(now.spin, tire.free_.of.spin, 0.01 * tire.free_.of.spin);
 }
 
 TEST(RollingTransient, RefusesAWheelThatTurnsOrStands) {

@@ -66,7 +66,7 @@ void TransientHistory::start(const RingUnknowns& unknowns,
 void TransientHistory::find_upstream(double angle) {
   const Mesh& mesh = elements_.ring().mesh();
   const int m = mesh.sectors;
-  const auto middle = [&](int s) {  // of any turn
+  const auto middle = [&](int s) {  // sectors of any turn
     const int turn = s >= 0 ? s / m : -((m - 1 - s) / m), in = s - turn * m;
     const double end = in + 1 < m ? mesh.angle(in + 1) : 2.0 * std::numbers::pi;
     return 0.5 * (mesh.angle(in) + end) + turn * 2.0 * std::numbers::pi;
@@ -148,8 +148,8 @@ void TransientHistory::end_step() {
     std::size_t at = 0;
     for (const Part& part : parts(static_cast<int>(e)))
       for (const PronyTerm& term : series_[part.series]) {
-        last_.H[e][at] = next_.H[e][at] + fresh_share(term, step_) *
-                                              next_.S[e].middleRows(part.first, part.rows);
+        last_.H[e][at] = next_.H[e][at] +
+                         fresh_share(term, step_) * next_.S[e].middleRows(part.first, part.rows);
         ++at;
       }
   }

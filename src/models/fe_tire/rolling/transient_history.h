@@ -61,12 +61,12 @@ class TransientHistory : public RollingHistory {
   Eigen::MatrixXd upstream(const Eigen::MatrixXd& of) const;
   static void add(const Part& part, const Eigen::MatrixXd& h, Eigen::MatrixXd& H);
 
-  bool is_steady_ = true;  // the state that is followed is the steady one
+  bool is_steady_ = true;                     // the state that is followed is the steady one
   double step_ = 0.0, stiffened_step_ = 0.0;  // s
-  std::vector<Around> around_;                // of every sector
-  std::vector<Eigen::MatrixXd> S_0_, H_0_;    // of the steady state, [section element]
+  std::vector<Around> around_;                // one for every sector
+  std::vector<Eigen::MatrixXd> S_0_, H_0_;    // those of the steady state, [section element]
   Deviations last_, next_;  // next_.S: of the last iterate; next_.H: the known part of (H.7)
-  std::vector<Eigen::MatrixXd> sum_;          // H_0 and the known parts
+  std::vector<Eigen::MatrixXd> sum_;  // H_0 and the known parts
 };
 
 }  // namespace latsch::fe_tire

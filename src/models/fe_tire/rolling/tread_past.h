@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the points of a tread were at earlier times, for friction that changes in time.
+// Earlier states of the points of a tread, for friction that changes in time.
 //
 // Material at point k of a line was at point k - 1 the time Delta t_k before, so that (F.1) in time
 // reads
