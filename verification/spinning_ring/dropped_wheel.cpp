@@ -15,8 +15,8 @@ namespace {
 using namespace latsch::fe_tire;
 
 constexpr int kDropSectors = 48;
-constexpr double kTread = 0.30, kGap = 1e-6;   // m
-constexpr double kSpeed = 1.0, kEnd = 0.0262;  // m/s downward, s
+constexpr double kTread = 0.30, kGap = 1e-6;  // m
+constexpr double kSpeed = 1.0;                // m/s downward
 /// Stiffness of every node of the tread that is below the ground, N/m: CalculiX' penalty of 2e8 Pa/m
 /// times the area that it gives to a node.
 constexpr double kSpring = 1.168e5;
@@ -220,10 +220,10 @@ const ListedDrop& listed_drop(bool spins) {
   return spins ? spinning : standing;
 }
 
-DroppedWheel drop_wheel(bool spins, double step) {
+DroppedWheel drop_wheel(bool spins, double step, double end) {
   Wheel wheel(spins ? kDropSpin : 0.0, step);
   DroppedWheel found;
-  const long steps = std::lround(kEnd / step), every = std::lround(kDropInterval / step);
+  const long steps = std::lround(end / step), every = std::lround(kDropInterval / step);
   double before = 0.0;
   for (long k = 1; k <= steps; ++k) {
     const double load = wheel.advance();

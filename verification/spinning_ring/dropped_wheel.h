@@ -25,8 +25,9 @@ struct ListedDrop {
 inline constexpr double kDropSpin = 60.0;  // rad/s
 const ListedDrop& listed_drop(bool spins);
 
-/// Drops the wheel in steps of `step`, s.
-DroppedWheel drop_wheel(bool spins, double step);
+inline constexpr double kDropEnd = 0.0262;  // s, end of the listed impulses
+/// Drops the wheel in steps of `step`, s, up to `end`, s. kDropInterval has to be a multiple of it.
+DroppedWheel drop_wheel(bool spins, double step, double end = kDropEnd);
 
 /// Relative errors against the short steps of CalculiX: of the impulse; the rms of the load's error
 /// over the load's own, at the listed times, and of its means over four of them, the time in which a

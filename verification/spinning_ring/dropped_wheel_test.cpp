@@ -6,7 +6,7 @@
 namespace latsch::verification {
 namespace {
 
-constexpr double kDropStep = 2e-4;  // s
+constexpr double kDropStep = 1e-4;  // s
 
 TEST(DroppedWheel, MeetsTheGroundAsInCalculix) {
   const DropErrors errors = drop_errors(false, drop_wheel(false, kDropStep));
