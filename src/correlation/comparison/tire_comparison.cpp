@@ -11,10 +11,9 @@
 #include "base/random.h"
 #include "correlation/comparison/measured_drum.h"
 #include "correlation/target/limits_by_name.h"
-#include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/sampling.h"
-#include "experiment/rigs/slip/lift_watch.h"
+#include "experiment/tests/drum_cleat.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
 
@@ -91,17 +90,15 @@ Channels run_of(const ComparedTire& tire,
                 std::vector<std::string>* limits) {
   const auto specimen = tire.kind->build(tire.numbers);
   const experiment::DrumTest& drum = test.drum;
-  experiment::refuse_high_cleat(*specimen, drum.cleat);
-  LiftLog lifts;
-  auto rolling = watched(specimen->find<experiment::Rolls>()->tire(drum.pressure), lifts);
-  auto channels = experiment::run(*rolling, drum);
+  const experiment::DrumCleatTest on_drum(drum);
+  auto channels = on_drum.run(*specimen);
   if (!channels) {
     throw std::runtime_error(
         fmt::format("{} in test {}: {}", tire.title, test.name, channels.failure().reason));
   }
   if (limits) {
-    *limits = limits_of(*specimen, drum.cleat);
-    record_limit(*specimen, lifts.sentence());
+    const bool knows = specimen->find<experiment::KnowsLimits>() != nullptr;
+    *limits = knows ? limits_of(*specimen, drum.cleat) : on_drum.limits(*specimen);
     if (drum.cleat)
       record_limit(*specimen, experiment::note_on_samples(drum.sample_step, drum.speed));
     for (std::string& limit : experiment::limits_met(*specimen))
