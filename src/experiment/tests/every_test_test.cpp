@@ -10,6 +10,7 @@
 #include "experiment/kinds/sparse_tir_testing.h"
 #include "experiment/kinds/tir_numbers.h"
 #include "experiment/language.h"
+#include "experiment/language/capabilities.h"
 #include "formats/tire/tir_file.h"
 
 namespace latsch::experiment {
