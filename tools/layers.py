@@ -31,8 +31,8 @@ BELOW = {
 ROOMS = {
     "base": ["unit_words", "toml"],
     "numerics": ["kernels", "dense", "sparse", "signals"],
-    "models/fe_tire": ["mesh", "element", "history", "description", "ring", "contact", "analysis", "motion", "rolling",
-                       "slopes"],
+    "models/fe_tire": ["mesh", "element", "history", "description", "ring", "contact", "analysis", "motion", "grip",
+                       "rolling", "passage", "slopes"],
     "models/ring_tire": ["description", "belt", "tread", "step", "ring"],
     "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
                      "identifiability"],

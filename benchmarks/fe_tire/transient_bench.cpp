@@ -11,7 +11,7 @@
 #include "cpu_time.h"
 #include "dropped_wheel.h"
 #include "free_wheel.h"
-#include "models/fe_tire/rolling/rolling_transient.h"
+#include "models/fe_tire/passage/rolling_transient.h"
 #include "shipped_tires.h"
 #include "table.h"
 

@@ -6,7 +6,7 @@
 
 #include "models/fe_tire/analysis/ring_assembly.h"
 #include "models/fe_tire/motion/moving_inertia.h"
-#include "models/fe_tire/rolling/bossak_step.h"
+#include "models/fe_tire/passage/bossak_step.h"
 #include "ring_mesh.h"
 
 namespace latsch::verification {
@@ -17,8 +17,8 @@ using namespace latsch::fe_tire;
 constexpr int kDropSectors = 48;
 constexpr double kTread = 0.30, kGap = 1e-6;  // m
 constexpr double kSpeed = 1.0;                // m/s downward
-/// Stiffness of every node of the tread that is below the ground, N/m: CalculiX' penalty of 2e8 Pa/m
-/// times the area that it gives to a node.
+/// Stiffness of every node of the tread that is below the ground, N/m: CalculiX' penalty of 2e8
+/// Pa/m times the area that it gives to a node.
 constexpr double kSpring = 1.168e5;
 constexpr double kDropRho = 0.9;   // hardly damps, as alpha = -0.05 of CalculiX
 constexpr double kDropped = 1e-7;  // N, residual of a step

@@ -30,8 +30,8 @@ inline constexpr double kDropEnd = 0.0262;  // s, end of the listed impulses
 DroppedWheel drop_wheel(bool spins, double step, double end = kDropEnd);
 
 /// Relative errors against the short steps of CalculiX: of the impulse; the rms of the load's error
-/// over the load's own, at the listed times, and of its means over four of them, the time in which a
-/// sector of the spinning wheel passes.
+/// over the load's own, at the listed times, and of its means over four of them, the time in which
+/// a sector of the spinning wheel passes.
 struct DropErrors {
   double impulse = 0.0, load = 0.0, load_of_passages = 0.0;
 };

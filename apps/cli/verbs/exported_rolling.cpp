@@ -15,8 +15,8 @@
 #include "experiment/tests/rolling_states.h"
 #include "formats/mesh/vtu_file.h"
 #include "models/fe_tire/contact/ground.h"
+#include "models/fe_tire/grip/rolling_surface.h"
 #include "models/fe_tire/rolling/rolling_fields.h"
-#include "models/fe_tire/rolling/rolling_surface.h"
 
 namespace latsch::cli {
 namespace {

@@ -11,9 +11,11 @@
 #include "base/random.h"
 #include "correlation/comparison/measured_drum.h"
 #include "correlation/target/limits_by_name.h"
+#include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
+#include "experiment/rigs/fe_rolling/cleat_rig.h"
 #include "experiment/rigs/sampling.h"
-#include "experiment/tests/drum_cleat.h"
+#include "experiment/rigs/slip/lift_watch.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
 
@@ -83,6 +85,25 @@ void find_heard(const ComparisonFile& file,
   }
 }
 
+/// Rolls a tire over the cleat of a drum, as the test drum_cleat does. Adds what a finite-element
+/// tire assumes to `remarks`, and what other tires meet to `lifts`.
+Result<Channels> run_on_drum(experiment::Specimen& specimen,
+                             const experiment::DrumTest& drum,
+                             LiftLog& lifts,
+                             std::vector<std::string>& remarks) {
+  if (auto* elements = specimen.find<experiment::IsFeTire>())
+    return elements->drive(
+        [&](experiment::TireRig& rig, fe_tire::TireSlopes*) {
+          remarks = experiment::remarks_on_cleat(rig, drum);
+          return experiment::cross_cleat(rig, drum);
+        },
+        drum.pressure.has_value(),
+        {});
+  experiment::refuse_high_cleat(specimen, drum.cleat);
+  return experiment::run(*watched(specimen.find<experiment::Rolls>()->tire(drum.pressure), lifts),
+                         drum);
+}
+
 /// Runs a tire through a test; returns the recorded channels. Sets `limits`, unless it is null, to
 /// the limits that the tire met.
 Channels run_of(const ComparedTire& tire,
@@ -90,15 +111,17 @@ Channels run_of(const ComparedTire& tire,
                 std::vector<std::string>* limits) {
   const auto specimen = tire.kind->build(tire.numbers);
   const experiment::DrumTest& drum = test.drum;
-  const experiment::DrumCleatTest on_drum(drum);
-  auto channels = on_drum.run(*specimen);
+  LiftLog lifts;
+  std::vector<std::string> remarks;
+  auto channels = run_on_drum(*specimen, drum, lifts, remarks);
   if (!channels) {
     throw std::runtime_error(
         fmt::format("{} in test {}: {}", tire.title, test.name, channels.failure().reason));
   }
   if (limits) {
-    const bool knows = specimen->find<experiment::KnowsLimits>() != nullptr;
-    *limits = knows ? limits_of(*specimen, drum.cleat) : on_drum.limits(*specimen);
+    *limits = limits_of(*specimen, drum.cleat);
+    limits->insert(limits->end(), remarks.begin(), remarks.end());
+    record_limit(*specimen, lifts.sentence());
     if (drum.cleat)
       record_limit(*specimen, experiment::note_on_samples(drum.sample_step, drum.speed));
     for (std::string& limit : experiment::limits_met(*specimen))

@@ -8,7 +8,7 @@
 // order 2.
 //
 // The keys are in experiment/tests/keys/drum_cleat_keys.cpp. A finite-element tire crosses the
-// cleat on a rig of its own, fe_tire/cleat_rig.h.
+// cleat on a rig of its own, fe_rolling/cleat_rig.h.
 #pragma once
 
 #include <optional>

@@ -8,7 +8,7 @@
 #include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/test_words.h"
-#include "experiment/rigs/fe_tire/cleat_rig.h"
+#include "experiment/rigs/fe_rolling/cleat_rig.h"
 #include "experiment/rigs/sampling.h"
 #include "experiment/rigs/slip/lift_watch.h"
 #include "experiment/rigs/wheel_scheme.h"

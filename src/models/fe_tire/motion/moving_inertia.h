@@ -2,7 +2,7 @@
 // Inertia of a tire that vibrates while its material spins through a mesh that stands: (W.1) with a
 // speed Omega that may change, at all nodes, those of the rim included.
 //
-//   f = M a + Omega (G' - G'^T) v - Omega^2 (w_0 + W u) + Omega' G' x                          (V.3)
+//   f = M a + Omega (G' - G'^T) v - Omega^2 (w_0 + W u) + Omega' G' x                         (V.3)
 //
 // where x = X + u, v = du/dt, a = d2u/dt2 of places of the mesh in the wheel's axes, and M, G', W
 // and w_0 = W X are those of spin.h. Since f holds the forces at the nodes of the rim, too, the

@@ -17,9 +17,9 @@
 #include "base/result.h"
 #include "models/fe_tire/analysis/condensed_tire.h"
 #include "models/fe_tire/analysis/ring_assembly.h"
+#include "models/fe_tire/grip/tread_past.h"
 #include "models/fe_tire/rolling/rolling_case.h"
 #include "models/fe_tire/rolling/tread_body.h"
-#include "models/fe_tire/rolling/tread_past.h"
 #include "numerics/sparse/factorization.h"
 
 namespace latsch::fe_tire {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "models/fe_tire/rolling/rolling_grip.h"
+#include "models/fe_tire/grip/rolling_grip.h"
 
 namespace latsch::fe_tire {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "models/fe_tire/grip/rolling_contact.h"
 #include "models/fe_tire/rolling/rolling_case.h"
-#include "models/fe_tire/rolling/rolling_contact.h"
 #include "models/fe_tire/rolling/tread_body.h"
 
 namespace latsch::fe_tire {

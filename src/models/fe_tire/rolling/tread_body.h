@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "models/fe_tire/contact/ground.h"
-#include "models/fe_tire/rolling/rolling_contact.h"
-#include "models/fe_tire/rolling/rolling_surface.h"
+#include "models/fe_tire/grip/rolling_contact.h"
+#include "models/fe_tire/grip/rolling_surface.h"
 #include "models/fe_tire/rolling/tread_lines.h"
 
 namespace latsch::fe_tire {
@@ -87,8 +87,8 @@ class TreadBody : public RollingBody {
   Eigen::VectorXd to_nodes(const Eigen::VectorXd& q) const;
   /// Returns the ground's forces at rows(), N, in the same axes.
   Eigen::VectorXd forces(const RollingInput& input, const GripTractions& tractions) const;
-  /// Returns the positions of all points of the tread on the surface rolled out at the start, m [3 x
-  /// points of the tread].
+  /// Returns the positions of all points of the tread on the surface rolled out at the start, m [3
+  /// x points of the tread].
   const Eigen::Matrix3Xd& all_positions() const { return all_; }
   /// Returns the positions of the listed points on the surface rolled out, m [3 x points].
   Eigen::Matrix3Xd positions(const Eigen::VectorXd& q) const;

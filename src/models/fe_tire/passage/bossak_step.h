@@ -3,13 +3,13 @@
 // Newmark's rules:
 //
 //   x' = x + h v + h^2 [(1/2 - beta) a + beta a'],   v' = v + h [(1 - gamma) a + gamma a'],
-//   M [(1 - alpha) a' + alpha a] + f(x', v', t') = 0                                           (V.4)
+//   M [(1 - alpha) a' + alpha a] + f(x', v', t') = 0                                          (V.4)
 //   alpha = (rho - 1)/(rho + 1), gamma = 1/2 - alpha, beta = (1 - alpha)^2/4
 //
 // rho is the share of a vibration of high frequency that is left after each step, 0 to 1. The
 // method is of second order and stable for any step if f is linear. All forces belong to the end of
-// the step, as friction (F.5) and unilateral contact need it; in the generalized alpha method, which
-// averages them over the step, the load would lag by a part of it.
+// the step, as friction (F.5) and unilateral contact need it; in the generalized alpha method,
+// which averages them over the step, the load would lag by a part of it.
 //   [Wood, Bossak & Zienkiewicz, Int. J. Numer. Meth. Eng. 15 (1980) 1562-1566; Chung & Hulbert, J.
 //   Appl. Mech. 60 (1993) 371-375]
 #pragma once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/rolling/rolling_transient.h"
+#include "models/fe_tire/passage/rolling_transient.h"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ class Passing {
     EXPECT_TRUE(found) << found.failure().reason;
     return *std::move(found);
   }
-  TransientForces start(const RollingState& state, const TransientSettings& settings) {
+  TransientForces start(const RollingState& state, const RollingTransientSettings& settings) {
     auto found = passage_.start(state, settings);
     EXPECT_TRUE(found) << found.failure().reason;
     return *found;

@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "models/fe_tire/rolling/passing_bar.h"
+#include "models/fe_tire/grip/passing_bar.h"
 
 namespace latsch::fe_tire {
 

@@ -30,7 +30,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "models/fe_tire/rolling/rolling_grip.h"
+#include "models/fe_tire/grip/rolling_grip.h"
 
 namespace latsch::fe_tire {
 

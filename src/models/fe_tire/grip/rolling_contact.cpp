@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/rolling/rolling_contact.h"
+#include "models/fe_tire/grip/rolling_contact.h"
 
 #include <fmt/format.h>
 

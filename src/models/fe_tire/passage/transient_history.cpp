@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/rolling/transient_history.h"
+#include "models/fe_tire/passage/transient_history.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/fe_tire/rolling/rolling_contact.h"
+#include "models/fe_tire/grip/rolling_contact.h"
 #include "numerics/dense/lu.h"
 
 namespace latsch::fe_tire {

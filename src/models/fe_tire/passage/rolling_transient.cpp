@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/rolling/rolling_transient.h"
+#include "models/fe_tire/passage/rolling_transient.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include "models/fe_tire/analysis/fe_tire_impl.h"
 #include "models/fe_tire/motion/moving_inertia.h"
 #include "models/fe_tire/motion/spin.h"
-#include "models/fe_tire/rolling/bossak_step.h"
+#include "models/fe_tire/passage/bossak_step.h"
+#include "models/fe_tire/passage/transient_history.h"
 #include "models/fe_tire/rolling/linear_roller.h"
-#include "models/fe_tire/rolling/transient_history.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -32,8 +32,8 @@ constexpr double kSpinSettled = 5e-6;
 constexpr double kContact = 1e-4;
 
 /// Finds the ratio of successive steps of an iteration that converges linearly by one ratio. The
-/// history of stresses that vary within a sector is not in the tangent (rolling_history.h), and lets
-/// iterations converge so.
+/// history of stresses that vary within a sector is not in the tangent (rolling_history.h), and
+/// lets iterations converge so.
 class GeometricSteps {
  public:
   /// Returns the ratio, 0 if it is not known or if a sum of such steps would be no better.
@@ -67,7 +67,7 @@ struct RollingTransient::Impl {
   LinearRoller linear;
   std::optional<TransientHistory> history;  // none: the tire is elastic
   double factored_step = 0.0;               // s, of the factorization
-  TransientSettings settings;
+  RollingTransientSettings settings;
   std::optional<PassingBar> bar;
   double pressure = 0.0, load = 1.0;
 
@@ -165,8 +165,8 @@ Status RollingTransient::Impl::renew(Iterate& at, const BossakStep& rule, const 
   return Failure{"the tangent of a step is not positive definite: expected a shorter step"};
 }
 
-/// Moves to the state found on the linear tire, or a part of the way if elements are inverted there.
-/// Returns the part.
+/// Moves to the state found on the linear tire, or a part of the way if elements are inverted
+/// there. Returns the part.
 Result<double> RollingTransient::Impl::move(Iterate& at,
                                             const BossakStep& rule,
                                             const WheelMoment& to,
@@ -278,16 +278,14 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       now.wheel = to;
       return reached;
     }
-    if (*share == 1.0) {
-      const double ratio = shares.ratio(found->d);
-      if (ratio > 0.0) {
-        at.motion.x -= ratio / (1.0 - ratio) * found->d;
-        if (const Status done = evaluate(at, rule, to, false); !done) return done.failure();
-      }
+    const double ratio = *share == 1.0 ? shares.ratio(found->d) : 0.0;
+    if (ratio > 0.0) {
+      at.motion.x -= ratio / (1.0 - ratio) * found->d;
+      if (const Status done = evaluate(at, rule, to, false); !done) return done.failure();
     }
     is_old = *share < 1.0 || (before > 0.0 && residual > kSlowInTime * before &&
                               residual > settings.enough * load && work.factors < kMostFactors);
-    before = residual;
+    before = ratio > 0.0 ? 0.0 : residual;  // the sum of a series may be far from its last term
   }
   return Failure{fmt::format(
       "a step of {:.3g} ms is not in equilibrium after {} iterations; residual {:.3g} N, accepted "
@@ -333,7 +331,7 @@ void RollingTransient::set_history(const LossMaterials& losses, const Inflated& 
 }
 
 Result<TransientForces> RollingTransient::start(const RollingState& steady,
-                                                const TransientSettings& settings) {
+                                                const RollingTransientSettings& settings) {
   if (!(steady.of.speed > 0.0) || !(steady.of.spin > 0.0))
     return Failure{"a passage begins with a wheel that rolls: expected a speed and a spin above 0"};
   if (steady.of.turn_slip != 0.0)

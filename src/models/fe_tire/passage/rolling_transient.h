@@ -8,7 +8,7 @@
 //   now->force                                              // of the tire on the hub
 //
 // The mesh stands and the tire runs through it, as in rolling_tire.h:
-//   M a + Omega (G' - G'^T) v + f_int(x) - Omega^2 (w_0 + W u) + Omega' G' x = c               (V.5)
+//   M a + Omega (G' - G'^T) v + f_int(x) - Omega^2 (w_0 + W u) + Omega' G' x = c              (V.5)
 // in axes that travel with the wheel center, whose acceleration adds to a. c is the ground's
 // pressure (C.1) and friction in time, (F.5) of tread_past.h. Steps are those of bossak_step.h. The
 // steady state is the start without any run-in, because it solves (V.5), and (F.5) is (F.1) there.
@@ -27,16 +27,16 @@
 
 #include "base/result.h"
 #include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/grip/passing_bar.h"
 #include "models/fe_tire/history/loss_materials.h"
-#include "models/fe_tire/rolling/passing_bar.h"
 #include "models/fe_tire/rolling/rolling_case.h"
 
 namespace latsch::fe_tire {
 
-struct TransientSettings {
+struct RollingTransientSettings {
   double step = 5e-4;    // s
   double rho = 0.7;      // share of high frequencies that is left after each step (bossak_step.h)
-  double enough = 5e-4;  // residual of a step, relative to the load at the start
+  double enough = 1e-3;  // residual of a step, relative to the load at the start
   std::optional<PassingBar::Size> bar = {};
 };
 
@@ -73,9 +73,10 @@ class RollingTransient {
 
   /// Lets rubber and cords relax by these terms, as RollingTire::set_history() does.
   void set_history(const LossMaterials& losses, const Inflated& round);
-  /// Begins with a steady state that RollingTire found with the same history. Returns its forces, or
-  /// a Failure that says what is out of range.
-  Result<TransientForces> start(const RollingState& steady, const TransientSettings& settings);
+  /// Begins with a steady state that RollingTire found with the same history. Returns its forces,
+  /// or a Failure that says what is out of range.
+  Result<TransientForces> start(const RollingState& steady,
+                                const RollingTransientSettings& settings);
   /// Moves on by one step. After a Failure the tire is as before the step.
   Result<TransientForces> advance(const WheelMoment& to);
   /// Returns the displacements of the whole ring, m [3 x nodes, sector frames], and their rates.

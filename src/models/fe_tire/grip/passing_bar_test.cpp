@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/rolling/passing_bar.h"
+#include "models/fe_tire/grip/passing_bar.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "models/fe_tire/rolling/rolling_surface.h"
+#include "models/fe_tire/grip/rolling_surface.h"
 
 namespace latsch::fe_tire {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Line contact against Carter's exact solution (longitudinal, and lateral: antiplane), the brush
 // model, full sliding, and random slip states.
-#include "models/fe_tire/rolling/rolling_contact.h"
+#include "models/fe_tire/grip/rolling_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "models/fe_tire/rolling/line_contact_testing.h"
+#include "models/fe_tire/grip/line_contact_testing.h"
 
 namespace latsch::fe_tire {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/rolling/tread_past.h"
+#include "models/fe_tire/grip/tread_past.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 // Material at point k of a line was at point k - 1 the time Delta t_k before, so that (F.1) in time
 // reads
 //   t'_k(t) = t_{k-1}(t - Delta t_k)
-//             - epsilon_t [x_k(t) - x_{k-1}(t - Delta t_k) - V_g Delta t_k].                   (F.5)
+//             - epsilon_t [x_k(t) - x_{k-1}(t - Delta t_k) - V_g Delta t_k].                  (F.5)
 // The values at t - Delta t_k are those of the parabola through three instants, of which the latest
 // may be the unknown one, now; where a point was not in contact at all three,
 // those of the straight line between the two instants around. In a steady state (F.5) is (F.1) to
@@ -16,7 +16,7 @@
 #include <deque>
 #include <vector>
 
-#include "models/fe_tire/rolling/rolling_grip.h"
+#include "models/fe_tire/grip/rolling_grip.h"
 
 namespace latsch::fe_tire {
 

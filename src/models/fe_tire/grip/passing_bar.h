@@ -3,7 +3,7 @@
 //
 // A point of the tread is a mean of the surface by hat functions as wide as the elements
 // (tread_surface.h). The ground below it is the same mean of the bar's section h(s),
-//   b(s) = int (1 - |r|/w)/w h(s + r) dr,  |r| < w,                                            (G.3)
+//   b(s) = int (1 - |r|/w)/w h(s + r) dr,  |r| < w,                                           (G.3)
 // with w the length of an element in the direction s across the bar. A vertical flank becomes a
 // slope of the length 2 w, and no point is thrown up by the whole height of the bar within one
 // step of time. Its volume is kept.

@@ -4,7 +4,8 @@
 //
 // In a step h of time the material at a place comes from the place Omega h upstream. With the
 // deviations dS, dH_i of stress and history from those of the steady state at the start,
-//   dH_i(t + h) = e^(-a_i) dH_i* + c_i beta_i (dS(t + h) - dS*),   a = h/tau, c = (1 - e^(-a))/a (H.7)
+//   dH_i(t + h) = e^(-a_i) dH_i* + c_i beta_i (dS(t + h) - dS*),                             (H.7)
+//   a = h/tau, c = (1 - e^(-a))/a
 // where * are the values of the last step at the place upstream, by the cubic through the four
 // sectors around. It is (H.1) for stresses that change linearly within the step. The steady state
 // itself obeys (H.2) of rolling_history.h and does not change, however long the passage lasts.

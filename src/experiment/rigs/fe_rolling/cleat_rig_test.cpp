@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/fe_tire/cleat_rig.h"
+#include "experiment/rigs/fe_rolling/cleat_rig.h"
 
 #include <gtest/gtest.h>
 

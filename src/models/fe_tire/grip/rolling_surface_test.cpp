@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface of a drum rolled out, and tire B with few columns that rolls on it.
-#include "models/fe_tire/rolling/rolling_surface.h"
+#include "models/fe_tire/grip/rolling_surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "models/fe_tire/rolling/passing_bar.h"
+#include "models/fe_tire/grip/passing_bar.h"
 
 #include <algorithm>
 #include <cmath>

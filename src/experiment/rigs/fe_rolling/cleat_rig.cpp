@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/rigs/fe_tire/cleat_rig.h"
+#include "experiment/rigs/fe_rolling/cleat_rig.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 #include "experiment/rigs/fe_rolling/patch_limits.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "experiment/rigs/hub_frame.h"
+#include "models/fe_tire/passage/rolling_transient.h"
 #include "models/fe_tire/rolling/rolling_tire.h"
-#include "models/fe_tire/rolling/rolling_transient.h"
 
 namespace latsch::experiment {
 namespace {
@@ -145,7 +145,7 @@ Status cross_cleat(TireRig& rig,
 
   fe_tire::RollingTransient passage(rig.tire());
   passage.set_history(rig.losses(), *inflated);
-  fe_tire::TransientSettings settings;
+  fe_tire::RollingTransientSettings settings;
   settings.step = test.step;
   if (test.cleat) settings.bar = bar_of(mesh, *test.cleat);
   auto now = passage.start(*rolls, settings);
