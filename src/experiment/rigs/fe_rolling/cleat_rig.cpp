@@ -208,7 +208,7 @@ std::vector<std::string> remarks_on_cleat(const TireRig& rig, const DrumTest& te
     const fe_tire::Mesh& mesh = rig.tire().mesh();
     remarks.push_back(fmt::format(
         "the tread feels the cleat through means over {:.3g} mm to both sides, {}, so its flanks "
-        "are slopes of {:.3g} mm",
+        "are slopes of {:.3g} mm; forces depend on this length and on the step (--convergence)",
         1e3 * bar_of(mesh, *test.cleat).smooth,
         test.cleat->height > element_length(mesh)
             ? "the height of the cleat, which is more than an element's length"
