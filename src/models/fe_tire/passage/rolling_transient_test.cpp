@@ -166,8 +166,8 @@ std::complex<double> at_frequency(const std::vector<double>& values) {
 }
 
 // Slip angles that swing slowly let the side force lag as the response in frequency says (F.4),
-// which has no steps of time and no inertia. At 4 Hz and 30 m/s gyroscopic forces would change its
-// size and phase by 7 %.
+// which has no steps of time and no inertia. At 4 Hz and 30 m/s size and phase differ by 7 %, which
+// we take for gyroscopic forces.
 TEST(RollingTransient, LagsBehindSlowSlipAnglesAsTheResponseInFrequencySays) {
   constexpr double kFrequency = 0.4, kSwing = 2e-3, kStep = 5e-3, kSlow = 5.0;
   Passing tire(false, 1.0, kSlow);
