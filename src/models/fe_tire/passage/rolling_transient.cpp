@@ -291,7 +291,7 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       "a step of {:.3g} ms is not in equilibrium after {} iterations; residual {:.3g} N, accepted "
       "{:.3g} N",
       1e3 * h,
-      kMostOfStep,
+      std::min(work.iterations, kMostOfStep),
       residual,
       settings.enough * load)};
 }
