@@ -53,18 +53,18 @@ Eigen::MatrixXcd HarmonicContact::tangent(double omega) const {
     if (k == body_.lines_.lines[s].first)
       on_line.setZero(std::ssize(section.columns), std::ssize(section.columns));
     Eigen::Matrix3Xcd by = Eigen::Matrix3Xcd::Zero(3, std::ssize(section.columns));
-    const auto& point = section.points[k - body_.lines_.lines[s].first];
-    for (std::size_t n = 0; n < point.at.size(); ++n)
-      by.middleCols<3>(point.at[n]).diagonal().setConstant(point.w[n]);
+    const auto w = section.w.row(k - body_.lines_.lines[s].first);
+    for (Eigen::Index n = 0; n < w.size(); ++n)
+      by.middleCols<3>(3 * n).diagonal().setConstant(w[n]);
     return by;
   };
   const auto take = [&](int s, int k, const Eigen::Matrix3Xcd& force) {
     const auto& section = body_.sections_[s];
-    const auto& point = section.points[k - body_.lines_.lines[s].first];
-    for (std::size_t n = 0; n < point.at.size(); ++n)
+    const auto w = section.w.row(k - body_.lines_.lines[s].first);
+    for (Eigen::Index n = 0; n < w.size(); ++n)
       for (Eigen::Index c = 0; c < force.cols(); ++c)
         for (int d = 0; d < 3; ++d)
-          sum(section.columns[point.at[n] + d], section.columns[c]) += point.w[n] * force(d, c);
+          sum(section.columns[3 * n + d], section.columns[c]) += w[n] * force(d, c);
   };
   follow(omega, motion, take);
   return sum;
@@ -80,10 +80,9 @@ Eigen::MatrixXcd HarmonicContact::forces_by(double omega,
   };
   const auto take = [&](int s, int k, const Eigen::Matrix3Xcd& force) {
     const auto& section = body_.sections_[s];
-    const auto& point = section.points[k - body_.lines_.lines[s].first];
-    for (std::size_t n = 0; n < point.at.size(); ++n)
-      for (int d = 0; d < 3; ++d)
-        sum.row(section.columns[point.at[n] + d]) += point.w[n] * force.row(d);
+    const auto w = section.w.row(k - body_.lines_.lines[s].first);
+    for (Eigen::Index n = 0; n < w.size(); ++n)
+      for (int d = 0; d < 3; ++d) sum.row(section.columns[3 * n + d]) += w[n] * force.row(d);
   };
   follow(omega, motion, take);
   return sum;
@@ -95,10 +94,10 @@ Eigen::Matrix3Xcd HarmonicContact::point_forces(double omega,
   Eigen::Matrix3Xcd forces = Eigen::Matrix3Xcd::Zero(3, std::ssize(body_.points_));
   const auto motion = [&](int s, int k) {
     const auto& section = body_.sections_[s];
-    const auto& point = section.points[k - body_.lines_.lines[s].first];
+    const auto w = section.w.row(k - body_.lines_.lines[s].first);
     Eigen::Matrix3Xcd by = moved.col(k);
-    for (std::size_t n = 0; n < point.at.size(); ++n)
-      for (int d = 0; d < 3; ++d) by(d, 0) += point.w[n] * q[section.columns[point.at[n] + d]];
+    for (Eigen::Index n = 0; n < w.size(); ++n)
+      for (int d = 0; d < 3; ++d) by(d, 0) += w[n] * q[section.columns[3 * n + d]];
     return by;
   };
   const auto take = [&](int, int k, const Eigen::Matrix3Xcd& force) { forces.col(k) = force; };

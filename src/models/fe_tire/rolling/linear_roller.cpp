@@ -79,7 +79,7 @@ LinearRoller::LinearRoller(const RingAssembly& assembly,
     : tread_(tread),
       lines_(lines),
       factor_(*assembly.pattern(),
-              numerics::Precision::full,
+              numerics::Precision::single,
               std::make_shared<const numerics::Elimination>(
                   numerics::eliminate(*assembly.pattern(), tread.block_rows()))) {}
 
@@ -127,9 +127,12 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
         fmt::format("no steady state after {} solutions of sticking and sliding points", spent_)};
   Found found;
   found.of = of;
+  // Forces at the tread's nodes balance those of the ground. They stay out of the factor's single
+  // precision, so that rounding is relative to what is not yet balanced.
   found.d = g;
+  for (const int row : tread_.block_rows()) found.d.segment<3>(3 * row).setZero();
   factor_.reduce(found.d);
-  nodes_ = at_nodes(found.d);
+  nodes_ = at_nodes(found.d) + at_nodes(g);
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
   const GroundMotion motion = motion_of(of);
   RollingSurface surface(of.curvature, -motion.velocity.normalized());

@@ -6,7 +6,7 @@
 // K is eliminated down to the nodes of the tread, and these down to the nodes below which the
 // ground is (condensed_tire.h). There the contact with friction is solved by the active set of
 // rolling_contact.h, together with the height that follows from a load and the spin that follows
-// from a drive.
+// from a drive. The factor of K is in single precision: g is not, and iterations converge to it.
 #pragma once
 
 #include <Eigen/Core>

@@ -105,16 +105,11 @@ class TreadBody : public RollingBody {
   double time(int k) const { return lines_.time[k]; }
 
  private:
-  /// Nodes on which a point depends, by the first of their three columns in those of its line, and
-  /// their weights.
-  struct PointNodes {
-    std::vector<int> at;
-    std::vector<double> w;
-  };
-  /// Points of a line and the columns of q on which they depend.
+  /// Points of a line, the columns of q on which they depend, three a node, and the nodes' weights
+  /// [points x nodes].
   struct Section {
     std::vector<int> columns;
-    std::vector<PointNodes> points;
+    Eigen::MatrixXd w;
   };
   double height_before(Eigen::Index k, const Eigen::Matrix3Xd& x) const;
   int rise_at() const { return static_cast<int>(rows_.size()); }
@@ -124,9 +119,13 @@ class TreadBody : public RollingBody {
                 const TreadLines& lines,
                 const std::vector<int>& of,
                 const Eigen::VectorXd& height,
-                double near);
+                double near,
+                std::vector<int>& place);
   Eigen::VectorXd forces_in_ground(const RollingInput& input, const GripTractions& tractions) const;
-  class LineJacobian;
+  class LineTangent;
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& q,
+                           const RollingInput& input,
+                           const GripTractions& tractions) const;
   friend class HarmonicContact;
 
   RollingSurface surface_;
