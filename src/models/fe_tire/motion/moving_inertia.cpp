@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "models/fe_tire/motion/spin.h"
+#include "numerics/dense/dense_products.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -28,13 +29,14 @@ Matrix38 gathered(const Eigen::Matrix3Xd& of, const std::array<int, 8>& nodes) {
 }  // namespace
 
 MovingInertia::MovingInertia(const RingElements& elements)
-    : ring_(elements.ring()), of_width_(ring_.widths()) {
+    : ring_(elements.ring()), sectors_(ring_.widths()), of_width_(ring_.widths()) {
   const Mesh& mesh = ring_.mesh();
   const int n = mesh.nodes_per_sector();
   X_.resize(3, mesh.nodes());
   for (int s = 0; s < ring_.sectors(); ++s) {
     frames_.push_back(mesh.frame(s));
     X_.middleCols(s * n, n) = frames_.back() * mesh.X;
+    sectors_[ring_.width(s)].push_back(s);
     std::vector<Scalars>& known = of_width_[ring_.width(s)];
     if (!known.empty()) continue;
     for (int e = 0; e < ring_.elements_per_sector(); ++e) {
@@ -56,22 +58,36 @@ Eigen::Matrix3Xd MovingInertia::in_wheel_axes(const Eigen::Matrix3Xd& of) const 
 
 MovingInertia::Forces MovingInertia::forces(const Motion& motion) const {
   const double spin = motion.spin, rate = motion.spin_rate;
-  const int n = ring_.mesh().nodes_per_sector();
+  const int n = ring_.mesh().nodes_per_sector(), elements = ring_.elements_per_sector();
   const Eigen::Matrix3Xd x = X_ + in_wheel_axes(motion.u);
-  const Eigen::Matrix3Xd v = spin * in_wheel_axes(motion.v), a = in_wheel_axes(motion.a);
+  const Eigen::Matrix3Xd v = in_wheel_axes(motion.v), a = in_wheel_axes(motion.a);
   Forces sum{Eigen::Matrix3Xd::Zero(3, x.cols()), {}, Eigen::Vector3d::Zero()};
-  for (int s = 0; s < ring_.sectors(); ++s) {
-    const std::vector<Scalars>& known = of_width_[ring_.width(s)];
-    for (int e = 0; e < ring_.elements_per_sector(); ++e) {
-      const Scalars& of = known[e];
-      const std::array<int, 8> nodes = nodes_of(ring_, s, ring_.mesh().elements[e]);
-      const Matrix38 at = gathered(x, nodes), moving = gathered(v, nodes);
+  // The elements of all sectors of one width have the same inertia: one product serves them all.
+  Eigen::MatrixXd moved, f;   // [sectors and directions x nodes of a, x, v], [the same x nodes]
+  Eigen::MatrixXd by(24, 8);  // inertia as seen by a, x and v
+  for (int width = 0; width < ring_.widths(); ++width) {
+    const std::vector<int>& sectors = sectors_[width];
+    moved.resize(3 * std::ssize(sectors), 24);
+    f.resize(moved.rows(), 8);
+    for (int e = 0; e < elements; ++e) {
+      for (std::size_t k = 0; k < sectors.size(); ++k) {
+        const std::array<int, 8> nodes = nodes_of(ring_, sectors[k], ring_.mesh().elements[e]);
+        for (int node = 0; node < 8; ++node) {
+          const auto row = static_cast<Eigen::Index>(3 * k);
+          moved.col(node).segment<3>(row) = a.col(nodes[node]);
+          moved.col(8 + node).segment<3>(row) = x.col(nodes[node]);
+          moved.col(16 + node).segment<3>(row) = v.col(nodes[node]);
+        }
+      }
       // Row vectors: f = m u of each direction is u m^T.
-      Matrix38 f = gathered(a, nodes) * of.M - (spin * spin) * (at * of.W);
-      f.noalias() += moving * of.G.transpose();
-      f.noalias() -= moving * of.G;
-      if (rate != 0.0) f.noalias() += rate * (at * of.G.transpose());
-      for (int k = 0; k < 8; ++k) sum.at_nodes.col(nodes[k]) += f.col(k);
+      const Scalars& of = of_width_[width][e];
+      by << of.M, rate * of.G.transpose() - (spin * spin) * of.W, spin * (of.G.transpose() - of.G);
+      numerics::add_product<double>(1.0, moved, by, 0.0, f);
+      for (std::size_t k = 0; k < sectors.size(); ++k) {
+        const std::array<int, 8> nodes = nodes_of(ring_, sectors[k], ring_.mesh().elements[e]);
+        for (int node = 0; node < 8; ++node)
+          sum.at_nodes.col(nodes[node]) += f.col(node).segment<3>(static_cast<Eigen::Index>(3 * k));
+      }
     }
   }
   sum.force = sum.at_nodes.rowwise().sum();

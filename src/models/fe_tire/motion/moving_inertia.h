@@ -48,6 +48,7 @@ class MovingInertia {
   Eigen::Matrix3Xd in_wheel_axes(const Eigen::Matrix3Xd& of) const;
 
   const Ring& ring_;
+  std::vector<std::vector<int>> sectors_;       // [width]
   std::vector<std::vector<Scalars>> of_width_;  // [width][section element]
   std::vector<Eigen::Matrix3d> frames_;  // turns from the frame of a plane to the wheel's axes
   Eigen::Matrix3Xd X_;                   // m, places of all nodes in the wheel's axes

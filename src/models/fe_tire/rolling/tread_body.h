@@ -13,7 +13,7 @@
 // A height that follows from a load and a spin that follows from a drive are unknowns behind q:
 // the rise of the wheel center, m, and the relative change of the spin. Their equations,
 //   Fz - load = 0,   (drive - asked)/(arm) = 0,
-// border the Jacobian.
+// border the Jacobian (tread_tangent.cpp).
 #pragma once
 
 #include <Eigen/Core>
