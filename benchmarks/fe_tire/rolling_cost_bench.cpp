@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "cpu_time.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/rolling/rolling_tire.h"
+#include "models/fe_tire/slopes/tire_slopes.h"
 #include "shipped_tires.h"
 #include "table.h"
 
@@ -99,8 +101,65 @@ std::vector<RollingCase> slips(const RollingState& free, int count, double most)
   return cases;
 }
 
+/// Ten numbers of the tire, each changed by a hundred-thousandth to either side: moduli and
+/// densities of its rubbers, moduli and angles of its plies, the pressure.
+std::vector<Variation> ten_numbers(const TireDescription& description) {
+  constexpr double kStep = 1e-5;
+  std::vector<std::function<void(TireDescription&, double)>> numbers;
+  for (std::size_t k = 0; k < description.rubbers.size(); ++k) {
+    numbers.emplace_back([k](TireDescription& tire, double by) {
+      Hyperelastic& law = tire.rubbers[k].law;
+      for (double* modulus : {&law.C10, &law.C01, &law.K}) *modulus *= by;
+    });
+    numbers.emplace_back([k](TireDescription& tire, double by) { tire.rubbers[k].density *= by; });
+  }
+  for (std::size_t k = 0; k < description.plies.size(); ++k) {
+    numbers.emplace_back(
+        [k](TireDescription& tire, double by) { tire.plies[k].cords.E_tension *= by; });
+    numbers.emplace_back(
+        [k](TireDescription& tire, double by) { tire.plies[k].cords.angle *= by; });
+  }
+  for (std::size_t k = 0; k < description.plies.size(); ++k)
+    numbers.emplace_back(
+        [k](TireDescription& tire, double by) { tire.plies[k].cords.density *= by; });
+  numbers.resize(std::min<std::size_t>(numbers.size(), 9));
+  numbers.emplace_back([](TireDescription& tire, double by) { tire.pressure *= by; });
+  std::vector<Variation> variations;
+  for (const auto& number : numbers) {
+    const auto varied = [&](double by) {
+      TireDescription tire = description;
+      number(tire, by);
+      return VariedTire{build_mesh(tire), build_materials(tire), tire.pressure, tire.friction};
+    };
+    variations.push_back(
+        {varied(1.0 - kStep), varied(1.0 + kStep), kStep, &number == &numbers.back()});
+  }
+  return variations;
+}
+
 std::string times(double seconds, double pressed) {
   return fmt::format("{:.2f} s, {:.2f} x", seconds, seconds / pressed);
+}
+
+/// Measures slopes of a state with a slip angle beside the mean CPU time of such a state.
+void slope_rows(Table& table,
+                FeTire& tire,
+                const TireDescription& description,
+                RollingTire& rolling,
+                const RollingState& free,
+                double of_state) {
+  const RollingState state = value_of(rolling.roll(free, slipping(free, 0.0, 2.0 * kDegree)));
+  Stopwatch watch;
+  TireSlopes slopes(tire, ten_numbers(description));
+  table.note("elements with other numbers, once a trial", fmt::format("{:.2f} s", watch.lap()));
+  const std::vector<TireSlopes::RollsWith> with(slopes.variables());
+  (void)value_of(slopes.of_rolling(rolling, state, with, true));
+  const double of_slopes = watch.lap();
+  table.full_row(fmt::format("slopes of a state's forces in {} numbers, over a next state, mean",
+                             slopes.variables()),
+                 fmt::format("{:.2f} s, {:.2f} x", of_slopes, of_slopes / of_state),
+                 "<= 2 x",
+                 of_slopes <= 2.0 * of_state);
 }
 
 }  // namespace
@@ -182,6 +241,7 @@ int run(const Options& options) {
                  "<= 0.8 s",
                  braked.seconds / braked.states <= 0.8);
   table.note("the longest", braked.work);
+  slope_rows(table, tire, description, rolling, free, angles.seconds / angles.states);
   return table.exit_code();
 }
 

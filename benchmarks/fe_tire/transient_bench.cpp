@@ -122,7 +122,7 @@ void steady_rows(Table& table,
 struct Record {
   std::vector<double> Fx, Fz;  // N, changes on the hub
   double seconds = 0.0;        // CPU
-  int factors = 0;
+  int iterations = 0, factors = 0, solutions = 0;
 };
 
 /// Rolls over a cleat for `time`, s, from 50 ms before it is below the axle.
@@ -139,7 +139,9 @@ Record over_cleat(
         value_of(passage.advance({.of = wheel.state.of,
                                   .bar_at = kSpeed * (kLead - static_cast<double>(k) * step),
                                   .wheel = SpinningWheel{.inertia = 1.0}}));
+    record.iterations += now.iterations;
     record.factors += now.factors;
+    record.solutions += now.passes;
     if (k % every != 0) continue;
     record.Fx.push_back(now.force.x() - still.force.x());
     record.Fz.push_back(now.force.z() - still.force.z());
@@ -171,9 +173,14 @@ void cleat_rows(Table& table, const Options& options, FreeWheel& wheel, const Ti
   table.note("cleat of 10 mm x 20 mm at 60 km/h: largest changes of Fx, Fz",
              fmt::format("{:.0f} N, {:.0f} N", most(record.Fx), most(record.Fz)));
   table.full_row(fmt::format("{:g} s of it in steps of 0.5 ms", time),
-                 fmt::format("{:.1f} s CPU, {} factorizations", record.seconds, record.factors),
+                 fmt::format("{:.1f} s CPU", record.seconds),
                  "<= 90 s",
                  record.seconds <= 90.0);
+  table.note("its work",
+             fmt::format("{} iterations, {} factorizations, {} solutions of the patch",
+                         record.iterations,
+                         record.factors,
+                         record.solutions));
   const auto change = [&](const std::string& what, const Record& other) {
     table.note(what,
                fmt::format("{}, {}",

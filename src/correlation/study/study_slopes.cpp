@@ -53,6 +53,8 @@ std::optional<std::string> reason_without_slopes(const Study& study) {
         return fmt::format("experiment {} compares {}, for which that test has no slopes",
                            experiment.name,
                            channel);
+      const std::string why = kind->why_without_slopes(study.model, *test->test, moved.paths());
+      if (!why.empty()) return fmt::format("{}: {}", test->in_words(), why);
     }
   }
   return std::nullopt;

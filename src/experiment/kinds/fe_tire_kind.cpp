@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <list>
 
+#include "base/text.h"
 #include "experiment/kinds/fe_tire_specimen.h"
 #include "experiment/kinds/fe_variations.h"
 #include "experiment/kinds/pictures/fe_tire_pictures.h"
@@ -98,13 +99,24 @@ class FeTireKind : public SpecimenKind {
     if (before && before->becomes(description, numbers)) return reuse;
     return std::make_unique<DescribedTire>(description, numbers);
   }
-  /// True for pressure, rubbers, layers, contour and thicknesses, except the positions at which
-  /// parts begin and end, because these change the mesh.
+  /// True for pressure, friction, rubbers, layers, contour and thicknesses, except the positions at
+  /// which parts begin and end, because these change the mesh.
   bool knows_slopes_in(const std::string& path) const override {
     const auto begins = [&path](const char* with) { return path.starts_with(with); };
     if (path.ends_with(".from") || path.ends_with(".to")) return false;
-    return path == "pressure" || begins("rubber.") || begins("layer.") ||
+    return path == "pressure" || begins("friction") || begins("rubber.") || begins("layer.") ||
            begins("section.contour") || begins("section.thickness");
+  }
+  std::string why_without_slopes(const Document& numbers,
+                                 const Test& test,
+                                 const std::vector<std::string>& paths) const override {
+    const TireDescription tire = fe_tire::read_tire(numbers.root());
+    std::string why = why_without_rates(fe_tire::build_losses(tire), test);
+    if (!why.empty() || !rolls(test)) return why;
+    for (const std::string& path : paths)
+      if (path.starts_with("section."))
+        return "slopes of a rolling tire by its shape, " + in_quotes(path) + ", are not known";
+    return "";
   }
   void check(const Document& numbers) const override {
     fe_tire::build_mesh(fe_tire::read_tire(numbers.root()));

@@ -8,6 +8,7 @@
 
 #include "experiment/kinds/fe_variations.h"
 #include "experiment/rigs/fe_rolling/steady_table.h"
+#include "experiment/rigs/fe_tire/rolling_rig.h"
 
 namespace latsch::experiment {
 namespace {
@@ -135,6 +136,15 @@ Result<Channels> FeTireSpecimen::steady(const formats::CsvTable& states,
   return roll_table(*rig_, states, conditions);
 }
 
+Result<Channels> FeTireSpecimen::steady_with_slopes(const formats::CsvTable& states,
+                                                    const SteadyConditions& conditions,
+                                                    const Asked& asked) {
+  const auto roll = [&](TireRig& rig, fe_tire::TireSlopes* slopes) {
+    return roll_table(rig, states, conditions, slopes);
+  };
+  return drive(roll, false, asked);  // states of rows with a pressure are told by the rows
+}
+
 Result<std::vector<std::string>> FeTireSpecimen::steady_in_blocks(
     const formats::CsvTable& states,
     const SteadyConditions& conditions,
@@ -147,6 +157,24 @@ Result<std::vector<std::string>> FeTireSpecimen::steady_in_blocks(
 std::vector<std::string> FeTireSpecimen::limits_in(const formats::CsvTable& states,
                                                    const SteadyConditions& conditions) {
   return remarks_on_table(*rig_, states, conditions);
+}
+
+bool rolls(const Test& test) {
+  return test.settings_as<SteadyConditions>() || test.settings_as<RollingTest>();
+}
+
+std::string why_without_rates(const fe_tire::LossMaterials& losses, const Test& test) {
+  const auto* steady = test.settings_as<SteadyConditions>();
+  const auto* rolling = test.settings_as<RollingTest>();
+  if (!rolls(test)) return "";
+  if (!losses.is_elastic())
+    return "slopes of a rolling tire are known for elastic ones, and this tire has Prony terms or "
+           "a "
+           "loss factor";
+  const auto friction = steady ? steady->friction : rolling->friction;
+  if (friction && *friction == 0.0)
+    return "slopes of a rolling tire are known for ground with friction, and that of the test is 0";
+  return "";
 }
 
 std::string why_every_run_fails(const fe_tire::Mesh& mesh, const Test& test) {

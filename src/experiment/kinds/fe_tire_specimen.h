@@ -62,6 +62,9 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> print(const FootprintTest& test, const Asked& asked) override;
   Result<Channels> steady(const formats::CsvTable& states,
                           const SteadyConditions& conditions) override;
+  Result<Channels> steady_with_slopes(const formats::CsvTable& states,
+                                      const SteadyConditions& conditions,
+                                      const Asked& asked) override;
   Result<std::vector<std::string>> steady_in_blocks(
       const formats::CsvTable& states,
       const SteadyConditions& conditions,
@@ -91,6 +94,12 @@ class FeTireSpecimen : public Specimen,
   Document numbers_;
   std::unique_ptr<TireRig> rig_;
 };
+
+/// True for tests with slopes in which the tire rolls steadily.
+bool rolls(const Test& test);
+/// Returns why slopes of this test are not known on a tire with these losses: in tests in which it
+/// rolls, only an elastic tire on ground with friction knows them; empty if they may be known.
+std::string why_without_rates(const fe_tire::LossMaterials& losses, const Test& test);
 
 /// Returns why every run of this test fails on a finite-element tire with this mesh: sensor points
 /// that are not on it, conventions that such a tire does not have; else "".

@@ -34,7 +34,8 @@ std::function<fe_tire::VariedTire(const Document&)> described_tires(
     if (!built) built.emplace(tire, fe_tire::build_mesh(tire));
     return {fe_tire::same_mesh(tire, built->first) ? built->second : fe_tire::build_mesh(tire),
             fe_tire::build_materials(tire),
-            tire.pressure};
+            tire.pressure,
+            tire.friction};
   };
 }
 

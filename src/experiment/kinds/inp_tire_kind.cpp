@@ -66,6 +66,11 @@ class InpTireKind : public SpecimenKind {
     return inp_notes(file);
   }
   bool knows_slopes_in(const std::string&) const override { return true; }
+  std::string why_without_slopes(const Document& numbers,
+                                 const Test& test,
+                                 const std::vector<std::string>&) const override {
+    return rolls(test) ? why_without_rates(inp_model(numbers).tire.losses, test) : "";
+  }
   std::unique_ptr<Specimen> build(const Document& numbers,
                                   std::unique_ptr<Specimen> reuse) const override {
     auto* before = dynamic_cast<InpTireSpecimen*>(reuse.get());

@@ -114,6 +114,13 @@ class SpecimenKind {
 
   /// True if its specimens can compute derivatives of their results by the parameter at this path.
   virtual bool knows_slopes_in(const std::string& /*path*/) const { return false; }
+  /// Returns why a specimen with these numbers does not know its slopes in this test by the
+  /// parameters at these paths, whose slopes it knows in other tests; empty if it does.
+  virtual std::string why_without_slopes(const Document& /*numbers*/,
+                                         const Test& /*test*/,
+                                         const std::vector<std::string>& /*paths*/) const {
+    return "";
+  }
 
   /// Returns the range of the number at this path; nullopt if it has none.
   virtual std::optional<UsualRange> usual_range(const std::string& /*path*/) const {

@@ -37,6 +37,7 @@ struct DrumTest;
 struct KeySection;
 struct LoadDeflection;
 struct ModalTest;
+struct RollingTest;
 struct SteadyConditions;
 
 /// The settings of a test for its rig, for code that needs more of a test than its channels: pages
@@ -45,6 +46,7 @@ using RigSettings = std::variant<std::monostate,
                                  const DrumTest*,
                                  const LoadDeflection*,
                                  const ModalTest*,
+                                 const RollingTest*,
                                  const SteadyConditions*>;
 
 /// Effect of the discretization on a channel: root mean square differences over the record, in the

@@ -30,9 +30,14 @@ class FeRollingTest : public RollsFeTire {
     return channels;
   }
   std::optional<long> samples() const override { return std::ssize(rolling().rows); }
+  bool tells_slopes(const SpecimenKind&, const std::string& channel) const override {
+    return has_rolling_slopes(channel);
+  }
 
  protected:
-  Result<Channels> measure(TireRig& rig) const override { return roll(rig, rolling()); }
+  Result<Channels> measure(TireRig& rig, fe_tire::TireSlopes* slopes) const override {
+    return roll(rig, rolling(), slopes);
+  }
 };
 
 std::unique_ptr<Test> read_rolling(const Node& root, const TestSource& source) {

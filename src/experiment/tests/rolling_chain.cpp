@@ -41,7 +41,9 @@ class FeRollingChainTest : public RollsFeTire {
   const ChainPlaces* chain_places() const override { return &places_; }
 
  protected:
-  Result<Channels> measure(TireRig& rig) const override { return chains(rig, rolling(), places_); }
+  Result<Channels> measure(TireRig& rig, fe_tire::TireSlopes*) const override {
+    return chains(rig, rolling(), places_);
+  }
 
  private:
   ChainPlaces places_;

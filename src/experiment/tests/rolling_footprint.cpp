@@ -47,7 +47,7 @@ class FeRollingFootprintTest : public RollsFeTire {
   }
 
  protected:
-  Result<Channels> measure(TireRig& rig) const override {
+  Result<Channels> measure(TireRig& rig, fe_tire::TireSlopes*) const override {
     const auto states = roll_states(rig, rolling());
     if (!states) return states.failure();
     return footprint_channels(sensors_, *states);

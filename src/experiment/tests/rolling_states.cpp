@@ -173,11 +173,11 @@ std::string RollsFeTire::states_in_words() const {
                      inflated(rolling().pressure));
 }
 
-Result<Channels> RollsFeTire::run(Specimen& specimen) const {
+Result<Channels> RollsFeTire::run_with_slopes(Specimen& specimen, const Asked& asked) const {
   return specimen.find<IsFeTire>()->drive(
-      [this](TireRig& rig, fe_tire::TireSlopes*) { return measure(rig); },
+      [this](TireRig& rig, fe_tire::TireSlopes* slopes) { return measure(rig, slopes); },
       rolling().pressure.has_value(),
-      {});
+      asked);
 }
 
 std::vector<std::string> RollsFeTire::limits(Specimen& specimen) const {

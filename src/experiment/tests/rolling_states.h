@@ -33,7 +33,8 @@ class RollsFeTire : public Test, public TellsLimits {
   std::vector<std::string> needs() const override;
   std::vector<Ledger> ledgers(const std::string& by) const override;
   std::vector<double> driven_at(const std::string& condition) const override;
-  Result<Channels> run(Specimen& specimen) const override;
+  Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
+  Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override;
   /// Says which losses a result contains.
   std::vector<std::string> limits(Specimen& specimen) const override;
   Result<std::vector<std::string>> run_in_blocks(
@@ -45,8 +46,10 @@ class RollsFeTire : public Test, public TellsLimits {
  protected:
   /// Returns "in 3 steady states, friction 1, 2.6 bar".
   std::string states_in_words() const;
-  /// Returns the channels of the test's states.
-  virtual Result<Channels> measure(TireRig& rig) const = 0;
+  /// Returns the channels of the test's states, with the slopes that are known if `slopes` is not
+  /// null.
+  virtual Result<Channels> measure(TireRig& rig, fe_tire::TireSlopes* slopes) const = 0;
+  RigSettings rig_settings() const override { return &states_.test; }
 
  private:
   RollingStates states_;

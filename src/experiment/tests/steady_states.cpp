@@ -18,6 +18,7 @@
 #include "base/file.h"
 #include "base/mapped_file.h"
 #include "experiment/language/capabilities.h"
+#include "experiment/rigs/fe_tire/rolling_rig.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_states.h"
@@ -84,8 +85,8 @@ class SteadyStatesTest : public Test, public TellsLimits {
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     return specimen.find<HasSteadyStates>()->steady_in_blocks(states_, conditions_, tell);
   }
-  bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
-    return !kind.has(IsFeTire::kName);
+  bool tells_slopes(const SpecimenKind& kind, const std::string& channel) const override {
+    return !kind.has(IsFeTire::kName) || has_rolling_slopes(channel);
   }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     return specimen.find<HasSteadyStates>()->steady_with_slopes(states_, conditions_, asked);

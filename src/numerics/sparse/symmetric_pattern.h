@@ -38,7 +38,8 @@ class SymmetricPattern {
     short row, column;
   };
   std::span<const Scatter> scatter(int element) const {
-    return {&scatter_[scatter_start_[element]], &scatter_[scatter_start_[element + 1]]};
+    return std::span(scatter_).subspan(
+        scatter_start_[element], scatter_start_[element + 1] - scatter_start_[element]);
   }
   int element_size(int element) const { return element_size_[element]; }
 

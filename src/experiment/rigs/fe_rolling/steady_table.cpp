@@ -112,10 +112,18 @@ Status roll_table(TireRig& rig,
 
 Result<Channels> roll_table(TireRig& rig,
                             const formats::CsvTable& table,
-                            const SteadyConditions& conditions) {
-  const auto states = roll_states(rig, rolling_test(table, conditions));
+                            const SteadyConditions& conditions,
+                            fe_tire::TireSlopes* slopes) {
+  const bool is_mirrored = conditions.conventions.mirrored;
+  const auto states = roll_states(rig, rolling_test(table, conditions), {}, slopes);
   if (!states) return states.failure();
-  return channels_of(*states, conditions.conventions.mirrored);
+  const Channels channels = channels_of(*states, is_mirrored);
+  ChannelSlopes known = slopes_of(*states, is_mirrored ? -1.0 : 1.0);
+  if (known.empty()) return channels;
+  known.emplace_back("R_e", slopes_by(*states, [](const RolledState& rolled, std::size_t k) {
+                       return rolled.effective_radius_rates[k];
+                     }));
+  return with_slopes(channels, known);
 }
 
 std::vector<std::string> remarks_on_table(const TireRig& rig,

@@ -40,10 +40,12 @@ Status roll_table(TireRig& rig,
                   const SteadyConditions& conditions,
                   const std::function<void(const Channels&)>& tell);
 
-/// Returns the channels of all states of a table.
+/// Returns the channels of all states of a table. With `slopes`, channels have those that are known
+/// (slopes_of() in rolling_rig.h, and R_e).
 Result<Channels> roll_table(TireRig& rig,
                             const formats::CsvTable& table,
-                            const SteadyConditions& conditions);
+                            const SteadyConditions& conditions,
+                            fe_tire::TireSlopes* slopes = nullptr);
 
 /// Returns a sentence for everything that the tire assumes, does not use or leaves out. Throws
 /// InputError as roll_table() does.

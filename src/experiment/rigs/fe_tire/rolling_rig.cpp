@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "experiment/rigs/fe_rolling/patch_limits.h"
@@ -18,6 +19,7 @@ namespace latsch::experiment {
 namespace {
 
 using fe_tire::RollingCase;
+using fe_tire::RollingRates;
 using fe_tire::RollingState;
 
 /// First guess of the deflection, relative to the radius.
@@ -60,13 +62,35 @@ std::string in_words(const RollingRow& row, std::size_t number, std::size_t of) 
 /// The states found at one pressure, from which others start.
 class FlatTrack {
  public:
-  FlatTrack(TireRig& rig, const fe_tire::Inflated& inflated, const RollingTest& test)
+  FlatTrack(TireRig& rig,
+            const fe_tire::Inflated& inflated,
+            const RollingTest& test,
+            fe_tire::TireSlopes* slopes)
       : rig_(rig),
         pressure_(inflated.pressure),
+        states_friction_(test.friction.has_value()),
+        states_pressure_(test.pressure.has_value()),
         friction_(friction_of(rig, test.friction)),
+        slopes_(slopes),
         curvature_(test.drum_radius > 0.0 ? 1.0 / test.drum_radius : 0.0),
         rolling_(rig.tire()) {
     rolling_.set_history(rig.losses(), inflated);
+  }
+
+  /// Finds the rates of a row's state, which find() has found.
+  Status differentiate(const RollingRow& row, RolledState& rolled) {
+    const auto free = rates_of_free_wheel(row);
+    if (!free) return free.failure();
+    const double R_e = rolled.effective_radius, spin = row.speed / R_e;
+    std::vector<double> shares;  // relative changes of the free wheel's spin
+    for (const RollingRates& rates : *free) {
+      shares.push_back(rates.spin / spin);
+      rolled.effective_radius_rates.push_back(-R_e * shares.back());
+    }
+    auto rates = !row.kappa && is_straight(row) ? free : rates_of(row, rolled.state, shares);
+    if (!rates) return rates.failure();
+    rolled.rates = *std::move(rates);
+    return {};
   }
 
   /// Finds the state of a row. `slip` receives kappa against the free wheel, and `R_e` that
@@ -176,6 +200,36 @@ class FlatTrack {
     return found;
   }
 
+  /// Returns the rates of a state whose spin, if it is stated, changes by these shares.
+  Result<std::vector<RollingRates>> rates_of(const RollingRow& row,
+                                             const RollingState& state,
+                                             const std::vector<double>& shares) {
+    std::vector<fe_tire::TireSlopes::RollsWith> with(slopes_->variables());
+    for (int k = 0; k < slopes_->variables(); ++k) {
+      if (!shares.empty()) with[k].spin = shares[k];
+      if (states_friction_) continue;
+      if (const auto laws = slopes_->friction(k)) {
+        const auto stable = [&](const fe_tire::RollingFriction& law) {
+          return stable_friction(rig_, law, pressure_, state.of.speed);
+        };
+        with[k].friction.emplace(stable(laws->first), stable(laws->second));
+      }
+    }
+    return slopes_->of_rolling(rolling_, state, with, !states_pressure_ && !row.pressure);
+  }
+
+  /// Returns the rates of the row's free wheel.
+  Result<std::vector<RollingRates>> rates_of_free_wheel(const RollingRow& row) {
+    const auto free = free_wheel(row);
+    if (!free) return free.failure();
+    for (const auto& [known, rates] : free_rates_)
+      if (known.load == row.load && known.speed == row.speed && known.camber == row.camber)
+        return rates;
+    auto rates = rates_of(row, *free, {});
+    if (rates) free_rates_.emplace_back(row, *rates);
+    return rates;
+  }
+
   double effective(double height) const { return radius_ - kEffective * (radius_ - height); }
 
   Result<fe_tire::TireState> press(double load, double camber) {
@@ -191,7 +245,11 @@ class FlatTrack {
 
   TireRig& rig_;
   double pressure_;
+  // True if the test states them: those of the tire's file then have no effect.
+  bool states_friction_, states_pressure_;
   fe_tire::RollingFriction friction_;
+  fe_tire::TireSlopes* slopes_;  // null: none are asked for
+  std::vector<std::pair<RollingRow, std::vector<RollingRates>>> free_rates_;
   double curvature_, radius_ = 0.0;
   fe_tire::RollingTire rolling_;
   std::optional<RollingState> start_;
@@ -212,13 +270,14 @@ Status roll_at(TireRig& rig,
                double pressure,
                std::vector<std::size_t> open,
                std::vector<RolledState>& states,
-               const RollingProgress& progress) {
+               const RollingProgress& progress,
+               fe_tire::TireSlopes* slopes) {
   double fastest = 0.0;
   for (const std::size_t k : open) fastest = std::max(fastest, test.rows[k].speed);
   if (const Status done = check_speed(rig, pressure, fastest); !done) return done;
   const auto& inflated = rig.inflated(pressure);
   if (!inflated) return inflated.failure();
-  FlatTrack track(rig, *inflated, test);
+  FlatTrack track(rig, *inflated, test, slopes);
   const fe_tire::LossMeter meter(rig.tire(), rig.losses(), *inflated);
   while (!open.empty()) {
     const auto next = std::ranges::min_element(
@@ -232,6 +291,9 @@ Status roll_at(TireRig& rig,
       return Failure{in_words(test.rows[k], k, test.rows.size()) + ": " + fits.failure().reason};
     states[k].losses = meter.measure(found->u, found->alpha, found->of.spin);
     states[k].state = *std::move(found);
+    if (slopes)
+      if (const Status done = track.differentiate(test.rows[k], states[k]); !done)
+        return Failure{in_words(test.rows[k], k, test.rows.size()) + ": " + done.failure().reason};
     if (progress) progress(states, k);
   }
   return {};
@@ -315,7 +377,9 @@ Channels channels_of(const std::vector<RolledState>& states,
 
 Result<std::vector<RolledState>> roll_states(TireRig& rig,
                                              const RollingTest& test,
-                                             const RollingProgress& found) {
+                                             const RollingProgress& found,
+                                             fe_tire::TireSlopes* slopes) {
+  slopes = known_rates(rig, test, slopes);
   std::vector<RolledState> states(test.rows.size());
   std::vector<std::pair<double, std::vector<std::size_t>>> groups;  // rows of each pressure
   const double own = test.pressure.value_or(rig.own_pressure());
@@ -328,17 +392,78 @@ Result<std::vector<RolledState>> roll_states(TireRig& rig,
       group->second.push_back(k);
   }
   for (const auto& [pressure, rows] : groups) {
-    const Status done = roll_at(rig, test, pressure, rows, states, found);
+    const Status done = roll_at(rig, test, pressure, rows, states, found, slopes);
     if (!done) return done.failure();
   }
   return states;
 }
 
-Result<Channels> roll(TireRig& rig, const RollingTest& test) {
-  const auto states = roll_states(rig, test);
+fe_tire::TireSlopes* known_rates(const TireRig& rig,
+                                 const RollingTest& test,
+                                 fe_tire::TireSlopes* slopes) {
+  const bool is_known = slopes != nullptr && rig.losses().is_elastic() &&
+                        friction_of(rig, test.friction).at_rest > 0.0 && !slopes->move_shape();
+  return is_known ? slopes : nullptr;
+}
+
+Eigen::MatrixXd slopes_by(const std::vector<RolledState>& states,
+                          const std::function<double(const RolledState&, std::size_t)>& slope) {
+  const std::size_t parameters = states.empty() ? 0 : states.front().rates.size();
+  Eigen::MatrixXd slopes(std::ssize(states), static_cast<Eigen::Index>(parameters));
+  for (std::size_t state = 0; state < states.size(); ++state)
+    for (std::size_t k = 0; k < parameters; ++k)
+      slopes(static_cast<Eigen::Index>(state), static_cast<Eigen::Index>(k)) =
+          slope(states[state], k);
+  return slopes;
+}
+
+bool has_rolling_slopes(const std::string& channel) {
+  static constexpr std::string_view kKnown[] = {
+      "Fx", "Fy", "Fz", "Mx", "My", "Mz", "omega", "R_l", "R_e"};
+  return std::ranges::find(kKnown, channel) != std::end(kKnown);
+}
+
+ChannelSlopes slopes_of(const std::vector<RolledState>& states, double side) {
+  if (states.empty() || states.front().rates.empty()) return {};
+  const auto by = [&](double factor, const auto& of) {
+    return slopes_by(states, [&](const RolledState& rolled, std::size_t k) {
+      return factor * of(rolled.rates[k]);
+    });
+  };
+  using Rates = const RollingRates&;
+  return {{"Fx", by(1.0, [](Rates r) { return r.forces.force.x(); })},
+          {"Fy", by(side, [](Rates r) { return r.forces.force.y(); })},
+          {"Fz", by(1.0, [](Rates r) { return r.forces.force.z(); })},
+          {"Mx", by(side, [](Rates r) { return r.forces.moment.x(); })},
+          {"My", by(1.0, [](Rates r) { return r.forces.moment.y(); })},
+          {"Mz", by(side, [](Rates r) { return r.forces.moment.z(); })},
+          {"omega", by(1.0, [](Rates r) { return r.spin; })},
+          {"R_l", slopes_by(states, [](const RolledState& rolled, std::size_t k) {
+             return rolled.rates[k].height / std::cos(rolled.state.of.camber);
+           })}};
+}
+
+Result<Channels> roll(TireRig& rig, const RollingTest& test, fe_tire::TireSlopes* slopes) {
+  const auto states = roll_states(rig, test, {}, slopes);
   if (!states) return states.failure();
   const auto& losses = rig.losses();
-  return channels_of(*states, losses.is_elastic() ? decltype(losses.owners){} : losses.owners);
+  const Channels channels =
+      channels_of(*states, losses.is_elastic() ? decltype(losses.owners){} : losses.owners);
+  ChannelSlopes known = slopes_of(*states);
+  if (known.empty()) return channels;
+  known.emplace_back("drive", slopes_by(*states, [](const RolledState& rolled, std::size_t k) {
+                       return rolled.rates[k].forces.drive;
+                     }));
+  known.emplace_back("loss_friction",
+                     slopes_by(*states, [](const RolledState& rolled, std::size_t k) {
+                       return rolled.rates[k].forces.friction_power;
+                     }));
+  known.emplace_back("R_e", slopes_by(*states, [](const RolledState& rolled, std::size_t k) {
+                       const RollingCase& of = rolled.state.of;
+                       return -of.speed * std::cos(of.slip_angle) / (of.spin * of.spin) *
+                              rolled.rates[k].spin;
+                     }));
+  return with_slopes(channels, known);
 }
 
 }  // namespace latsch::experiment

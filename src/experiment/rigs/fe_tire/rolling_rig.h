@@ -17,10 +17,12 @@
 #include <vector>
 
 #include "experiment/rigs/fe_rolling/ground_friction.h"
+#include "experiment/rigs/fe_tire/channel_slopes.h"
 #include "experiment/rigs/fe_tire/tire_rig.h"
 #include "experiment/rigs/inflation.h"
 #include "models/fe_tire/rolling/rolling_case.h"
 #include "models/fe_tire/rolling/rolling_losses.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 
 namespace latsch::experiment {
 
@@ -48,6 +50,9 @@ struct RolledState {
   double kappa = 0.0;             // against the free wheel
   double effective_radius = 0.0;  // m, V_x/Omega of the free wheel
   fe_tire::RollingLosses losses;  // powers that rubber and cords lose
+  /// Derivatives by every parameter, if they were asked for.
+  std::vector<fe_tire::RollingRates> rates = {};
+  std::vector<double> effective_radius_rates = {};  // m per unit
 };
 
 /// Returns the highest speed of the states, m/s.
@@ -78,12 +83,26 @@ using RollingProgress = std::function<void(const std::vector<RolledState>&, std:
 
 /// Rolls the tire through the states, and returns them in the order of the test. A Failure names
 /// the state that was not found. States are found in another order than that of the test;
-/// `found` is called after each.
+/// `found` is called after each. With `slopes`, states have their rates (known_rates()).
 Result<std::vector<RolledState>> roll_states(TireRig& rig,
                                              const RollingTest& test,
-                                             const RollingProgress& found = {});
+                                             const RollingProgress& found = {},
+                                             fe_tire::TireSlopes* slopes = nullptr);
+/// Returns the slopes if those of a rolling tire are known, else nullptr: rubber and cords have to
+/// be elastic, the ground needs friction, and no parameter may change the shape.
+fe_tire::TireSlopes* known_rates(const TireRig& rig,
+                                 const RollingTest& test,
+                                 fe_tire::TireSlopes* slopes);
+/// Returns the slopes of channels that follow from the rates of the states: "Fx" .. "Mz", "omega"
+/// and "R_l"; those of Fy, Mx and Mz times `side`. Without rates there are none.
+ChannelSlopes slopes_of(const std::vector<RolledState>& states, double side = 1.0);
+/// True for the channels of states that have slopes where rates are known.
+bool has_rolling_slopes(const std::string& channel);
+/// Returns the slopes of one channel, of which `slope(state, parameter)` is a value.
+Eigen::MatrixXd slopes_by(const std::vector<RolledState>& states,
+                          const std::function<double(const RolledState&, std::size_t)>& slope);
 /// Rolls the tire through the states. If the tire has no Prony terms, rolling resistance is that of
 /// friction alone.
-Result<Channels> roll(TireRig& rig, const RollingTest& test);
+Result<Channels> roll(TireRig& rig, const RollingTest& test, fe_tire::TireSlopes* slopes = nullptr);
 
 }  // namespace latsch::experiment

@@ -106,7 +106,7 @@ class TreadSurface {
   std::vector<std::vector<int>> lines_around() const;
   std::vector<std::vector<int>> lines_across() const;
   /// Returns the weights of a contact point or sampling point.
-  const Weight* weights(const Point& point) const { return &weights_[point.first_weight]; }
+  const Weight* weights(const Point& point) const { return weights_.data() + point.first_weight; }
   /// Returns the size of the whole ring divided by that of the computed part: 1 or 2.
   double multiplicity() const { return unknowns_.multiplicity(); }
 

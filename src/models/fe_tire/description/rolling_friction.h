@@ -39,6 +39,8 @@ struct RollingFriction {
   /// Returns by how much the straight line exceeds s at most.
   double most_above() const;
 
+  bool operator==(const RollingFriction&) const = default;
+
  private:
   double by_speed(double w) const;
 };

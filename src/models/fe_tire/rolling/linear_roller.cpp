@@ -13,9 +13,6 @@
 namespace latsch::fe_tire {
 namespace {
 
-/// Height over the ground up to which points take part in an iteration, m. A larger one costs
-/// larger dense matrices, a smaller one more iterations.
-constexpr double kNearPatch = 1.5e-3;
 /// Speed of rotation of a locked wheel, relative to rolling: (F.1) needs a flow, however slow.
 constexpr double kLocked = 1e-6;
 /// Residual of the contact, relative to the accepted one of an iteration.
@@ -23,16 +20,6 @@ constexpr double kInside = 1e-1;
 /// Accepted residual above which a hundredth of the points may still change their states.
 constexpr double kUnsettled = 1e-4;
 constexpr int kShareLeft = 100;
-/// States of the listed points among those of all.
-GripState listed(const GripState& all, const std::vector<int>& points) {
-  GripState part(static_cast<int>(points.size()));
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    part.grip[k] = all.grip[points[k]];
-    part.direction.col(i) = all.direction.col(points[k]);
-  }
-  return part;
-}
 
 void put_back(const RollingContactState& found, const std::vector<int>& points, GripState& all) {
   std::ranges::fill(all.grip, Grip::none);
@@ -41,12 +28,6 @@ void put_back(const RollingContactState& found, const std::vector<int>& points, 
     all.grip[points[k]] = found.state.grip[k];
     all.direction.col(points[k]) = found.state.direction.col(i);
   }
-}
-
-GroundMotion motion_of(const RollingCase& of) {
-  const Eigen::Vector2d heading(std::cos(of.slip_angle), std::sin(of.slip_angle));
-  const double least = kLocked * of.speed / of.height;
-  return {-of.speed * heading, of.turn_slip * of.speed, std::max(of.spin, least)};
 }
 
 /// Returns the contact of a tread that touches nothing.
@@ -72,6 +53,22 @@ TreadPast::Instant instant_of(const TreadBody& body,
 }
 
 }  // namespace
+
+GripState listed(const GripState& all, const std::vector<int>& points) {
+  GripState part(static_cast<int>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    part.grip[k] = all.grip[points[k]];
+    part.direction.col(i) = all.direction.col(points[k]);
+  }
+  return part;
+}
+
+GroundMotion motion_of(const RollingCase& of) {
+  const Eigen::Vector2d heading(std::cos(of.slip_angle), std::sin(of.slip_angle));
+  const double least = kLocked * of.speed / of.height;
+  return {-of.speed * heading, of.turn_slip * of.speed, std::max(of.spin, least)};
+}
 
 LinearRoller::LinearRoller(const RingAssembly& assembly,
                            const TreadSurface& tread,
@@ -127,12 +124,7 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
         fmt::format("no steady state after {} solutions of sticking and sliding points", spent_)};
   Found found;
   found.of = of;
-  // Forces at the tread's nodes balance those of the ground. They stay out of the factor's single
-  // precision, so that rounding is relative to what is not yet balanced.
-  found.d = g;
-  for (const int row : tread_.block_rows()) found.d.segment<3>(3 * row).setZero();
-  factor_.reduce(found.d);
-  nodes_ = at_nodes(found.d) + at_nodes(g);
+  found.d = reduced(g);
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
   const GroundMotion motion = motion_of(of);
   RollingSurface surface(of.curvature, -motion.velocity.normalized());
@@ -173,7 +165,9 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   measure(body, *contact, found.of, found.forces, found.patch);
   if (moment != nullptr)
     found.instant = instant_of(body, body.positions(contact->q), contact->tractions.t);
-  complete(body, *contact, found);
+  expand(body, contact->q, found.d);
+  found.c =
+      forces_at_unknowns(body, body.forces(contact->input, contact->tractions), found.d.size());
   return found;
 }
 
@@ -190,20 +184,39 @@ TreadPast::Instant LinearRoller::instant(const RollingCase& of, const Eigen::Vec
       body, body.positions(still), grip.explicit_tractions(body.input(still), states).t);
 }
 
-/// Finds the motion of all unknowns and the ground's forces on them.
-void LinearRoller::complete(const TreadBody& body,
-                            const RollingContactState& contact,
-                            Found& found) const {
+/// Eliminates all nodes but those of the tread from the forces g: returns what expand() takes, and
+/// sets nodes_. Forces at the tread's nodes balance those of the ground. They stay out of the
+/// factor's single precision, so that rounding is relative to what is not yet balanced.
+Eigen::VectorXd LinearRoller::reduced(const Eigen::VectorXd& g) {
+  Eigen::VectorXd d = g;
+  for (const int row : tread_.block_rows()) d.segment<3>(3 * row).setZero();
+  factor_.reduce(d);
+  nodes_ = at_nodes(d) + at_nodes(g);
+  return d;
+}
+
+/// Finds the decrease d of all unknowns from the displacements q of the body's rows.
+void LinearRoller::expand(const TreadBody& body,
+                          const Eigen::VectorXd& q,
+                          Eigen::VectorXd& d) const {
   Eigen::VectorXd at = nodes_;
   condensed_.reduce(at);
-  condensed_.expand(-body.to_nodes(contact.q), at);
-  found.c.setZero(found.d.size());
-  const Eigen::VectorXd c = body.forces(contact.input, contact.tractions);
-  for (std::size_t k = 0; k < rows_.size(); ++k)
-    found.c[3 * tread_.block_rows()[rows_[k] / 3] + rows_[k] % 3] = c[static_cast<Eigen::Index>(k)];
+  condensed_.expand(-body.to_nodes(q), at);
   for (int a = 0; a < tread_.nodes(); ++a)
-    found.d.segment<3>(3 * tread_.block_rows()[a]) = at.segment<3>(3 * a);
-  factor_.expand(found.d);
+    d.segment<3>(3 * tread_.block_rows()[a]) = at.segment<3>(3 * a);
+  factor_.expand(d);
+}
+
+/// Returns forces on all `size` unknowns from those at the body's rows, in the axes of the
+/// unknowns.
+Eigen::VectorXd LinearRoller::forces_at_unknowns(const TreadBody& body,
+                                                 const Eigen::VectorXd& c,
+                                                 Eigen::Index size) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(size);
+  const std::vector<int>& rows = body.rows();
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    all[3 * tread_.block_rows()[rows[k] / 3] + rows[k] % 3] = c[static_cast<Eigen::Index>(k)];
+  return all;
 }
 
 }  // namespace latsch::fe_tire

@@ -32,6 +32,15 @@ struct PassingMoment {
   double bar_at = 0.0;              // m, arc to the bar's middle ahead of the wheel center
 };
 
+/// Height over the ground up to which points take part in an iteration, m. A larger one costs
+/// larger dense matrices, a smaller one more iterations.
+inline constexpr double kNearPatch = 1.5e-3;
+
+/// Returns the motion of the ground below the wheel of a case.
+GroundMotion motion_of(const RollingCase& of);
+/// Returns the states of some points among those of all.
+GripState listed(const GripState& all, const std::vector<int>& points);
+
 class LinearRoller {
  public:
   /// The state that solves (R.2).
@@ -75,9 +84,14 @@ class LinearRoller {
   TreadPast::Instant instant(const RollingCase& of, const Eigen::VectorXd& x) const;
 
  private:
+  friend class RollingTangent;
   static constexpr int kMostSets = 1500;  // limit of the work for one state; most need some 50
-  void complete(const TreadBody& body, const RollingContactState& contact, Found& found) const;
+  Eigen::VectorXd reduced(const Eigen::VectorXd& g);
   bool condense_for(TreadBody& body);
+  void expand(const TreadBody& body, const Eigen::VectorXd& q, Eigen::VectorXd& d) const;
+  Eigen::VectorXd forces_at_unknowns(const TreadBody& body,
+                                     const Eigen::VectorXd& c,
+                                     Eigen::Index size) const;
   Eigen::VectorXd at_nodes(const Eigen::VectorXd& v) const;
 
   const TreadSurface& tread_;

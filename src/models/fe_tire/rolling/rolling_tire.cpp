@@ -9,10 +9,8 @@
 #include <numbers>
 #include <utility>
 
-#include "models/fe_tire/analysis/fe_tire_impl.h"
 #include "models/fe_tire/motion/spin.h"
-#include "models/fe_tire/rolling/linear_roller.h"
-#include "models/fe_tire/rolling/rolling_history.h"
+#include "models/fe_tire/rolling/rolling_tire_impl.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -79,49 +77,18 @@ double ratio_of_steps(const RollingState& from, const RollingCase& to) {
 
 }  // namespace
 
-/// The whole ring with its tread, and the tangent at hand.
-struct RollingTire::Impl {
-  FeTire& tire;
-  const RingElements& elements;
-  RingUnknowns unknowns;
-  TreadSurface tread;
-  RingAssembly assembly;
-  TreadLines lines;
-  numerics::SymmetricMatrix K, W;
-  Eigen::VectorXd w_0;
-  std::optional<RollingHistory> history;  // none: the tire is elastic
-  LinearRoller linear;
-  double longest;  // m, motion of a step
-
-  Impl(FeTire& of, const RingElements& with, TreadShape shape)
-      : tire(of),
-        elements(with),
-        unknowns(with.ring(), RingSymmetry::none, {}),
-        tread(unknowns, shape, kTouchingAngle),
-        assembly(unknowns),
-        lines(tread, with.ring().mesh()),
-        K(*assembly.pattern()),
-        W(flow_stiffness(assembly, with)),
-        w_0(flow_forces(unknowns, with, Eigen::Matrix3Xd::Zero(3, with.ring().mesh().nodes()))),
-        linear(assembly, tread, lines),
-        longest(kLongest * section_height(with.ring().mesh())) {}
-
-  /// An iterate: unknowns and the forces g of (R.1) without the ground.
-  struct Iterate {
-    AssembledState state;
-    Eigen::VectorXd g;
-  };
-  Result<Iterate> begin(const RollingState& from, RollingCase& of);
-  Status evaluate(Iterate& at, double pressure, double spin, bool with_tangent);
-  Result<double> advance(Iterate& now, const LinearRoller::Found& found, double pressure);
-  Result<LinearRoller::Found> step(
-      Iterate& now, const RollingCase& of, double load, double enough, RollingState& state);
-  bool is_settled(Iterate& now,
-                  const LinearRoller::Found& found,
-                  double accepted,
-                  RollingState& state);
-  Result<RollingState> part(const RollingState& from, const RollingCase& of);
-};
+RollingTire::Impl::Impl(FeTire& of, const RingElements& with, TreadShape shape)
+    : tire(of),
+      elements(with),
+      unknowns(with.ring(), RingSymmetry::none, {}),
+      tread(unknowns, shape, kTouchingAngle),
+      assembly(unknowns),
+      lines(tread, with.ring().mesh()),
+      K(*assembly.pattern()),
+      W(flow_stiffness(assembly, with)),
+      w_0(flow_forces(unknowns, with, Eigen::Matrix3Xd::Zero(3, with.ring().mesh().nodes()))),
+      linear(assembly, tread, lines),
+      longest(kLongest * section_height(with.ring().mesh())) {}
 
 /// Computes g, and renews the tangent if asked for.
 Status RollingTire::Impl::evaluate(Iterate& at, double pressure, double spin, bool with_tangent) {

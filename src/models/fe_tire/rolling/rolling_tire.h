@@ -26,6 +26,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "base/result.h"
 #include "models/fe_tire/analysis/fe_tire.h"
@@ -33,6 +36,25 @@
 #include "models/fe_tire/rolling/rolling_case.h"
 
 namespace latsch::fe_tire {
+
+class RingElements;
+
+/// A number of the tire's description, changed by -step and by +step.
+struct RollingCause {
+  const RingElements *below, *above;      // elements on the tire's own mesh
+  double pressure_below, pressure_above;  // Pa
+  std::optional<std::pair<RollingFriction, RollingFriction>> friction;  // none: it stays
+  double step;                                                          // in the number's unit
+  /// Relative change of the spin per unit; not used if the spin follows from a drive.
+  double spin = 0.0;
+};
+
+/// Derivatives of a steady state by a number, per unit of the number.
+struct RollingRates {
+  RollingForces forces;
+  double height = 0.0;  // m
+  double spin = 0.0;    // rad/s
+};
 
 class RollingTire {
  public:
@@ -50,6 +72,12 @@ class RollingTire {
   /// Finds the steady state of a case, starting from a neighboring state. A Failure says what did
   /// not converge and how far the path was followed, or which number of the case is out of range.
   Result<RollingState> roll(const RollingState& from, const RollingCase& of);
+
+  /// Returns the derivatives of a steady state of an elastic tire by several numbers, in which load
+  /// and drive stay where the state's case has them, else height and spin. Points that stick or
+  /// slide go on to do so. A tire with a history gives a Failure.
+  Result<std::vector<RollingRates>> rates(const RollingState& of,
+                                          const std::vector<RollingCause>& causes);
 
   /// Forgets the factorization at hand: the next state then does not depend on those before `from`.
   void forget();

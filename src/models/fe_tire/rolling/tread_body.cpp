@@ -136,7 +136,7 @@ void TreadBody::set(Eigen::MatrixXd T, Eigen::VectorXd r) {
     for (int a = 0; a < nodes; ++a)
       T_.block<3, 3>(3 * a, 3 * b) =
           (turns_[a] * T_.block<3, 3>(3 * a, 3 * b) * turns_[b].transpose()).eval();
-  for (int a = 0; a < nodes; ++a) r_.segment<3>(3 * a) = (turns_[a] * r_.segment<3>(3 * a)).eval();
+  r_ = to_ground(r_);
 }
 
 Eigen::VectorXd TreadBody::to_nodes(const Eigen::VectorXd& q) const {
@@ -144,6 +144,13 @@ Eigen::VectorXd TreadBody::to_nodes(const Eigen::VectorXd& q) const {
   for (int a = 0; a < std::ssize(turns_); ++a)
     at.segment<3>(3 * a) = turns_[a].transpose() * q.segment<3>(3 * a);
   return at;
+}
+
+Eigen::VectorXd TreadBody::to_ground(const Eigen::VectorXd& at_nodes) const {
+  Eigen::VectorXd turned(std::ssize(rows_));
+  for (int a = 0; a < std::ssize(turns_); ++a)
+    turned.segment<3>(3 * a) = turns_[a] * at_nodes.segment<3>(3 * a);
+  return turned;
 }
 
 void TreadBody::ask(std::optional<double> load, std::optional<double> drive) {

@@ -71,6 +71,10 @@ class TreadBody : public RollingBody {
              const GripTractions& tractions,
              const Eigen::VectorXd& R,
              Eigen::VectorXd& dq) override;
+  /// Returns the derivative of the residual. `tractions` has links.
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& q,
+                           const RollingInput& input,
+                           const GripTractions& tractions) const;
   double force_scale() const override { return scale_; }
   void set_force_scale(double scale) { scale_ = scale; }
   /// Asks for a load, N, and a moment of the drive, N m. Each that is asked for adds an unknown.
@@ -85,6 +89,8 @@ class TreadBody : public RollingBody {
 
   /// Returns the displacements of rows() in the axes of the nodes' unknowns.
   Eigen::VectorXd to_nodes(const Eigen::VectorXd& q) const;
+  /// Returns a vector on rows() in the axes of the ground.
+  Eigen::VectorXd to_ground(const Eigen::VectorXd& at_nodes) const;
   /// Returns the ground's forces at rows(), N, in the same axes.
   Eigen::VectorXd forces(const RollingInput& input, const GripTractions& tractions) const;
   /// Returns the positions of all points of the tread on the surface rolled out at the start, m [3
@@ -123,9 +129,6 @@ class TreadBody : public RollingBody {
                 std::vector<int>& place);
   Eigen::VectorXd forces_in_ground(const RollingInput& input, const GripTractions& tractions) const;
   class LineTangent;
-  Eigen::MatrixXd jacobian(const Eigen::VectorXd& q,
-                           const RollingInput& input,
-                           const GripTractions& tractions) const;
   friend class HarmonicContact;
 
   RollingSurface surface_;

@@ -216,7 +216,6 @@ class TreadBody::LineTangent {
   Eigen::Vector2d shared_ = Eigen::Vector2d::Zero();  // derivative of the next share by this z
 };
 
-/// Returns the derivative of the residual.
 Eigen::MatrixXd TreadBody::jacobian(const Eigen::VectorXd& q,
                                     const RollingInput& input,
                                     const GripTractions& tractions) const {

@@ -26,14 +26,21 @@
 // An error of a mode shape enters the slope of its frequency linearly, but the frequency itself
 // only quadratically. For slopes the shapes are therefore computed more accurately, until slopes
 // are accurate to 1e-6; trials without slopes do not need this work.
+//
+// Forces of a rolling tire follow from (S.1) itself, because its tangent is not symmetric: one
+// solution for each parameter serves all of them (steady_slopes.cpp).
 #pragma once
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
 #include "models/fe_tire/analysis/fe_tire.h"
+#include "models/fe_tire/description/rolling_friction.h"
+#include "models/fe_tire/rolling/rolling_tire.h"
 
 namespace latsch::fe_tire {
 
@@ -41,7 +48,8 @@ namespace latsch::fe_tire {
 struct VariedTire {
   Mesh mesh;
   Materials materials;
-  double pressure = 0.0;  // Pa, pressure in tests at the tire's own pressure
+  double pressure = 0.0;                         // Pa, pressure in tests at the tire's own pressure
+  std::optional<RollingFriction> friction = {};  // with the ground, of the tire's file
 };
 
 /// One parameter of the description, changed by -step and by +step; the step is in the parameter's
@@ -102,6 +110,24 @@ class TireSlopes {
   Result<Eigen::MatrixXd> of_modes(const TireState& state,
                                    const std::vector<Mode>& modes,
                                    const Eigen::VectorXd& height);
+  /// True if a parameter changes the tire's shape, so that slopes of a rolling tire are not known.
+  bool move_shape() const;
+  /// Laws of friction of the tire's file with a parameter decreased and increased.
+  using Frictions = std::pair<RollingFriction, RollingFriction>;
+  /// Returns those of a parameter; none if it changes no friction.
+  std::optional<Frictions> friction(int parameter) const;
+  /// What a test makes of a parameter.
+  struct RollsWith {
+    std::optional<Frictions> friction = {};  // none: the friction with the ground stays
+    double spin = 0.0;  // relative change of the spin per unit, if the spin is stated
+  };
+  /// Returns the derivatives of a steady state that `rolling`, a roller of this tire, found, by
+  /// every parameter: (R.3) of rolling_tangent.h. No parameter may change the shape. If
+  /// `is_at_own_pressure` is false, the tire's own pressure has no effect.
+  Result<std::vector<RollingRates>> of_rolling(RollingTire& rolling,
+                                               const RollingState& state,
+                                               const std::vector<RollsWith>& with,
+                                               bool is_at_own_pressure);
 
  private:
   struct Impl;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Internals of TireSlopes, which computes derivatives of the inflated tire on one sector
-// (tire_slopes.cpp), of states on the ground (loaded_slopes.cpp), and of their contact patch
-// (patch_slopes.cpp).
+// (tire_slopes.cpp), of states on the ground (loaded_slopes.cpp), of their contact patch
+// (patch_slopes.cpp), and of steady states of rolling (steady_slopes.cpp).
 #pragma once
 
 #include <Eigen/Core>
