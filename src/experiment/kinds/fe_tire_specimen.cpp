@@ -9,6 +9,7 @@
 #include "experiment/kinds/fe_variations.h"
 #include "experiment/rigs/fe_rolling/steady_table.h"
 #include "experiment/rigs/fe_tire/rolling_rig.h"
+#include "experiment/rigs/slip/rolling_stiffness.h"
 
 namespace latsch::experiment {
 namespace {
@@ -160,7 +161,8 @@ std::vector<std::string> FeTireSpecimen::limits_in(const formats::CsvTable& stat
 }
 
 bool rolls(const Test& test) {
-  return test.settings_as<SteadyConditions>() || test.settings_as<RollingTest>();
+  return test.settings_as<SteadyConditions>() || test.settings_as<RollingTest>() ||
+         test.settings_as<RollingStiffnessTest>();
 }
 
 std::string why_without_rates(const fe_tire::LossMaterials& losses, const Test& test) {
@@ -171,8 +173,9 @@ std::string why_without_rates(const fe_tire::LossMaterials& losses, const Test& 
     return "slopes of a rolling tire are known for elastic ones, and this tire has Prony terms or "
            "a "
            "loss factor";
-  const auto friction = steady ? steady->friction : rolling->friction;
-  if (friction && *friction == 0.0)
+  const bool is_smooth =
+      (steady && steady->friction == 0.0) || (rolling && rolling->friction == 0.0);
+  if (is_smooth)
     return "slopes of a rolling tire are known for ground with friction, and that of the test is 0";
   return "";
 }

@@ -37,6 +37,7 @@ struct DrumTest;
 struct KeySection;
 struct LoadDeflection;
 struct ModalTest;
+struct RollingStiffnessTest;
 struct RollingTest;
 struct SteadyConditions;
 
@@ -46,6 +47,7 @@ using RigSettings = std::variant<std::monostate,
                                  const DrumTest*,
                                  const LoadDeflection*,
                                  const ModalTest*,
+                                 const RollingStiffnessTest*,
                                  const RollingTest*,
                                  const SteadyConditions*>;
 

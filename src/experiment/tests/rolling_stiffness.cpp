@@ -84,13 +84,15 @@ class RollingStiffness : public Test, public TellsLimits {
     return notes;
   }
 
-  Result<Channels> run(Specimen& specimen) const override {
+  Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
+  bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
+    return kind.has(IsFeTire::kName);
+  }
+  Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
     auto* elements = specimen.find<IsFeTire>();
-    const auto values = elements ? measure(*elements) : measure(specimen);
-    if (!values) return values.failure();
-    Channels recorded;
-    for (const ChannelInfo& channel : channels())
-      recorded.add({channel.name, channel.unit, {(*values)[recorded.all().size()]}});
+    auto measured = elements ? measure(*elements, asked) : measure(specimen);
+    if (!measured) return measured.failure();
+    const Channels recorded = *std::move(measured);
     for (const auto& [name, effect] : kWrongSign)
       if (const Channel* channel = recorded.find(name);
           channel && channel->values.front() < -kRounding * test_.load)
@@ -109,8 +111,20 @@ class RollingStiffness : public Test, public TellsLimits {
     if (auto* tire = specimen.find<IsFeTire>()) return assumed_by(*tire);
     return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);
   }
-  /// Returns the values of the channels of a tire that rolls in steps of time.
-  Result<std::vector<double>> measure(Specimen& specimen) const {
+  /// Returns the channels, each with one value and its slopes.
+  Channels recorded(const std::vector<double>& values,
+                    const std::vector<std::vector<double>>& slopes) const {
+    Channels recorded;
+    for (const ChannelInfo& info : channels()) {
+      const std::size_t k = recorded.all().size();
+      Channel channel{info.name, info.unit, {values[k]}};
+      if (!slopes.empty()) channel.slopes = slopes[k];
+      recorded.add(std::move(channel));
+    }
+    return recorded;
+  }
+  /// Returns the channels of a tire that rolls in steps of time.
+  Result<Channels> measure(Specimen& specimen) const {
     LiftLog lifts;
     const auto tire = watched(specimen.find<Rolls>()->tire(test_.pressure), lifts);
     std::vector<double> values;
@@ -130,26 +144,32 @@ class RollingStiffness : public Test, public TellsLimits {
       values.push_back(*found);
     }
     record_limit(specimen, lifts.sentence());
-    return values;
+    return recorded(values, {});
   }
 
-  /// Returns the values of the channels of a tire that has steady states of its own.
-  Result<std::vector<double>> measure(IsFeTire& tire) const {
-    std::vector<double> values;
-    const auto done = tire.drive(
-        [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
-          const auto found =
-              rolling_slopes(rig, test_, {wants("slip"), wants("cornering"), wants("camber")});
+  /// Returns the channels of a tire that has steady states of its own.
+  Result<Channels> measure(IsFeTire& tire, const Asked& asked) const {
+    return tire.drive(
+        [&](TireRig& rig, fe_tire::TireSlopes* slopes) -> Result<Channels> {
+          const WantedSlopes wanted{wants("slip"), wants("cornering"), wants("camber")};
+          const auto found = rolling_slopes(rig, test_, wanted, slopes);
           if (!found) return found.failure();
-          if (wants("slip")) values.push_back(found->slip);
-          if (wants("cornering")) values.insert(values.end(), {found->cornering, found->trail});
-          if (wants("camber")) values.push_back(found->camber);
-          return Channels();
+          const double all[] = {found->slip, found->cornering, found->trail, found->camber};
+          const bool are_wanted[] = {
+              wanted.slip, wanted.cornering, wanted.cornering, wanted.camber};
+          std::vector<double> values;
+          std::vector<std::vector<double>> rates;
+          for (std::size_t k = 0; k < std::size(all); ++k) {
+            if (!are_wanted[k]) continue;
+            values.push_back(all[k]);
+            if (found->rates.empty()) continue;
+            rates.emplace_back();
+            for (const auto& by : found->rates) rates.back().push_back(by[k]);
+          }
+          return recorded(values, rates);
         },
         test_.pressure.has_value(),
-        {});
-    if (!done) return done.failure();
-    return values;
+        asked);
   }
 
   /// Returns a sentence about the friction of a finite-element tire, which the test does not state.
@@ -169,6 +189,8 @@ class RollingStiffness : public Test, public TellsLimits {
   bool wants(const char* measure) const {
     return std::find(measures_.begin(), measures_.end(), measure) != measures_.end();
   }
+
+  RigSettings rig_settings() const override { return &test_; }
 
   RollingStiffnessTest test_;
   std::vector<std::string> measures_;

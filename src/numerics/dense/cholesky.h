@@ -44,7 +44,8 @@ class PivotedCholesky {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
 
  private:
-  Eigen::LDLT<Eigen::MatrixXd> factors_;
+  // Of an empty matrix at first, because a copy of a factor that was never computed is undefined.
+  Eigen::LDLT<Eigen::MatrixXd> factors_{Eigen::MatrixXd(0, 0)};
 };
 
 }  // namespace latsch::numerics

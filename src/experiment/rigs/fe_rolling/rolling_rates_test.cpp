@@ -93,7 +93,7 @@ TEST(RollingRates, AreThoseOfDifferences) {
       const Channel& channel = *found->find(name);
       ASSERT_EQ(channel.slopes.size(), channel.values.size() * std::size(kVaried)) << name;
       for (std::size_t i = 0; i < channel.values.size(); ++i) {
-        // The same values with and without slopes.
+        // Values are the same with and without slopes.
         EXPECT_NEAR(channel.values[i], (*plain)[name][i], 1e-5 * std::abs(channel.values[i]));
         const double expected = (above[name][i] - below[name][i]) / (2.0 * kStep);
         const double slope = channel.slopes[k * channel.values.size() + i];

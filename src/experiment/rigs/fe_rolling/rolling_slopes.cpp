@@ -8,7 +8,8 @@ namespace latsch::experiment {
 
 Result<RollingSlopes> rolling_slopes(TireRig& rig,
                                      const RollingStiffnessTest& test,
-                                     const WantedSlopes& wanted) {
+                                     const WantedSlopes& wanted,
+                                     fe_tire::TireSlopes* slopes) {
   RollingTest rolling{.pressure = test.pressure, .rows = {}};
   const auto add_pair = [&](double kappa, double alpha, double camber, bool is_free) {
     const std::size_t first = rolling.rows.size();
@@ -24,25 +25,40 @@ Result<RollingSlopes> rolling_slopes(TireRig& rig,
   const std::size_t slip = wanted.slip ? add_pair(test.slip, 0.0, 0.0, false) : 0;
   const std::size_t angle = wanted.cornering ? add_pair(0.0, test.angle, 0.0, false) : 0;
   const std::size_t camber = wanted.camber ? add_pair(0.0, 0.0, test.camber, true) : 0;
-  const auto states = roll_states(rig, rolling);
+  const auto states = roll_states(rig, rolling, {}, slopes);
   if (!states) return states.failure();
-  const auto odd_part = [&](std::size_t first, const auto& value) {
-    return 0.5 * (value((*states)[first].state.forces) - value((*states)[first + 1].state.forces));
-  };
   using Forces = const fe_tire::RollingForces&;
   const auto Fx = [](Forces forces) { return forces.force.x(); };
   const auto Fy = [](Forces forces) { return forces.force.y(); };
   const auto Mz = [](Forces forces) { return forces.moment.z(); };
+  // Half of what a value of the forces changes from a state to its opposite. `of` returns the forces
+  // of a state, or their rates.
+  const auto odd = [&](std::size_t first, const auto& value, const auto& of) {
+    return 0.5 * (value(of((*states)[first])) - value(of((*states)[first + 1])));
+  };
+  const auto forces = [](const RolledState& rolled) -> Forces { return rolled.state.forces; };
   RollingSlopes found;
-  if (wanted.slip) found.slip = odd_part(slip, Fx) / test.slip;
+  if (wanted.slip) found.slip = odd(slip, Fx, forces) / test.slip;
+  double side_force = 0.0;
   if (wanted.cornering) {
-    const double side_force = odd_part(angle, Fy);
+    side_force = odd(angle, Fy, forces);
     if (side_force == 0.0)
       return Failure{"slip angle makes no side force: there is no trail to compute"};
     found.cornering = -side_force / test.angle;
-    found.trail = -odd_part(angle, Mz) / side_force;
+    found.trail = -odd(angle, Mz, forces) / side_force;
   }
-  if (wanted.camber) found.camber = 0.0 - odd_part(camber, Fy) / test.camber;
+  if (wanted.camber) found.camber = 0.0 - odd(camber, Fy, forces) / test.camber;
+  const std::size_t parameters = states->empty() ? 0 : states->front().rates.size();
+  for (std::size_t k = 0; k < parameters; ++k) {
+    const auto rates = [k](const RolledState& rolled) -> Forces { return rolled.rates[k].forces; };
+    std::array<double, 4>& by = found.rates.emplace_back();
+    if (wanted.slip) by[0] = odd(slip, Fx, rates) / test.slip;
+    if (wanted.cornering) {
+      by[1] = -odd(angle, Fy, rates) / test.angle;
+      by[2] = (-odd(angle, Mz, rates) - found.trail * odd(angle, Fy, rates)) / side_force;
+    }
+    if (wanted.camber) by[3] = 0.0 - odd(camber, Fy, rates) / test.camber;
+  }
   return found;
 }
 

@@ -5,6 +5,7 @@
 // carries the load exactly; the tire has no weight.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct RollingSlopes {
   double cornering = 0.0;  // N/rad, cornering stiffness
   double trail = 0.0;      // m, pneumatic trail
   double camber = 0.0;     // N/rad, camber stiffness
+  /// Derivatives by every parameter, slip, cornering, trail and camber, per unit; empty: not known
+  /// or not asked for.
+  std::vector<std::array<double, 4>> rates = {};
 };
 
 /// The slopes to measure.
@@ -27,9 +31,11 @@ struct WantedSlopes {
 };
 
 /// Measures the slopes with the friction of the tire's file, or with kAssumedFriction
-/// (steady_table.h). The step of the test has no effect.
+/// (steady_table.h). The step of the test has no effect. `slopes`: the parameters by which
+/// derivatives are asked for, or nullptr.
 Result<RollingSlopes> rolling_slopes(TireRig& rig,
                                      const RollingStiffnessTest& test,
-                                     const WantedSlopes& wanted);
+                                     const WantedSlopes& wanted,
+                                     fe_tire::TireSlopes* slopes = nullptr);
 
 }  // namespace latsch::experiment

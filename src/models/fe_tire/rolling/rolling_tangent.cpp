@@ -6,7 +6,7 @@
 namespace latsch::fe_tire {
 namespace {
 
-constexpr int kCorrections = 2;  // of a solution, by its residual
+constexpr int kCorrections = 2;  // a solution is corrected so often by its residual
 
 }  // namespace
 
@@ -75,7 +75,7 @@ Eigen::VectorXd RollingTangent::motion(const Eigen::VectorXd& residual,
     roller_.expand(body_, step, d);
     q += step;
     moved -= d;
-    // What is left of (R.3): the elements' forces less those of the ground.
+    // The elements' forces less those of the ground are left of (R.3).
     K_.multiply(moved.data(), Kx.data());
     const Eigen::VectorXd ground = body_.stiffness() * q.head(rows) - forces_by_ * q;
     left = residual + of_patch + Kx -

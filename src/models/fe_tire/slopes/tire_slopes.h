@@ -116,7 +116,7 @@ class TireSlopes {
   using Frictions = std::pair<RollingFriction, RollingFriction>;
   /// Returns those of a parameter; none if it changes no friction.
   std::optional<Frictions> friction(int parameter) const;
-  /// What a test makes of a parameter.
+  /// The effects of a parameter that depend on the test.
   struct RollsWith {
     std::optional<Frictions> friction = {};  // none: the friction with the ground stays
     double spin = 0.0;  // relative change of the spin per unit, if the spin is stated
