@@ -12,6 +12,7 @@
 #include "dropped_wheel.h"
 #include "free_wheel.h"
 #include "models/fe_tire/passage/rolling_transient.h"
+#include "passage_energy.h"
 #include "shipped_tires.h"
 #include "table.h"
 
@@ -193,9 +194,33 @@ void cleat_rows(Table& table, const Options& options, FreeWheel& wheel, const Ti
   change("the same with means twice as wide", over_cleat(passage, wheel, step, 2.0 * smooth, time));
 }
 
+/// Energy of an elastic tire on smooth ground after a cleat, on few columns.
+void energy_rows(Table& table, const Options& options) {
+  TireDescription tire = tire_for(options, "passenger_225_50R16");
+  tire.section.meridional = 13;
+  verification::EnergyPassage passage;
+  passage.after = options.size(passage.after, 0.003);
+  const auto drift = [&](double step, double rho) {
+    verification::EnergyPassage other = passage;
+    other.step = step;
+    other.rho = rho;
+    return verification::drift(verification::energy_after_cleat(tire, other));
+  };
+  const double kept = drift(5e-4, 1.0);
+  table.full_row("energy after a cleat of 5 mm without friction, rho = 1, 0.5 ms: drift in 10 ms",
+                 percent(kept),
+                 "<= 0.1 %",
+                 std::abs(kept) <= 1e-3);
+  if (options.is_smoke()) return;
+  table.note("the same, 0.25 ms", percent(drift(2.5e-4, 1.0)));
+  table.note("rho = 0.7, the default: 0.5 ms, 0.25 ms",
+             fmt::format("{}, {}", percent(drift(5e-4, 0.7)), percent(drift(2.5e-4, 0.7))));
+}
+
 int run(const Options& options) {
   Table table("transient", options);
   dropped_rows(table, options);
+  energy_rows(table, options);
   const TireDescription description = relaxing_tire(options);
   FreeWheel wheel(description, {}, kLoad, kSpeed, 1.0);
   table.note("unknowns of the whole ring", fmt::format("{}", wheel.tire.mesh().free_dofs()));

@@ -44,7 +44,7 @@ class PivotedCholesky {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
 
  private:
-  // Of an empty matrix at first, because a copy of a factor that was never computed is undefined.
+  // It begins with an empty matrix, because a copy of a factor that was never made is undefined.
   Eigen::LDLT<Eigen::MatrixXd> factors_{Eigen::MatrixXd(0, 0)};
 };
 

@@ -31,8 +31,8 @@ Result<RollingSlopes> rolling_slopes(TireRig& rig,
   const auto Fx = [](Forces forces) { return forces.force.x(); };
   const auto Fy = [](Forces forces) { return forces.force.y(); };
   const auto Mz = [](Forces forces) { return forces.moment.z(); };
-  // Half of what a value of the forces changes from a state to its opposite. `of` returns the forces
-  // of a state, or their rates.
+  // Returns half the change of a value of the forces from a state to its opposite. `of` returns the
+  // forces of a state, or their rates.
   const auto odd = [&](std::size_t first, const auto& value, const auto& of) {
     return 0.5 * (value(of((*states)[first])) - value(of((*states)[first + 1])));
   };

@@ -98,7 +98,7 @@ class SectionBending {
   Eigen::MatrixXd flexibility_, own_;  // G of the unknowns, its inverse
   Eigen::VectorXd residual_, direction_;
   Eigen::MatrixXd B_, KB_;
-  // Of an empty matrix at first, because a copy of a factor that was never computed is undefined.
+  // It begins with an empty matrix, because a copy of a factor that was never made is undefined.
   Eigen::LLT<Eigen::MatrixXd> schur_{Eigen::MatrixXd(0, 0)};
   double scale_ = 1.0;
 };
