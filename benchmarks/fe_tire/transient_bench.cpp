@@ -11,6 +11,7 @@
 #include "cpu_time.h"
 #include "dropped_wheel.h"
 #include "free_wheel.h"
+#include "models/fe_tire/grip/passing_bar.h"
 #include "models/fe_tire/passage/rolling_transient.h"
 #include "passage_energy.h"
 #include "shipped_tires.h"
@@ -126,19 +127,23 @@ struct Record {
   int iterations = 0, factors = 0, solutions = 0;
 };
 
+/// Returns the place of the wheel `time`, s, after the cleat is below the axle.
+WheelPlace place_at(double time) { return {.way = {kSpeed * time, 0.0}}; }
+
 /// Rolls over a cleat for `time`, s, from 50 ms before it is below the axle.
 Record over_cleat(
     RollingTransient& passage, const FreeWheel& wheel, double step, double smooth, double time) {
   constexpr double kLead = 0.05, kSample = 5e-4;  // s
   Record record;
   const double begin = cpu_seconds();
-  const PassingBar::Size bar{.height = 0.01, .length = 0.02, .smooth = smooth};
-  const auto still = value_of(passage.start(wheel.state, {.step = step, .bar = bar}));
+  const GroundWithBar bar({.height = 0.01, .length = 0.02, .smooth = smooth});
+  const auto still = value_of(passage.start(wheel.state, {.step = step}));
   const long every = std::lround(kSample / step);
   for (long k = 1; k <= std::lround(time / step); ++k) {
     const auto now =
         value_of(passage.advance({.of = wheel.state.of,
-                                  .bar_at = kSpeed * (kLead - static_cast<double>(k) * step),
+                                  .ground = &bar,
+                                  .place = place_at(static_cast<double>(k) * step - kLead),
                                   .wheel = SpinningWheel{.inertia = 1.0}}));
     record.iterations += now.iterations;
     record.factors += now.factors;

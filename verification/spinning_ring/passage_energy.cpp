@@ -7,6 +7,7 @@
 
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/analysis/ring_assembly.h"
+#include "models/fe_tire/grip/passing_bar.h"
 #include "models/fe_tire/motion/moving_inertia.h"
 #include "models/fe_tire/motion/spin.h"
 #include "models/fe_tire/passage/rolling_transient.h"
@@ -107,17 +108,19 @@ PassageEnergy energy_after_cleat(const TireDescription& description, const Energ
   const RollingState steady = value_or_throw(rolling.roll(rolling.start(pressed.back()), of));
   RollingTransient transient(tire);
   const double smooth = inflated.radius * tire.mesh().angle(1);
-  const PassingBar::Size bar{.height = passage.height, .length = passage.length, .smooth = smooth};
-  value_or_throw(transient.start(
-      steady, {.step = passage.step, .rho = passage.rho, .enough = 1e-7, .bar = bar}));
+  const double length = passage.length;
+  const GroundWithBar bar({.height = passage.height, .length = length, .smooth = smooth});
+  value_or_throw(
+      transient.start(steady, {.step = passage.step, .rho = passage.rho, .enough = 1e-7}));
   Energy energy(description, description.pressure, steady.of.height, steady.of.spin);
-  const double reach = std::sin(kReach) * inflated.radius + 0.5 * bar.length + smooth;
+  const double reach = std::sin(kReach) * inflated.radius + 0.5 * length + smooth;
   const long leaves = std::lround(2.0 * reach / passage.speed / passage.step);
   const long steps = leaves + std::lround(passage.after / passage.step);
   PassageEnergy record;
   for (long k = 1; k <= steps; ++k) {
     const double way = passage.speed * passage.step * static_cast<double>(k);
-    value_or_throw(transient.advance({.of = steady.of, .bar_at = reach - way}));
+    value_or_throw(
+        transient.advance({.of = steady.of, .ground = &bar, .place = {.way = {way - reach, 0.0}}}));
     if (k > leaves)
       record.H.push_back(energy.above(steady.u, transient.displacements(), transient.rates()));
   }

@@ -12,6 +12,7 @@
 #include "experiment/rigs/fe_rolling/patch_limits.h"
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "experiment/rigs/hub_frame.h"
+#include "models/fe_tire/grip/passing_bar.h"
 #include "models/fe_tire/passage/rolling_transient.h"
 #include "models/fe_tire/rolling/rolling_tire.h"
 
@@ -147,7 +148,8 @@ Status cross_cleat(TireRig& rig,
   passage.set_history(rig.losses(), *inflated);
   fe_tire::RollingTransientSettings settings;
   settings.step = test.step;
-  if (test.cleat) settings.bar = bar_of(mesh, *test.cleat);
+  std::optional<fe_tire::GroundWithBar> ground;
+  if (test.cleat) ground.emplace(bar_of(mesh, *test.cleat));
   auto now = passage.start(*rolls, settings);
   if (!now) return now.failure();
 
@@ -162,10 +164,11 @@ Status cross_cleat(TireRig& rig,
   Samples samples(test, tell);
   fe_tire::WheelMoment wheel;
   wheel.of = rolls->of;
+  wheel.ground = ground ? &*ground : nullptr;
   wheel.wheel = fe_tire::SpinningWheel{.inertia = test.wheel_inertia};
   for (long i = first + 1; i <= last; ++i) {
     const double time = static_cast<double>(i) * test.step;
-    wheel.bar_at = -test.speed * time;
+    wheel.place.way.x() = test.speed * time;
     now = passage.advance(wheel);
     if (!now)
       return Failure{fmt::format("{:.4g} ms {} the cleat is below the axle: {}",

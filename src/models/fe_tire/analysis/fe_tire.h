@@ -175,6 +175,7 @@ class FeTire {
   friend class SpinningTire;
   friend class RollingTire;
   friend class RollingTransient;
+  friend class FeRollingTire;
   friend class LossMeter;
   friend class DampedTire;
   friend class TireResponse;

@@ -74,4 +74,16 @@ double PassingBar::across(double arc) const {
   return s;
 }
 
+FeltGround::Place GroundWithBar::at(const Eigen::Vector2d& p) const {
+  const Eigen::Vector2d across = bar_.direction();
+  const PassingBar::Place bar = bar_.at(across.dot(p));
+  return {bar.height, bar.slope * across, bar.longer * across};
+}
+
+Eigen::Vector2d GroundWithBar::at_arc(const Eigen::Vector2d& arc) const {
+  const Eigen::Vector2d across = bar_.direction();
+  const double length = across.dot(arc);
+  return arc + (bar_.across(length) - length) * across;
+}
+
 }  // namespace latsch::fe_tire

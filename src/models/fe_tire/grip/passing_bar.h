@@ -10,7 +10,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
+
+#include "models/fe_tire/grip/passing_ground.h"
 
 namespace latsch::fe_tire {
 
@@ -46,6 +49,21 @@ class PassingBar {
   Size size_;
   std::vector<Kink> kinks_;
   std::vector<double> longer_;  // at even distances from -reach() to reach()
+};
+
+/// Ground that is smooth but for one bar, whose middle is at p = 0.
+class GroundWithBar final : public PassingGround, public FeltGround {
+ public:
+  explicit GroundWithBar(const PassingBar::Size& size) : bar_(size) {}
+
+  std::shared_ptr<const FeltGround> below(const WheelPlace&) const override {
+    return {std::shared_ptr<const void>(), this};
+  }
+  Place at(const Eigen::Vector2d& p) const override;
+  Eigen::Vector2d at_arc(const Eigen::Vector2d& arc) const override;
+
+ private:
+  PassingBar bar_;
 };
 
 }  // namespace latsch::fe_tire

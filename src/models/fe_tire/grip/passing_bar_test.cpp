@@ -60,11 +60,12 @@ TEST(PassingBar, KnowsTheLengthOfItsArc) {
 class SurfaceWithBar : public testing::TestWithParam<double> {
  protected:
   SurfaceWithBar()
-      : bar_({.height = 0.008, .length = 0.02, .angle = 0.4, .smooth = 0.01}),
+      : ground_({.height = kHigh, .length = 0.02, .angle = 0.4, .smooth = 0.01}),
         surface_(GetParam(), {1.0, 0.0}) {
-    surface_.set_bar(bar_, 0.03);
+    surface_.set_ground(ground_, {.way = {-0.03, 0.0}});
   }
-  PassingBar bar_;
+  static constexpr double kHigh = 0.008;  // m
+  GroundWithBar ground_;
   RollingSurface surface_;
 };
 
@@ -79,7 +80,7 @@ TEST_P(SurfaceWithBar, FindsTheGroundBelowAPlace) {
 }
 
 TEST_P(SurfaceWithBar, TurnsMotionsAsPlacesMove) {
-  const double step = 1e-7, round = GetParam() * bar_.size().height;
+  const double step = 1e-7, round = GetParam() * kHigh;
   for (const double x : {0.012, 0.019, 0.027, 0.04}) {
     const Eigen::Vector3d q = surface_.point({x, 0.004});  // on the ground
     const RollingSurface::Place at = surface_.place(q);
@@ -96,6 +97,24 @@ TEST_P(SurfaceWithBar, TurnsMotionsAsPlacesMove) {
     const Eigen::Vector3d slope =
         (surface_.place(q + step * along).x - surface_.place(q - step * along).x) / (2.0 * step);
     EXPECT_NEAR(slope.x(), 1.0, 2e-3 + round) << x;
+  }
+}
+
+// The heading of the wheel turns the bar below it: a bar at an angle is one across the way below a
+// wheel that heads to the other side.
+TEST(GroundWithBar, IsTurnedByTheHeadingOfTheWheel) {
+  const PassingBar::Size straight{.height = 0.008, .length = 0.02, .smooth = 0.01};
+  PassingBar::Size oblique = straight;
+  oblique.angle = 0.4;
+  const GroundWithBar one(straight), other(oblique);
+  RollingSurface turned(0.0, {1.0, 0.0}), ahead(0.0, {1.0, 0.0});
+  turned.set_ground(one, {.heading = -0.4});
+  ahead.set_ground(other, {});
+  for (const double x : {-0.017, -0.004, 0.012}) {
+    const Eigen::Vector3d q(x, 0.007, 0.02);
+    const RollingSurface::Place a = turned.place(q), b = ahead.place(q);
+    EXPECT_LT((a.x - b.x).norm(), 1e-15);
+    EXPECT_LT((a.turn - b.turn).norm(), 1e-12);
   }
 }
 

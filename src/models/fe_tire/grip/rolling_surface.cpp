@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/fe_tire/grip/rolling_surface.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace latsch::fe_tire {
@@ -13,25 +14,32 @@ RollingSurface::RollingSurface(double curvature, const Eigen::Vector2d& along)
 
 RollingSurface::Place RollingSurface::place(const Eigen::Vector3d& q) const {
   Place place = is_flat() ? Place{q, Eigen::Matrix3d::Identity()} : on_drum(q);
-  if (bar_ != nullptr) add_bar(place);
+  if (ground_ != nullptr) add_ground(place);
   return place;
 }
 
-/// Changes a place over the smooth surface to one over the bar.
-void RollingSurface::add_bar(Place& place) const {
-  const Eigen::Vector2d across = heading_ * bar_->direction();
-  const double s = across.dot(place.x.head<2>() - bar_at_ * heading_.col(0));
-  const PassingBar::Place bar = bar_->at(s);
-  place.x.head<2>() += bar.longer * across;
-  if (bar.height == 0.0 && bar.slope == 0.0) return;
-  const double cosine = 1.0 / std::hypot(1.0, bar.slope), sine = bar.slope * cosine;
-  place.x.z() = cosine * (place.x.z() - bar.height);
-  Eigen::Matrix3d tilt;  // rows: axes along the slope and across it, and its normal
-  tilt.row(0) << cosine * across.transpose(), sine;
-  tilt.row(1) << -across.y(), across.x(), 0.0;
-  tilt.row(2) << -sine * across.transpose(), cosine;
+void RollingSurface::set_ground(const FeltGround& ground, const WheelPlace& wheel) {
+  ground_ = &ground;
+  way_ = wheel.way;
+  to_ground_ = Eigen::Rotation2Dd(wheel.heading).toRotationMatrix();
+}
+
+/// Changes a place over the smooth surface to one over the ground that raises it.
+void RollingSurface::add_ground(Place& place) const {
+  const FeltGround::Place ground = ground_->at(way_ + to_ground_ * place.x.head<2>());
+  place.x.head<2>() += to_ground_.transpose() * ground.longer;
+  place.x.z() -= ground.height;
+  const double slope = ground.slope.norm();
+  if (slope == 0.0) return;
+  const Eigen::Vector2d up = to_ground_.transpose() * (ground.slope / slope);
+  const double cosine = 1.0 / std::hypot(1.0, slope), sine = slope * cosine;
+  place.x.z() *= cosine;
+  Eigen::Matrix3d tilt;  // rows: axes up the slope and beside it, and its normal
+  tilt.row(0) << cosine * up.transpose(), sine;
+  tilt.row(1) << -up.y(), up.x(), 0.0;
+  tilt.row(2) << -sine * up.transpose(), cosine;
   Eigen::Matrix3d turn = tilt;
-  turn.topRows<2>() = across * tilt.row(0) + Eigen::Vector2d(-across.y(), across.x()) * tilt.row(1);
+  turn.topRows<2>() = up * tilt.row(0) + Eigen::Vector2d(-up.y(), up.x()) * tilt.row(1);
   place.turn = turn * place.turn;
 }
 
@@ -53,11 +61,10 @@ RollingSurface::Place RollingSurface::on_drum(const Eigen::Vector3d& q) const {
 Eigen::Vector3d RollingSurface::point(const Eigen::Vector2d& x) const {
   Eigen::Vector2d at = x;
   double height = 0.0;
-  if (bar_ != nullptr) {
-    const Eigen::Vector2d across = heading_ * bar_->direction();
-    const double arc = across.dot(x - bar_at_ * heading_.col(0)), s = bar_->across(arc);
-    at += (s - arc) * across;
-    height = bar_->at(s).height;
+  if (ground_ != nullptr) {
+    const Eigen::Vector2d p = ground_->at_arc(way_ + to_ground_ * x);
+    at = to_ground_.transpose() * (p - way_);
+    height = ground_->at(p).height;
   }
   if (is_flat()) return {at.x(), at.y(), height};
   const Eigen::Vector2d out = heading_.transpose() * at;

@@ -5,14 +5,14 @@
 // top line, the place along the drum's axis, and the height over the surface. Arc and place are
 // turned into the axes of the wheel's heading, so that friction (F.1) is that of flat ground:
 //   q = surface(x, y) + z n                                                                   (G.2)
-// where the surface moves with one velocity in x and y. A bar on the surface (passing_bar.h) raises
-// it: z is then the distance from the bar's surface, to first order, and arcs include those of its
-// slopes.
+// where the surface moves with one velocity in x and y. Ground that is not smooth
+// (passing_ground.h) raises it: z is then the distance from the raised surface, to first order, and
+// arcs include those of its slopes.
 #pragma once
 
 #include <Eigen/Core>
 
-#include "models/fe_tire/grip/passing_bar.h"
+#include "models/fe_tire/grip/passing_ground.h"
 
 namespace latsch::fe_tire {
 
@@ -22,12 +22,8 @@ class RollingSurface {
   /// below the wheel center; 0: flat ground. The drum's surface moves, seen from the wheel, along
   /// the horizontal unit vector `along`.
   RollingSurface(double curvature, const Eigen::Vector2d& along);
-  /// Puts a bar on the surface, whose middle is at the arc `at`, m, ahead of the point below the
-  /// wheel center. The bar must outlive the surface.
-  void set_bar(const PassingBar& bar, double at) {
-    bar_ = &bar;
-    bar_at_ = at;
-  }
+  /// Raises the surface by the ground that a wheel at this place feels, which must outlive it.
+  void set_ground(const FeltGround& ground, const WheelPlace& wheel);
 
   struct Place {
     Eigen::Vector3d x;  // m, rolled out: x, y, and the height z over the surface
@@ -44,12 +40,13 @@ class RollingSurface {
 
  private:
   Place on_drum(const Eigen::Vector3d& q) const;
-  void add_bar(Place& place) const;
+  void add_ground(Place& place) const;
 
   double curvature_;
-  const PassingBar* bar_ = nullptr;
-  double bar_at_ = 0.0;
-  Eigen::Matrix2d heading_;  // columns: across the drum's axis, and along it
+  const FeltGround* ground_ = nullptr;  // none: the surface is smooth
+  Eigen::Vector2d way_ = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d to_ground_;  // turns the axes of the wheel's heading to those of the ground
+  Eigen::Matrix2d heading_;    // columns: across the drum's axis, and along it
 };
 
 }  // namespace latsch::fe_tire

@@ -24,8 +24,13 @@ constexpr double kSlowInTime = 0.85;
 constexpr int kMostFactors = 4;       // factorizations of one step
 constexpr int kMostSharesHalved = 4;  // halvings of an iteration that inverts elements
 constexpr int kMostStepsHalved = 4;
+/// Least load to which residuals are relative, in pressures on a square as wide as the tread: a
+/// tire that starts in the air carries none.
+constexpr double kLeastLoad = 0.1;
 /// Share of the first spin below which the wheel's is not kept in memory any more.
 constexpr double kSlowest = 4.0;
+/// Share of the tread that may touch up to which the ground may reach.
+constexpr double kReachOfGround = 0.97;
 /// Change of the spin in an iteration, relative, at which it has settled.
 constexpr double kSpinSettled = 5e-6;
 /// Accepted error of the contact in an iteration, relative to the load.
@@ -66,35 +71,26 @@ struct RollingTransient::Impl {
   numerics::SymmetricMatrix K, M, W;
   LinearRoller linear;
   std::optional<TransientHistory> history;  // none: the tire is elastic
-  double factored_step = 0.0;               // s, of the factorization
   RollingTransientSettings settings;
-  std::optional<PassingBar> bar;
-  double pressure = 0.0, load = 1.0;
+  double touching;  // rad
+  TransientState now;
+  /// The tangent whose factorization is at hand, and the step it is for, s; none: there is none.
+  std::shared_ptr<const numerics::SymmetricMatrix> factored;
+  double factored_step = 0.0;
 
-  /// The tire at the end of a step.
-  struct State {
-    BossakStep::Motion motion;
-    Eigen::VectorXd alpha;
-    GripState grip{0};
-    std::optional<TreadPast> past;
-    double spin = 0.0, spin_rate = 0.0;
-    WheelMoment wheel;
-    TransientHistory::Deviations deviations;  // only of states that are kept
-  };
-  State now;
-
-  Impl(FeTire& of, const RingElements& with, TreadShape shape)
+  Impl(FeTire& of, const RingElements& with, TreadShape shape, double angle)
       : tire(of),
         elements(with),
         unknowns(with.ring(), RingSymmetry::none, {}),
-        tread(unknowns, shape, kTouchingAngle),
+        tread(unknowns, shape, angle),
         assembly(unknowns),
         lines(tread, with.ring().mesh()),
         inertia(with),
         K(*assembly.pattern()),
         M(assembly.mass(with)),
         W(flow_stiffness(assembly, with)),
-        linear(assembly, tread, lines) {}
+        linear(assembly, tread, lines),
+        touching(angle) {}
 
   /// An iterate of a step.
   struct Iterate {
@@ -105,6 +101,13 @@ struct RollingTransient::Impl {
     MovingInertia::Forces inertia;
     double spin = 0.0, spin_rate = 0.0;
   };
+  void forget() {
+    linear.forget();
+    factored.reset();
+  }
+  Status use_tangent();
+  Eigen::Matrix3Xd of_turning(const Iterate& at, const WheelMoment& to) const;
+
   Status evaluate(Iterate& at, const BossakStep& rule, const WheelMoment& to, bool with_tangent);
   void add_inertia(Iterate& at, const BossakStep& rule, const WheelMoment& to) const;
   Status renew(Iterate& at, const BossakStep& rule, const WheelMoment& to);
@@ -118,6 +121,7 @@ struct RollingTransient::Impl {
   TransientForces forces(const Iterate& at,
                          const RollingCase& of,
                          const RollingForces& ground) const;
+  Status check_reach(const std::vector<RollingPatchPoint>& patch) const;
   Result<TransientForces> step(const WheelMoment& to, double h);
   Result<TransientForces> halves(const WheelMoment& to, double h, int halvings);
 };
@@ -131,7 +135,7 @@ Status RollingTransient::Impl::evaluate(Iterate& at,
   int worst = 0;
   if (history) history->update_step(unknowns, state);
   const RingElements& by = history ? history->elements() : elements;
-  if (!assembly.assemble(by, state, pressure, at.f, with_tangent ? &K : nullptr, &worst))
+  if (!assembly.assemble(by, state, now.pressure, at.f, with_tangent ? &K : nullptr, &worst))
     return Failure{"an element is inverted, " + unknowns.ring().place(worst)};
   at.alpha = std::move(state.alpha);
   at.motion = rule.at(now.motion, at.motion.x);
@@ -150,9 +154,31 @@ void RollingTransient::Impl::add_inertia(Iterate& at,
     for (int s = 0; s < mesh.sectors; ++s)
       a.middleCols(s * n, n).colwise() += mesh.frame(s).transpose() * to.acceleration;
   }
+  if (!to.turning.isZero(0.0) || !to.turning_rate.isZero(0.0)) a += of_turning(at, to);
   at.inertia = inertia.forces(
       {unknowns.expand(at.motion.x), unknowns.expand(at.motion.v), a, at.spin, at.spin_rate});
   at.g = at.f + unknowns.compress(at.inertia.at_nodes);
+}
+
+/// Returns the accelerations of all nodes that follow from the rotation of the wheel's axes, m/s^2,
+/// in sector frames.
+Eigen::Matrix3Xd RollingTransient::Impl::of_turning(const Iterate& at,
+                                                    const WheelMoment& to) const {
+  const Mesh& mesh = unknowns.ring().mesh();
+  const int n = mesh.nodes_per_sector();
+  const Eigen::Matrix3Xd u = unknowns.expand(at.motion.x), v = unknowns.expand(at.motion.v);
+  Eigen::Matrix3Xd a(3, u.cols());
+  for (int s = 0; s < mesh.sectors; ++s) {
+    const Eigen::Matrix3d frame = mesh.frame(s), back = frame.transpose();
+    const Eigen::Vector3d w = back * to.turning, rate = back * to.turning_rate;
+    const Eigen::Vector3d axle = back * Eigen::Vector3d::UnitY();
+    for (int k = 0; k < n; ++k) {
+      const Eigen::Vector3d x = mesh.X.col(k) + u.col(s * n + k);
+      const Eigen::Vector3d passing = at.spin * axle.cross(x) + v.col(s * n + k);
+      a.col(s * n + k) = rate.cross(x) + w.cross(w.cross(x)) + 2.0 * w.cross(passing);
+    }
+  }
+  return a;
 }
 
 /// Evaluates the iterate, and factorizes its tangent.
@@ -160,9 +186,24 @@ Status RollingTransient::Impl::renew(Iterate& at, const BossakStep& rule, const 
   if (const Status done = evaluate(at, rule, to, true); !done) return done;
   K.add(rule.of_mass(), M);
   K.add(-at.spin * at.spin, W);
+  factored.reset();
+  if (!linear.factorize(K))
+    return Failure{"the tangent of a step is not positive definite: expected a shorter step"};
+  factored = std::make_shared<const numerics::SymmetricMatrix>(K);
   factored_step = rule.h;
-  if (linear.factorize(K)) return {};
-  return Failure{"the tangent of a step is not positive definite: expected a shorter step"};
+  return {};
+}
+
+/// Makes the factorization with which the present state goes on.
+Status RollingTransient::Impl::use_tangent() {
+  if (factored && factored == now.tangent) return {};
+  forget();
+  if (!now.tangent) return {};
+  if (!linear.factorize(*now.tangent))
+    return Failure{"the tangent of a step is not positive definite: expected a shorter step"};
+  factored = now.tangent;
+  factored_step = now.factored_step;
+  return {};
 }
 
 /// Moves to the state found on the linear tire, or a part of the way if elements are inverted
@@ -189,8 +230,7 @@ Result<double> RollingTransient::Impl::move(Iterate& at,
 double RollingTransient::Impl::spin_rate_of(const Iterate& at,
                                             const SpinningWheel& wheel,
                                             const LinearRoller::Found& found) const {
-  const double moment = -found.forces.drive - at.inertia.moment.y() + wheel.moment;
-  return moment / wheel.inertia;
+  return wheel.sum(at.spin, -found.forces.drive - at.inertia.moment.y()) / wheel.inertia;
 }
 
 TransientForces RollingTransient::Impl::forces(const Iterate& at,
@@ -199,6 +239,7 @@ TransientForces RollingTransient::Impl::forces(const Iterate& at,
   TransientForces found;
   found.ground = ground;
   found.spin = at.spin;
+  found.spin_rate = at.spin_rate;
   const PosedGround posed({}, {.height = of.height, .camber = of.camber});
   const Eigen::Vector3d hub = posed.in_ground(Eigen::Vector3d::Zero());
   const Eigen::Vector3d down = posed.in_ground(-Eigen::Vector3d::UnitZ()) - hub;
@@ -207,6 +248,21 @@ TransientForces RollingTransient::Impl::forces(const Iterate& at,
   found.force = posed.to_wheel(ground.force) - at.inertia.force;
   found.moment = posed.to_wheel(about_hub) - at.inertia.moment;
   return found;
+}
+
+/// Fails if the ground may touch the tread beyond the part that is followed.
+Status RollingTransient::Impl::check_reach(const std::vector<RollingPatchPoint>& patch) const {
+  const double edge = kReachOfGround * unknowns.ring().mesh().outer_radius() * std::sin(touching);
+  for (const RollingPatchPoint& point : patch) {
+    if (std::abs(point.x) < edge) continue;
+    return Failure{fmt::format(
+        "the ground reaches the tread {:.3g} mm {} the axle, and only {:.3g} rad of the tread to "
+        "both sides of the lowest point may touch",
+        1e3 * std::abs(point.x),
+        point.x > 0.0 ? "ahead of" : "behind",
+        touching)};
+  }
+  return {};
 }
 
 /// One step of Newton's method after the other, up to the equilibrium at the end of the step.
@@ -224,7 +280,8 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
     set_spin(now.spin_rate);
   else
     at.spin_rate = (of.spin - now.spin) / h;
-  const PassingMoment moment{*now.past, h, bar ? &*bar : nullptr, to.bar_at};
+  const auto ground = to.ground ? to.ground->below(to.place) : nullptr;
+  const PassingMoment moment{*now.past, h, ground.get(), to.place};
   GripState states = now.grip;
   TransientForces work;
   linear.begin();
@@ -243,7 +300,7 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
     auto found = linear.solve(of,
                               at.motion.x,
                               at.g,
-                              load,
+                              now.load,
                               std::min(kContact, settings.enough),
                               states,
                               work.passes,
@@ -262,12 +319,22 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       add_inertia(at, rule, to);
     }
     residual = (at.g - found->c).norm();
-    if (*share == 1.0 && residual <= settings.enough * load &&
+    if (*share == 1.0 && residual <= settings.enough * now.load &&
         std::abs(at.spin - spin) <= kSpinSettled * std::abs(spin)) {
+      if (const Status reach = check_reach(found->patch); !reach) return reach.failure();
+      if (!(kSlowest * at.spin >= now.first_spin))
+        return Failure{
+            fmt::format("the wheel turns at {:.4g} rad/s, more than {:g} times slower than the "
+                        "{:.4g} rad/s with which it began to roll: a wheel that locks is not "
+                        "computed",
+                        at.spin,
+                        kSlowest,
+                        now.first_spin)};
       TransientForces reached = forces(at, of, found->forces);
       reached.iterations = work.iterations;
       reached.factors = work.factors;
       reached.passes = work.passes;
+      reached.patch = std::move(found->patch);
       if (history) history->end_step();
       now.past->add(std::move(found->instant), h);
       now.motion = std::move(at.motion);
@@ -276,6 +343,9 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       now.spin = at.spin;
       now.spin_rate = at.spin_rate;
       now.wheel = to;
+      now.wheel.ground = nullptr;  // it may not outlive this call
+      now.tangent = factored;
+      now.factored_step = factored_step;
       return reached;
     }
     const double ratio = *share == 1.0 ? shares.ratio(found->d) : 0.0;
@@ -284,7 +354,7 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       if (const Status done = evaluate(at, rule, to, false); !done) return done.failure();
     }
     is_old = *share < 1.0 || (before > 0.0 && residual > kSlowInTime * before &&
-                              residual > settings.enough * load && work.factors < kMostFactors);
+                              residual > settings.enough * now.load && work.factors < kMostFactors);
     before = ratio > 0.0 ? 0.0 : residual;  // the sum of a series may be far from its last term
   }
   return Failure{fmt::format(
@@ -293,7 +363,7 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       1e3 * h,
       std::min(work.iterations, kMostOfStep),
       residual,
-      settings.enough * load)};
+      settings.enough * now.load)};
 }
 
 /// Makes two half steps, each of which is halved again if it does not succeed.
@@ -307,7 +377,7 @@ Result<TransientForces> RollingTransient::Impl::halves(const WheelMoment& to,
   const WheelMoment from = now.wheel;
   WheelMoment middle = to;
   middle.of = between(from.of, to.of, 0.5);
-  middle.bar_at = 0.5 * (from.bar_at + to.bar_at);
+  middle.place = between(from.place, to.place, 0.5);
   const auto half = make(middle);
   if (!half) return half;
   auto end = make(to);
@@ -318,31 +388,37 @@ Result<TransientForces> RollingTransient::Impl::halves(const WheelMoment& to,
   return end;
 }
 
-RollingTransient::RollingTransient(FeTire& tire)
+double SpinningWheel::sum(double spin, double of_tire) const {
+  const double others = of_tire + moment + by_spin * (spin - by_spin_at);
+  if (spin == 0.0) return others - std::clamp(others, -brake, brake);
+  return others - std::copysign(brake, spin);
+}
+
+RollingTransient::RollingTransient(FeTire& tire, double touching)
     : impl_(std::make_unique<Impl>(
-          tire, tire.impl_->elements(), tire.impl_->settings.tread_shape())) {}
+          tire, tire.impl_->elements(), tire.impl_->settings.tread_shape(), touching)) {}
 RollingTransient::RollingTransient(RollingTransient&&) noexcept = default;
 RollingTransient::~RollingTransient() = default;
 
 void RollingTransient::set_history(const LossMaterials& losses, const Inflated& round) {
   impl_->history.reset();
   if (!losses.is_elastic()) impl_->history.emplace(impl_->elements, losses, round);
-  impl_->linear.forget();
+  impl_->forget();
 }
 
 Result<TransientForces> RollingTransient::start(const RollingState& steady,
                                                 const RollingTransientSettings& settings) {
   if (!(steady.of.speed > 0.0) || !(steady.of.spin > 0.0))
     return Failure{"a passage begins with a wheel that rolls: expected a speed and a spin above 0"};
-  if (steady.of.turn_slip != 0.0)
-    return Failure{"a wheel that turns does not roll in time: expected turn slip 0"};
   Impl& of = *impl_;
   of.settings = settings;
-  of.bar.reset();
-  if (settings.bar) of.bar.emplace(*settings.bar);
-  of.pressure = steady.pressure;
-  of.load = std::max(1.0, std::abs(steady.forces.force.z()));
-  of.linear.forget();
+  of.now = {};
+  of.now.pressure = steady.pressure;
+  const double width = 2.0 * half_width();
+  of.now.load =
+      std::max(kLeastLoad * steady.pressure * width * width, std::abs(steady.forces.force.z()));
+  of.now.first_spin = steady.of.spin;
+  of.forget();
   const Eigen::VectorXd x = of.unknowns.compress(steady.u), still = 0.0 * x;
   of.now.motion = {x, still, still};
   of.now.alpha = steady.alpha;
@@ -362,20 +438,49 @@ Result<TransientForces> RollingTransient::start(const RollingState& steady,
     of.history->begin_step(settings.step, of.now.spin);
   }
   if (const Status done = of.evaluate(at, rule, of.now.wheel, false); !done) return done.failure();
-  return of.forces(at, steady.of, steady.forces);
+  TransientForces begun = of.forces(at, steady.of, steady.forces);
+  begun.patch = steady.patch;
+  return begun;
 }
 
 Result<TransientForces> RollingTransient::advance(const WheelMoment& to) {
+  return advance(to, impl_->settings.step);
+}
+
+Result<TransientForces> RollingTransient::advance(const WheelMoment& to, double step) {
   Impl& of = *impl_;
-  auto whole = of.step(to, of.settings.step);
+  if (const Status done = of.use_tangent(); !done) return done.failure();
+  auto whole = of.step(to, step);
   if (whole) return whole;
-  Impl::State before = of.now;
-  if (of.history) before.deviations = of.history->deviations();
-  auto end = of.halves(to, of.settings.step, kMostStepsHalved);
-  if (end) return end;
-  if (of.history) of.history->set_deviations(std::move(before.deviations));
-  of.now = std::move(before);
+  TransientState before = state();
+  auto end = of.halves(to, step, kMostStepsHalved);
+  if (!end) resume(std::move(before));
   return end;
+}
+
+const TransientState& RollingTransient::state() const {
+  if (impl_->history) impl_->now.history = impl_->history->memory();
+  return impl_->now;
+}
+
+TransientState RollingTransient::take() {
+  (void)state();
+  return std::exchange(impl_->now, {});
+}
+
+void RollingTransient::resume(TransientState state) {
+  if (impl_->history) impl_->history->set_memory(std::move(state.history));
+  state.history = {};
+  impl_->now = std::move(state);
+}
+
+double RollingTransient::touching() const { return impl_->touching; }
+
+double RollingTransient::half_width() const {
+  double most = 0.0;
+  for (const TreadSurface::Place& place : impl_->tread.places())
+    most = std::max(most, std::abs(place.X.y()));
+  return most;
 }
 
 Eigen::Matrix3Xd RollingTransient::displacements() const {

@@ -43,23 +43,31 @@ void TransientHistory::start(const RingUnknowns& unknowns,
                              const AssembledState& steady,
                              double Omega) {
   const std::size_t elements = relaxing_.size();
-  S_0_.assign(elements, {});
-  H_0_.assign(elements, {});
+  start_.S.assign(elements, {});
+  start_.H.assign(elements, {});
   last_ = {};
   is_steady_ = true;
   update(unknowns, steady, Omega);
   is_steady_ = false;
   stiffened_step_ = 0.0;
+  const auto steady_state = std::make_shared<const Steady>(std::exchange(start_, {}));
+  last_.steady = steady_state;
   last_.S.resize(elements);
   last_.H.resize(elements);
   for (std::size_t e = 0; e < elements; ++e) {
-    last_.S[e] = 0.0 * S_0_[e];
+    last_.S[e] = 0.0 * steady_state->S[e];
     for (const Part& part : parts(static_cast<int>(e)))
       for (std::size_t term = 0; term < series_[part.series].size(); ++term)
-        last_.H[e].push_back(Eigen::MatrixXd::Zero(part.rows, S_0_[e].cols()));
+        last_.H[e].push_back(Eigen::MatrixXd::Zero(part.rows, steady_state->S[e].cols()));
   }
   next_ = last_;
-  sum_ = H_0_;
+  sum_ = steady_state->H;
+}
+
+void TransientHistory::set_memory(Memory of) {
+  last_ = std::move(of);
+  next_ = last_;
+  sum_ = last_.steady->H;
 }
 
 /// Finds the sectors around the places that are `angle`, rad, upstream of the sectors' middles.
@@ -114,7 +122,7 @@ void TransientHistory::begin_step(double h, double Omega) {
   }
   for (std::size_t e = 0; e < relaxing_.size(); ++e) {
     if (last_.H[e].empty()) continue;
-    sum_[e] = H_0_[e];
+    sum_[e] = last_.steady->H[e];
     const Eigen::MatrixXd S = upstream(last_.S[e]);
     std::size_t at = 0;
     for (const Part& part : parts(static_cast<int>(e))) {
@@ -131,11 +139,11 @@ void TransientHistory::begin_step(double h, double Omega) {
 
 Eigen::MatrixXd TransientHistory::history(int element, const Eigen::MatrixXd& S) {
   if (is_steady_) {
-    S_0_[element] = S;
-    H_0_[element] = RollingHistory::history(element, S);
-    return H_0_[element];
+    start_.S[element] = S;
+    start_.H[element] = RollingHistory::history(element, S);
+    return start_.H[element];
   }
-  next_.S[element] = S - S_0_[element];
+  next_.S[element] = S - last_.steady->S[element];
   Eigen::MatrixXd H = sum_[element];
   for (const Part& part : parts(element))
     add(part, stiffer_[part.series] * next_.S[element].middleRows(part.first, part.rows), H);

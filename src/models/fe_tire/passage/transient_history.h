@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -35,13 +36,20 @@ class TransientHistory : public RollingHistory {
   /// Takes the last iterate as the end of the step.
   void end_step();
 
-  /// Deviations from the steady state at the end of the last step, for going back to them.
-  struct Deviations {
+  /// Stresses and histories of the steady state, [section element], [rows x sectors].
+  struct Steady {
+    std::vector<Eigen::MatrixXd> S, H;
+  };
+  /// Everything that the material remembers at the end of the last step, for going back to it: the
+  /// steady state, which does not change, and the deviations from it.
+  struct Memory {
+    std::shared_ptr<const Steady> steady;
     std::vector<Eigen::MatrixXd> S;               // [section element], [rows x sectors]
     std::vector<std::vector<Eigen::MatrixXd>> H;  // [section element][part and term]
   };
-  const Deviations& deviations() const { return last_; }
-  void set_deviations(Deviations of) { last_ = std::move(of); }
+  const Memory& memory() const { return last_; }
+  /// Goes back to what was remembered once; steps then begin there.
+  void set_memory(Memory of);
 
  private:
   /// Rows of an element that relax by one series, and the stiffness of a linear solid, whose rows
@@ -65,8 +73,8 @@ class TransientHistory : public RollingHistory {
   bool is_steady_ = true;                     // the state that is followed is the steady one
   double step_ = 0.0, stiffened_step_ = 0.0;  // s
   std::vector<Around> around_;                // one for every sector
-  std::vector<Eigen::MatrixXd> S_0_, H_0_;    // those of the steady state, [section element]
-  Deviations last_, next_;  // next_.S: of the last iterate; next_.H: the known part of (H.7)
+  Steady start_;                              // the steady state while it is found
+  Memory last_, next_;  // next_.S: of the last iterate; next_.H: the known part of (H.7)
   std::vector<Eigen::MatrixXd> sum_;  // H_0 and the known parts
 };
 

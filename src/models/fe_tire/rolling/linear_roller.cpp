@@ -128,7 +128,8 @@ Result<LinearRoller::Found> LinearRoller::solve(const RollingCase& of,
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
   const GroundMotion motion = motion_of(of);
   RollingSurface surface(of.curvature, -motion.velocity.normalized());
-  if (moment != nullptr && moment->bar != nullptr) surface.set_bar(*moment->bar, moment->bar_at);
+  if (moment != nullptr && moment->ground != nullptr)
+    surface.set_ground(*moment->ground, moment->wheel);
   TreadBody body(
       tread_, lines_, ground, surface, kNormalPenalty, motion, tread_.displacements(x), kNearPatch);
   if (moment != nullptr)

@@ -26,10 +26,10 @@ namespace latsch::fe_tire {
 
 /// A moment of a tire that does not roll steadily.
 struct PassingMoment {
-  const TreadPast& past;            // its tread up to one step before
-  double step;                      // s
-  const PassingBar* bar = nullptr;  // bar on the surface; none: it is smooth
-  double bar_at = 0.0;              // m, arc to the bar's middle ahead of the wheel center
+  const TreadPast& past;               // its tread up to one step before
+  double step;                         // s
+  const FeltGround* ground = nullptr;  // none: the ground is smooth
+  WheelPlace wheel = {};               // place of the wheel over the ground
 };
 
 /// Height over the ground up to which points take part in an iteration, m. A larger one costs

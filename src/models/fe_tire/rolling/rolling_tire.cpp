@@ -77,11 +77,11 @@ double ratio_of_steps(const RollingState& from, const RollingCase& to) {
 
 }  // namespace
 
-RollingTire::Impl::Impl(FeTire& of, const RingElements& with, TreadShape shape)
+RollingTire::Impl::Impl(FeTire& of, const RingElements& with, TreadShape shape, double touching)
     : tire(of),
       elements(with),
       unknowns(with.ring(), RingSymmetry::none, {}),
-      tread(unknowns, shape, kTouchingAngle),
+      tread(unknowns, shape, touching),
       assembly(unknowns),
       lines(tread, with.ring().mesh()),
       K(*assembly.pattern()),
@@ -282,9 +282,9 @@ Failure not_reached(const RollingCase& at, const std::string& why) {
 
 }  // namespace
 
-RollingTire::RollingTire(FeTire& tire)
+RollingTire::RollingTire(FeTire& tire, double touching)
     : impl_(std::make_unique<Impl>(
-          tire, tire.impl_->elements(), tire.impl_->settings.tread_shape())) {}
+          tire, tire.impl_->elements(), tire.impl_->settings.tread_shape(), touching)) {}
 RollingTire::~RollingTire() = default;
 
 void RollingTire::set_history(const LossMaterials& losses, const Inflated& round) {

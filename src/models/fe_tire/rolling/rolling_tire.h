@@ -34,6 +34,7 @@
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/history/loss_materials.h"
 #include "models/fe_tire/rolling/rolling_case.h"
+#include "models/fe_tire/rolling/tread_lines.h"
 
 namespace latsch::fe_tire {
 
@@ -58,8 +59,9 @@ struct RollingRates {
 
 class RollingTire {
  public:
-  /// Keeps a reference to the tire; its material values must not change.
-  explicit RollingTire(FeTire& tire);
+  /// Keeps a reference to the tire; its material values must not change. `touching`, rad: half
+  /// angle of the tread that may touch the ground.
+  explicit RollingTire(FeTire& tire, double touching = kTouchingAngle);
   ~RollingTire();
 
   /// Lets rubber and cords relax by these terms: (R.1) then has their history (rolling_history.h).

@@ -27,7 +27,7 @@ struct RollingTire::Impl {
   LinearRoller linear;
   double longest;  // m, motion of a step
 
-  Impl(FeTire& of, const RingElements& with, TreadShape shape);
+  Impl(FeTire& of, const RingElements& with, TreadShape shape, double touching);
 
   /// An iterate: unknowns and the forces g of (R.1) without the ground.
   struct Iterate {
