@@ -38,12 +38,19 @@ std::string tire_key(std::size_t axle, std::size_t side) {
   return std::string(kAxles[axle]) + kOfSides[side];
 }
 
+/// Returns true if a tire that states no kind is described by a section, as a finite-element tire.
+bool is_elements(const Document& tire) { return tire.root().has("section"); }
+
 /// Returns the kind of rolling tire that its numbers state; for a .tir, which states none, the
 /// car's file decides.
 const SpecimenKind& tire_kind(const Node& car, const Document& tire, const std::string& part) {
   const std::vector<const SpecimenKind*> kinds = {
-      &ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind()};
+      &ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind(), &fe_tire_kind()};
   const std::string key = part.substr(0, part.find('_')) + "_tire_kind";
+  if (!tire.root().has("kind") && is_elements(tire)) {
+    if (car.has(key)) car.reject(key, "is for a .tir, but " + part + " is a finite-element tire");
+    return fe_tire_kind();
+  }
   if (!tire.root().has("kind"))
     return car.choice(key, {"magic_formula", "rigid_ring"}, "magic_formula") == "rigid_ring"
                ? rigid_ring_kind()
@@ -55,7 +62,8 @@ const SpecimenKind& tire_kind(const Node& car, const Document& tire, const std::
     if (kind->name() == name) return *kind;
   throw InputError({tire.file(), 0},
                    part + " is of kind " + in_quotes(name) +
-                       ", which does not roll: expected a flexible ring, a rigid ring or a .tir");
+                       ", which does not roll: expected a flexible ring, a rigid ring, a "
+                       "finite-element tire or a .tir");
 }
 
 /// Reads the file of a tire of any kind that a car's file names.
@@ -65,13 +73,15 @@ Document read_named_tire(const Node& car,
   const std::string ending = formats::lower(of.extension().string());
   if (ending == ".tir") return read_tir_numbers(of);
   const char* const expected =
-      "which does not roll: expected the file of a flexible ring, of a rigid ring or a .tir";
+      "which does not roll in a car: expected the file of a flexible ring, of a rigid ring or of a "
+      "finite-element tire, or a .tir";
   if (ending == ".inp") car.reject(part, "is " + of.string() + ", a deck, " + expected);
   Document tire = Document::read(of);
-  if (!tire.root().has("kind"))
-    car.reject(
-        part,
-        "is " + of.string() + ", which states no kind, as a finite-element tire, " + expected);
+  if (!tire.root().has("kind") && !is_elements(tire))
+    car.reject(part,
+               "is " + of.string() +
+                   ", which states neither a kind nor the section of a finite-element tire, " +
+                   expected);
   return tire;
 }
 
@@ -129,9 +139,14 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
         if (const auto* knows = specimen->find<KnowsLimits>(); knows && (side == 0 || key == right))
           for (const std::string& limit : knows->limits_across())
             limits_across_.push_back(key + ": " + limit);
-        tires_[2 * axle + side] = mounted(specimen->find<Rolls>()->tire(),
-                                          side_of(tire),
-                                          side == 0 ? TireSide::left : TireSide::right);
+        const auto* rolls = specimen->find<Rolls>();
+        if (const auto felt = rolls->felt()) {
+          section_ = std::min(section_.value_or(felt->section), felt->section);
+          felt_ = std::min(felt_.value_or(felt->half_width), felt->half_width);
+          tread_ = std::max(tread_.value_or(felt->half_width), felt->half_width);
+        }
+        tires_[2 * axle + side] =
+            mounted(rolls->tire(), side_of(tire), side == 0 ? TireSide::left : TireSide::right);
         built_from_.emplace_back(fmt::format("{}, {}", key, side == 0 ? "left" : "right"),
                                  std::move(specimen));
       }
@@ -157,9 +172,12 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   /// Returns the limits that its tires have met, each with the tire's key and side.
   std::vector<std::string> limits_met() const override {
     std::vector<std::string> all;
-    for (const auto& [name, specimen] : built_from_)
+    for (const auto& [name, specimen] : built_from_) {
       for (const std::string& limit : experiment::limits_met(*specimen))
         all.push_back(name + ": " + limit);
+      for (const std::string& assumed : specimen->find<Rolls>()->assumed_in_time())
+        all.push_back(name + ": " + assumed);
+    }
     return all;
   }
 

@@ -13,6 +13,7 @@
 #include "experiment/language.h"
 #include "experiment/language/capabilities.h"
 #include "models/road/plane_road.h"
+#include "models/road/profile_road.h"
 
 namespace latsch::experiment {
 namespace {
@@ -60,6 +61,16 @@ class CarFile : public testing::Test {
     text = with(text, "RIM_RADIUS *= *[0-9.]+", "RIM_RADIUS = 0.127");
     text = std::regex_replace(text, std::regex("TYRESIDE *= *'[A-Z]*'\n"), "");
     text = with(text, "\\[MODEL\\]\n", "[MODEL]\nTYRESIDE = '" + side + "'\n");
+    write_text_file(folder_ / name, text);
+  }
+  /// Writes the finite-element race tire on a coarse mesh, with losses.
+  void write_elements(const std::string& name) {
+    std::string text = read_text_file(kShipped / "tires/race_16x7.5-10.toml");
+    text = with(text, "columns = \\[[^\n]*\nsplit_columns[^\n]*\n", "meridional = 11\n");
+    text = with(text, "sectors = 60\n", "sectors = 36\n");
+    text =
+        with(text, "sector_zones = [^\n]*\n", "sector_zones = [[6, \"4 deg\"], [2, \"8 deg\"]]\n");
+    text = with(text, "poisson_ratio = 0.49\n", "poisson_ratio = 0.49\nloss_factor = 0.15\n");
     write_text_file(folder_ / name, text);
   }
   fs::path write_car(const std::string& tires) {
@@ -161,6 +172,35 @@ TEST_F(CarFile, ARigidRingRollsOnACarWhereTheCarSaysSo) {
   ASSERT_TRUE(a && b);
   const Tire &ring = *a->wheels[0].tire, &plain = *b->wheels[0].tire;
   EXPECT_TRUE(typeid(ring) != typeid(plain));
+}
+
+// Finite-element tires start steadily, carry the car, and feel a bump that both front wheels cross.
+// Ply steer makes both sides mirror images of each other.
+TEST_F(CarFile, RollsOverABumpOnFiniteElementTires) {
+  constexpr double kSpeed = 20.0, kStep = 1e-3;
+  write_elements("elements.toml");
+  const auto car = car_of("front_tire = \"elements.toml\"\nrear_tire = \"elements.toml\"\n");
+  const double axle = car->parts().corners[car::kFL].wheel_center.x();
+  road::ProfileRoad::Settings settings;
+  settings.along = road::cleat_profile(0.006, 0.12, 0.006);
+  settings.origin.x() = axle + 0.3;
+  const road::ProfileRoad road(settings);
+  auto state = car->settle(road, kSpeed, {});
+  ASSERT_TRUE(state) << state.failure().reason;
+  const auto before = car->vertical_forces(*state);
+  const double weight = car->mechanism().mass() * car->parameters().gravity;
+  EXPECT_NEAR(before[0] + before[1] + before[2] + before[3], weight, 1e-3 * weight);
+  double most = 0.0;
+  for (int k = 0; k < 24; ++k) {
+    const auto done = car->advance(*state, kStep, road, {});
+    ASSERT_TRUE(done.ok()) << done.failure().reason;
+    const auto now = car->vertical_forces(*state);
+    most = std::max(most, now[car::kFL] - before[car::kFL]);
+    EXPECT_NEAR(now[car::kFL], now[car::kFR], 2e-3 * before[car::kFL]) << k;
+    EXPECT_NEAR(now[car::kRL], before[car::kRL], 0.1 * before[car::kRL]) << k;
+  }
+  EXPECT_GT(most, 0.2 * before[car::kFL]);
+  EXPECT_GT(*state->wheels[car::kFL].tire->road_load(), 0.0);
 }
 
 TEST_F(CarFile, WhatNoReaderAsksForIsRefused) {

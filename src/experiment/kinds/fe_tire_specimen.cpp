@@ -4,15 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "base/error.h"
 #include "experiment/kinds/fe_variations.h"
+#include "experiment/rigs/fe_rolling/ground_friction.h"
 #include "experiment/rigs/fe_rolling/steady_table.h"
 #include "experiment/rigs/fe_tire/rolling_rig.h"
 #include "experiment/rigs/slip/rolling_stiffness.h"
+#include "models/fe_tire/passage/fe_rolling_tire.h"
 
 namespace latsch::experiment {
 namespace {
+
+/// Number of sectors of a tire that rolls.
+constexpr int kFewestSectors = 8;
+/// Speed at which the limit of friction is described, m/s, before the tire rolls.
+constexpr double kUsualSpeed = 60.0 / 3.6;
 
 /// Returns the channels with zero derivatives by the tire's own pressure, which has no effect on a
 /// test that states a pressure. Columns follow the order of the paths.
@@ -171,13 +180,52 @@ std::string why_without_rates(const fe_tire::LossMaterials& losses, const Test& 
   if (!rolls(test)) return "";
   if (!losses.is_elastic())
     return "slopes of a rolling tire are known for elastic ones, and this tire has Prony terms or "
-           "a "
-           "loss factor";
+           "a loss factor";
   const bool is_smooth =
       (steady && steady->friction == 0.0) || (rolling && rolling->friction == 0.0);
   if (is_smooth)
     return "slopes of a rolling tire are known for ground with friction, and that of the test is 0";
   return "";
+}
+
+std::unique_ptr<Tire> FeTireSpecimen::tire(const Inflation& pressure) const {
+  const double inflation = pressure.value_or(pressure_);
+  if (own_.tire().mesh().sectors < kFewestSectors)
+    throw InputError(
+        "a finite-element tire rolls in time if its mesh consists of equal sectors: expected a "
+        "mesh in which they are found");
+  const auto& inflated = rig_->inflated(inflation);
+  if (!inflated) throw InputError("the tire does not roll: " + inflated.failure().reason);
+  return std::make_unique<fe_tire::FeRollingTire>(
+      own_.tire(), *inflated, losses_, friction_by_speed(*rig_, friction_of(*rig_, {}), inflation));
+}
+
+std::vector<std::string> FeTireSpecimen::assumed_in_time() const {
+  std::vector<std::string> assumed = {
+      "the finite-element tire rolls in time from the steady state of its first motion, without a "
+      "run-in; it feels the road through means over the length of an element, with one friction "
+      "below the whole tire",
+      friction_in_words(*rig_, pressure_, kUsualSpeed)};
+  if (losses_.is_elastic())
+    assumed.emplace_back(
+        "the tire has no Prony terms and no loss factor, so nothing but friction damps its "
+        "vibration");
+  return assumed;
+}
+
+std::optional<Rolls::Felt> FeTireSpecimen::felt() const {
+  const fe_tire::Mesh& mesh = own_.tire().mesh();
+  Felt felt;
+  for (const fe_tire::Element& element : mesh.elements)
+    if (element.tread)
+      for (const int node : element.node)
+        felt.half_width =
+            std::max(felt.half_width, std::abs(mesh.X(1, node % mesh.nodes_per_sector())));
+  double rim = mesh.outer_radius();
+  for (const int node : mesh.clamped)
+    rim = std::min(rim, std::hypot(mesh.X(0, node), mesh.X(2, node)));
+  felt.section = mesh.outer_radius() - rim;
+  return felt;
 }
 
 std::string why_every_run_fails(const fe_tire::Mesh& mesh, const Test& test) {

@@ -45,6 +45,7 @@ class FeTireSpecimen : public Specimen,
                        public IsFeTire,
                        public HasFootprint,
                        public HasSteadyStates,
+                       public Rolls,
                        public TakesConditions {
  public:
   using Varied = SlopedTire::Varied;
@@ -71,6 +72,11 @@ class FeTireSpecimen : public Specimen,
       const std::function<void(const Channels&)>& tell) override;
   std::vector<std::string> limits_in(const formats::CsvTable& states,
                                      const SteadyConditions& conditions) override;
+  /// Returns a tire in time (models/fe_tire/passage/fe_rolling_tire.h). It has a mesh of its own
+  /// and needs the specimen no longer.
+  std::unique_ptr<Tire> tire(const Inflation& pressure = {}) const override;
+  std::vector<std::string> assumed_in_time() const override;
+  std::optional<Felt> felt() const override;
 
  protected:
   /// Returns the tire on the mesh that a footprint needs.

@@ -93,6 +93,14 @@ struct Rolls {
   /// Returns a new tire at rest under this pressure. Throws InputError if the pressure does not
   /// suit this tire.
   virtual std::unique_ptr<Tire> tire(const Inflation& pressure = {}) const = 0;
+  /// Returns a sentence for everything that such a tire assumes, which its file does not say.
+  virtual std::vector<std::string> assumed_in_time() const { return {}; }
+  /// Half of the width over which the tire follows the road, and the height of its section, m.
+  struct Felt {
+    double half_width = 0.0, section = 0.0;
+  };
+  /// Returns nullopt if this is asked of KnowsLimits (known_limits.h).
+  virtual std::optional<Felt> felt() const { return std::nullopt; }
 };
 
 /// The specimen has forces in states of steady rolling, each independent of the others.

@@ -126,7 +126,10 @@ class SlipSweepTest : public Test, public TellsLimits {
  private:
   /// Returns the limits that a run does not tell by itself; it tells ranges that it left.
   std::vector<std::string> limits_of_model(Specimen& specimen) const {
-    return limits_of_camber(specimen, sweep_.camber, /*rolls=*/true);
+    std::vector<std::string> limits = limits_of_camber(specimen, sweep_.camber, /*rolls=*/true);
+    for (std::string& assumed : specimen.find<Rolls>()->assumed_in_time())
+      limits.push_back(std::move(assumed));
+    return limits;
   }
 
   SlipSweep sweep_;

@@ -48,6 +48,11 @@ class Uniformity : public Test, public TellsLimits {
 
   Result<Channels> run(Specimen& specimen) const override {
     LiftLog lifts;
+    if (specimen.find<IsFeTire>())
+      return Failure{
+          "a finite-element tire is the same all around, so it has no variation of forces: "
+          "expected "
+          "a model with irregularities, as a flexible ring has"};
     const auto tire = watched(specimen.find<Rolls>()->tire(test_.pressure), lifts);
     const auto found = experiment::run(*tire, test_);
     if (!found) return found.failure();

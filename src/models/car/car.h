@@ -137,7 +137,8 @@ class Car {
   /// Returns the state of equilibrium on the road, at rest or at constant speed: poses of the
   /// bodies, tires in equilibrium, spins of rolling wheels. At speed the tires first roll toward
   /// the start on level ground. They have then grown with the speed, have lost the deformation of
-  /// being pressed down at rest, and turn at the free rolling speed.
+  /// being pressed down at rest, and turn at the free rolling speed. If all tires start steadily,
+  /// they begin in that state.
   Result<CarState> settle(const road::Road& road, double speed, const CarInputs& inputs);
   /// If true, a tire may leave the known part of its road (Road::beyond). If false, this is a
   /// Failure.
@@ -242,6 +243,13 @@ class Car {
                                   const multibody::Rest& rest,
                                   const road::Road& road,
                                   const CarInputs& inputs);
+  /// Returns the static equilibrium on tires that all start steadily (Tire::starts_steadily): each
+  /// is put into the steady state of its wheel, again until the car stands still.
+  Result<multibody::Rest> start_steadily(CarState& state,
+                                         LineTires& lines,
+                                         const multibody::Rest& start,
+                                         const road::Road& road,
+                                         const CarInputs& inputs);
   /// Lets the tires roll a given number of rounds. Sets, for each tire, the range of its force in
   /// the last half round, N, if this range is still decreasing; otherwise 0.
   Result<multibody::Rest> roll_rounds(int rounds,

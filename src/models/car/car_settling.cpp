@@ -292,6 +292,52 @@ Result<Rest> Car::roll_in(CarState& state,
   }
 }
 
+Result<Rest> Car::start_steadily(CarState& state,
+                                 LineTires& lines,
+                                 const Rest& start,
+                                 const road::Road& road,
+                                 const CarInputs& inputs) {
+  constexpr int kMost = 12;
+  constexpr double kEnough = 1e-5;  // change of a tire load, relative to the car's weight
+  const RollIn way(state.speed);
+  const double weight = mechanism_->mass() * parameters_.gravity, h = way.duration / way.steps;
+  const Eigen::VectorXd rates = straight_on(mechanism_->bodies().size(), state.speed);
+  Rest rest = start;
+  double worst = 0.0;
+  for (int round = 0; round < kMost; ++round) {
+    worst = 0.0;
+    for (int corner = 0; corner < kCorners; ++corner) {
+      WheelState& wheel = state.wheels[at(corner)];
+      LineTire& line = lines[at(corner)];
+      WheelMotion there = motion_of_wheel(corner, rest.poses, &rates);
+      const Vector3d center = there.center;
+      const road::PlaneRoad level{{.height = road.height(center.x(), center.y(), 0.0)}};
+      there.spin_rate = wheel.motion.spin_rate;
+      wheel.wheel.spin->rate = there.spin_rate;
+      wheel.tire = tires_[at(corner)]->clone();
+      auto hub = wheel.tire->settle(there, level, 0.0);
+      if (hub) hub = wheel.tire->advance_free(there, wheel.wheel, level, 0.0, h);
+      if (!hub) return no_stand(corner, hub.failure().reason);
+      wheel.hub = *hub;
+      wheel.motion = there;
+      const double force = (there.carrier * hub->force).z();
+      worst = std::max(worst,
+                       std::abs(line.force + line.stiffness * (line.height - center.z()) - force));
+      take(line, wheel);
+      state.trim.arm[at(corner)] = center.z() - level.height(0.0, 0.0, 0.0);
+    }
+    if (round > 0 && worst < kEnough * weight) return rest;
+    auto stood = stand(lines, state.speed, inputs, rest, state.trim);
+    if (!stood) return stood;
+    rest = std::move(*stood);
+  }
+  return Failure{fmt::format(
+      "the car does not come to rest on tires in their steady states: a tire load still changes by "
+      "{:.3g} N of the {:.4g} N of its weight",
+      worst,
+      weight)};
+}
+
 Result<Rest> Car::roll_rounds(int rounds,
                               CarState& state,
                               LineTires& lines,
@@ -382,7 +428,10 @@ Result<CarState> Car::settle(const road::Road& road, double speed, const CarInpu
         .inertia = masses(corner).wheel_spin, .place = 0.0, .rate = wheel.motion.spin_rate};
   }
   if (speed > 0.0) {
-    rest = roll_in(state, lines, *rest, road, inputs);
+    const bool steady =
+        std::ranges::all_of(tires_, [](const auto& tire) { return tire->starts_steadily(); });
+    rest = steady ? start_steadily(state, lines, *rest, road, inputs)
+                  : roll_in(state, lines, *rest, road, inputs);
     if (!rest) return rest.failure();
   }
   const GuidePoint start = inputs.guide.value_or(GuidePoint{0.0, speed, 0.0});

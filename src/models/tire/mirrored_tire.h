@@ -35,6 +35,7 @@ class MirroredTire final : public Tire {
                                  double step) override;
   std::optional<Footprint> footprint() const override;
   std::optional<double> road_load() const override { return tire_->road_load(); }
+  bool starts_steadily() const override { return tire_->starts_steadily(); }
   Eigen::Matrix3Xd outline() const override;
   std::unique_ptr<Tire> clone() const override {
     return std::make_unique<MirroredTire>(tire_->clone());

@@ -85,6 +85,9 @@ class Tire {
     const auto print = footprint();
     return print ? std::optional(print->load) : std::nullopt;
   }
+  /// Returns true if the first step of a wheel that rolls ends in the steady state of its motion,
+  /// so that the tire needs no way to roll in.
+  virtual bool starts_steadily() const { return false; }
   /// Returns points along the belt in its current position, in circumferential order, m, in the
   /// inertial frame. Returns none for tire models without a belt.
   virtual Eigen::Matrix3Xd outline() const { return {}; }

@@ -114,12 +114,15 @@ class Cars(Doors):
         shutil.copy(STUDIES / "tires" / "passenger_205_55R16.toml", self.folder / "kerb" / "fe.toml")
         shutil.copy(STUDIES / "tire_model_comparison" / "rigid_ring.tir", self.folder / "kerb" / "large.tir")
         (self.folder / "kerb" / "deck.inp").write_text("*NODE\n")
-        for name, says in (("fe.toml", r"front_tire is .*fe\.toml, which states no kind, as a finite-element tire, which does not roll"),
+        (self.folder / "kerb" / "plain.toml").write_text('pressure = "2 bar"\n')
+        for name, says in (("plain.toml", r"front_tire is .*plain\.toml, which states neither a kind nor the section of a finite-element tire"),
                            ("deck.inp", r"front_tire is .*deck\.inp, a deck, which does not roll"),
                            ("front.toml", r'front_tire is of kind "suspension", which does not roll')):
             self.refused(says, ('front_tire = "slick.tir"', f'front_tire = "{name}"'))
         self.refused(r"front_tire: the tire FL has a radius of 316 mm, but its wheel center is drawn 235 mm above the ground",
                      ('front_tire = "slick.tir"', 'front_tire = "large.tir"'), commands=(("check", self.car),))
+        self.refused(r"front_tire: the tire FL has a radius of 31\d(\.\d)? mm, but its wheel center is drawn 235 mm above the ground",
+                     ('front_tire = "slick.tir"', 'front_tire = "fe.toml"'), commands=(("check", self.car),))
         self.refused(r"rear_tire_right: the tire RR has a radius of 316 mm",
                      ('rear_tire = "slick.tir"', 'rear_tire = "slick.tir"\nrear_tire_right = "large.tir"'), commands=(("check", self.car),))
 

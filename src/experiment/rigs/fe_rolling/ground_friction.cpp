@@ -74,10 +74,17 @@ fe_tire::RollingFriction stable_friction(const TireRig& rig,
                                          const fe_tire::RollingFriction& law,
                                          double pressure,
                                          double speed) {
-  if (!law.depends_on_speed()) return law;
+  return friction_by_speed(rig, law, pressure)(speed);
+}
+
+std::function<fe_tire::RollingFriction(double speed)> friction_by_speed(
+    const TireRig& rig, const fe_tire::RollingFriction& law, double pressure) {
+  if (!law.depends_on_speed()) return [law](double) { return law; };
   const double p = kContactPressure * pressure;
-  const double fall = kStable * tread_modulus(rig.tire()) / speed;  // Pa s/m, that of mu p
-  return law.no_steeper_than(fall / (law.at(p, 0.0) * p));
+  const double fall = kStable * tread_modulus(rig.tire());  // Pa m/s, that of mu p times the speed
+  return [law, p, fall](double speed) {
+    return law.no_steeper_than(fall / speed / (law.at(p, 0.0) * p));
+  };
 }
 
 std::string friction_in_words(const TireRig& rig, double pressure, double speed) {

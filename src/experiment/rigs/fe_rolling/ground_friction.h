@@ -10,6 +10,7 @@
 // alone.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,9 @@ fe_tire::RollingFriction stable_friction(const TireRig& rig,
                                          const fe_tire::RollingFriction& law,
                                          double pressure,
                                          double speed);
+/// Returns stable_friction() at a pressure, Pa, as a function of the speed that needs no rig.
+std::function<fe_tire::RollingFriction(double speed)> friction_by_speed(
+    const TireRig& rig, const fe_tire::RollingFriction& law, double pressure);
 /// Says which friction a tire has in a test that states none, and where it is limited at the test's
 /// pressure, Pa, and highest speed, m/s.
 std::string friction_in_words(const TireRig& rig, double pressure, double speed);

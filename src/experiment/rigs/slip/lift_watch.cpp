@@ -39,6 +39,7 @@ class WatchedTire final : public Tire {
   }
   std::optional<Footprint> footprint() const override { return tire_->footprint(); }
   std::optional<double> road_load() const override { return tire_->road_load(); }
+  bool starts_steadily() const override { return tire_->starts_steadily(); }
   Eigen::Matrix3Xd outline() const override { return tire_->outline(); }
   std::unique_ptr<Tire> clone() const override {
     return std::make_unique<WatchedTire>(tire_->clone(), log_);

@@ -74,6 +74,7 @@ class FeRollingTire final : public Tire {
                                  double time,
                                  double step) override;
   std::optional<Footprint> footprint() const override { return print_; }
+  bool starts_steadily() const override { return true; }
   std::unique_ptr<Tire> clone() const override;
 
  private:
