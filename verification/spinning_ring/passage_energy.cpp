@@ -29,7 +29,7 @@ Value value_or_throw(Result<Value> result) {
   return *std::move(result);
 }
 
-/// H of (V.6) of a tire, with assemblies of its own.
+/// H of (V.7) of a tire, with assemblies of its own.
 class Energy {
  public:
   Energy(const TireDescription& tire, double pressure, double height, double spin)

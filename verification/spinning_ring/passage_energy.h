@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Energy of a tire that rolls in time over smooth ground without friction, with a held axle and a
 // spin that stays. The equation of motion is that of the function
-//   H = 1/2 v M v + V(u) - Omega^2 (w_0 u + 1/2 u W u) + 1/2 epsilon sum of (depth^2 dA)      (V.6)
+//   H = 1/2 v M v + V(u) - Omega^2 (w_0 u + 1/2 u W u) + 1/2 epsilon sum of (depth^2 dA)      (V.7)
 // of the displacements u and their rates v, since the gyroscopic forces do no work. V holds the
 // strain and the work of the pressure. H changes while a cleat passes, which does work, and is
 // constant before and after it. Differences of V are integrals of the internal forces along a
