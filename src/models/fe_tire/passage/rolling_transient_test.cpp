@@ -255,38 +255,6 @@ TEST(RollingTransient, KeepsASteadyStateWithTurnSlip) {
   EXPECT_GT(std::abs(steady.forces.moment.z()), 1e-4 * load * of.height);
 }
 
-// A wheel in the air whose axle turns has the moment of a rigid gyroscope, which the belt passes on
-// to the rim: I_spin Omega w about x for a turn w to the left. The mass and the inertia of the tire
-// count (mass_properties.h) once the belt, which yields to the moment, is at rest in the axes.
-TEST(RollingTransient, HasTheMomentOfAGyroscopeInTheAir) {
-  constexpr double kTurn = 0.8, kSlow = 10.0;  // rad/s, m/s
-  Passing tire(false, std::nullopt, kSlow);
-  const auto touching = tire.tire_.advance(tire.tire_.over(tire.inflated_, {}, FeTire::Poses::any),
-                                           {FeTire::below(tire.inflated_, 1e-4)});
-  ASSERT_TRUE(touching);
-  RollingCase of;
-  of.speed = kSlow;
-  of.spin = kSlow / 0.312;
-  of.height = tire.inflated_.radius + 1e-3;
-  of.friction.at_rest = 0.0;
-  const RollingState flying = tire.roll(tire.rolling_.start(touching->front()), of);
-  ASSERT_EQ(flying.forces.force.norm(), 0.0);
-  const TransientForces begin = tire.start(flying, {.step = 2e-3, .rho = 0.0});
-  EXPECT_LT(begin.moment.norm(), 1e-3);
-  TransientForces now;
-  for (int k = 1; k <= 60; ++k) {
-    const double share = std::min(1.0, k / 30.0);
-    WheelMoment to{.of = of};
-    to.turning.z() = kTurn * share;
-    to.turning_rate.z() = share < 1.0 ? kTurn / (30.0 * 2e-3) : 0.0;
-    now = tire.advance(to);
-  }
-  const double moment = tire.tire_.mass_properties(tire.inflated_).spin_inertia * of.spin * kTurn;
-  EXPECT_NEAR(now.moment.x(), moment, 0.01 * moment);
-  EXPECT_NEAR(now.moment.y(), 0.0, 0.01 * moment);
-  EXPECT_LT(now.force.norm(), 0.01 * moment / of.height);
-}
-
 TEST(RollingTransient, GoesBackToAStateThatWasKept) {
   Passing tire(true);
   tire.start(tire.free_, {});
