@@ -255,43 +255,6 @@ TEST(RollingTransient, KeepsASteadyStateWithTurnSlip) {
   EXPECT_GT(std::abs(steady.forces.moment.z()), 1e-4 * load * of.height);
 }
 
-// A wheel in the air whose axle turns has the moment of a rigid gyroscope, which the belt passes on
-// to the rim: I_spin Omega w about x for a turn w to the left. The belt tilts under the moment and
-// swings at some 40 Hz with the damping of its rubber, so the moment is a mean over 0.1 s, when the
-// turn has been even for as long.
-TEST(RollingTransient, HasTheMomentOfAGyroscopeInTheAir) {
-  constexpr double kTurn = 0.8, kSlow = 10.0, kStep = 2e-3;  // rad/s, m/s, s
-  constexpr int kEven = 50, kLast = 150;
-  Passing tire(true, std::nullopt, kSlow);
-  const auto touching = tire.tire_.advance(tire.tire_.over(tire.inflated_, {}, FeTire::Poses::any),
-                                           {FeTire::below(tire.inflated_, 1e-4)});
-  ASSERT_TRUE(touching);
-  RollingCase of;
-  of.speed = kSlow;
-  of.spin = kSlow / 0.312;
-  of.height = tire.inflated_.radius + 1e-3;
-  of.friction.at_rest = 0.0;
-  const RollingState flying = tire.roll(tire.rolling_.start(touching->front()), of);
-  ASSERT_EQ(flying.forces.force.norm(), 0.0);
-  const TransientForces begin = tire.start(flying, {.step = kStep, .rho = 0.0});
-  EXPECT_LT(begin.moment.norm(), 1e-3);
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero(), force = moment;
-  for (int k = 1; k <= kLast; ++k) {
-    const double share = std::min(1.0, static_cast<double>(k) / kEven);
-    WheelMoment to{.of = of};
-    to.turning.z() = kTurn * share * share * (3.0 - 2.0 * share);
-    to.turning_rate.z() = kTurn * 6.0 * share * (1.0 - share) / (kEven * kStep);
-    const TransientForces now = tire.advance(to);
-    if (k <= kLast - kEven) continue;
-    moment += now.moment / kEven;
-    force += now.force / kEven;
-  }
-  const double expected = tire.tire_.mass_properties(tire.inflated_).spin_inertia * of.spin * kTurn;
-  EXPECT_NEAR(moment.x(), expected, 0.01 * expected);
-  EXPECT_NEAR(moment.y(), 0.0, 0.01 * expected);
-  EXPECT_LT(force.norm(), 0.01 * expected / of.height);
-}
-
 TEST(RollingTransient, GoesBackToAStateThatWasKept) {
   Passing tire(true);
   tire.start(tire.free_, {});
