@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "models/fe_tire/description/reference_tires.h"
+#include "models/fe_tire/grip/passing_bar.h"
 #include "models/fe_tire/rolling/rolling_tire.h"
 #include "models/road/drum_road.h"
 #include "models/road/plane_road.h"
+#include "models/road/profile_road.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -155,6 +157,56 @@ TEST_F(OnARoad, StepsAsTheTransientDoes) {
     ASSERT_TRUE(expected) << expected.failure().reason;
     EXPECT_LT((now.force - expected->force).norm(), 2e-3 * load) << k;
   }
+}
+
+// A bar of the road and the same bar as its own ground. The road's cells change the height that is
+// felt by up to 1/1152 of the bar's (road_ground.h), and leave out arcs of its flanks.
+TEST_F(OnARoad, CrossesABarOfItsRoadAsTheTransientCrossesIt) {
+  constexpr double kStep = 5e-4, kBar = 0.16;  // s; m, from the start
+  constexpr int kSteps = 16;
+  const double smooth = elements_.mesh().outer_radius() * elements_.mesh().angle(1);
+  const double height = 0.2 * smooth, length = 2.5 * smooth;
+  FeRollingTire rolling = tire();
+  const road::ProfileRoad road = road::cleat_road(kBar, height, length, 0.0);
+  ASSERT_TRUE(rolling.settle(wheel(0.0, pressed()), road, 0.0));
+  WheelMotion first = wheel(kStep, pressed());
+  FreeWheel spins;
+  spins.spin = FreeRate{.inertia = 1.0, .rate = first.spin_rate};
+  const HubForces begin = checked(rolling.advance_free(first, spins, road, kStep, kStep));
+  RollingTire states(elements_, 0.5);
+  states.set_history(losses_, inflated_);
+  const auto down = elements_.advance(elements_.over(inflated_, {}, FeTire::Poses::any),
+                                      {FeTire::below(inflated_, kDown)});
+  RollingCase of;
+  of.speed = kAhead20;
+  of.spin = kAhead20 / 0.312;
+  of.height = pressed();
+  of.drive = 0.0;
+  of.friction.at_rest = 1.0;
+  const auto free = states.roll(states.start(down->back()), of);
+  ASSERT_TRUE(free);
+  RollingTransient passage(elements_, 0.5);
+  passage.set_history(losses_, inflated_);
+  const auto still = passage.start(*free, {});
+  ASSERT_TRUE(still);
+  EXPECT_LT((still->force - begin.force).norm(), 1e-5 * begin.force.z());
+  const GroundWithBar bar({.height = height, .length = length, .smooth = smooth});
+  double most = 0.0, worst = 0.0;
+  for (int k = 2; k <= kSteps; ++k) {
+    WheelMotion there = wheel(k * kStep, pressed());
+    const HubForces now = checked(rolling.advance_free(there, spins, road, k * kStep, kStep));
+    const auto expected = passage.advance({.of = free->of,
+                                           .ground = &bar,
+                                           .place = {.way = {kAhead20 * k * kStep - kBar, 0.0}},
+                                           .wheel = SpinningWheel{.inertia = 1.0}});
+    ASSERT_TRUE(expected) << expected.failure().reason;
+    most = std::max(most, (expected->force - still->force).norm());
+    worst = std::max(worst, (now.force - expected->force).norm());
+    EXPECT_NEAR(there.spin_rate, expected->spin, 1e-3 * expected->spin);
+  }
+  EXPECT_GT(most, 0.05 * begin.force.z());
+  EXPECT_LT(worst, 0.03 * most);
+  RecordProperty("share", std::to_string(worst / most));
 }
 
 // An axle that is lowered smoothly ends with the load of the steady state at its new height.
