@@ -66,7 +66,7 @@ class CarFile : public testing::Test {
   /// Writes the finite-element race tire on a coarse mesh, with losses.
   void write_elements(const std::string& name) {
     std::string text = read_text_file(kShipped / "tires/race_16x7.5-10.toml");
-    text = with(text, "columns = \\[[^\n]*\nsplit_columns[^\n]*\n", "meridional = 11\n");
+    text = with(text, "columns = \\[[^\n]*\nsplit_columns[^\n]*\n", "meridional = 13\n");
     text = with(text, "sectors = 60\n", "sectors = 36\n");
     text =
         with(text, "sector_zones = [^\n]*\n", "sector_zones = [[6, \"4 deg\"], [2, \"8 deg\"]]\n");
