@@ -11,7 +11,9 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "experiment/language/specimen.h"
 #include "experiment/rigs/mode_record.h"
+#include "experiment/tests/modes.h"
 #include "models/ring_tire/description/ring_reader.h"
 
 namespace latsch::cli {
@@ -20,6 +22,12 @@ namespace {
 constexpr std::string_view kTests =
     R"(test.pressed = {kind = "load_deflection", deflections = ["10 mm", "18 mm", "26 mm"]}
 test.air = {kind = "modes", count = 30}
+)";
+
+/// Test of the modes of a finite-element tire with losses. It takes the moduli at each
+/// frequency and computes damping, because a flexible ring shows both.
+constexpr std::string_view kDampedTests =
+    R"(test.air = {kind = "modes", count = 30, damping = true}
 )";
 
 const std::vector<std::string> kMotions = {
@@ -159,7 +167,13 @@ Result<RingStudy> ring_study_of(const experiment::SpecimenKind& kind,
   };
   const auto pressed = run("pressed");
   if (!pressed) return pressed.failure();
-  const auto air = run("air");
+  const bool is_damped = experiment::has_losses(*kind.build(model));
+  const Document damped = Document::parse(std::string(kDampedTests), "tests");
+  const auto air =
+      is_damped
+          ? language.run(
+                kind, model, *language.read_test(damped.root().table("test").table("air"), {}))
+          : run("air");
   if (!air) return air.failure();
   std::optional<Channels> soft;
   if (tests.has("soft")) {
@@ -184,7 +198,7 @@ Result<RingStudy> ring_study_of(const experiment::SpecimenKind& kind,
           own.text()),
       fmt::format(
           "# Results of {0}, used as measurements; the fit finds the numbers of ring.toml that "
-          "give the same.\n"
+          "give the same.\n{9}"
           "title = \"Flexible ring of {0}\"\nmodel = \"ring.toml\"\n\n{1}\n{2}{3}{4}{5}{6}{7}{8}\n"
           "[run]\nworkers = 2\n",
           file,
@@ -195,7 +209,12 @@ Result<RingStudy> ring_study_of(const experiment::SpecimenKind& kind,
           experiment("load", "pressed/force", {}, (*pressed)["force"], "N"),
           soft ? experiment("soft_load", "soft/force", {}, (*soft)["force"], "N") : "",
           experiment_of_modes("frequency", *air->find("frequency"), kMotions, *air),
-          damping ? experiment_of_modes("damping", *damping, kDamped, *air) : "")};
+          damping ? experiment_of_modes("damping", *damping, kDamped, *air) : "",
+          is_damped
+              ? fmt::format("# Frequencies and dampings of {} are those of its moduli at each "
+                            "frequency (damping = true), its loads those of relaxed ones.\n",
+                            file)
+              : "")};
 }
 
 }  // namespace latsch::cli

@@ -9,7 +9,8 @@
 //                  share of the pressure that the belt carries
 //     frequencies  in the air, rim fixed: f1 torsional n = 0, f2 radial n = 1, f3 lateral n = 0, f4
 //                  lateral n = 1, f5 and f6 radial and lateral n = 2
-//     dampings     of f1, f2 and f4, if the model has them
+//     dampings     of f1, f2 and f4, if the model has them; a finite-element tire with losses then
+//                  has the moduli of each frequency
 //
 // Loads do not depend on mass and frequencies do, so together they also determine the equivalent
 // mass of the belt. Its radius and pressure are those of the model. Tread and blocks, which affect

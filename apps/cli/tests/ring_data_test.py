@@ -80,6 +80,30 @@ class RingData(unittest.TestCase):
         for name in asked:
             self.assertAlmostEqual(ring_frequencies[name] / frequencies[name], 1.0, delta=0.01, msg=name)
 
+    def test_the_losses_of_a_finite_element_tire_are_dampings_of_the_ring(self):
+        self.latsch("new", self.folder / "fe", "--coarse")
+        tire = self.folder / "fe" / "tire.toml"
+        self.latsch("new", self.folder / "elastic", "--ring-data", tire)
+        edit(tire, (r"(?m)^\[rubber\.(\w+)\]$", r"[rubber.\1]\nloss_factor = 0.15"))
+        self.latsch("new", self.folder / "lossy", "--ring-data", tire)
+        elastic, lossy = (tomllib.loads((self.folder / one / "study.toml").read_text()) for one in ("elastic", "lossy"))
+        self.assertNotIn("damping", elastic["experiment"])
+        self.assertEqual(lossy["experiment"]["damping"]["modes"], ["torsional n=0", "radial n=1", "lateral n=1"])
+        for name in ("radial_damping", "tangential_damping", "lateral_damping"):
+            self.assertIn(name, lossy["variable"])
+        rows = list(csv.DictReader(self.latsch("test", tire, AIR.replace("}", ", damping = true}")).stdout.splitlines()))
+        for experiment, channel in (("frequency", "frequency [Hz]"), ("damping", "damping [1]")):
+            asked = lossy["experiment"][experiment]
+            for mode, value in zip(asked["modes"], asked["values"]):
+                kind, waves = mode.split(" n=")
+                shown = next(row for row in rows if row["n [1]"] == waves and int(row["type [1]"]) == TYPES.index(kind))
+                self.assertAlmostEqual(float(str(value).split()[0]) / float(shown[channel]), 1.0, delta=1e-5, msg=mode)
+        # Moduli at the frequency of a mode exceed the relaxed ones, which the loads show.
+        for relaxed, own in zip(elastic["experiment"]["frequency"]["values"], lossy["experiment"]["frequency"]["values"]):
+            self.assertGreater(float(own.split()[0]), 1.02 * float(relaxed.split()[0]))
+        self.assertEqual(elastic["experiment"]["load"]["values"], lossy["experiment"]["load"]["values"])
+        self.latsch("check", self.folder / "lossy" / "study.toml")
+
     def test_the_numbers_of_a_known_ring_are_found_again(self):
         known = tomllib.loads(RING.read_text())
         text = RING.read_text()

@@ -99,12 +99,9 @@ Result<Channels> ModesTest::run_with_slopes(Specimen& specimen, const Asked& ask
   return specimen.find<Vibrates>()->vibrate(test_, asked);
 }
 
-std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
+bool has_losses(Specimen& specimen) {
   auto* tire = specimen.find<IsFeTire>();
-  if (!tire) return {};
-  std::vector<std::string> limits;
-  if (test_.loaded()) limits = limits_of_standing(specimen, test_.ground.mu);
-  if (test_.is_damped) return limits;
+  if (!tire) return false;
   bool is_elastic = true;
   (void)tire->drive(
       [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
@@ -113,7 +110,14 @@ std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
       },
       true,
       {});
-  if (is_elastic) return limits;
+  return !is_elastic;
+}
+
+std::vector<std::string> ModesTest::limits(Specimen& specimen) const {
+  if (!specimen.find<IsFeTire>()) return {};
+  std::vector<std::string> limits;
+  if (test_.loaded()) limits = limits_of_standing(specimen, test_.ground.mu);
+  if (test_.is_damped || !has_losses(specimen)) return limits;
   limits.emplace_back(
       "modes: frequencies are those of the relaxed moduli of rubber and layers; damping = true in "
       "the test counts their losses and their moduli at each frequency");

@@ -51,6 +51,10 @@ class ModesTest : public Test, public TellsLimits {
   ModalTest test_;
 };
 
+/// Returns whether the specimen is a finite-element tire and its file states `prony` or
+/// `loss_factor` of a rubber or a layer, so that its modes have damping.
+bool has_losses(Specimen& specimen);
+
 /// Returns "unloaded", "pressed 25 mm", "under 4000 N", with the camber.
 std::string state_in_words(const ModalTest& test);
 

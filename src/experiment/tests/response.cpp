@@ -89,16 +89,8 @@ class ResponseOfTire : public Test, public TellsLimits {
         {});
   }
   std::vector<std::string> limits(Specimen& specimen) const override {
-    bool is_elastic = true;
-    (void)specimen.find<IsFeTire>()->drive(
-        [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
-          is_elastic = rig.losses().is_elastic();
-          return Channels();
-        },
-        true,
-        {});
     std::vector<std::string> said;
-    if (is_elastic)
+    if (!has_losses(specimen))
       said.emplace_back(
           "response: the tire's file states neither prony nor loss_factor of a rubber or a layer, "
           "so nothing damps the tire and its resonances are infinitely high");

@@ -26,7 +26,8 @@ angle = "30 deg"                 # against the axle, default 0
                "",
                "0 to the height, at most half the length"},
               {"angle",
-               "Angle of the bar against the axle; 0 is across the tread.",
+               "Angle of the bar against the axle, counterclockwise from above: a tire that rolls "
+               "meets a bar of a positive angle with its left side first; 0 is across the tread.",
                "",
                "between the limits of the test"},
           },
