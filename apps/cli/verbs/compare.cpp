@@ -72,6 +72,34 @@ void say_files(const std::string& name, std::vector<Ledger> recordings) {
   say_ledgers(recordings, LinesTo::output, "Files");
 }
 
+/// Returns the errors of a tire in every test, and over the tests that were held out.
+nlohmann::ordered_json answer_of(const ComparisonFile& file,
+                                 const TireComparison& comparison,
+                                 std::size_t tire,
+                                 const std::vector<std::string>& limits) {
+  const correlation::TireSummary& sum = comparison.tires[tire];
+  nlohmann::ordered_json all = {{"name", file.tires[tire].name},
+                                {"channels", file.channels},
+                                {"time_error", sum.time_error},
+                                {"psd_error", sum.psd_error},
+                                {"cpu_over_time", sum.cpu_over_time},
+                                {"limits", limits}};
+  if (!sum.held_out_psd_error.empty())
+    all["held_out"] = {{"channels", file.channels},
+                       {"time_error", sum.held_out_time_error},
+                       {"psd_error", sum.held_out_psd_error}};
+  for (std::size_t t = 0; t < file.tests.size(); ++t) {
+    const correlation::TireRun& run = comparison.tests[t].tires[tire];
+    all["tests"].push_back({{"name", file.tests[t].name},
+                            {"fitted", file.tests[t].fitted},
+                            {"channels", file.channels},
+                            {"time_error", run.time_error},
+                            {"psd_error", run.psd_error},
+                            {"cpu_over_time", run.cpu_over_time}});
+  }
+  return all;
+}
+
 void compare(const std::string& name,
              const experiment::Language& language,
              const std::string& measurements,
@@ -107,19 +135,16 @@ void compare(const std::string& name,
   write_text_file(output, comparison_page(file, comparison));
   say("{}\n\n", file.title);
   for (std::size_t t = 0; t < file.tires.size(); ++t) {
-    const auto& of_tire = comparison.tires[t];
     const auto limits = limits_of_tire(file, comparison, t);
     for (const std::string& limit : limits) warn(file.tires[t].title + ": " + limit, {name, 0});
-    answer()["tires"].push_back({{"name", file.tires[t].name},
-                                 {"channels", file.channels},
-                                 {"time_error", of_tire.time_error},
-                                 {"psd_error", of_tire.psd_error},
-                                 {"cpu_over_time", of_tire.cpu_over_time},
-                                 {"limits", limits}});
+    answer()["tires"].push_back(answer_of(file, comparison, t, limits));
   }
+  if (file.specimen) answer()["specimen"] = {{"cpu_over_time", comparison.specimen_cpu_over_time}};
   answer()["verdicts"] = verdicts(file, comparison);
   answer()["report"] = output;
   for (const std::string& sentence : verdicts(file, comparison)) say("{}\n", sentence);
+  if (file.specimen)
+    say("The specimen: CPU time {:.2g} x real time.\n", comparison.specimen_cpu_over_time);
   say("\nReport: {}\n", output);
 }
 

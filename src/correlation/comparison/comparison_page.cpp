@@ -51,6 +51,31 @@ std::string summary_table(const ComparisonFile& file, const TireComparison& comp
   return number_table(heads, rows);
 }
 
+/// Returns the errors over the tests to which no tire was fitted; empty if the file calls no test
+/// or every test fitted.
+std::string held_out_table(const ComparisonFile& file, const TireComparison& comparison) {
+  const std::size_t count = held_out_tests(file);
+  if (count == 0) return "";
+  std::vector<std::string> heads = {"Tire, held-out tests alone"};
+  for (const std::string& channel : file.channels) {
+    heads.push_back(channel + " error in time");
+    heads.push_back(channel + " error of PSD");
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < file.tires.size(); ++i) {
+    const TireSummary& sum = comparison.tires[i];
+    std::vector<std::string> cells = {file.tires[i].title};
+    for (std::size_t c = 0; c < file.channels.size(); ++c) {
+      cells.push_back(report::percent(sum.held_out_time_error[c], 0));
+      cells.push_back(report::percent(sum.held_out_psd_error[c], 0));
+    }
+    rows.push_back(std::move(cells));
+  }
+  return number_table(heads, rows) +
+         fmt::format(
+             "<p>No tire was fitted to {} of the {} tests.</p>\n", count, file.tests.size());
+}
+
 std::string needs_table(const ComparisonFile& file) {
   std::string html =
       "<div class=\"scroll\"><table><thead><tr><th>Tire</th><th>Parameters</th>"
@@ -202,18 +227,21 @@ std::string verdict_chapter(const ComparisonFile& file, const TireComparison& co
   html += "</ul>";
   for (const std::string& remark : comparison.remarks) html += "<p>" + escape(remark) + ".</p>";
   html += limits_list(file, comparison);
-  html += summary_table(file, comparison) + needs_table(file);
+  html += summary_table(file, comparison) + held_out_table(file, comparison) + needs_table(file);
   html += fmt::format(
       "<p>Errors are means over {} tests, of the root mean square of the measured force about its "
       "mean and of its spectral density from {} to {} Hz. A tire reproduces a force over the "
       "longest sequence of third-octave bands whose level is at most {:g} dB off; bands in which "
       "noise has more than a quarter of "
       "the power are left out. CPU time is that of one core, including the settling at the "
-      "start.</p></section>\n",
+      "start.{}</p></section>\n",
       file.tests.size(),
       significant(file.band.lower, 3),
       significant(file.band.upper, 3),
-      file.agreement);
+      file.agreement,
+      file.specimen ? fmt::format(" The specimen takes {} of real time.",
+                                  significant(comparison.specimen_cpu_over_time, 2) + " times")
+                    : "");
   return html;
 }
 

@@ -22,7 +22,9 @@
 namespace latsch::correlation {
 namespace {
 
-constexpr int kTimings = 2;  // number of repeated runs, of which the least CPU time counts
+/// Number of repeated runs, of which the least CPU time counts; a finite-element tire runs once,
+/// because minutes are timed well enough.
+constexpr int kTimings = 2;
 
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -172,6 +174,13 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// Returns the time, s, that a tire simulates in a test. A finite-element tire begins with its
+/// steady state, without a run-in, and one of its passages stands for all.
+double simulated_time(const ComparedTire& tire, const experiment::DrumTest& drum) {
+  if (tire.kind->has(experiment::IsFeTire::kName)) return drum.duration;
+  return drum.passages * (drum.run_in + drum.duration);
+}
+
 TireRun compared_run(const ComparedTire& tire,
                      const ComparisonFile& file,
                      const ComparisonTest& test,
@@ -180,13 +189,14 @@ TireRun compared_run(const ComparedTire& tire,
   TireRun run;
   Channels channels;
   double least = 0.0;
-  for (int i = 0; i < kTimings; ++i) {
+  const int timings = tire.kind->has(experiment::IsFeTire::kName) ? 1 : kTimings;
+  for (int i = 0; i < timings; ++i) {
     const double begin = cpu_seconds();
     channels = run_of(tire, test, i == 0 ? &run.limits : nullptr);
     const double spent = cpu_seconds() - begin;
     least = i == 0 ? spent : std::min(least, spent);
   }
-  run.cpu_over_time = least / (test.drum.passages * (test.drum.run_in + test.drum.duration));
+  run.cpu_over_time = least / simulated_time(tire, test.drum);
   for (std::size_t c = 0; c < file.channels.size(); ++c) {
     run.channels.push_back(
         record_of(channels[file.channels[c]], 1.0 / test.drum.sample_step, bands));
@@ -233,6 +243,25 @@ FrequencyBand followed(const std::vector<double>& errors,
   return {bands[first].lower, bands[first + longest - 1].upper};
 }
 
+/// Adds the mean errors over the tests that were held out, if the file says which were.
+void add_held_out(const ComparisonFile& file,
+                  const TireComparison& all,
+                  std::size_t tire,
+                  TireSummary& sum) {
+  const auto count = static_cast<double>(held_out_tests(file));
+  if (count == 0.0) return;
+  sum.held_out_time_error.assign(file.channels.size(), 0.0);
+  sum.held_out_psd_error.assign(file.channels.size(), 0.0);
+  for (std::size_t t = 0; t < file.tests.size(); ++t) {
+    if (file.tests[t].fitted) continue;
+    const TireRun& run = all.tests[t].tires[tire];
+    for (std::size_t c = 0; c < file.channels.size(); ++c) {
+      sum.held_out_time_error[c] += run.time_error[c] / count;
+      sum.held_out_psd_error[c] += run.psd_error[c] / count;
+    }
+  }
+}
+
 TireSummary summary(const ComparisonFile& file, const TireComparison& all, std::size_t tire) {
   TireSummary sum;
   const auto tests = static_cast<double>(all.tests.size());
@@ -249,6 +278,7 @@ TireSummary summary(const ComparisonFile& file, const TireComparison& all, std::
   }
   for (const TestComparison& test : all.tests)
     sum.cpu_over_time += test.tires[tire].cpu_over_time / tests;
+  add_held_out(file, all, tire, sum);
   return sum;
 }
 
@@ -290,7 +320,12 @@ TireComparison compare_tires(const ComparisonFile& file,
     std::vector<std::vector<double>> forces;
     if (file.specimen) {
       std::vector<std::string> limits;
+      const double begin = cpu_seconds();
       const Channels measured = measure(*file.specimen, test, t, &limits);
+      compared.specimen_cpu_over_time =
+          (cpu_seconds() - begin) / simulated_time(file.specimen->tire, test.drum);
+      all.specimen_cpu_over_time +=
+          compared.specimen_cpu_over_time / static_cast<double>(file.tests.size());
       for (const std::string& limit : limits) of_specimen.add(limit, test.name);
       compared.time = measured["time"];
       for (const std::string& channel : file.channels) forces.push_back(measured[channel]);
@@ -329,6 +364,14 @@ std::vector<std::string> limits_of_tire(const ComparisonFile& file,
   return limits.before_names();
 }
 
+std::size_t held_out_tests(const ComparisonFile& file) {
+  const auto count = static_cast<std::size_t>(
+      std::count_if(file.tests.begin(), file.tests.end(), [](const ComparisonTest& test) {
+        return !test.fitted;
+      }));
+  return count == file.tests.size() ? 0 : count;
+}
+
 std::vector<std::string> verdicts(const ComparisonFile& file, const TireComparison& comparison) {
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < file.tires.size(); ++i) {
@@ -349,6 +392,17 @@ std::vector<std::string> verdicts(const ComparisonFile& file, const TireComparis
                       100.0 * sum.psd_error[c]);
     }
     text += fmt::format(". CPU time {:.2g} x real time.", sum.cpu_over_time);
+    if (!sum.held_out_psd_error.empty()) {
+      const std::size_t held_out = held_out_tests(file);
+      text += fmt::format(" In {} held-out {}", held_out, held_out == 1 ? "test" : "tests");
+      for (std::size_t c = 0; c < file.channels.size(); ++c)
+        text += fmt::format("{} {} is off by {:.0f} % in time, {:.0f} % in its PSD",
+                            c == 0 ? "" : ",",
+                            file.channels[c],
+                            100.0 * sum.held_out_time_error[c],
+                            100.0 * sum.held_out_psd_error[c]);
+      text += ".";
+    }
     sentences.push_back(std::move(text));
   }
   return sentences;

@@ -34,7 +34,8 @@ struct ComparedRecord {
 struct TireRun {
   std::vector<ComparedRecord> channels;
   std::vector<double> time_error, psd_error;  // ratios, one for each channel
-  double cpu_over_time = 0.0;                 // CPU time over simulated time
+  /// CPU time over simulated time, which includes the run-in and all passages, if the tire has them
+  double cpu_over_time = 0.0;
   /// Sentences on limits that the tire met: validity ranges of its file that it left, a lost
   /// contact, effects that its model lacks.
   std::vector<std::string> limits;
@@ -45,11 +46,15 @@ struct TestComparison {
   double highest = 0.0;      // Hz; the records contain nothing above it
   std::vector<ComparedRecord> measured;
   std::vector<TireRun> tires;
+  double specimen_cpu_over_time = 0.0;  // CPU time over simulated time; 0: recorded
 };
 
 /// Errors of one tire over all tests.
 struct TireSummary {
   std::vector<double> time_error, psd_error;  // means over the tests, one for each channel
+  /// Means over the tests to which no tire was fitted, one for each channel; empty if the file
+  /// calls no test or every test fitted.
+  std::vector<double> held_out_time_error, held_out_psd_error;
   /// errors of the levels, dB, [channel][band]; NaN if noise hides the tire in all tests
   std::vector<std::vector<double>> level_error;
   /// for each channel the frequency range, Hz, that the tire reproduces; from 0 to 0: none
@@ -65,6 +70,8 @@ struct TireComparison {
   /// Sentences on limits that the specimen met, each with its tests; empty if the specimen was
   /// recorded.
   std::vector<std::string> limits_of_specimen;
+  /// Mean CPU time of the specimen over simulated time; 0 if the specimen was recorded.
+  double specimen_cpu_over_time = 0.0;
 };
 
 /// Returns what the specimen of the file records in one test: time, speed and the channels with
@@ -83,8 +90,12 @@ std::vector<std::string> limits_of_tire(const ComparisonFile& file,
 TireComparison compare_tires(const ComparisonFile& file,
                              const std::function<void(const std::string&)>& tell = {});
 
+/// Returns the number of tests to which the tires were not fitted, or 0 if the file calls no test
+/// or every test fitted.
+std::size_t held_out_tests(const ComparisonFile& file);
+
 /// Returns one sentence for each tire: the channels it reproduces and up to which frequency, its
-/// error, its speed.
+/// error, its speed, and its error in the tests that were held out, if some were.
 std::vector<std::string> verdicts(const ComparisonFile& file, const TireComparison& comparison);
 
 }  // namespace latsch::correlation

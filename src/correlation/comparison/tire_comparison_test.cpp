@@ -65,6 +65,34 @@ TEST_F(ComparedTires, TheSpecimenItselfHasNoErrorAndAnotherTireHas) {
   EXPECT_LT(found.tires[1].cpu_over_time, 1.0);
 }
 
+// The stiff tire has another error over each of the two cleats. The first is called fitted, so the
+// mean over tests that were held out is the error over the second.
+TEST_F(ComparedTires, ErrorsOfHeldOutTestsAreMeansOverThemAlone) {
+  std::string low = kDrum;
+  low.replace(low.find("10 mm"), 5, "6 mm");
+  write("low.toml", low);
+  const std::string again = kSpecimen + "fitted = true\n[test.low]\nfile = \"low.toml\"\n";
+  const ComparisonFile read = file(again);
+  const TireComparison found = compare_tires(read);
+  EXPECT_EQ(held_out_tests(read), 1u);
+  const auto of_low = found.tests[1].tires[1];
+  ASSERT_EQ(found.tires[1].held_out_psd_error, of_low.psd_error);
+  EXPECT_EQ(found.tires[1].held_out_time_error, of_low.time_error);
+  EXPECT_NE(found.tires[1].held_out_psd_error, found.tires[1].psd_error);
+  const auto says = [](const std::string& text, const std::string& words) {
+    return text.find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says(verdicts(read, found)[1], "In 1 held-out test Fx is off by"));
+  EXPECT_TRUE(says(comparison_page(read, found), "No tire was fitted to 1 of the 2 tests."));
+
+  const ComparisonFile none = file(kSpecimen);
+  const TireComparison of_none = compare_tires(none);
+  EXPECT_EQ(held_out_tests(none), 0u);
+  EXPECT_TRUE(of_none.tires[1].held_out_psd_error.empty());
+  EXPECT_FALSE(says(verdicts(none, of_none)[1], "held-out"));
+  EXPECT_FALSE(says(comparison_page(none, of_none), "No tire was fitted to"));
+}
+
 TEST_F(ComparedTires, BandsBelowTheNoiseAreLeftOut) {
   const ComparisonFile read = file(kSpecimen + "[specimen.noise]\nFz = \"1 MN\"\n");
   const TireComparison found = compare_tires(read);
