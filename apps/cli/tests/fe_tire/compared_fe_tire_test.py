@@ -62,7 +62,7 @@ class AFiniteElementTireIsTheSpecimen(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         tire = cls.folder / "tire.toml"
         shutil.copy(STUDY / "tire.toml", tire)
-        edit(tire, ("meridional = .*", "meridional = 10"), ("sectors = .*", "sectors = 36"),
+        edit(tire, ("meridional = .*", "meridional = 13"), ("sectors = .*", "sectors = 36"),
              ("sector_zones = .*", 'sector_zones = [[6, "2.4 deg"], [2, "4 deg"]]'))
         for name, height in (("low", 4), ("high", 6)):
             (cls.folder / f"{name}.toml").write_text(TEST.replace("HEIGHT", str(height)))
