@@ -125,8 +125,6 @@ class AFiniteElementTireIsTheSpecimen(unittest.TestCase):
         tire = same["tires"][0]
         self.assertEqual(tire["psd_error"], [0.0] * len(CHANNELS))
         self.assertNotIn("held_out", tire)  # every test is called fitted
-        # One passage without a run-in is simulated by both.
-        self.assertLess(abs(tire["cpu_over_time"] / same["specimen"]["cpu_over_time"] - 1.0), 0.6)
 
 
 if __name__ == "__main__":
