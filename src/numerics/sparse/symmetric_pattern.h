@@ -38,8 +38,8 @@ class SymmetricPattern {
     short row, column;
   };
   std::span<const Scatter> scatter(int element) const {
-    return std::span(scatter_).subspan(
-        scatter_start_[element], scatter_start_[element + 1] - scatter_start_[element]);
+    return std::span(scatter_).subspan(scatter_start_[element],
+                                       scatter_start_[element + 1] - scatter_start_[element]);
   }
   int element_size(int element) const { return element_size_[element]; }
 
