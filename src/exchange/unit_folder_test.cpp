@@ -98,7 +98,7 @@ TEST(UnitFolder, SaysWhatIsWrongInAFolder) {
   };
   const std::string head = "kind = \"tire\"\ntoken = \"{1}\"\n[tire]\nmodel_kind = ";
   EXPECT_NE(complaint("kind = \"boat\"\n").find("boat"), std::string::npos);
-  EXPECT_NE(complaint(head + "\"fe_tire\"\nmodel = \"m\"\nroad = \"r\"\n").find("fe_tire"),
+  EXPECT_NE(complaint(head + "\"suspension\"\nmodel = \"m\"\nroad = \"r\"\n").find("suspension"),
             std::string::npos);
   EXPECT_NE(
       complaint(head + "\"ring_tire\"\nmodel = \"m.toml\"\nroad = \"r.toml\"\n").find("m.toml"),

@@ -361,7 +361,7 @@ TEST(Sti, SaysWhatIsWrongAndGoesOn) {
   caller.file = "/no/such/tire.tir";
   EXPECT_EQ(caller.call(2), 2);
   EXPECT_NE(caller.message().find("/no/such/tire.tir"), std::string::npos) << caller.message();
-  caller.file = path_of("tires/passenger_225_50R16.toml");
+  caller.file = path_of("kerb/front.toml");
   EXPECT_EQ(caller.call(2), 2);
   EXPECT_NE(caller.message().find("does not roll"), std::string::npos) << caller.message();
   caller.file = "";
