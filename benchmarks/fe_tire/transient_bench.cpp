@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cpu_time.h"
 #include "dropped_wheel.h"
 #include "free_wheel.h"
+#include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/grip/passing_bar.h"
 #include "models/fe_tire/passage/rolling_transient.h"
 #include "passage_energy.h"
@@ -199,27 +202,34 @@ void cleat_rows(Table& table, const Options& options, FreeWheel& wheel, const Ti
   change("the same with means twice as wide", over_cleat(passage, wheel, step, 2.0 * smooth, time));
 }
 
-/// Energy of an elastic tire on smooth ground after a cleat, on few columns.
+/// Energy of an elastic tire on smooth ground after a cleat: tire B with few columns.
 void energy_rows(Table& table, const Options& options) {
-  TireDescription tire = tire_for(options, "passenger_225_50R16");
+  TireDescription tire = reference_tire_b();
+  tire.element = ElementKind::solid_shell;
   tire.section.meridional = 13;
   verification::EnergyPassage passage;
   passage.after = options.size(passage.after, 0.003);
-  const auto drift = [&](double step, double rho) {
+  // The drift in words, and whether it is within a thousandth.
+  const auto drift = [&](double step, double rho) -> std::pair<std::string, bool> {
     verification::EnergyPassage other = passage;
     other.step = step;
     other.rho = rho;
-    return verification::drift(verification::energy_after_cleat(tire, other));
+    try {
+      const double found = verification::drift(verification::energy_after_cleat(tire, other));
+      return {percent(found), std::abs(found) <= 1e-3};
+    } catch (const std::runtime_error& error) {
+      return {error.what(), false};
+    }
   };
-  const double kept = drift(5e-4, 1.0);
+  const auto [kept, is_kept] = drift(5e-4, 1.0);
   table.full_row("energy after a cleat of 5 mm without friction, rho = 1, 0.5 ms: drift in 10 ms",
-                 percent(kept),
+                 kept,
                  "<= 0.1 %",
-                 std::abs(kept) <= 1e-3);
+                 is_kept);
   if (options.is_smoke()) return;
-  table.note("the same, 0.25 ms", percent(drift(2.5e-4, 1.0)));
+  table.note("the same, 0.25 ms", drift(2.5e-4, 1.0).first);
   table.note("rho = 0.7, the default: 0.5 ms, 0.25 ms",
-             fmt::format("{}, {}", percent(drift(5e-4, 0.7)), percent(drift(2.5e-4, 0.7))));
+             fmt::format("{}, {}", drift(5e-4, 0.7).first, drift(2.5e-4, 0.7).first));
 }
 
 int run(const Options& options) {
