@@ -20,7 +20,7 @@ RollingTangent::RollingTangent(LinearRoller& roller,
       of_(of),
       surface_(of.curvature, -motion_of(of).velocity.normalized()),
       body_(roller.tread_,
-            roller.lines_,
+            roller.nodes_.lines_,
             PosedGround({}, {.height = of.height, .camber = of.camber}),
             surface_,
             kNormalPenalty,
@@ -29,8 +29,8 @@ RollingTangent::RollingTangent(LinearRoller& roller,
             kNearPatch),
       states_(listed(states, body_.points())) {
   body_.ask(0.0, 0.0);  // rise and spin are unknowns, whether they are held or not
-  roller_.nodes_ = Eigen::VectorXd::Zero(3 * roller_.tread_.nodes());
-  roller_.condense_for(body_);
+  roller_.nodes_.nodes_ = Eigen::VectorXd::Zero(3 * roller_.tread_.nodes());
+  roller_.nodes_.condense_for(body_);
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(body_.size());
   const RollingContactState now = contact(still, of.friction, true);
   Eigen::MatrixXd J = body_.jacobian(still, now.input, now.tractions);
@@ -54,6 +54,13 @@ RollingContactState RollingTangent::contact(const Eigen::VectorXd& q,
   return contact;
 }
 
+/// Returns forces at all `size` unknowns from those at the body's rows.
+Eigen::VectorXd RollingTangent::at_unknowns(const Eigen::VectorXd& c, Eigen::Index size) const {
+  Eigen::VectorXd at = Eigen::VectorXd::Zero(3 * roller_.tread_.nodes());
+  at(body_.rows()) = c;
+  return roller_.at_unknowns(at, size);
+}
+
 Eigen::VectorXd RollingTangent::motion(const Eigen::VectorXd& residual,
                                        const Eigen::VectorXd& of_ground,
                                        double spin) {
@@ -62,24 +69,24 @@ Eigen::VectorXd RollingTangent::motion(const Eigen::VectorXd& residual,
   if (!of_.load) border[0] = 0.0;
   if (!of_.drive) border[1] = -spin;
   const Eigen::VectorXd of_patch =
-      roller_.forces_at_unknowns(body_, body_.to_nodes(of_ground.head(rows)), residual.size());
+      at_unknowns(body_.to_nodes(of_ground.head(rows)), residual.size());
   Eigen::VectorXd q = Eigen::VectorXd::Zero(body_.size());
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(residual.size()), Kx(residual.size());
   Eigen::VectorXd left = residual + of_patch;
   for (int k = 0; k <= kCorrections; ++k) {
-    Eigen::VectorXd d = roller_.reduced(left), at = roller_.nodes_;
+    TreadRoller& nodes = roller_.nodes_;
+    Eigen::VectorXd d = roller_.reduced(left, nodes.nodes_), at = nodes.nodes_;
     Eigen::VectorXd right(body_.size());
-    right << body_.to_ground(roller_.condensed_.reduce(at)), border;
+    right << body_.to_ground(nodes.condensed_.reduce(at)), border;
     border.setZero();
     const Eigen::VectorXd step = -J_.solve(right);
-    roller_.expand(body_, step, d);
+    roller_.expand(nodes.expand(body_, step), d);
     q += step;
     moved -= d;
     // The elements' forces less those of the ground are left of (R.3).
     K_.multiply(moved.data(), Kx.data());
     const Eigen::VectorXd ground = body_.stiffness() * q.head(rows) - forces_by_ * q;
-    left = residual + of_patch + Kx -
-           roller_.forces_at_unknowns(body_, body_.to_nodes(ground), residual.size());
+    left = residual + of_patch + Kx - at_unknowns(body_.to_nodes(ground), residual.size());
   }
   return q;
 }

@@ -42,6 +42,7 @@ class RollingTangent {
   RollingForces forces(const Eigen::VectorXd& q, const RollingFriction& friction) const;
 
  private:
+  Eigen::VectorXd at_unknowns(const Eigen::VectorXd& c, Eigen::Index size) const;
   RollingContactState contact(const Eigen::VectorXd& q,
                               const RollingFriction& friction,
                               bool with_links) const;
