@@ -134,7 +134,7 @@ struct FeRollingTire::Workspace {
   Friction friction;
   FeRollingSettings settings;
   std::unique_ptr<RollingTire> steady;
-  std::unique_ptr<RollingTransient> transient;
+  std::unique_ptr<TireInTime> transient;
   FeRollingTire* holder = nullptr;
 
   Workspace(const FeTire& of,
@@ -159,9 +159,9 @@ struct FeRollingTire::Workspace {
     steady->forget();
     return *steady;
   }
-  RollingTransient& in_time() {
+  TireInTime& in_time() {
     if (transient) return *transient;
-    transient = std::make_unique<RollingTransient>(tire, settings.touching);
+    transient = std::make_unique<TireInTime>(tire, settings.touching, settings.reduction);
     transient->set_history(losses, inflated);
     return *transient;
   }
@@ -176,7 +176,7 @@ struct FeRollingTire::Memory {
   WheelOnPlane wheel;                 // the last one, if it rolls
   RollingFriction friction;           // on a road with the factor 1, of the speed at the start
   double stiffness = 0.0;             // N/m, of the last step at a free height; 0: not known
-  TransientState state;               // if the workspace does not hold it
+  TireInTime::State state;             // if the workspace does not hold it
 };
 
 /// Presses the tire down from over the road.
@@ -382,7 +382,7 @@ Result<HubForces> FeRollingTire::begin(WheelMotion& motion,
   auto steady = rolling.roll(*first, of);
   if (!steady)
     return Failure{"the steady state from which the tire rolls: " + steady.failure().reason};
-  RollingTransient& passage = with.in_time();
+  TireInTime& passage = with.in_time();
   if (with.holder != nullptr && with.holder != this) with.holder->memory_->state = passage.take();
   with.holder = nullptr;
   auto found = passage.start(*steady, with.settings.transient);
@@ -433,7 +433,7 @@ Result<HubForces> FeRollingTire::go_on(
   to->of.friction = memory_->friction;
   to->of.friction.at_rest *= below->friction;
   hold();
-  RollingTransient& passage = with.in_time();
+  TireInTime& passage = with.in_time();
   const RoadGround ground(road,
                           memory_->plane,
                           {.along = with.inflated.radius * std::sin(passage.touching()),
@@ -442,7 +442,7 @@ Result<HubForces> FeRollingTire::go_on(
   const int parts =
       std::max(1, static_cast<int>(std::ceil(step / with.settings.transient.step - 1e-6)));
   const double h = step / parts;
-  std::optional<TransientState> kept;
+  std::optional<TireInTime::State> kept;
   if (parts > 1) kept = passage.state();
   Result<TransientForces> found = Failure{""};
   double rate = wheel.spin ? wheel.spin->rate : 0.0;
@@ -492,8 +492,8 @@ Result<HubForces> FeRollingTire::go_on(
 Result<HubForces> FeRollingTire::go_on_at_free_height(
     WheelMotion& motion, FreeWheel& wheel, const road::Road& road, double time, double step) {
   hold();
-  RollingTransient& passage = workspace_->in_time();
-  const TransientState kept = passage.state();
+  TireInTime& passage = workspace_->in_time();
+  const TireInTime::State kept = passage.state();
   const WheelOnPlane from = memory_->wheel;
   const auto print = print_;
   FreeWheel axle;

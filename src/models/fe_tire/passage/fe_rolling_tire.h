@@ -33,7 +33,7 @@
 
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/history/loss_materials.h"
-#include "models/fe_tire/passage/rolling_transient.h"
+#include "models/fe_tire/passage/tire_in_time.h"
 #include "models/fe_tire/passage/wheel_on_plane.h"
 #include "models/tire/free_wheel.h"
 #include "models/tire/tire.h"
@@ -45,6 +45,8 @@ struct FeRollingSettings {
   /// Half angle of the tread that may touch, rad, and the hat's half width of (G.4), m; 0: the
   /// length of an element around the tread below the axle.
   double touching = 0.5, smooth = 0.0;
+  /// Set: the tire is reduced about the steady state of its first motion (reduced_tire.h).
+  std::optional<ReductionSettings> reduction = {};
 };
 
 class FeRollingTire final : public Tire {

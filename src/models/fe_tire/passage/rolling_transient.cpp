@@ -8,12 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "models/fe_tire/analysis/fe_tire_impl.h"
-#include "models/fe_tire/motion/moving_inertia.h"
-#include "models/fe_tire/motion/spin.h"
 #include "models/fe_tire/passage/bossak_step.h"
-#include "models/fe_tire/passage/transient_history.h"
-#include "models/fe_tire/rolling/linear_roller.h"
+#include "models/fe_tire/passage/rolling_transient_impl.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -27,8 +23,6 @@ constexpr int kMostStepsHalved = 4;
 /// Least load to which residuals are relative, in pressures on a square as wide as the tread: a
 /// tire that starts in the air carries none.
 constexpr double kLeastLoad = 0.1;
-/// Share of the first spin below which the wheel's is not kept in memory any more.
-constexpr double kSlowest = 4.0;
 /// Share of the tread that may touch up to which the ground may reach.
 constexpr double kReachOfGround = 0.97;
 /// Change of the spin in an iteration, relative, at which it has settled.
@@ -59,72 +53,6 @@ class GeometricSteps {
 };
 
 }  // namespace
-
-struct RollingTransient::Impl {
-  FeTire& tire;
-  const RingElements& elements;
-  RingUnknowns unknowns;
-  TreadSurface tread;
-  RingAssembly assembly;
-  TreadLines lines;
-  MovingInertia inertia;
-  numerics::SymmetricMatrix K, M, W;
-  LinearRoller linear;
-  std::optional<TransientHistory> history;  // none: the tire is elastic
-  RollingTransientSettings settings;
-  double touching;  // rad
-  TransientState now;
-  /// The tangent whose factorization is at hand, and the step it is for, s; none: there is none.
-  std::shared_ptr<const numerics::SymmetricMatrix> factored;
-  double factored_step = 0.0;
-
-  Impl(FeTire& of, const RingElements& with, TreadShape shape, double angle)
-      : tire(of),
-        elements(with),
-        unknowns(with.ring(), RingSymmetry::none, {}),
-        tread(unknowns, shape, angle),
-        assembly(unknowns),
-        lines(tread, with.ring().mesh()),
-        inertia(with),
-        K(*assembly.pattern()),
-        M(assembly.mass(with)),
-        W(flow_stiffness(assembly, with)),
-        linear(assembly, tread, lines),
-        touching(angle) {}
-
-  /// An iterate of a step.
-  struct Iterate {
-    BossakStep::Motion motion;
-    Eigen::VectorXd alpha;
-    Eigen::VectorXd f;  // N, internal forces
-    Eigen::VectorXd g;  // N, forces of (V.5) without the ground
-    MovingInertia::Forces inertia;
-    double spin = 0.0, spin_rate = 0.0;
-  };
-  void forget() {
-    linear.forget();
-    factored.reset();
-  }
-  Status use_tangent();
-  Eigen::Matrix3Xd of_turning(const Iterate& at, const WheelMoment& to) const;
-
-  Status evaluate(Iterate& at, const BossakStep& rule, const WheelMoment& to, bool with_tangent);
-  void add_inertia(Iterate& at, const BossakStep& rule, const WheelMoment& to) const;
-  Status renew(Iterate& at, const BossakStep& rule, const WheelMoment& to);
-  Result<double> move(Iterate& at,
-                      const BossakStep& rule,
-                      const WheelMoment& to,
-                      const LinearRoller::Found& found);
-  double spin_rate_of(const Iterate& at,
-                      const SpinningWheel& wheel,
-                      const LinearRoller::Found& found) const;
-  TransientForces forces(const Iterate& at,
-                         const RollingCase& of,
-                         const RollingForces& ground) const;
-  Status check_reach(const std::vector<RollingPatchPoint>& patch) const;
-  Result<TransientForces> step(const WheelMoment& to, double h);
-  Result<TransientForces> halves(const WheelMoment& to, double h, int halvings);
-};
 
 /// Computes g at the unknowns of the iterate, and the tangent if asked for.
 Status RollingTransient::Impl::evaluate(Iterate& at,
@@ -236,33 +164,14 @@ double RollingTransient::Impl::spin_rate_of(const Iterate& at,
 TransientForces RollingTransient::Impl::forces(const Iterate& at,
                                                const RollingCase& of,
                                                const RollingForces& ground) const {
-  TransientForces found;
-  found.ground = ground;
+  TransientForces found = on_hub(of, ground, at.inertia.force, at.inertia.moment);
   found.spin = at.spin;
   found.spin_rate = at.spin_rate;
-  const PosedGround posed({}, {.height = of.height, .camber = of.camber});
-  const Eigen::Vector3d hub = posed.in_ground(Eigen::Vector3d::Zero());
-  const Eigen::Vector3d down = posed.in_ground(-Eigen::Vector3d::UnitZ()) - hub;
-  const Eigen::Vector3d arm = hub.z() / -down.z() * down;  // to the contact center
-  const Eigen::Vector3d about_hub = ground.moment + arm.cross(ground.force);
-  found.force = posed.to_wheel(ground.force) - at.inertia.force;
-  found.moment = posed.to_wheel(about_hub) - at.inertia.moment;
   return found;
 }
 
-/// Fails if the ground may touch the tread beyond the part that is followed.
-Status RollingTransient::Impl::check_reach(const std::vector<RollingPatchPoint>& patch) const {
-  const double edge = kReachOfGround * unknowns.ring().mesh().outer_radius() * std::sin(touching);
-  for (const RollingPatchPoint& point : patch) {
-    if (std::abs(point.x) < edge) continue;
-    return Failure{fmt::format(
-        "the ground reaches the tread {:.3g} mm {} the axle, and only {:.3g} rad of the tread to "
-        "both sides of the lowest point may touch",
-        1e3 * std::abs(point.x),
-        point.x > 0.0 ? "ahead of" : "behind",
-        touching)};
-  }
-  return {};
+double RollingTransient::Impl::reach() const {
+  return kReachOfGround * unknowns.ring().mesh().outer_radius() * std::sin(touching);
 }
 
 /// One step of Newton's method after the other, up to the equilibrium at the end of the step.
@@ -321,15 +230,9 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
     residual = (at.g - found->c).norm();
     if (*share == 1.0 && residual <= settings.enough * now.load &&
         std::abs(at.spin - spin) <= kSpinSettled * std::abs(spin)) {
-      if (const Status reach = check_reach(found->patch); !reach) return reach.failure();
-      if (!(kSlowest * at.spin >= now.first_spin))
-        return Failure{
-            fmt::format("the wheel turns at {:.4g} rad/s, more than {:g} times slower than the "
-                        "{:.4g} rad/s with which it began to roll: a wheel that locks is not "
-                        "computed",
-                        at.spin,
-                        kSlowest,
-                        now.first_spin)};
+      if (const Status within = check_reach(found->patch, reach(), touching); !within)
+        return within.failure();
+      if (const Status rolls = check_spin(at.spin, now.first_spin); !rolls) return rolls.failure();
       TransientForces reached = forces(at, of, found->forces);
       reached.iterations = work.iterations;
       reached.factors = work.factors;
@@ -386,12 +289,6 @@ Result<TransientForces> RollingTransient::Impl::halves(const WheelMoment& to,
   end->factors += half->factors;
   end->passes += half->passes;
   return end;
-}
-
-double SpinningWheel::sum(double spin, double of_tire) const {
-  const double others = of_tire + moment + by_spin * (spin - by_spin_at);
-  if (spin == 0.0) return others - std::clamp(others, -brake, brake);
-  return others - std::copysign(brake, spin);
 }
 
 RollingTransient::RollingTransient(FeTire& tire, double touching)

@@ -29,6 +29,7 @@
 #include "base/result.h"
 #include "models/fe_tire/analysis/fe_tire.h"
 #include "models/fe_tire/history/loss_materials.h"
+#include "models/fe_tire/passage/reduced_tire.h"
 #include "models/fe_tire/passage/transient_state.h"
 #include "models/fe_tire/passage/wheel_moment.h"
 #include "models/fe_tire/rolling/rolling_case.h"
@@ -62,6 +63,11 @@ class RollingTransient {
   /// factorization. After a Failure the tire is as before the step.
   Result<TransientForces> advance(const WheelMoment& to);
   Result<TransientForces> advance(const WheelMoment& to, double step);
+
+  /// Returns the tire linear about the state with which start() began (reduced_tire.h). No step may
+  /// have been made since. A Failure says that the tire is unstable off the ground, or why there
+  /// are no modes.
+  Result<ReducedTire> reduced(const ReductionSettings& settings);
 
   /// The state at the end of the last step. With the states of several tires, a tire may be moved
   /// on that was not the last one; resume() then costs a factorization.

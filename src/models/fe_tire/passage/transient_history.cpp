@@ -6,15 +6,11 @@
 #include <numbers>
 
 namespace latsch::fe_tire {
-namespace {
 
-/// Change of a stress over one step, as it is left at the end of the step: beta (1 - e^(-a))/a.
 double fresh_share(const PronyTerm& term, double step) {
   const double a = step / term.tau;
   return a > 0.0 ? term.beta * -std::expm1(-a) / a : term.beta;
 }
-
-}  // namespace
 
 std::vector<TransientHistory::Part> TransientHistory::parts(int element) const {
   constexpr Eigen::Index kSolid = 6 * kPairs;
@@ -135,6 +131,14 @@ void TransientHistory::begin_step(double h, double Omega) {
       }
     }
   }
+}
+
+void TransientHistory::stiffen(const std::vector<double>& m,
+                               const RingUnknowns& unknowns,
+                               const AssembledState& state) {
+  stiffen_by(m);
+  stiffened_step_ = 0.0;
+  follow(unknowns, state);
 }
 
 Eigen::MatrixXd TransientHistory::history(int element, const Eigen::MatrixXd& S) {

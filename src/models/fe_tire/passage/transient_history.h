@@ -21,6 +21,10 @@
 
 namespace latsch::fe_tire {
 
+/// Returns the part of a change of stress over one step, s, that is left at its end, relative to
+/// the relaxed stress: beta (1 - e^(-a))/a.
+double fresh_share(const PronyTerm& term, double step);
+
 class TransientHistory : public RollingHistory {
  public:
   using RollingHistory::RollingHistory;
@@ -33,6 +37,13 @@ class TransientHistory : public RollingHistory {
   void update_step(const RingUnknowns& unknowns, const AssembledState& state) {
     follow(unknowns, state);
   }
+  /// Stiffens the laws by m of each series in place of what a step leaves of it, and computes the
+  /// history of a state; begin_step() undoes this.
+  void stiffen(const std::vector<double>& m,
+               const RingUnknowns& unknowns,
+               const AssembledState& state);
+  /// Prony series that differ.
+  const std::vector<PronyTerms>& series() const { return series_; }
   /// Takes the last iterate as the end of the step.
   void end_step();
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/result.h"
 #include "models/fe_tire/grip/passing_ground.h"
 #include "models/fe_tire/rolling/rolling_case.h"
 
@@ -48,5 +49,19 @@ struct TransientForces {
   double spin = 0.0, spin_rate = 0.0;                // rad/s, rad/s^2
   int iterations = 0, factors = 0, passes = 0;       // work of the step
 };
+
+/// Returns the forces on the hub from those of the ground and from the sums of the tire's inertia,
+/// N and N m about the wheel center, in the wheel's axes.
+TransientForces on_hub(const RollingCase& of,
+                       const RollingForces& ground,
+                       const Eigen::Vector3d& inertia,
+                       const Eigen::Vector3d& moment_of_inertia);
+/// Fails if the ground touches the tread farther than `reach`, m, from the axle. `touching`: half
+/// angle of the tread that may touch, rad.
+Status check_reach(const std::vector<RollingPatchPoint>& patch, double reach, double touching);
+/// Spin at the start over the least one: the tread's past is kept for so slow a wheel.
+inline constexpr double kSlowest = 4.0;
+/// Fails if the wheel spins too slowly, rad/s.
+Status check_spin(double spin, double first_spin);
 
 }  // namespace latsch::fe_tire

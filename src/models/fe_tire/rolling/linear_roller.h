@@ -30,6 +30,8 @@ class LinearRoller {
   bool factorize(const numerics::SymmetricMatrix& K);
   bool has_factor() const { return has_factor_; }
   void forget();
+  /// Returns K condensed to the tread's nodes [3 nodes x 3 nodes], in the axes of their unknowns.
+  const Eigen::MatrixXd& at_tread() const { return nodes_.stiffness(); }
   /// Limits of the active sets (TreadRoller).
   void begin() { nodes_.begin(); }
   void be_careful(bool careful) { nodes_.be_careful(careful); }

@@ -105,7 +105,7 @@ Result<TreadRoller::Found> TreadRoller::solve(const RollingCase& of,
   RollingSurface surface(of.curvature, -motion.velocity.normalized());
   if (moment != nullptr && moment->ground != nullptr)
     surface.set_ground(*moment->ground, moment->wheel);
-  TreadBody body(tread_, lines_, ground, surface, kNormalPenalty, motion, u, kNearPatch);
+  TreadBody body(tread_, lines_, ground, surface, kNormalPenalty, motion, u, near_);
   if (moment != nullptr)
     body.set_upstream(moment->past.upstream(body.points(), body.lines(), moment->step));
   if (body.rows().empty() && moment == nullptr)
@@ -152,7 +152,7 @@ TreadPast::Instant TreadRoller::instant(const RollingCase& of, const Eigen::Matr
   const PosedGround ground({}, {.height = of.height, .camber = of.camber});
   const GroundMotion motion = motion_of(of);
   const RollingSurface surface(of.curvature, -motion.velocity.normalized());
-  const TreadBody body(tread_, lines_, ground, surface, kNormalPenalty, motion, u, kNearPatch);
+  const TreadBody body(tread_, lines_, ground, surface, kNormalPenalty, motion, u, near_);
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(body.size());
   const RollingGrip grip(body.lines(), of.friction, kAlongPenalty);
   GripState states(static_cast<int>(std::ssize(body.points())));

@@ -49,11 +49,13 @@ class TreadRoller {
     TreadPast::Instant instant;  // state of the tread, if the tire does not roll steadily
   };
 
-  /// Both must outlive the roller.
-  TreadRoller(const TreadSurface& tread, const TreadLines& lines) : tread_(tread), lines_(lines) {}
+  /// Both must outlive the roller. `near`: height over the ground up to which points take part, m.
+  TreadRoller(const TreadSurface& tread, const TreadLines& lines, double near = kNearPatch)
+      : tread_(tread), lines_(lines), near_(near) {}
 
   /// Sets S, symmetric, [3 nodes x 3 nodes].
   void set(Eigen::MatrixXd S);
+  const Eigen::MatrixXd& stiffness() const { return S_; }
   void forget() { rows_.clear(); }
   /// Begins a new state, whose active sets are limited in number.
   void begin() { spent_ = 0; }
@@ -86,6 +88,7 @@ class TreadRoller {
 
   const TreadSurface& tread_;
   const TreadLines& lines_;
+  double near_;
   Eigen::MatrixXd S_;
   CondensedTire condensed_;
   std::vector<int> rows_;  // those of condensed_; empty: none

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/fe_tire/passage/reduced_passage.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <unsupported/Eigen/MatrixFunctions>
+#include <utility>
+
+#include "models/fe_tire/passage/transient_history.h"
+#include "models/fe_tire/rolling/tread_roller.h"
+
+namespace latsch::fe_tire {
+namespace {
+
+constexpr int kMostOfReduced = 12;
+constexpr std::size_t kMostWorkspaces = 8;  // one takes some 30 MB
+constexpr int kMostReducedHalvings = 4;  // of a step that does not settle
+/// Change of the spin in an iteration, relative, at which it has settled.
+constexpr double kReducedSpinSettled = 2e-5;
+
+/// Matrices of a reduced tire for steps of one length.
+struct StepMatrices {
+  BossakStep rule;
+  Eigen::PartialPivLU<Eigen::MatrixXd> A;  // of the modes
+  Eigen::MatrixXd from_tread;              // A^-1 Phi' [modes x 3 nodes]
+  Eigen::MatrixXd F, S;                    // (V.10), and the inverse of its symmetric part
+  Eigen::MatrixXd carry;                   // exp(-h Omega D)
+  Eigen::VectorXd by_spin_rate;            // motion of the modes by Omega'
+  double moment_by_spin_rate;              // N m s^2, of the inertia about the spin axis
+
+  StepMatrices(const ReducedTire& tire, double h, double rho) : rule(h, rho) {
+    Eigen::MatrixXd K = tire.K;
+    for (const RelaxingStiffness& part : tire.parts)
+      for (const PronyTerm& term : part.terms) K += fresh_share(term, h) * part.K;
+    K += rule.of_damping() * tire.of.spin * tire.G;
+    K.diagonal().array() += rule.of_mass();
+    A.compute(K);
+    from_tread = A.solve(tire.at_tread.transpose());
+    F = tire.rest + tire.at_tread * from_tread;
+    S = (0.5 * (F + F.transpose())).inverse();
+    S = (0.5 * (S + S.transpose())).eval();
+    carry = Eigen::MatrixXd(-h * tire.of.spin * tire.D).exp();
+    by_spin_rate = -A.solve(tire.spin_rate.on_modes.col(0));
+    const auto sums = tire.by_q * by_spin_rate + rule.of_damping() * tire.by_rate * by_spin_rate +
+                      rule.of_mass() * tire.by_acceleration * by_spin_rate;
+    moment_by_spin_rate = tire.spin_rate.sums(4, 0) + Eigen::VectorXd(sums)[4];
+  }
+};
+
+}  // namespace
+
+struct ReducedPassage::Impl {
+  /// What steps of one length need.
+  struct Workspace {
+    std::shared_ptr<const ReducedTire> tire;
+    StepMatrices matrices;
+    TreadRoller roller;
+
+    Workspace(std::shared_ptr<const ReducedTire> of, double h, double rho)
+        : tire(std::move(of)), matrices(*tire, h, rho), roller(*tire->tread, *tire->lines) {
+      roller.set(matrices.S);
+    }
+  };
+  /// What is known of a step before the ground's forces at its end are.
+  struct Known {
+    Eigen::VectorXd b;                 // forces on the modes
+    Eigen::Vector<double, 6> inertia;  // sums of what does not depend on the modes
+  };
+
+  RollingTransient& full;
+  RollingTransientSettings settings = {};
+  ReducedState now = {};
+  std::list<Workspace> workspaces = {};  // the last used first
+
+  explicit Impl(RollingTransient& of) : full(of) {}
+  Workspace& workspace(double h);
+  Known known(const StepMatrices& matrices,
+              const WheelMoment& to,
+              double spin,
+              double spin_rate) const;
+  Eigen::Vector<double, 6> inertia(const StepMatrices& matrices,
+                                   const Known& given,
+                                   const BossakStep::Motion& q) const;
+  Result<TransientForces> step(const WheelMoment& to, double h);
+  Result<TransientForces> halves(const WheelMoment& to, double h, int halvings);
+  void accept(const StepMatrices& matrices, const BossakStep::Motion& q);
+};
+
+/// Returns what steps of this length, s, of the present tire need. Tires may take turns.
+ReducedPassage::Impl::Workspace& ReducedPassage::Impl::workspace(double h) {
+  const auto known = std::ranges::find_if(workspaces, [&](const Workspace& of) {
+    return of.tire == now.tire && of.matrices.rule.h == h;
+  });
+  if (known != workspaces.end()) {
+    workspaces.splice(workspaces.begin(), workspaces, known);
+  } else {
+    if (workspaces.size() >= kMostWorkspaces) workspaces.pop_back();
+    workspaces.emplace_front(now.tire, h, settings.rho);
+  }
+  return workspaces.front();
+}
+
+ReducedPassage::Impl::Known ReducedPassage::Impl::known(const StepMatrices& matrices,
+                                                        const WheelMoment& to,
+                                                        double spin,
+                                                        double spin_rate) const {
+  const ReducedTire& tire = *now.tire;
+  const BossakStep& rule = matrices.rule;
+  const BossakStep::Motion& q = now.q;
+  // Motion at the end of the step if the modes do not move: x' = 0 in rule.at().
+  const BossakStep::Motion still = rule.at(q, Eigen::VectorXd::Zero(q.x.size()));
+  Known given;
+  given.b = -rule.mean_acceleration(q, still) - tire.of.spin * (tire.G * still.v);
+  const Eigen::VectorXd carried = matrices.carry * q.x;
+  for (std::size_t p = 0; p < tire.parts.size(); ++p) {
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(q.x.size());
+    for (std::size_t k = 0; k < tire.parts[p].terms.size(); ++k) {
+      const PronyTerm& term = tire.parts[p].terms[k];
+      y += std::exp(-rule.h / term.tau) * (matrices.carry * now.y[p][k]) -
+           fresh_share(term, rule.h) * carried;
+    }
+    given.b -= tire.parts[p].K * y;
+  }
+  const double faster = spin * spin - tire.of.spin * tire.of.spin, turns = spin / tire.of.spin;
+  given.inertia = tire.steady;
+  const auto add = [&](const ReducedTire::Inertia& by, const Eigen::VectorXd& change) {
+    given.b -= by.on_modes * change;
+    given.inertia += by.sums * change;
+  };
+  add(tire.spin, Eigen::VectorXd::Constant(1, faster));
+  add(tire.spin_rate, Eigen::VectorXd::Constant(1, spin_rate));
+  add(tire.acceleration, to.acceleration);
+  add(tire.turning, turns * to.turning);
+  add(tire.turning_rate, to.turning_rate);
+  return given;
+}
+
+/// Returns the sums of the tire's inertia.
+Eigen::Vector<double, 6> ReducedPassage::Impl::inertia(const StepMatrices& matrices,
+                                                       const Known& given,
+                                                       const BossakStep::Motion& q) const {
+  const ReducedTire& tire = *now.tire;
+  return given.inertia + tire.by_q * q.x + tire.by_rate * q.v +
+         tire.by_acceleration * matrices.rule.mean_acceleration(now.q, q);
+}
+
+/// Takes the motion at the end of a step.
+void ReducedPassage::Impl::accept(const StepMatrices& matrices, const BossakStep::Motion& q) {
+  const Eigen::VectorXd change = q.x - matrices.carry * now.q.x;
+  const double h = matrices.rule.h;
+  for (std::size_t p = 0; p < now.y.size(); ++p)
+    for (std::size_t k = 0; k < now.y[p].size(); ++k) {
+      const PronyTerm& term = now.tire->parts[p].terms[k];
+      now.y[p][k] = std::exp(-h / term.tau) * (matrices.carry * now.y[p][k]) +
+                    fresh_share(term, h) * change;
+    }
+  now.q = q;
+}
+
+/// Finds the contact on the tread of (V.10), about one guess of the ground's forces after the
+/// other.
+Result<TransientForces> ReducedPassage::Impl::step(const WheelMoment& to, double h) {
+  const ReducedTire& tire = *now.tire;
+  auto& [of_tire, matrices, roller] = workspace(h);
+  const BossakStep& rule = matrices.rule;
+  RollingCase of = to.of;
+  of.load.reset();
+  of.drive.reset();
+  double spin_rate = to.wheel ? now.spin_rate : (of.spin - now.spin) / h;
+  const auto ground = to.ground ? to.ground->below(to.place) : nullptr;
+  const PassingMoment moment{*now.past, h, ground.get(), to.place};
+  GripState states = now.grip;
+  Eigen::VectorXd c = now.c;
+  TransientForces work;
+  double residual = 0.0;
+  roller.begin();
+  for (work.iterations = 1; work.iterations <= kMostOfReduced; ++work.iterations) {
+    if (to.wheel) of.spin = now.spin + 0.5 * h * (now.spin_rate + spin_rate);
+    const Known given = known(matrices, to, of.spin, spin_rate);
+    const Eigen::VectorXd free = matrices.A.solve(given.b);
+    const auto displaced = [&](const Eigen::VectorXd& by) -> Eigen::VectorXd {
+      return tire.at_tread * free + matrices.F * (by - tire.c);
+    };
+    const Eigen::VectorXd w = displaced(c);
+    const Eigen::Matrix3Xd u = tire.u + w.reshaped(3, tire.u.cols());
+    auto found = roller.solve(
+        of, u, c, now.load, settings.enough, states, work.passes, &moment);
+    if (!found) return found.failure();
+    const BossakStep::Motion q =
+        rule.at(now.q, free + matrices.from_tread * (found->c - tire.c));
+    const Eigen::Vector<double, 6> sums = inertia(matrices, given, q);
+    // Forces that the tire lacks at the displacements of the contact.
+    residual = (matrices.S * (displaced(found->c) - w + found->d)).norm();
+    c = std::move(found->c);
+    double spin_error = 0.0;
+    if (to.wheel) {
+      const double asked = to.wheel->sum(of.spin, -found->forces.drive - sums[4]);
+      const double change = (asked - to.wheel->inertia * spin_rate) /
+                            (to.wheel->inertia + matrices.moment_by_spin_rate);
+      spin_rate += change;
+      spin_error = std::abs(0.5 * h * change / of.spin);
+    }
+    if (residual > settings.enough * now.load || spin_error > kReducedSpinSettled) continue;
+    if (const Status within = check_reach(found->patch, tire.reach, full.touching()); !within)
+      return within.failure();
+    if (const Status rolls = check_spin(of.spin, now.first_spin); !rolls) return rolls.failure();
+    TransientForces reached = on_hub(of, found->forces, sums.head<3>(), sums.tail<3>());
+    reached.spin = of.spin;
+    reached.spin_rate = spin_rate;
+    reached.iterations = work.iterations;
+    reached.passes = work.passes;
+    reached.patch = std::move(found->patch);
+    accept(matrices, q);
+    now.c = std::move(c);
+    now.grip = std::move(states);
+    now.past->add(std::move(found->instant), h);
+    now.spin = of.spin;
+    now.spin_rate = spin_rate;
+    now.wheel = to;
+    now.wheel.ground = nullptr;  // it may not outlive this call
+    return reached;
+  }
+  return Failure{fmt::format(
+      "a step of {:.3g} ms of the reduced tire is not in equilibrium after {} iterations; residual "
+      "{:.3g} N, accepted {:.3g} N",
+      1e3 * h,
+      kMostOfReduced,
+      residual,
+      settings.enough * now.load)};
+}
+
+/// Makes two half steps, each of which is halved again if it does not succeed.
+Result<TransientForces> ReducedPassage::Impl::halves(const WheelMoment& to,
+                                                     double h,
+                                                     int halvings) {
+  const auto make = [&](const WheelMoment& wheel) {
+    auto half = step(wheel, 0.5 * h);
+    return half || halvings == 1 ? half : halves(wheel, 0.5 * h, halvings - 1);
+  };
+  const WheelMoment from = now.wheel;
+  WheelMoment middle = to;
+  middle.of = between(from.of, to.of, 0.5);
+  middle.place = between(from.place, to.place, 0.5);
+  const auto half = make(middle);
+  if (!half) return half;
+  auto end = make(to);
+  if (!end) return end;
+  end->iterations += half->iterations;
+  end->passes += half->passes;
+  return end;
+}
+
+ReducedPassage::ReducedPassage(RollingTransient& full) : impl_(std::make_unique<Impl>(full)) {}
+ReducedPassage::ReducedPassage(ReducedPassage&&) noexcept = default;
+ReducedPassage::~ReducedPassage() = default;
+
+Result<TransientForces> ReducedPassage::start(const RollingState& steady,
+                                              const RollingTransientSettings& settings,
+                                              const ReductionSettings& reduction) {
+  auto begun = impl_->full.start(steady, settings);
+  if (!begun) return begun;
+  auto tire = impl_->full.reduced(reduction);
+  if (!tire) return tire.failure();
+  TransientState from = impl_->full.take();
+  Impl& of = *impl_;
+  of.settings = settings;
+  of.now = {};
+  of.now.tire = std::make_shared<const ReducedTire>(*std::move(tire));
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(of.now.tire->modes());
+  of.now.q = {still, still, still};
+  for (const RelaxingStiffness& part : of.now.tire->parts)
+    of.now.y.emplace_back(part.terms.size(), still);
+  of.now.c = of.now.tire->c;
+  of.now.grip = std::move(from.grip);
+  of.now.past = std::move(from.past);
+  of.now.spin = from.spin;
+  of.now.load = from.load;
+  of.now.first_spin = from.first_spin;
+  of.now.wheel = from.wheel;
+  return begun;
+}
+
+Result<TransientForces> ReducedPassage::advance(const WheelMoment& to) {
+  return advance(to, impl_->settings.step);
+}
+
+Result<TransientForces> ReducedPassage::advance(const WheelMoment& to, double step) {
+  auto whole = impl_->step(to, step);
+  if (whole) return whole;
+  const ReducedState before = impl_->now;
+  auto end = impl_->halves(to, step, kMostReducedHalvings);
+  if (!end) impl_->now = before;
+  return end;
+}
+
+const ReducedState& ReducedPassage::state() const { return impl_->now; }
+ReducedState ReducedPassage::take() { return std::exchange(impl_->now, {}); }
+void ReducedPassage::resume(ReducedState state) { impl_->now = std::move(state); }
+
+}  // namespace latsch::fe_tire
