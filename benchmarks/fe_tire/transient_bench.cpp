@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "models/fe_tire/description/reference_tires.h"
 #include "models/fe_tire/grip/passing_bar.h"
 #include "models/fe_tire/passage/rolling_transient.h"
+#include "models/fe_tire/passage/tire_in_time.h"
 #include "passage_energy.h"
 #include "shipped_tires.h"
 #include "table.h"
@@ -125,29 +128,42 @@ void steady_rows(Table& table,
 }
 
 struct Record {
-  std::vector<double> Fx, Fz;  // N, changes on the hub
-  double seconds = 0.0;        // CPU
+  std::vector<double> Fx, Fz;             // N, changes on the hub
+  double seconds = 0.0, beginning = 0.0;  // CPU, of the passage and of its start
   int iterations = 0, factors = 0, solutions = 0;
 };
 
-/// Returns the place of the wheel `time`, s, after the cleat is below the axle.
-WheelPlace place_at(double time) { return {.way = {kSpeed * time, 0.0}}; }
+/// A passage over a cleat of 20 mm, from 50 ms before it is below the axle.
+struct Passage {
+  double time;           // s
+  double step = 5e-4;    // s
+  double smooth = 0.0;   // m, half width of the means; 0: an element's length
+  double height = 0.01;  // m
+  std::optional<ReductionSettings> reduction = {};
+};
 
-/// Rolls over a cleat for `time`, s, from 50 ms before it is below the axle.
-Record over_cleat(
-    RollingTransient& passage, const FreeWheel& wheel, double step, double smooth, double time) {
+Record over_cleat(FreeWheel& wheel, const TireDescription& of, const Passage& how) {
   constexpr double kLead = 0.05, kSample = 5e-4;  // s
   Record record;
-  const double begin = cpu_seconds();
-  const GroundWithBar bar({.height = 0.01, .length = 0.02, .smooth = smooth});
+  const Mesh& mesh = wheel.tire.mesh();
+  const double element = mesh.outer_radius() * mesh.angle(1), step = how.step, time = how.time;
+  const GroundWithBar bar(
+      {.height = how.height, .length = 0.02, .smooth = how.smooth > 0.0 ? how.smooth : element});
+  TireInTime passage(wheel.tire, kTouchingAngle, how.reduction);
+  passage.set_history(build_losses(of), wheel.inflated);
+  double begin = cpu_seconds();
   const auto still = value_of(passage.start(wheel.state, {.step = step}));
+  record.beginning = cpu_seconds() - begin;
+  begin = cpu_seconds();
+  const double speed = wheel.state.of.speed;
   const long every = std::lround(kSample / step);
   for (long k = 1; k <= std::lround(time / step); ++k) {
-    const auto now =
-        value_of(passage.advance({.of = wheel.state.of,
-                                  .ground = &bar,
-                                  .place = place_at(static_cast<double>(k) * step - kLead),
-                                  .wheel = SpinningWheel{.inertia = 1.0}}));
+    const auto now = value_of(
+        passage.advance({.of = wheel.state.of,
+                         .ground = &bar,
+                         .place = {.way = {speed * (static_cast<double>(k) * step - kLead), 0.0}},
+                         .wheel = SpinningWheel{.inertia = 1.0}},
+                        step));
     record.iterations += now.iterations;
     record.factors += now.factors;
     record.solutions += now.passes;
@@ -168,12 +184,24 @@ double relative_rms(const std::vector<double>& of, const std::vector<double>& to
   return std::sqrt(difference / size);
 }
 
+/// Adds the difference of a reduced tire from the full one.
+void compare_rows(Table& table,
+                  const std::string& passage,
+                  const Record& reduced,
+                  const Record& full) {
+  for (const auto& [name, of, to] :
+       {std::tuple("Fx", &reduced.Fx, &full.Fx), std::tuple("Fz", &reduced.Fz, &full.Fz)}) {
+    const double error = relative_rms(*of, *to);
+    table.full_row(fmt::format("reduced beside full, {}: rms of {}", passage, name),
+                   percent(error),
+                   "<= 10 %",
+                   error <= 0.1);
+  }
+}
+
 void cleat_rows(Table& table, const Options& options, FreeWheel& wheel, const TireDescription& of) {
-  const double step = 5e-4, time = options.size(0.25, 0.06);
-  const Mesh& mesh = wheel.tire.mesh();
-  const double smooth = mesh.outer_radius() * mesh.angle(1);  // an element's length, as on the drum
-  RollingTransient passage = passage_of(wheel, of);
-  const Record record = over_cleat(passage, wheel, step, smooth, time);
+  const double time = options.size(0.25, 0.06);
+  const Record record = over_cleat(wheel, of, {.time = time});
   const auto most = [](const std::vector<double>& values) {
     double largest = 0.0;
     for (const double value : values) largest = std::max(largest, std::abs(value));
@@ -196,10 +224,33 @@ void cleat_rows(Table& table, const Options& options, FreeWheel& wheel, const Ti
                            percent(relative_rms(record.Fx, other.Fx)),
                            percent(relative_rms(record.Fz, other.Fz))));
   };
+  const ReductionSettings reduction = {.highest = options.size(300.0, 100.0)};
+  const Record reduced = over_cleat(wheel, of, {.time = time, .reduction = reduction});
+  table.full_row("the same by the reduced tire, set-up apart",
+                 fmt::format("{:.1f} s CPU", reduced.seconds),
+                 "<= 8 s",
+                 reduced.seconds <= 8.0);
+  table.note("set-up of the reduced tire", fmt::format("{:.1f} s CPU", reduced.beginning));
+  compare_rows(table, "60 km/h, 10 mm", reduced, record);
   if (options.is_smoke()) return;
   change("the same with half the step: rms of the change of Fx, Fz",
-         over_cleat(passage, wheel, 0.5 * step, smooth, time));
-  change("the same with means twice as wide", over_cleat(passage, wheel, step, 2.0 * smooth, time));
+         over_cleat(wheel, of, {.time = time, .step = 2.5e-4}));
+  const Mesh& mesh = wheel.tire.mesh();
+  change(
+      "the same with means twice as wide",
+      over_cleat(wheel, of, {.time = time, .smooth = 2.0 * mesh.outer_radius() * mesh.angle(1)}));
+  constexpr double kShort = 0.12, kLow = 2e-3;  // s, m
+  compare_rows(table,
+               "60 km/h, 2 mm",
+               over_cleat(wheel, of, {.time = kShort, .height = kLow, .reduction = reduction}),
+               over_cleat(wheel, of, {.time = kShort, .height = kLow}));
+  for (const double speed : {30.0, 80.0}) {
+    FreeWheel other(of, {}, kLoad, speed / 3.6, 1.0);
+    compare_rows(table,
+                 fmt::format("{:g} km/h, 10 mm", speed),
+                 over_cleat(other, of, {.time = kShort, .reduction = reduction}),
+                 over_cleat(other, of, {.time = kShort}));
+  }
 }
 
 /// Energy of an elastic tire on smooth ground after a cleat: tire B with few columns.

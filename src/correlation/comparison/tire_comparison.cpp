@@ -97,7 +97,7 @@ Result<Channels> run_on_drum(experiment::Specimen& specimen,
     return elements->drive(
         [&](experiment::TireRig& rig, fe_tire::TireSlopes*) {
           remarks = experiment::remarks_on_cleat(rig, drum);
-          return experiment::cross_cleat(rig, drum);
+          return experiment::cross_cleat(rig, drum, remarks);
         },
         drum.pressure.has_value(),
         {});

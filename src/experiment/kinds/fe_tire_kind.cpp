@@ -29,6 +29,7 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
     set_rim(description.rim);
     set_losses(fe_tire::build_losses(description));
     set_friction(description.friction);
+    set_reduction(description.reduced_to);
   }
 
   /// Changes the materials and keeps the symbolic factorization for the mesh. Returns false if the
@@ -39,6 +40,7 @@ class DescribedTire : public FeTireSpecimen, public HasTreadElements {
     set_rim(description.rim);
     set_losses(fe_tire::build_losses(description));
     set_friction(description.friction);
+    set_reduction(description.reduced_to);
     for (FineTire& fine : fine_) {
       fine.tire.set(fe_tire::build_materials(with_split_tread(description, fine.split)));
     }

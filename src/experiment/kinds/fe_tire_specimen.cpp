@@ -95,6 +95,7 @@ void FeTireSpecimen::set(fe_tire::Materials materials, double pressure, Document
   rig_->set_rim(rim_);
   rig_->set_losses(losses_);
   rig_->set_friction(friction_);
+  rig_->set_reduction(reduced_to_);
 }
 
 void FeTireSpecimen::set_rim(std::optional<fe_tire::RimBody> rim) {
@@ -110,6 +111,11 @@ void FeTireSpecimen::set_losses(fe_tire::LossMaterials losses) {
 void FeTireSpecimen::set_friction(std::optional<fe_tire::RollingFriction> friction) {
   friction_ = friction;
   rig_->set_friction(friction);
+}
+
+void FeTireSpecimen::set_reduction(std::optional<double> highest) {
+  reduced_to_ = highest;
+  rig_->set_reduction(highest);
 }
 
 Result<StandingTire> FeTireSpecimen::standing(fe_tire::FeTire& tire,
@@ -196,8 +202,14 @@ std::unique_ptr<Tire> FeTireSpecimen::tire(const Inflation& pressure) const {
         "mesh in which they are found");
   const auto& inflated = rig_->inflated(inflation);
   if (!inflated) throw InputError("the tire does not roll: " + inflated.failure().reason);
+  fe_tire::FeRollingSettings settings;
+  if (reduced_to_) settings.reduction = {.highest = *reduced_to_};
   return std::make_unique<fe_tire::FeRollingTire>(
-      own_.tire(), *inflated, losses_, friction_by_speed(*rig_, friction_of(*rig_, {}), inflation));
+      own_.tire(),
+      *inflated,
+      losses_,
+      friction_by_speed(*rig_, friction_of(*rig_, {}), inflation),
+      settings);
 }
 
 std::vector<std::string> FeTireSpecimen::assumed_in_time() const {
@@ -206,6 +218,12 @@ std::vector<std::string> FeTireSpecimen::assumed_in_time() const {
       "run-in; it feels the road through means over the length of an element, with one friction "
       "below the whole tire",
       friction_in_words(*rig_, pressure_, kUsualSpeed)};
+  if (reduced_to_)
+    assumed.push_back(fmt::format(
+        "the tire is reduced to its modes below {:.4g} Hz and to static displacements: it stays as "
+        "stiff as in the steady state of its first motion, which counts where its deflection "
+        "changes by more than some millimeters (the test drum_cleat says by how much)",
+        *reduced_to_));
   if (losses_.is_elastic())
     assumed.emplace_back(
         "the tire has no Prony terms and no loss factor, so nothing but friction damps its "

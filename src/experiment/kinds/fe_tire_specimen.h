@@ -89,6 +89,8 @@ class FeTireSpecimen : public Specimen,
   void set_losses(fe_tire::LossMaterials losses);
   /// States the friction with the ground, for tests in which the tire rolls and that state none.
   void set_friction(std::optional<fe_tire::RollingFriction> friction);
+  /// States the highest frequency, Hz, of a tire that is reduced in tests in time.
+  void set_reduction(std::optional<double> highest);
 
  private:
   Result<StandingTire> standing(fe_tire::FeTire& tire, const FootprintTest& test) const;
@@ -97,6 +99,7 @@ class FeTireSpecimen : public Specimen,
   std::optional<fe_tire::RimBody> rim_;
   fe_tire::LossMaterials losses_;
   std::optional<fe_tire::RollingFriction> friction_;
+  std::optional<double> reduced_to_;
   Document numbers_;
   std::unique_ptr<TireRig> rig_;
 };

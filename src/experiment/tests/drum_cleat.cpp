@@ -58,7 +58,10 @@ std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
 Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
   if (auto* elements = specimen.find<IsFeTire>())
     return elements->drive(
-        [&](TireRig& rig, fe_tire::TireSlopes*) { return cross_cleat(rig, test_); },
+        [&](TireRig& rig, fe_tire::TireSlopes*) {
+          std::vector<std::string> remarks;
+          return cross_cleat(rig, test_, remarks);
+        },
         test_.pressure.has_value(),
         {});
   refuse_high_cleat(specimen, test_.cleat);
@@ -153,16 +156,18 @@ std::vector<std::string> DrumCleatTest::limits(Specimen& specimen) const {
 Result<std::vector<std::string>> DrumCleatTest::run_in_blocks(
     Specimen& specimen, const std::function<void(const Channels&)>& tell) const {
   if (auto* elements = specimen.find<IsFeTire>()) {
+    std::vector<std::string> remarks;
     const auto done = elements->drive(
         [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
-          const Status crossed = cross_cleat(rig, test_, tell);
+          const Status crossed = cross_cleat(rig, test_, tell, remarks);
           if (!crossed) return crossed.failure();
           return Channels();
         },
         test_.pressure.has_value(),
         {});
     if (!done) return done.failure();
-    return limits_of_model(specimen);
+    for (std::string& limit : limits_of_model(specimen)) remarks.push_back(std::move(limit));
+    return remarks;
   }
   const auto notes = Test::run_in_blocks(specimen, tell);
   if (!notes) return notes;

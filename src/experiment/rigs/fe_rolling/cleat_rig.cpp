@@ -13,7 +13,8 @@
 #include "experiment/rigs/fe_tire/deflection_for_load.h"
 #include "experiment/rigs/hub_frame.h"
 #include "models/fe_tire/grip/passing_bar.h"
-#include "models/fe_tire/passage/rolling_transient.h"
+#include "models/fe_tire/passage/reduced_states.h"
+#include "models/fe_tire/passage/tire_in_time.h"
 #include "models/fe_tire/rolling/rolling_tire.h"
 
 namespace latsch::experiment {
@@ -30,6 +31,8 @@ constexpr double kEffectiveShare = 1.0 / 3.0;
 constexpr double kCreeping = 1e-3;
 /// Steps before the cleat is in reach from which a simulation begins.
 constexpr long kAhead = 3;
+/// Change of the height by which a reduced tire is compared if there is no cleat, m.
+constexpr double kOtherHeight = 5e-3;
 /// Samples that are passed on together.
 constexpr std::size_t kBlock = 20;
 
@@ -84,6 +87,37 @@ Result<RollingState> steady(TireRig& rig, const fe_tire::Inflated& inflated, con
   return rolls;
 }
 
+/// Returns how much the load of a reduced tire changes beside that of the full one, if the wheel is
+/// lower or higher by a length, m, or why this is not known.
+std::string error_in_words(TireRig& rig,
+                           const fe_tire::Inflated& inflated,
+                           const RollingState& steady,
+                           const fe_tire::ReducedTire& tire,
+                           double length) {
+  fe_tire::RollingTire full(rig.tire());
+  full.set_history(rig.losses(), inflated);
+  const std::string reduced = fmt::format(
+      "the tire is reduced to {} shapes about its steady state before the cleat", tire.modes());
+  const auto errors = reduced_errors(full, steady, tire, {length, -length});
+  if (!errors)
+    return fmt::format(
+        "{}; how far it is from the full tire is not known: {}", reduced, errors.failure().reason);
+  const auto& lower = (*errors)[0];
+  const auto& higher = (*errors)[1];
+  return fmt::format(
+      "{}: on a wheel that rolls {:.3g} mm lower its load rises by {:.4g} N, that of the full tire "
+      "by {:.4g} N ({:+.1f} %), and {:.3g} mm higher it falls by {:.4g} N and {:.4g} N ({:+.1f} %)",
+      reduced,
+      1e3 * length,
+      lower.reduced,
+      lower.full,
+      100.0 * lower.error(),
+      1e3 * length,
+      -higher.reduced,
+      -higher.full,
+      100.0 * higher.error());
+}
+
 /// Samples that are known and not yet passed on.
 class Samples {
  public:
@@ -134,7 +168,8 @@ Status check_cleat(const fe_tire::Mesh& mesh, const DrumTest& test) {
 
 Status cross_cleat(TireRig& rig,
                    const DrumTest& test,
-                   const std::function<void(const Channels&)>& tell) {
+                   const std::function<void(const Channels&)>& tell,
+                   std::vector<std::string>& remarks) {
   const fe_tire::Mesh& mesh = rig.tire().mesh();
   if (const Status done = check_cleat(mesh, test); !done) return done;
   const double pressure = test.pressure.value_or(rig.own_pressure());
@@ -144,7 +179,9 @@ Status cross_cleat(TireRig& rig,
   const auto rolls = steady(rig, *inflated, test);
   if (!rolls) return rolls.failure();
 
-  fe_tire::RollingTransient passage(rig.tire());
+  std::optional<fe_tire::ReductionSettings> reduction;
+  if (rig.reduced_to()) reduction = {.highest = *rig.reduced_to()};
+  fe_tire::TireInTime passage(rig.tire(), fe_tire::kTouchingAngle, reduction);
   passage.set_history(rig.losses(), *inflated);
   fe_tire::RollingTransientSettings settings;
   settings.step = test.step;
@@ -152,6 +189,9 @@ Status cross_cleat(TireRig& rig,
   if (test.cleat) ground.emplace(bar_of(mesh, *test.cleat));
   auto now = passage.start(*rolls, settings);
   if (!now) return now.failure();
+  if (const fe_tire::ReducedTire* reduced = passage.reduced_tire())
+    remarks.push_back(error_in_words(
+        rig, *inflated, *rolls, *reduced, test.cleat ? test.cleat->height : kOtherHeight));
 
   WheelMotion motion;
   motion.center.z() = rolls->of.height;
@@ -169,7 +209,7 @@ Status cross_cleat(TireRig& rig,
   for (long i = first + 1; i <= last; ++i) {
     const double time = static_cast<double>(i) * test.step;
     wheel.place.way.x() = test.speed * time;
-    now = passage.advance(wheel);
+    now = passage.advance(wheel, test.step);
     if (!now)
       return Failure{fmt::format("{:.4g} ms {} the cleat is below the axle: {}",
                                  1e3 * std::abs(time),
@@ -182,9 +222,11 @@ Status cross_cleat(TireRig& rig,
   return {};
 }
 
-Result<Channels> cross_cleat(TireRig& rig, const DrumTest& test) {
+Result<Channels> cross_cleat(TireRig& rig,
+                             const DrumTest& test,
+                             std::vector<std::string>& remarks) {
   std::vector<Channel> all;
-  const Status done = cross_cleat(rig, test, [&](const Channels& block) {
+  const auto collect = [&](const Channels& block) {
     if (all.empty()) {
       all = block.all();
       return;
@@ -193,7 +235,8 @@ Result<Channels> cross_cleat(TireRig& rig, const DrumTest& test) {
       const std::vector<double>& more = block[channel.name];
       channel.values.insert(channel.values.end(), more.begin(), more.end());
     }
-  });
+  };
+  const Status done = cross_cleat(rig, test, collect, remarks);
   if (!done) return done.failure();
   Channels record;
   for (Channel& channel : all) record.add(std::move(channel));

@@ -9,6 +9,8 @@
 //
 // The cleat is felt through means of the tread as wide as an element (grip/passing_bar.h), and
 // through wider ones if it is so high that its flanks would be steeper than 45 degrees.
+//
+// A tire that its file reduces is reduced about the steady state before the cleat.
 #pragma once
 
 #include <functional>
@@ -20,13 +22,15 @@
 
 namespace latsch::experiment {
 
-/// Passes samples to `tell` in order, some at a time, as soon as they are known. A Failure says
-/// what is out of range, or when the tire has no state any more.
+/// Passes samples to `tell` in order, some at a time, as soon as they are known, and adds how far a
+/// reduced tire is from the full one to `remarks`. A Failure says what is out of range, or when the
+/// tire has no state any more.
 Status cross_cleat(TireRig& rig,
                    const DrumTest& test,
-                   const std::function<void(const Channels&)>& tell);
+                   const std::function<void(const Channels&)>& tell,
+                   std::vector<std::string>& remarks);
 /// Returns all samples.
-Result<Channels> cross_cleat(TireRig& rig, const DrumTest& test);
+Result<Channels> cross_cleat(TireRig& rig, const DrumTest& test, std::vector<std::string>& remarks);
 
 /// Returns a sentence for everything that the tire assumes or does not use of the test.
 std::vector<std::string> remarks_on_cleat(const TireRig& rig, const DrumTest& test);

@@ -58,6 +58,10 @@ class TireRig {
   void set_friction(std::optional<fe_tire::RollingFriction> friction) { friction_ = friction; }
   const std::optional<fe_tire::RollingFriction>& own_friction() const { return friction_; }
 
+  /// Sets the highest frequency, Hz, of a tire that is reduced in tests in time; none: it is not.
+  void set_reduction(std::optional<double> highest) { reduced_to_ = highest; }
+  const std::optional<double>& reduced_to() const { return reduced_to_; }
+
   fe_tire::FeTire& tire() const { return tire_; }
   double own_pressure() const { return own_pressure_; }
   /// Returns the tire inflated to a pressure, Pa, on its rim and off the ground.
@@ -93,6 +97,7 @@ class TireRig {
   std::optional<fe_tire::RimBody> rim_;
   fe_tire::LossMaterials losses_;
   std::optional<fe_tire::RollingFriction> friction_;
+  std::optional<double> reduced_to_;
   std::optional<Result<fe_tire::Inflated>> inflated_;  // at pressure_
   std::optional<Pressed> pressed_;                     // pressed from the state inflated_
 };

@@ -178,6 +178,9 @@ struct TireDescription {
   std::optional<RimBody> rim;                      // needed only for tests in which the rim moves
   /// Friction with the ground on which it rolls, for tests that state none.
   std::optional<RollingFriction> friction;
+  /// Hz, highest frequency of a tire that is reduced in time (passage/reduced_tire.h); none: it
+  /// moves in all its unknowns.
+  std::optional<double> reduced_to;
   Place place;  // file and line of the description, for error messages
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reader of a tire file: the tables [mesh], [section], [rubber.*], [region.*], [layer.*], [rim] and
-// [friction], see docs/fe_tire_section.md.
+// Reader of a tire file: the tables [mesh], [section], [rubber.*], [region.*], [layer.*], [rim],
+// [friction] and [reduced], see docs/fe_tire_section.md.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,6 +24,10 @@ constexpr double kMostExponent = 0.5;
 /// Narrowest and widest peak over the sliding speed, in natural logarithms of it. A narrower peak
 /// falls so steeply that no tread slides on it steadily.
 constexpr double kNarrowest = 0.3, kWidest = 5.0;
+
+/// Highest frequencies of a reduced tire, Hz: below the first one its belt hardly bends, and above
+/// the second one there are so many modes that the full tire is no slower.
+constexpr double kLeastReduced = 50.0, kMostReduced = 600.0;
 
 /// Throws InputError if one of two keys that need each other is missing. Returns whether both are
 /// there.
@@ -420,6 +424,13 @@ std::optional<RimBody> read_rim(const Node& root) {
   return rim;
 }
 
+/// Reads the highest frequency, Hz, of a tire that is reduced in time.
+std::optional<double> read_reduction(const Node& root) {
+  const auto node = root.find_table("reduced");
+  if (!node) return std::nullopt;
+  return node->quantity("highest", "Hz", Range::between(kLeastReduced, kMostReduced));
+}
+
 /// Reads which plies are faces between rows of elements.
 void read_faces(const Node& mesh, TireDescription& tire) {
   constexpr const char* kKey = "faces";
@@ -509,6 +520,7 @@ TireDescription read_tire(const Node& root) {
   place_ends(tire);
   tire.rim = read_rim(root);
   tire.friction = read_friction(root);
+  tire.reduced_to = read_reduction(root);
   root.close();
   check_size(root, tire);
   check_plan(root, tire);

@@ -166,6 +166,23 @@ TEST(TireReader, FrictionIsOptionalAndWithinWhatATireHas) {
     EXPECT_THROW((void)with(line), InputError) << line;
 }
 
+TEST(TireReader, MayBeReducedInTime) {
+  const auto with = [](const std::string& table) {
+    std::ifstream in(kTires / "passenger_225_50R16.toml");
+    std::stringstream text;
+    text << in.rdbuf() << table;
+    return read_tire(Document::parse(text.str(), "tire.toml").root());
+  };
+  EXPECT_FALSE(with("").reduced_to);
+  EXPECT_EQ(with("[reduced]\nhighest = \"0.2 kHz\"\n").reduced_to, 200.0);
+  for (const char* table : {"[reduced]\n",
+                            "[reduced]\nhighest = \"20 Hz\"\n",
+                            "[reduced]\nhighest = \"1 kHz\"\n",
+                            "[reduced]\nhighest = \"1 s\"\n",
+                            "[reduced]\nhighest = \"300 Hz\"\nbeyond = 2\n"})
+    EXPECT_THROW((void)with(table), InputError) << table;
+}
+
 TEST(TireReader, FrictionMayDependOnPressureAndSlidingSpeed) {
   const auto with = [](const std::string& table) {
     std::ifstream in(kTires / "passenger_225_50R16.toml");

@@ -176,7 +176,7 @@ struct FeRollingTire::Memory {
   WheelOnPlane wheel;                 // the last one, if it rolls
   RollingFriction friction;           // on a road with the factor 1, of the speed at the start
   double stiffness = 0.0;             // N/m, of the last step at a free height; 0: not known
-  TireInTime::State state;             // if the workspace does not hold it
+  TireInTime::State state;            // if the workspace does not hold it
 };
 
 /// Presses the tire down from over the road.

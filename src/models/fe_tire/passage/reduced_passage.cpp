@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMostOfReduced = 12;
 constexpr std::size_t kMostWorkspaces = 8;  // one takes some 30 MB
-constexpr int kMostReducedHalvings = 4;  // of a step that does not settle
+constexpr int kMostReducedHalvings = 4;     // of a step that does not settle
 /// Change of the spin in an iteration, relative, at which it has settled.
 constexpr double kReducedSpinSettled = 2e-5;
 
@@ -155,8 +155,8 @@ void ReducedPassage::Impl::accept(const StepMatrices& matrices, const BossakStep
   for (std::size_t p = 0; p < now.y.size(); ++p)
     for (std::size_t k = 0; k < now.y[p].size(); ++k) {
       const PronyTerm& term = now.tire->parts[p].terms[k];
-      now.y[p][k] = std::exp(-h / term.tau) * (matrices.carry * now.y[p][k]) +
-                    fresh_share(term, h) * change;
+      now.y[p][k] =
+          std::exp(-h / term.tau) * (matrices.carry * now.y[p][k]) + fresh_share(term, h) * change;
     }
   now.q = q;
 }
@@ -187,11 +187,9 @@ Result<TransientForces> ReducedPassage::Impl::step(const WheelMoment& to, double
     };
     const Eigen::VectorXd w = displaced(c);
     const Eigen::Matrix3Xd u = tire.u + w.reshaped(3, tire.u.cols());
-    auto found = roller.solve(
-        of, u, c, now.load, settings.enough, states, work.passes, &moment);
+    auto found = roller.solve(of, u, c, now.load, settings.enough, states, work.passes, &moment);
     if (!found) return found.failure();
-    const BossakStep::Motion q =
-        rule.at(now.q, free + matrices.from_tread * (found->c - tire.c));
+    const BossakStep::Motion q = rule.at(now.q, free + matrices.from_tread * (found->c - tire.c));
     const Eigen::Vector<double, 6> sums = inertia(matrices, given, q);
     // Forces that the tire lacks at the displacements of the contact.
     residual = (matrices.S * (displaced(found->c) - w + found->d)).norm();

@@ -45,8 +45,7 @@ struct BothTires {
       all << of.force, of.moment;
       return all;
     };
-    Eigen::Vector<double, 6> still =
-        both(tire.start(from, {.step = kShortStep, .enough = 1e-5}));
+    Eigen::Vector<double, 6> still = both(tire.start(from, {.step = kShortStep, .enough = 1e-5}));
     for (int k = 0; k < steps; ++k)
       full.col(k) = both(tire.advance(motion(from.of, (k + 1) * kShortStep))) - still;
     ReducedPassage passage(tire.passage_);
@@ -55,7 +54,9 @@ struct BothTires {
       reduced.col(k) = both(go_on(passage, motion(from.of, (k + 1) * kShortStep))) - still;
   }
   /// Returns the root mean square of the difference of a number relative to that of the full tire.
-  double error(int row) const { return (reduced.row(row) - full.row(row)).norm() / full.row(row).norm(); }
+  double error(int row) const {
+    return (reduced.row(row) - full.row(row)).norm() / full.row(row).norm();
+  }
 };
 
 class ReducedPassageTest : public testing::TestWithParam<bool> {};
@@ -101,7 +102,9 @@ TEST_P(ReducedPassageTest, HasTheFullTiresSteadyStatesNearby) {
   const auto reduced = steady_forces(*passage.state().tire, tire.free_.grip, turned);
   ASSERT_TRUE(reduced) << reduced.failure().reason;
   const double Fy = full.forces.force.y() - tire.free_.forces.force.y();
-  EXPECT_NEAR(reduced->force.y() - tire.free_.forces.force.y(), Fy, most(GetParam(), 0.01, 0.08) * std::abs(Fy));
+  EXPECT_NEAR(reduced->force.y() - tire.free_.forces.force.y(),
+              Fy,
+              most(GetParam(), 0.01, 0.08) * std::abs(Fy));
 }
 
 TEST_P(ReducedPassageTest, FollowsTheFullTireInSmallMotions) {

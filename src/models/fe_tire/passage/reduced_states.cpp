@@ -31,9 +31,8 @@ Eigen::MatrixXd steady_stiffness(const ReducedTire& tire) {
 Result<RollingForces> steady_forces(const ReducedTire& tire,
                                     const GripState& from,
                                     const RollingCase& of) {
-  const Eigen::MatrixXd F =
-      tire.rest +
-      tire.at_tread * steady_stiffness(tire).partialPivLu().solve(tire.at_tread.transpose());
+  const Eigen::MatrixXd F = tire.rest + tire.at_tread * steady_stiffness(tire).partialPivLu().solve(
+                                                            tire.at_tread.transpose());
   Eigen::MatrixXd S = (0.5 * (F + F.transpose())).inverse();
   S = (0.5 * (S + S.transpose())).eval();
   TreadRoller roller(*tire.tread, *tire.lines);

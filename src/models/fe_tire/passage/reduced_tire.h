@@ -2,10 +2,12 @@
 // The tire linear about a steady state, in few coordinates, for long ways in time and for cars.
 //
 //   u = u_0 + Phi q + [K^-1 - Phi (Phi' K Phi)^-1 Phi'] B (c - c_0)                           (V.8)
-// Phi are modes of the tire off the ground that carries the stress of the steady state u_0 and
-// spins, (K_Omega, M), of unit mass, up to `beyond` times the highest frequency that is wanted. The
-// ground's forces c on the nodes B of the tread act on them, and at once on what the modes leave
-// out of the static displacements. With c_0 of the steady state,
+// Phi are shapes of unit mass of the tire off the ground that carries the stress of the steady
+// state u_0 and spins (K_Omega): its modes up to `beyond` times the highest frequency that is
+// wanted, and its static displacements under loads on the tread, one in each direction of every
+// plane and each polynomial across up to the third degree. The ground's forces c on the nodes B of
+// the tread act on them, and at once on what the shapes leave out of the static displacements. With
+// c_0 of the steady state,
 //   q'' + Omega G q' + K q + sum_r K_r sum_i y_ri = Phi' B (c - c_0)
 //   y' + Omega D y + y/tau = beta (q' + Omega D q),   D = Phi' (G' - M [e x]) Phi             (V.9)
 // K: the relaxed stiffness; K_r: the part of it to which the Prony terms (beta, tau) belong. D is
