@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "models/fe_tire/description/reference_tires.h"
 
@@ -38,7 +40,7 @@ class CleatRig : public testing::Test {
     return test;
   }
   Channels cross(const DrumTest& test) {
-    const auto found = cross_cleat(rig_, test);
+    const auto found = cross_cleat(rig_, test, remarks_);
     EXPECT_TRUE(found) << found.failure().reason;
     return found ? *found : Channels();
   }
@@ -46,6 +48,7 @@ class CleatRig : public testing::Test {
   fe_tire::TireDescription description_;
   fe_tire::FeTire tire_;
   TireRig rig_;
+  std::vector<std::string> remarks_;
 };
 
 TEST_F(CleatRig, KeepsTheForcesOfASmoothDrum) {
@@ -76,10 +79,11 @@ TEST_F(CleatRig, IsLiftedByACleatThatComesToTheAxleAtTimeZero) {
 
 TEST_F(CleatRig, PassesTheSamplesOnAsTheyCome) {
   std::size_t blocks = 0, samples = 0;
-  const Status done = cross_cleat(rig_, drum(), [&](const Channels& block) {
+  const auto count = [&](const Channels& block) {
     ++blocks;
     samples += block["time"].size();
-  });
+  };
+  const Status done = cross_cleat(rig_, drum(), count, remarks_);
   ASSERT_TRUE(done.ok());
   EXPECT_GT(blocks, 1u);
   EXPECT_EQ(samples, 40u);
@@ -88,9 +92,28 @@ TEST_F(CleatRig, PassesTheSamplesOnAsTheyCome) {
 TEST_F(CleatRig, RefusesACleatAsHighAsTheSection) {
   DrumTest test = drum();
   test.cleat = Cleat{.height = 0.3, .length = 0.5};
-  const auto found = cross_cleat(rig_, test);
+  const auto found = cross_cleat(rig_, test, remarks_);
   ASSERT_FALSE(found);
   EXPECT_NE(found.failure().reason.find("the rim would hit it"), std::string::npos);
+}
+
+TEST_F(CleatRig, SaysHowFarAReducedTireIsFromTheFullOne) {
+  DrumTest test = drum();
+  test.cleat = Cleat{.height = 0.001, .length = 0.02};
+  const Channels full = cross(test);
+  EXPECT_TRUE(remarks_.empty());
+  rig_.set_reduction(300.0);
+  const Channels reduced = cross(test);
+  double error = 0.0, change = 0.0;
+  for (std::size_t k = 0; k < full["Fz"].size(); ++k) {
+    error += std::pow(reduced["Fz"][k] - full["Fz"][k], 2);
+    change += std::pow(full["Fz"][k] - full["Fz"][0], 2);
+  }
+  EXPECT_GT(change, 1.0);
+  EXPECT_LT(std::sqrt(error / change), 0.15);
+  ASSERT_EQ(remarks_.size(), 1u);
+  EXPECT_NE(remarks_[0].find("the tire is reduced to"), std::string::npos) << remarks_[0];
+  EXPECT_NE(remarks_[0].find("1 mm lower its load rises by"), std::string::npos) << remarks_[0];
 }
 
 TEST_F(CleatRig, SaysWhatItAssumes) {

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "models/fe_tire/description/reference_tires.h"
@@ -207,6 +209,56 @@ TEST_F(OnARoad, CrossesABarOfItsRoadAsTheTransientCrossesIt) {
   EXPECT_GT(most, 0.05 * begin.force.z());
   EXPECT_LT(worst, 0.03 * most);
   RecordProperty("share", std::to_string(worst / most));
+}
+
+// Reduced, the tire crosses a low bar of a road nearly as the full one, whatever a clone of it does
+// in between, and leaves the ground and comes back.
+TEST_F(OnARoad, ReducedItCrossesABarNearlyAsTheFullTire) {
+  constexpr double kStep = 5e-4;
+  const double smooth = elements_.mesh().outer_radius() * elements_.mesh().angle(1);
+  const road::ProfileRoad road = road::cleat_road(0.16, 0.1 * smooth, 2.5 * smooth, 0.0);
+  FeRollingTire full = tire(), reduced = tire({.reduction = ReductionSettings{}});
+  std::vector<Vector3d> of_full, of_reduced;
+  std::unique_ptr<Tire> clone;
+  for (auto [of, forces] : {std::pair(&full, &of_full), std::pair(&reduced, &of_reduced)}) {
+    ASSERT_TRUE(of->settle(wheel(0.0, pressed()), road, 0.0));
+    FreeWheel spins;
+    spins.spin = FreeRate{.inertia = 1.0, .rate = kAhead20 / 0.312};
+    for (int k = 1; k <= 20; ++k) {
+      WheelMotion there = wheel(k * kStep, pressed());
+      forces->push_back(checked(of->advance_free(there, spins, road, k * kStep, kStep)).force);
+      if (k != 10 || of == &full) continue;
+      clone = of->clone();
+      FreeWheel others = spins;
+      WheelMotion other = wheel(11 * kStep, pressed() - 1e-3);
+      checked(clone->advance_free(other, others, road, 11 * kStep, kStep));
+    }
+  }
+  double most = 0.0, worst = 0.0;
+  for (std::size_t k = 0; k < of_full.size(); ++k) {
+    most = std::max(most, (of_full[k] - of_full[0]).norm());
+    worst = std::max(worst, (of_reduced[k] - of_full[k]).norm());
+  }
+  EXPECT_GT(most, 0.02 * of_full[0].z());
+  EXPECT_LT(worst, 0.1 * most);
+  RecordProperty("share", std::to_string(worst / most));
+}
+
+TEST_F(OnARoad, ReducedItLeavesTheGroundAndComesBack) {
+  constexpr double kStep = 1e-3;
+  FeRollingTire rolling =
+      tire({.transient = {.step = 1e-3, .rho = 0.3}, .reduction = ReductionSettings{}});
+  ASSERT_TRUE(rolling.settle(wheel(0.0, pressed()), flat_, 0.0));
+  std::vector<double> loads;
+  for (int k = 1; k <= 150; ++k) {
+    const double turn = 2.0 * M_PI * std::min(1.0, k / 70.0), lift = kDown + 0.01;
+    WheelMotion there = wheel(k * kStep, pressed() + 0.5 * lift * (1.0 - std::cos(turn)));
+    there.velocity.z() = k < 70 ? 0.5 * lift * std::sin(turn) * 2.0 * M_PI / (70.0 * kStep) : 0.0;
+    checked(rolling.advance(there, flat_, k * kStep, kStep));
+    loads.push_back(*rolling.road_load());
+  }
+  EXPECT_EQ(loads[34], 0.0);
+  EXPECT_NEAR(loads.back(), loads.front(), 0.01 * loads.front());
 }
 
 // An axle that is lowered smoothly ends in the steady state of its new height. Fx of the held spin
