@@ -12,8 +12,7 @@
 #include "cpu_time.h"
 #include "harmonic_ring.h"
 #include "models/fe_tire/motion/tire_response.h"
-#include "models/fe_tire/rolling/rolling_response.h"
-#include "models/fe_tire/rolling/rolling_tire.h"
+#include "relaxation_rows.h"
 #include "shipped_tires.h"
 #include "spinning_rings.h"
 #include "table.h"
@@ -152,53 +151,6 @@ void cost_rows(Table& table,
             change <= 5e-3);
 }
 
-/// Side force of a free wheel by a slip angle that changes slowly, without losses.
-void relaxation_rows(Table& table,
-                     const TireDescription& description,
-                     FeTire& tire,
-                     const Inflated& inflated) {
-  constexpr double kSpeed = 10.0, kAngle = 5e-4, kPath = 0.5;  // m/s, rad, rad/m
-  RollingTire rolling(tire);
-  const TireState pressed = value_of(tire.advance(tire.over(inflated, {}, FeTire::Poses::any),
-                                                  {FeTire::below(inflated, kDeflection)}))
-                                .back();
-  RollingCase of;
-  of.speed = kSpeed;
-  of.spin = kSpeed / (inflated.radius - kDeflection / 3.0);
-  const RollingState start = rolling.start(pressed);
-  of.load = start.forces.force.z();
-  of.drive = 0.0;
-  of.friction.at_rest = 5.0;  // hardly any point slides
-  const RollingState free = value_of(rolling.roll(start, of));
-  double difference = 0.0;
-  for (const double sign : {1.0, -1.0}) {
-    RollingCase slipping = free.of;
-    slipping.drive.reset();
-    slipping.slip_angle = sign * kAngle;
-    slipping.speed = kSpeed / std::cos(kAngle);
-    difference += sign * value_of(rolling.roll(free, slipping)).forces.force.y();
-  }
-  const double before = cpu_seconds();
-  const auto response = value_of(RollingResponse::about(
-      tire.mesh(), tire.materials(), {.element = description.element}, free));
-  const double slow = response.by_slip_angle(1e-3).Fy.real();
-  const SlipResponse lagging = response.by_slip_angle(kPath * kSpeed / (2.0 * std::numbers::pi));
-  const double seconds = cpu_seconds() - before;
-  const double error = std::abs(slow * 2.0 * kAngle / difference - 1.0);
-  table.row("rolling, at 1 mHz, cornering stiffness by differences of steady states",
-            percent(error),
-            "<= 0.5 %",
-            error <= 5e-3);
-  const std::complex<double> lag(1.0, kPath * lagging.relaxation);
-  const double departure = std::abs(lagging.Fy * lag / slow - 1.0);
-  table.row(
-      "rolling, at 0.5 rad/m of road, first-order lag as of slip_history",
-      fmt::format("{} off, relaxation length {:.3f} m", percent(departure), lagging.relaxation),
-      "<= 1 %",
-      departure <= 1e-2);
-  table.note("two frequencies of it, with the tangent", fmt::format("{:.1f} s CPU", seconds));
-}
-
 }  // namespace
 
 int run(const Options& options) {
@@ -215,7 +167,7 @@ int run(const Options& options) {
   table.note("unknowns of the whole ring", fmt::format("{}", tire.mesh().free_dofs()));
   slope_rows(table, tire, losses, inflated);
   cost_rows(table, options, tire, losses, inflated);
-  relaxation_rows(table, description, tire, inflated);
+  relaxation_rows(table, options, tire, inflated);
   const auto decay = verification::damped_ring_errors(options.size(240, 60));
   table.full_row("damped waves of a spinning ring, their frequencies",
                  percent(decay.frequency),

@@ -40,8 +40,10 @@ std::vector<TestSample> test_samples() {
 
 /// Replacement texts for keys whose values are neither numbers nor choices.
 const std::map<std::string, std::string>& other_texts() {
-  static const std::map<std::string, std::string> others = {
-      {"frame", "[\"H\"]"}, {"measures", "[\"slip\"]"}, {"directions", "[\"vertical\"]"}};
+  static const std::map<std::string, std::string> others = {{"frame", "[\"H\"]"},
+                                                            {"measures", "[\"slip\"]"},
+                                                            {"directions", "[\"vertical\"]"},
+                                                            {"inputs", "[\"gamma\"]"}};
   return others;
 }
 

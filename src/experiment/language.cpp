@@ -44,7 +44,8 @@ const Language& language() {
                                 &kRollingTest,
                                 &kRollingFootprintTest,
                                 &kRollingChainTest,
-                                &kResponseTest}};
+                                &kResponseTest,
+                                &kRollingResponseTest}};
   return all;
 }
 

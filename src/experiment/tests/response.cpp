@@ -6,26 +6,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/document_record.h"
-#include "base/units.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/language/test_words.h"
 #include "experiment/rigs/fe_tire/response_rig.h"
 #include "experiment/tests/load_deflection.h"
 #include "experiment/tests/modes.h"
+#include "experiment/tests/response_frequencies.h"
 #include "experiment/tests/test_kinds.h"
 
 namespace latsch::experiment {
 namespace {
 
-constexpr long kMostFrequencies = 5000;
 // Highest frequency, Hz. The shipped meshes carry some ten waves around, whose frequencies are near
 // 300 Hz; a response to 500 Hz takes a minute and a half.
 constexpr double kHighestFrequency = 500.0;
-constexpr double kSameFrequency = 1e-9;  // relative
 
 std::string input_in_words(const ResponseTest& test) {
   std::string direction = test.direction;
@@ -111,36 +108,6 @@ class ResponseOfTire : public Test, public TellsLimits {
   ResponseTest test_;
 };
 
-std::vector<double> read_frequencies(const Node& root, const TestSource& source) {
-  std::vector<double> frequencies;
-  if (const auto from = find_measured(root, "frequencies")) {
-    frequencies = measured_values(*from, {"frequency", "Hz", true}, source.measured);
-  } else if (root.has("frequencies")) {
-    frequencies = root.quantities("frequencies", "Hz", Range::positive());
-  } else {
-    const double from_hz = root.quantity("from", "Hz", Range::positive());
-    const double to = root.quantity("to", "Hz", Range::positive());
-    const double step = root.quantity("step", "Hz", Range::positive(), 1.0);
-    if (to < from_hz) root.reject("to", "is below from, expected a frequency that is not");
-    const double count = std::floor((to - from_hz) / step * (1.0 + kSameFrequency)) + 1.0;
-    if (count > kMostFrequencies)
-      root.reject("step",
-                  fmt::format("gives {:.0f} frequencies, expected {} at most; state a longer step",
-                              count,
-                              kMostFrequencies));
-    for (long k = 0; k < static_cast<long>(count); ++k)
-      frequencies.push_back(from_hz + step * static_cast<double>(k));
-    return frequencies;
-  }
-  if (frequencies.empty() || std::ssize(frequencies) > kMostFrequencies)
-    root.reject(
-        "frequencies",
-        fmt::format("has {} values, expected 1 to {}", frequencies.size(), kMostFrequencies));
-  if (std::ranges::adjacent_find(frequencies, std::greater_equal<>()) != frequencies.end())
-    root.reject("frequencies", "does not rise from value to value, expected ascending frequencies");
-  return frequencies;
-}
-
 fe_tire::RimMotion read_rim(const Node& root) {
   const std::string rim = root.choice("rim", {"held", "rigid", "free"}, "held");
   return rim == "held"    ? fe_tire::RimMotion::held
@@ -200,13 +167,8 @@ std::unique_ptr<Test> read_response(const Node& root, const TestSource& source) 
   ResponseTest test;
   read_state(root, source, test.stand);
   read_input(root, test);
-  test.frequencies = read_frequencies(root, source);
-  if (test.frequencies.back() > kHighestFrequency)
-    root.reject(root.has("frequencies") ? "frequencies" : "to",
-                fmt::format("reaches {:g} Hz, expected {:g} Hz at most: shorter waves than a mesh "
-                            "of a tire carries",
-                            test.frequencies.back(),
-                            kHighestFrequency));
+  test.frequencies = read_frequencies(
+      root, source, kHighestFrequency, "shorter waves than a mesh of a tire carries");
   if (const auto from = find_measured(root, "points"))
     test.points = measured_points(*from, source.measured);
   else if (root.has("points"))

@@ -10,6 +10,6 @@ extern const TestKind kDrumCleatTest, kSlipSweepTest, kRollingStiffnessTest, kUn
     kStaticStiffnessTest, kFootprintTest, kModesTest, kSteadyStatesTest, kSlipHistoryTest,
     kLoadDeflectionTest, kKcTest, kKinematicsTest, kFourPostTest, kKerbTest, kAxleKcTest,
     kMassPropertiesTest, kInflationTest, kRollingTest, kRollingFootprintTest, kRollingChainTest,
-    kResponseTest;
+    kResponseTest, kRollingResponseTest;
 
 }  // namespace latsch::experiment

@@ -3,6 +3,7 @@
 
 namespace latsch::experiment {
 
+const KeySection& frequency_keys();
 const KeySection& pressure_keys();
 
 const KeySection& response_keys() {
@@ -46,12 +47,6 @@ the ground one value of "deflection", "loaded_radius" (m) and "force" (N).
               {"at",
                "Point x, y, z on the undeformed tire, in the wheel frame, on which the force of "
                "the input `point` acts: at the nearest node of the outer surface."},
-              {"frequencies",
-               "Frequencies, ascending. `{from = \"measurement.frf\"}` takes its column "
-               "frequency."},
-              {"from", "Lowest frequency, instead of `frequencies`."},
-              {"to", "Highest frequency."},
-              {"step", "Distance of frequencies."},
               {"points",
                "Points x, y, z on the undeformed tire, in the wheel frame, whose motion is "
                "recorded; `{from = \"measurement.shapes\"}` takes its x, y, z."},
@@ -80,7 +75,7 @@ points = [["0 mm", "0 mm", "310 mm"]]
 motion = "acceleration"
 )toml",
           },
-      .shared = {{"", pressure_keys}},
+      .shared = {{"", frequency_keys}, {"", pressure_keys}},
   };
   return section;
 }

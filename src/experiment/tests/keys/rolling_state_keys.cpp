@@ -7,7 +7,7 @@ const KeySection& rolling_state_keys() {
   static const KeySection section = {
       .heading = "states of a rolling tire",
       .about = R"md(
-The steady states of the tests "rolling", "rolling_footprint" and "rolling_chain": lists, with one value for all
+The steady states of the tests "rolling", "rolling_footprint", "rolling_chain" and "rolling_response": lists, with one value for all
 states or one for each, or a table.
 )md",
       .sentences =

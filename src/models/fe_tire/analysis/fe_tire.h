@@ -174,6 +174,7 @@ class FeTire {
   friend class TireSlopes;
   friend class SpinningTire;
   friend class RollingTire;
+  friend class RollingResponse;
   friend class RollingTransient;
   friend class FeRollingTire;
   friend class LossMeter;

@@ -9,6 +9,12 @@
 //                                                                                             (F.3)
 // Points that stick go on sticking and sliding ones go on sliding. At omega = 0 it is the tangent
 // of (F.1). dx is the motion of points relative to the ground. On flat ground.
+//
+// A velocity v e^(i omega t) with which points move over the ground besides, as by a slip, adds
+//   v Delta t_k phi_k,   phi_k = (1 - e_k)/(i omega Delta t_k)
+// to the step of point k, which is the way of its material since it was at point k - 1. At omega =
+// 0 a velocity is a slip that does not change. Where the wheel turns, a point that moves relative to
+// the wheel comes over ground with another velocity, which is added.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,6 +23,19 @@
 #include "models/fe_tire/rolling/tread_body.h"
 
 namespace latsch::fe_tire {
+
+/// A motion of all points relative to the ground, beside that of the body's rows.
+struct PointMotion {
+  Eigen::Matrix3Xcd moved;  // m, [3 x points], displacement
+  /// m/s, [2 x points], along the ground, beside that of `moved`; that by which `moved` brings a
+  /// point over ground with another velocity is a part of it.
+  Eigen::Matrix2Xcd velocity;
+
+  /// A motion of nothing.
+  static PointMotion none(Eigen::Index points) {
+    return {Eigen::Matrix3Xcd::Zero(3, points), Eigen::Matrix2Xcd::Zero(2, points)};
+  }
+};
 
 class HarmonicContact {
  public:
@@ -27,19 +46,33 @@ class HarmonicContact {
   /// Returns the derivative [rows x rows] of the ground's forces on the body's rows, in the
   /// ground's axes, N/m.
   Eigen::MatrixXcd tangent(double omega) const;
-  /// Returns the ground's forces [rows x motions] by motions of all points relative to the ground,
-  /// [3 x points] each.
-  Eigen::MatrixXcd forces_by(double omega, const std::vector<Eigen::Matrix3Xcd>& moved) const;
+  /// Returns the ground's forces [rows x motions] by motions of all points relative to the ground.
+  Eigen::MatrixXcd forces_by(double omega, const std::vector<PointMotion>& motions) const;
   /// Returns the changes of force, N, at each point [3 x points] if rows move by q and all points
-  /// by `moved` besides.
+  /// by `besides`.
   Eigen::Matrix3Xcd point_forces(double omega,
                                  const Eigen::VectorXcd& q,
-                                 const Eigen::Matrix3Xcd& moved) const;
+                                 const PointMotion& besides) const;
+  /// Returns the displacements of all points, m [3 x points], if rows move by q.
+  Eigen::Matrix3Xcd displacements(const Eigen::VectorXcd& q) const;
+  /// Returns forces on the body's rows, N, from forces at the points [3 x points].
+  Eigen::VectorXcd at_rows(const Eigen::Matrix3Xcd& forces) const;
+  /// Returns the stiffness [rows x rows] of springs at all points in contact, along x, y and z, N/m
+  /// per m^2 of a point's area.
+  Eigen::MatrixXd springs(const Eigen::Vector3d& stiffness) const;
 
  private:
-  using Motion = std::function<Eigen::Matrix3Xcd(int section, int point)>;
+  /// Motions of a point, one column for each that is followed: displacements relative to the wheel,
+  /// and what PointMotion has besides. Parts without columns are 0.
+  struct Motions {
+    Eigen::Matrix3Xcd dx;
+    Eigen::Matrix3Xcd besides = {};
+    Eigen::Matrix2Xcd velocity = {};
+  };
+  using Motion = std::function<Motions(int section, int point)>;
   using Take = std::function<void(int section, int point, const Eigen::Matrix3Xcd& force)>;
   void follow(double omega, const Motion& motion, const Take& take) const;
+  Eigen::RowVectorXd weights(int section, int point) const;
 
   const TreadBody& body_;
   const RollingInput& input_;
