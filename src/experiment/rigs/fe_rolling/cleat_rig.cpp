@@ -97,7 +97,7 @@ std::string error_in_words(TireRig& rig,
   fe_tire::RollingTire full(rig.tire());
   full.set_history(rig.losses(), inflated);
   const std::string reduced = fmt::format(
-      "the tire is reduced to {} shapes about its steady state before the cleat", tire.modes());
+      "the tire is reduced to {} shapes about its steady state before the cleat", tire.shapes());
   const auto errors = reduced_errors(full, steady, tire, {length, -length});
   if (!errors)
     return fmt::format(

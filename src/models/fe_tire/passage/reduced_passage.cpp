@@ -18,18 +18,18 @@ namespace {
 
 constexpr int kMostOfReduced = 12;
 constexpr std::size_t kMostWorkspaces = 8;  // one takes some 30 MB
-constexpr int kMostReducedHalvings = 4;     // of a step that does not settle
+constexpr int kMostReducedHalvings = 4;     // halvings of a step that does not settle
 /// Change of the spin in an iteration, relative, at which it has settled.
 constexpr double kReducedSpinSettled = 2e-5;
 
 /// Matrices of a reduced tire for steps of one length.
 struct StepMatrices {
   BossakStep rule;
-  Eigen::PartialPivLU<Eigen::MatrixXd> A;  // of the modes
-  Eigen::MatrixXd from_tread;              // A^-1 Phi' [modes x 3 nodes]
+  Eigen::PartialPivLU<Eigen::MatrixXd> A;  // a + Omega b G + K
+  Eigen::MatrixXd from_tread;              // A^-1 Phi' [shapes x 3 nodes]
   Eigen::MatrixXd F, S;                    // (V.10), and the inverse of its symmetric part
   Eigen::MatrixXd carry;                   // exp(-h Omega D)
-  Eigen::VectorXd by_spin_rate;            // motion of the modes by Omega'
+  Eigen::VectorXd by_spin_rate;            // motion of the shapes by Omega'
   double moment_by_spin_rate;              // N m s^2, of the inertia about the spin axis
 
   StepMatrices(const ReducedTire& tire, double h, double rho) : rule(h, rho) {
@@ -44,7 +44,7 @@ struct StepMatrices {
     S = (0.5 * (F + F.transpose())).inverse();
     S = (0.5 * (S + S.transpose())).eval();
     carry = Eigen::MatrixXd(-h * tire.of.spin * tire.D).exp();
-    by_spin_rate = -A.solve(tire.spin_rate.on_modes.col(0));
+    by_spin_rate = -A.solve(tire.spin_rate.on_shapes.col(0));
     const auto sums = tire.by_q * by_spin_rate + rule.of_damping() * tire.by_rate * by_spin_rate +
                       rule.of_mass() * tire.by_acceleration * by_spin_rate;
     moment_by_spin_rate = tire.spin_rate.sums(4, 0) + Eigen::VectorXd(sums)[4];
@@ -54,7 +54,7 @@ struct StepMatrices {
 }  // namespace
 
 struct ReducedPassage::Impl {
-  /// What steps of one length need.
+  /// Memory of the steps of one length.
   struct Workspace {
     std::shared_ptr<const ReducedTire> tire;
     StepMatrices matrices;
@@ -65,10 +65,10 @@ struct ReducedPassage::Impl {
       roller.set(matrices.S);
     }
   };
-  /// What is known of a step before the ground's forces at its end are.
+  /// The part of a step that does not depend on the ground's forces at its end.
   struct Known {
-    Eigen::VectorXd b;                 // forces on the modes
-    Eigen::Vector<double, 6> inertia;  // sums of what does not depend on the modes
+    Eigen::VectorXd b;                 // forces on the shapes
+    Eigen::Vector<double, 6> inertia;  // sums that do not depend on the shapes
   };
 
   RollingTransient& full;
@@ -90,7 +90,7 @@ struct ReducedPassage::Impl {
   void accept(const StepMatrices& matrices, const BossakStep::Motion& q);
 };
 
-/// Returns what steps of this length, s, of the present tire need. Tires may take turns.
+/// Returns the memory of steps of this length, s, of the present tire. Tires may take turns.
 ReducedPassage::Impl::Workspace& ReducedPassage::Impl::workspace(double h) {
   const auto known = std::ranges::find_if(workspaces, [&](const Workspace& of) {
     return of.tire == now.tire && of.matrices.rule.h == h;
@@ -111,7 +111,7 @@ ReducedPassage::Impl::Known ReducedPassage::Impl::known(const StepMatrices& matr
   const ReducedTire& tire = *now.tire;
   const BossakStep& rule = matrices.rule;
   const BossakStep::Motion& q = now.q;
-  // Motion at the end of the step if the modes do not move: x' = 0 in rule.at().
+  // Motion at the end of the step if the shapes do not move: x' = 0 in rule.at().
   const BossakStep::Motion still = rule.at(q, Eigen::VectorXd::Zero(q.x.size()));
   Known given;
   given.b = -rule.mean_acceleration(q, still) - tire.of.spin * (tire.G * still.v);
@@ -128,7 +128,7 @@ ReducedPassage::Impl::Known ReducedPassage::Impl::known(const StepMatrices& matr
   const double faster = spin * spin - tire.of.spin * tire.of.spin, turns = spin / tire.of.spin;
   given.inertia = tire.steady;
   const auto add = [&](const ReducedTire::Inertia& by, const Eigen::VectorXd& change) {
-    given.b -= by.on_modes * change;
+    given.b -= by.on_shapes * change;
     given.inertia += by.sums * change;
   };
   add(tire.spin, Eigen::VectorXd::Constant(1, faster));
@@ -268,7 +268,7 @@ Result<TransientForces> ReducedPassage::start(const RollingState& steady,
   of.settings = settings;
   of.now = {};
   of.now.tire = std::make_shared<const ReducedTire>(*std::move(tire));
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(of.now.tire->modes());
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(of.now.tire->shapes());
   of.now.q = {still, still, still};
   for (const RelaxingStiffness& part : of.now.tire->parts)
     of.now.y.emplace_back(part.terms.size(), still);

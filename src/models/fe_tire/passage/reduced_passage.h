@@ -36,7 +36,7 @@ namespace latsch::fe_tire {
 /// tire was made.
 struct ReducedState {
   std::shared_ptr<const ReducedTire> tire;
-  BossakStep::Motion q;                         // deviations of the modes from the steady state
+  BossakStep::Motion q;                         // deviations of the shapes from the steady state
   std::vector<std::vector<Eigen::VectorXd>> y;  // (V.9), [part][term]
   Eigen::VectorXd c;                            // N, forces of the ground on the tread's nodes
   GripState grip{0};

@@ -16,7 +16,7 @@
 
 namespace latsch::fe_tire {
 
-/// Returns the matrix of (V.11) [modes x modes].
+/// Returns the matrix of (V.11) [shapes x shapes].
 Eigen::MatrixXd steady_stiffness(const ReducedTire& tire);
 
 /// Returns the forces of the ground in a steady state with the spin of `tire` that is asked for by

@@ -69,7 +69,7 @@ class ProjectedInertia {
     ReducedTire::Inertia by;
     const double squared = spin_ * spin_;
     by.sums = sums(steady_) / squared;
-    by.on_modes = on_modes(steady_.at_nodes) / squared;
+    by.on_shapes = on_shapes(steady_.at_nodes) / squared;
     return by;
   }
   ReducedTire::Inertia of_spin_rate() const {
@@ -80,12 +80,12 @@ class ProjectedInertia {
   ReducedTire::Inertia of_fields(const Field& field) const {
     ReducedTire::Inertia by;
     by.sums.resize(6, 3);
-    by.on_modes.resize(shapes_.cols(), 3);
+    by.on_shapes.resize(shapes_.cols(), 3);
     for (int k = 0; k < 3; ++k) {
       const Eigen::Matrix3Xd a = field(k);
       const ReducedTire::Inertia one = difference(inertia_.forces({u_, still_, a, spin_, 0.0}));
       by.sums.col(k) = one.sums;
-      by.on_modes.col(k) = one.on_modes;
+      by.on_shapes.col(k) = one.on_shapes;
     }
     return by;
   }
@@ -96,13 +96,13 @@ class ProjectedInertia {
     both << of.force, of.moment;
     return both;
   }
-  Eigen::VectorXd on_modes(const Eigen::Matrix3Xd& at_nodes) const {
+  Eigen::VectorXd on_shapes(const Eigen::Matrix3Xd& at_nodes) const {
     return shapes_.transpose() * unknowns_.compress(at_nodes);
   }
   ReducedTire::Inertia difference(const MovingInertia::Forces& other) const {
     ReducedTire::Inertia by;
     by.sums = sums(other) - sums(steady_);
-    by.on_modes = on_modes(other.at_nodes - steady_.at_nodes);
+    by.on_shapes = on_shapes(other.at_nodes - steady_.at_nodes);
     return by;
   }
 

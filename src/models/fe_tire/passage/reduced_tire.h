@@ -44,24 +44,24 @@ struct ReducedTire {
   RollingCase of;                        // the steady state
   Eigen::Matrix3Xd u;                    // m, displacements of the tread's nodes [3 x nodes]
   Eigen::VectorXd c;                     // N, forces of the ground on them
-  Eigen::MatrixXd K, G, D;               // [modes x modes]
+  Eigen::MatrixXd K, G, D;               // [shapes x shapes]
   std::vector<RelaxingStiffness> parts;  // relaxing parts of K
-  Eigen::MatrixXd at_tread;              // Phi at the tread's nodes [3 nodes x modes]
+  Eigen::MatrixXd at_tread;              // Phi at the tread's nodes [3 nodes x shapes]
   Eigen::MatrixXd rest;                  // m/N, the bracket of (V.8) there [3 nodes x 3 nodes]
 
-  /// Forces of the tire's inertia on the modes, and its sums, by a change of the motion.
+  /// Forces of the tire's inertia on the shapes, and its sums, by a change of the motion.
   struct Inertia {
-    Eigen::MatrixXd on_modes;  // [modes x changes]
-    Sums sums;                 // [6 x changes]
+    Eigen::MatrixXd on_shapes;  // [shapes x changes]
+    Sums sums;                  // [6 x changes]
   };
-  Sums by_q, by_rate, by_acceleration;  // sums of the modes' motion at the spin of `of`
+  Sums by_q, by_rate, by_acceleration;  // sums of the shapes' motion at the spin of `of`
   Eigen::Vector<double, 6> steady;      // sums of the steady state
-  Inertia spin;                         // by Omega^2 - Omega_0^2, with steady/Omega_0^2
-  Inertia spin_rate;                    // by Omega'
-  Inertia acceleration;                 // by the wheel center's acceleration, m/s^2
-  Inertia turning, turning_rate;        // by the rotation of the wheel's axes, rad/s and rad/s^2
+  Inertia spin;                         // change: Omega^2 - Omega_0^2
+  Inertia spin_rate;                    // change: Omega'
+  Inertia acceleration;                 // changes: acceleration of the wheel center, m/s^2
+  Inertia turning, turning_rate;        // changes: rotation of the wheel's axes, rad/s, rad/s^2
 
-  Eigen::Index modes() const { return K.rows(); }
+  Eigen::Index shapes() const { return K.rows(); }
 };
 
 }  // namespace latsch::fe_tire
