@@ -89,11 +89,15 @@ TEST_P(ReducedPassageTest, HasTheFullTiresSteadyStatesNearby) {
   ReducedPassage passage(tire.passage_);
   begin(passage, tire.free_, kShortStep);
   const auto errors =
-      reduced_errors(tire.rolling_, tire.free_, *passage.state().tire, {1e-4, -1e-4, 5e-3});
+      reduced_errors(tire.rolling_, tire.free_, *passage.state().tire, {1e-4, -1e-4, 5e-3, -1e-2});
   ASSERT_TRUE(errors) << errors.failure().reason;
   EXPECT_LT(std::abs((*errors)[0].error()), most(GetParam(), 0.01, 0.05));
   EXPECT_LT(std::abs((*errors)[1].error()), most(GetParam(), 0.01, 0.05));
-  EXPECT_GT((*errors)[2].full, 100.0);
+  // Farther away the tires differ, and the difference is known.
+  for (const int k : {2, 3}) {
+    EXPECT_GT(std::abs((*errors)[k].full), 500.0);
+    EXPECT_LT(std::abs((*errors)[k].error()), 0.4);
+  }
   RollingCase turned = tire.free_.of;
   turned.load.reset();
   turned.drive.reset();

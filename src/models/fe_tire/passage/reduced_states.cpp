@@ -13,6 +13,9 @@ namespace {
 
 constexpr int kMostStates = 20;
 constexpr double kEnoughOfState = 1e-5;  // residual relative to the load
+/// Largest change of the height at once, m: points that come into reach are found in a band of
+/// kNearPatch over the ground.
+constexpr double kHeightAtOnce = 1e-3;
 
 }  // namespace
 
@@ -37,23 +40,34 @@ Result<RollingForces> steady_forces(const ReducedTire& tire,
   S = (0.5 * (S + S.transpose())).eval();
   TreadRoller roller(*tire.tread, *tire.lines);
   roller.set(S);
-  RollingCase held = of;
-  held.load.reset();
-  held.drive.reset();
   const double load = std::max(1.0, tire.c.norm());
   GripState states = from;
   Eigen::VectorXd c = tire.c;
   int passes = 0;
-  for (int k = 0; k < kMostStates; ++k) {
-    const Eigen::VectorXd w = F * (c - tire.c);
-    const Eigen::Matrix3Xd u = tire.u + w.reshaped(3, tire.u.cols());
-    auto found = roller.solve(held, u, c, load, kEnoughOfState, states, passes);
-    if (!found) return found.failure();
-    const double residual = (S * (F * (found->c - tire.c) - w + found->d)).norm();
-    if (residual <= kEnoughOfState * load) return found->forces;
-    c = std::move(found->c);
+  const auto settle = [&](const RollingCase& at) -> Result<RollingForces> {
+    for (int k = 0; k < kMostStates; ++k) {
+      const Eigen::VectorXd w = F * (c - tire.c);
+      const Eigen::Matrix3Xd u = tire.u + w.reshaped(3, tire.u.cols());
+      auto found = roller.solve(at, u, c, load, kEnoughOfState, states, passes);
+      if (!found) return found.failure();
+      const double residual = (S * (F * (found->c - tire.c) - w + found->d)).norm();
+      c = std::move(found->c);
+      if (residual <= kEnoughOfState * load) return found->forces;
+    }
+    return Failure{"the steady state of the reduced tire does not settle"};
+  };
+  const double way = std::abs(of.height - tire.of.height);
+  const int parts = std::max(1, static_cast<int>(std::ceil(way / kHeightAtOnce)));
+  Result<RollingForces> forces = Failure{""};
+  for (int part = 1; part <= parts; ++part) {
+    RollingCase at = between(tire.of, of, static_cast<double>(part) / parts);
+    at.load.reset();
+    at.drive.reset();
+    roller.begin();
+    forces = settle(at);
+    if (!forces) return forces;
   }
-  return Failure{"the steady state of the reduced tire does not settle"};
+  return forces;
 }
 
 Result<std::vector<ReducedError>> reduced_errors(RollingTire& full,
