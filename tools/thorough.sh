@@ -15,8 +15,8 @@ about() {
   case $1 in
     format) echo "clang-format would change no file" ;;
     tidy) echo "clang-tidy finds nothing in the program's files (.clang-tidy lists the checks)" ;;
-    alone) echo "every file compiles by itself, without a warning: no unity build" ;;
-    no_node) echo "the program builds where Node is missing, and says that it has no page" ;;
+    alone) echo "every file is read by itself without an error or a warning: no unity build" ;;
+    no_node) echo "the program builds where Node is missing, and says that it has no page (in the tree of the sanitizers)" ;;
     sanitizers) echo "all tests with the address and undefined-behavior sanitizers" ;;
     benchmarks) echo "the smoke run of every benchmark with the same sanitizers" ;;
     studies) echo "the shipped studies that take seconds, with the same sanitizers" ;;
@@ -33,20 +33,18 @@ step_tidy() {
   python3 tools/tidy.py build/asan
 }
 
-without_node() {
-  cmake --preset alone -DLATSCH_NODE=OFF -DLATSCH_NPM=OFF
-}
-
+# The compile commands of a tree without unity builds.
 step_alone() {
-  without_node
-  cmake --build --preset alone -- -k 0
+  cmake --preset alone
+  python3 tools/alone.py build/alone
 }
 
+# The tree of the sanitizers has no page, so that this step compiles nothing that they do not need.
 step_no_node() {
-  without_node | tee "$logs/no_node_configured.log"
+  cmake --preset asan | tee "$logs/no_node_configured.log"
   grep "No page: latsch is built without that of latsch serve" "$logs/no_node_configured.log"
-  cmake --build --preset alone --target latsch
-  python3 apps/cli/tests/serve_test.py build/alone/bin/latsch -k test_the_start_page
+  cmake --build --preset asan --target latsch
+  python3 apps/cli/tests/serve_test.py "$PWD/build/asan/bin/latsch" -k test_the_start_page
 }
 
 sanitized() {

@@ -21,7 +21,8 @@ class Thorough(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.tree)
         (self.tree / "tools").mkdir()
         (self.tree / "src").mkdir()
-        for name in ("tools/thorough.sh", "tools/format.sh", "tools/tidy.py", ".clang-format", ".clang-tidy"):
+        for name in ("tools/thorough.sh", "tools/format.sh", "tools/tidy.py", "tools/alone.py", "tools/compile_commands.py",
+                     ".clang-format", ".clang-tidy"):
             shutil.copy(TREE / name, self.tree / name)
         (self.tree / "tools/install_packages.sh").write_text("#!/bin/sh\n")
         (self.tree / "tools/install_packages.sh").chmod(0o755)
@@ -46,6 +47,45 @@ class Thorough(unittest.TestCase):
         done = subprocess.run([sys.executable, self.tree / "tools/tidy.py", build], stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True)
         return done.returncode, done.stdout
+
+    def alone(self, *names):
+        build = self.tree / "build"
+        build.mkdir(exist_ok=True)
+        options = f"-I{self.tree}/src -isystem /usr/include/eigen3 -O0 -fPIC -Wall -Wextra -Werror -std=c++20 -o x.o -c "
+        entries = [{"directory": str(build), "command": "/usr/bin/ccache /usr/bin/c++ " + options + str(self.tree / name),
+                    "file": str(self.tree / name)} for name in names]
+        (build / "compile_commands.json").write_text(json.dumps(entries))
+        done = subprocess.run([sys.executable, self.tree / "tools/alone.py", build], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True)
+        return done.returncode, done.stdout
+
+    def test_alone_finds_a_missing_include_though_other_files_have_it(self):
+        self.write("#include <string>\nstd::string first() { return {}; }\n", "src/first.cpp")
+        self.write("std::string second() { return {}; }\n", "src/second.cpp")
+        code, said = self.alone("src/first.cpp", "src/second.cpp")
+        self.assertEqual(code, 1, said)
+        self.assertIn("src/first.cpp: clean", said)
+        self.assertIn("src/second.cpp: NOT clean", said)
+        self.assertIn("1 files are not clean", said)
+
+    def test_alone_finds_a_warning_and_reads_clean_files_once(self):
+        self.write("void unused(int x) {}\n")
+        for _ in range(2):
+            code, said = self.alone("src/twice.cpp")
+            self.assertEqual(code, 1, said)
+            self.assertIn("unused parameter", said)
+        self.write(CLEAN)
+        self.assertEqual(self.alone("src/twice.cpp")[0], 0)
+        self.assertIn("1 files, 1 of them unchanged", self.alone("src/twice.cpp")[1])
+
+    def test_a_precompiled_kit_brings_no_header_that_the_file_does_not_include(self):
+        self.write("#include <Eigen/Core>\n", "src/point.h")
+        self.write('#include "point.h"\nstd::filesystem::path lost() { return {}; }\n', "src/lost.cpp")
+        code, said = self.alone("src/lost.cpp")
+        self.assertEqual(code, 1, said)
+        self.assertIn("filesystem", said)
+        self.write('#include <filesystem>\n#include "point.h"\nstd::filesystem::path lost() { return {}; }\n', "src/lost.cpp")
+        self.assertEqual(self.alone("src/lost.cpp")[0], 0)
 
     def test_a_step_names_itself_its_time_and_its_result(self):
         code, said = self.steps("format")

@@ -9,6 +9,8 @@
 #include "base/file.h"
 #include "formats/deck/inp_cards.h"
 #include "formats/deck/inp_equations.h"
+#include "formats/deck/inp_material_cards.h"
+#include "formats/deck/inp_noted_numbers.h"
 #include "formats/deck/inp_options.h"
 #include "formats/deck/inp_references.h"
 #include "formats/deck/inp_springs.h"
@@ -102,6 +104,12 @@ class DeckReader {
   void equation(const InpCard& card) { equations_.add(card); }
   void spring(const InpCard& card) { springs_.add_law(card); }
   void mass(const InpCard& card) { springs_.add_mass(card); }
+  void material(const InpCard& card) { materials_.material(card); }
+  void hyperelastic(const InpCard& card) { materials_.hyperelastic(card); }
+  void elastic(const InpCard& card) { materials_.elastic(card); }
+  void density(const InpCard& card) { materials_.density(card); }
+  void viscoelastic(const InpCard& card) { materials_.viscoelastic(card); }
+  void no_compression(const InpCard& card) { materials_.no_compression(card); }
 
   // Nodes, elements and sets -----------------------------------------------------------------
 
@@ -228,156 +236,7 @@ class DeckReader {
     return find(sets, field, kind, card.at(line));
   }
 
-  // Materials and sections --------------------------------------------------------------------
-
-  void material(const InpCard& card) {
-    material_ = &deck_.materials[card.option("NAME")];
-    material_->name = card.option("NAME");
-    material_->place = card.place;
-  }
-
-  InpMaterial& current_material(const InpCard& card) {
-    if (!material_)
-      throw InputError(card.place, fmt::format("*{} stands before any *MATERIAL", card.keyword));
-    return *material_;
-  }
-
-  /// Adds a number of the deck that a study may vary; returns its index in InpDeck::numbers.
-  int note(const std::string& path,
-           InpQuantity quantity,
-           const InpCard& card,
-           const InpLine& line,
-           std::size_t field) {
-    InpNumber number{path, quantity, card.number(line, field), {{line.number, field, 1.0}}};
-    deck_.numbers.push_back(std::move(number));
-    return static_cast<int>(deck_.numbers.size()) - 1;
-  }
-
-  /// Converts a name of the file for use in a path: dots are replaced, because they separate the
-  /// parts of a path.
-  static std::string in_path(std::string name) {
-    std::erase(name, '"');
-    for (char& c : name)
-      if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != ' ') c = '_';
-    return name;
-  }
-
-  struct Constant {
-    const char* name;
-    InpQuantity quantity;
-  };
-
-  /// Reads the constants of a material law at one temperature. An additional number is that
-  /// temperature and is ignored.
-  void law(const InpCard& card, InpMaterial::Law law, const std::vector<Constant>& constants) {
-    InpMaterial& material = current_material(card);
-    if (material.law != InpMaterial::Law::none)
-      throw InputError(card.place, fmt::format("a second law of material {}", material.name));
-    std::vector<std::pair<const InpLine*, std::size_t>> fields;
-    for (const InpLine& line : card.lines)
-      for (std::size_t i = 0; i < line.fields.size(); ++i) fields.emplace_back(&line, i);
-    if (fields.size() != constants.size() && fields.size() != constants.size() + 1)
-      throw InputError(card.place,
-                       fmt::format("*{} has {} constants, expected {} at one temperature",
-                                   card.keyword,
-                                   fields.size(),
-                                   constants.size()));
-    material.law = law;
-    for (std::size_t i = 0; i < constants.size(); ++i)
-      material.constants.push_back(
-          note("material." + in_path(material.name) + "." + constants[i].name,
-               constants[i].quantity,
-               card,
-               *fields[i].first,
-               fields[i].second));
-  }
-
-  void viscoelastic(const InpCard& card) {
-    InpMaterial& material = current_material(card);
-    if (card.option("TIME", "") != "PRONY")
-      throw InputError(card.place, "*VISCOELASTIC states no Prony terms, expected TIME=PRONY");
-    if (!material.relaxation.empty())
-      throw InputError(card.place,
-                       fmt::format("a second *VISCOELASTIC of material {}", material.name));
-    if (card.lines.empty())
-      throw InputError(card.place, "*VISCOELASTIC has no rows, expected g, k, tau in each");
-    const std::string path = "material." + in_path(material.name);
-    for (const InpLine& line : card.lines) {
-      const std::size_t row = material.relaxation.size() + 1;
-      material.relaxation.push_back(
-          {note(fmt::format("{}.g{}", path, row), InpQuantity::ratio, card, line, 0),
-           note(fmt::format("{}.tau{}", path, row), InpQuantity::time, card, line, 2),
-           card.number(line, 1, 0.0),
-           card.at(line)});
-    }
-  }
-
-  void hyperelastic(const InpCard& card) {
-    current_material(card).instantaneous = card.option("MODULI", "") == "INSTANTANEOUS";
-    constexpr auto kStress = InpQuantity::stress;
-    constexpr Constant kC10{"C10", kStress}, kC01{"C01", kStress},
-        kD1{"D1", InpQuantity::compliance};
-    if (card.has("NEO HOOKE"))
-      law(card, InpMaterial::Law::neo_hooke, {kC10, kD1});
-    else if (card.has("MOONEY-RIVLIN"))
-      law(card, InpMaterial::Law::mooney_rivlin, {kC10, kC01, kD1});
-    else
-      throw InputError(
-          card.place,
-          "this hyperelastic law is not supported, expected NEO HOOKE or MOONEY-RIVLIN");
-  }
-
-  void elastic(const InpCard& card) {
-    current_material(card).instantaneous = card.option("MODULI", "") == "INSTANTANEOUS";
-    const auto stresses = [](std::initializer_list<const char*> names) {
-      std::vector<Constant> constants;
-      for (const char* name : names) constants.push_back({name, InpQuantity::stress});
-      return constants;
-    };
-    const std::string type = card.option("TYPE", "ISO");
-    if (type == "ISO" || type == "ISOTROPIC") {
-      law(card,
-          InpMaterial::Law::isotropic,
-          {{"E", InpQuantity::stress}, {"nu", InpQuantity::ratio}});
-    } else if (type == "ENGINEERING CONSTANTS") {
-      auto constants = stresses({"E1", "E2", "E3", "nu12", "nu13", "nu23", "G12", "G13", "G23"});
-      for (std::size_t i = 3; i < 6; ++i) constants[i].quantity = InpQuantity::ratio;
-      law(card, InpMaterial::Law::engineering_constants, constants);
-    } else if (type == "ORTHO" || type == "ORTHOTROPIC") {
-      law(card,
-          InpMaterial::Law::orthotropic,
-          stresses(
-              {"D1111", "D1122", "D2222", "D1133", "D2233", "D3333", "D1212", "D1313", "D2323"}));
-    } else if (type == "ANISO" || type == "ANISOTROPIC") {
-      law(card,
-          InpMaterial::Law::anisotropic,
-          stresses({"D1111", "D1122", "D2222", "D1133", "D2233", "D3333", "D1112",
-                    "D2212", "D3312", "D1212", "D1113", "D2213", "D3313", "D1213",
-                    "D1313", "D1123", "D2223", "D3323", "D1223", "D1323", "D2323"}));
-    } else {
-      throw InputError(card.place,
-                       fmt::format("*ELASTIC, TYPE={} is not supported, expected ISO, ENGINEERING "
-                                   "CONSTANTS, ORTHO or ANISO",
-                                   type.substr(0, 40)));
-    }
-  }
-
-  void density(const InpCard& card) {
-    InpMaterial& material = current_material(card);
-    std::size_t fields = 0;
-    for (const InpLine& line : card.lines) fields += line.fields.size();
-    if (card.lines.size() != 1 || fields > 2)
-      throw InputError(
-          card.place,
-          fmt::format("*DENSITY has {} constants, expected 1 at one temperature", fields));
-    material.density = note("material." + in_path(material.name) + ".density",
-                            InpQuantity::density,
-                            card,
-                            card.lines[0],
-                            0);
-  }
-
-  void no_compression(const InpCard& card) { current_material(card).no_compression = true; }
+  // Orientations and sections ----------------------------------------------------------------
 
   void orientation(const InpCard& card) {
     if (card.lines.empty() || card.lines[0].fields.size() < 6)
@@ -402,8 +261,12 @@ class DeckReader {
         throw InputError(card.at(turned),
                          fmt::format("axis {}, expected 1, 2 or 3", orientation.axis));
       if (turned.fields.size() > 1)
-        orientation.angle =
-            note("orientation." + in_path(name) + ".angle", InpQuantity::angle, card, turned, 1);
+        orientation.angle = note_number(deck_,
+                                        "orientation." + part_of_path(name) + ".angle",
+                                        InpQuantity::angle,
+                                        card,
+                                        turned,
+                                        1);
     }
     deck_.orientations[name] = orientation;
   }
@@ -430,13 +293,13 @@ class DeckReader {
       rebars.material = card.text(line, 4);
       rebars.orientation = card.option("ORIENTATION", "");
       rebars.place = card.at(line);
-      std::string path = "layer." + in_path(rebars.name);
+      std::string path = "layer." + part_of_path(rebars.name);
       for (int i = 2; !layer_paths_.insert(path).second; ++i)
-        path = fmt::format("layer.{}_{}", in_path(rebars.name), i);
-      rebars.area = note(path + ".area", InpQuantity::area, card, line, 1);
-      rebars.spacing = note(path + ".spacing", InpQuantity::length, card, line, 2);
+        path = fmt::format("layer.{}_{}", part_of_path(rebars.name), i);
+      rebars.area = note_number(deck_, path + ".area", InpQuantity::area, card, line, 1);
+      rebars.spacing = note_number(deck_, path + ".spacing", InpQuantity::length, card, line, 2);
       if (line.fields.size() > 5 && !line.fields[5].empty())
-        rebars.angle = note(path + ".angle", InpQuantity::angle, card, line, 5);
+        rebars.angle = note_number(deck_, path + ".angle", InpQuantity::angle, card, line, 5);
       deck_.rebars.push_back(std::move(rebars));
     }
   }
@@ -599,9 +462,9 @@ class DeckReader {
   }
 
   InpDeck deck_;
+  InpMaterialCards materials_{deck_};
   InpEquations equations_;
   InpSprings springs_;
-  InpMaterial* material_ = nullptr;
   InpInteraction* interaction_ = nullptr;
   std::optional<InpStep> step_;
   std::string surface_section_;

@@ -11,6 +11,7 @@
 
 #include "formats/mesh/element_axes.h"
 #include "formats/mesh/inp_cords.h"
+#include "formats/mesh/inp_ground.h"
 #include "formats/mesh/inp_losses.h"
 #include "formats/mesh/inp_materials.h"
 #include "formats/mesh/mesh_surface.h"
@@ -23,15 +24,15 @@ namespace {
 using fe_tire::Element;
 using fe_tire::Mesh;
 
-constexpr int kAllDirections = 7;
-
 class TireReader {
  public:
   explicit TireReader(const InpDeck& deck) : deck_(deck), units_(deck.units) {}
 
   InpTire read() {
     take_held();
-    separate_ground();
+    const InpGroundBodies ground = ground_bodies(deck_, held_);
+    ground_elements_ = ground.elements;
+    ground_nodes_ = ground.nodes;
     place_frame();
     take_nodes_and_elements();
     take_solids();
@@ -64,40 +65,6 @@ class TireReader {
       for (const InpSupport& support : step.supports) take(support);
   }
 
-  /// Finds the elements of the ground, which are no part of the tire: every body with a master
-  /// surface, and every body whose nodes are all fixed.
-  void separate_ground() {
-    std::map<int, std::vector<int>> elements_at;
-    for (const auto& [number, element] : deck_.elements)
-      for (int node : element.node) elements_at[node].push_back(number);
-    std::set<int> masters, seen;
-    for (const InpContact& contact : deck_.contacts)
-      for (const InpFaces& faces : deck_.surfaces.at(contact.master))
-        masters.insert(faces.elements.begin(), faces.elements.end());
-    for (const auto& [first, unused] : deck_.elements) {
-      std::vector<int> open{first}, body;
-      bool is_master = false, is_held = true;
-      while (!open.empty()) {
-        const int number = open.back();
-        open.pop_back();
-        if (!seen.insert(number).second) continue;
-        body.push_back(number);
-        is_master = is_master || masters.count(number);
-        for (int node : deck_.elements.at(number).node) {
-          is_held = is_held && held_[node] == kAllDirections;
-          const std::vector<int>& neighbors = elements_at[node];
-          open.insert(open.end(), neighbors.begin(), neighbors.end());
-        }
-      }
-      if (!is_master && !is_held) continue;
-      for (int number : body) {
-        ground_elements_.insert(number);
-        const auto& nodes = deck_.elements.at(number).node;
-        ground_nodes_.insert(nodes.begin(), nodes.end());
-      }
-    }
-  }
-
   void place_frame() {
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
     bool found = false;
@@ -125,27 +92,10 @@ class TireReader {
     R_.row(0) = (-axis).cross(-down).transpose();
   }
 
-  /// Returns the middle of the contact's master faces in the file's frame; a point below the axis
-  /// if there is no ground.
+  /// Returns the middle of the ground in the file's frame; a point below the axis if there is no
+  /// ground.
   Eigen::Vector3d ground_point() const {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    int count = 0;
-    for (int node : master_nodes()) {
-      sum += deck_.nodes.at(node);
-      ++count;
-    }
-    return count > 0 ? Eigen::Vector3d(sum / count)
-                     : Eigen::Vector3d(center_ - Eigen::Vector3d::UnitY());
-  }
-
-  std::set<int> master_nodes() const {
-    std::set<int> nodes;
-    for (const InpContact& contact : deck_.contacts)
-      for (const InpFaces& faces : deck_.surfaces.at(contact.master))
-        for (int number : faces.elements)
-          for (int corner : face_corners(face_direction(faces.face)))
-            nodes.insert(deck_.elements.at(number).node[corner]);
-    return nodes;
+    return middle_of_ground(deck_).value_or(center_ - Eigen::Vector3d::UnitY());
   }
 
   Eigen::Vector3d to_wheel(const Eigen::Vector3d& x) const {
@@ -384,7 +334,7 @@ class TireReader {
     for (const auto& [node, directions] : held_) {
       const auto index = node_index_.find(node);
       if (index == node_index_.end() || directions == 0) continue;
-      if (directions != kAllDirections)
+      if (directions != kHeldInAllDirections)
         throw InputError(
             {deck_.file, 0},
             fmt::format("node {} is held in some directions only, expected all three or none",
@@ -392,7 +342,7 @@ class TireReader {
       ring_.held[index->second] = 1;
     }
     for (int node : ground_nodes_)
-      if (held_[node] != kAllDirections)
+      if (held_[node] != kHeldInAllDirections)
         throw InputError(
             {deck_.file, 0},
             fmt::format("node {} of the ground is free, expected a rigid ground", node));
@@ -543,7 +493,7 @@ class TireReader {
     ground.stiffness = interaction.stiffness * stress / units_.length;
     ground.mu = interaction.mu;
     ground.radius = -to_wheel(ground_point()).z();
-    for (int node : master_nodes())
+    for (int node : ground_face_nodes(deck_))
       if (std::abs(-to_wheel(deck_.nodes.at(node)).z() - ground.radius) > 1e-6 * ground.radius)
         throw InputError(contact.place, "the ground is not flat and parallel to the spin axis");
     Eigen::Vector3d moved = Eigen::Vector3d::Zero();

@@ -53,7 +53,7 @@ TEST(SelfAdjointEigen, FindsTheFrequenciesOfABar) {
   const Eigen::VectorXd lambda =
       generalized_eigenvalues(tridiagonal(2.0, -1.0), tridiagonal(4.0 / 6.0, 1.0 / 6.0));
   const Eigen::VectorXd hermitian = generalized_eigenvalues(
-      tridiagonal(2.0, std::polar(1.0, 0.7)), tridiagonal(4.0 / 6.0, std::polar(-1.0 / 6.0, 0.7)));
+      tridiagonal(2.0, std::polar(1.0, 0.7)), tridiagonal(4.0 / 6.0, -std::polar(1.0 / 6.0, 0.7)));
   for (int k = 0; k < kSize; ++k) {
     const double c = std::cos(angle(k));
     EXPECT_NEAR(lambda[k], 6.0 * (1.0 - c) / (2.0 + c), 1e-13);

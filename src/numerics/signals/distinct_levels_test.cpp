@@ -15,10 +15,10 @@ constexpr LevelResolution kPressure{1.5e3, 20e3};  // Pa
 /// deviation, and moves slowly from each to the next.
 std::vector<double> held(const std::vector<double>& points, double deviation, int samples) {
   std::mt19937 chance(3);
-  std::normal_distribution<double> noise(0.0, deviation);
+  std::normal_distribution<double> normal;  // without the deviation, which may be 0 here alone
   std::vector<double> all;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    for (int i = 0; i < samples; ++i) all.push_back(points[k] + noise(chance));
+    for (int i = 0; i < samples; ++i) all.push_back(points[k] + deviation * normal(chance));
     for (int i = 0; k + 1 < points.size() && i < samples / 100; ++i)
       all.push_back(points[k] + (points[k + 1] - points[k]) * i * 100.0 / samples);
   }
