@@ -34,7 +34,9 @@ lengths over the frequency. A study compares them with a measured response by `k
 "frequency_response"` and `y = "relax/Fy_by_alpha"`, at one state.
 
 Rubber and cords whose file states `prony` or `loss_factor` relax in the steady state; the change
-then has their storage moduli at twice the frequency of rotation, and no losses.
+then has their storage moduli at twice the frequency of rotation, and no losses. On tire B with a
+loss factor of 0.15 the slopes of Fy by alpha, Mz by alpha and Fx by kappa are then 12 % and 7 %
+above and 6 % below those of the steady forces; without losses they are equal.
 )md",
       .sentences =
           {

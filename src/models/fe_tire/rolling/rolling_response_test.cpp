@@ -4,12 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <vector>
 
 #include "models/fe_tire/description/reference_tires.h"
+#include "models/fe_tire/motion/spinning_tire.h"
 #include "models/fe_tire/motion/tire_response.h"
+#include "models/fe_tire/passage/rolling_transient.h"
 #include "models/fe_tire/rolling/rolling_tire.h"
+#include "models/fe_tire/rolling/rolling_vibration.h"
 
 namespace latsch::fe_tire {
 namespace {
@@ -138,6 +144,159 @@ TEST(RollingResponse, LagsByADistance) {
     const std::complex<double> lag(1.0, 2.0 * std::numbers::pi * frequency * sigma / 5.0);
     const std::complex<double> Fy = slow->by(SlipInput::angle, frequency).force.y();
     EXPECT_LT(std::abs(Fy + cornering / lag), 0.01 * std::abs(cornering / lag)) << frequency;
+  }
+}
+
+// At 0 Hz there is no inertia but that of steady rolling: forces are those of relaxation, and the
+// hub has those of the ground.
+TEST(RollingVibration, WithoutFrequencyIsTheSlopeOfSteadyForces) {
+  RelaxingTireB of;
+  const RollingState free = of.free_wheel(20.0);
+  const auto vibration = RollingVibration::about(of.tire, free, {.highest = 40.0});
+  ASSERT_TRUE(vibration) << vibration.failure().reason;
+  const auto relaxation = RollingResponse::about(of.tire, free);
+  ASSERT_TRUE(relaxation);
+  const std::vector<VibrationInput> inputs = {
+      {VibrationInput::Of::angle}, {VibrationInput::Of::spin}, {VibrationInput::Of::camber}};
+  const auto slow = vibration->at(0.0, inputs);
+  const auto slopes =
+      relaxation->at(0.0, {SlipInput::angle, SlipInput::spin, SlipInput::camber}, Axle::held);
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const double force = slopes[k].force.norm();
+    EXPECT_LT((slow[k].patch.force - slopes[k].force).norm(), 1e-9 * force) << k;
+    EXPECT_LT((slow[k].patch.moment - slopes[k].moment).norm(), 1e-9 * slopes[k].moment.norm());
+    // The rest is the error of the sums by which G moves nothing.
+    EXPECT_LT((slow[k].hub_force - slow[k].patch.force).norm(), 2e-3 * force) << k;
+  }
+}
+
+/// Amplitude of what follows e^(i omega t) in samples of one period.
+std::complex<double> swing(const std::vector<double>& values) {
+  std::complex<double> sum = 0.0;
+  const double n = static_cast<double>(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    sum += values[k] * std::polar(2.0 / n, -2.0 * std::numbers::pi * static_cast<double>(k) / n);
+  return sum;
+}
+
+// A fast wheel whose slip angle swings has the forces of rolling in time, (V.5), whose inertia is
+// integrated step by step. Without inertia Fy would differ by 9 %. Of the 1.3 % that are left, the
+// step of time takes 0.5 %, and another 0.3 % is the ground's velocity, which (F.5) takes at the end
+// of the way between two points. Points hardly slide, and the swing is small, since the sliding rear
+// edge of the patch changes with a larger one.
+TEST(RollingVibration, IsRollingInTime) {
+  constexpr double kFrequency = 4.0, kSwing = 1e-4, kStep = 1e-3, kSpeed = 30.0;
+  RelaxingTireB of;
+  const RollingState free = of.free_wheel(kSpeed);
+  const auto vibration = RollingVibration::about(of.tire, free, {.highest = 40.0});
+  ASSERT_TRUE(vibration) << vibration.failure().reason;
+  const VibrationResponse expected =
+      vibration->at(kFrequency, {{VibrationInput::Of::angle}}).front();
+  const std::complex<double> without =
+      RollingResponse::about(of.tire, free)->by(SlipInput::angle, kFrequency).force.y();
+  RollingTransient passage(of.tire);
+  ASSERT_TRUE(passage.start(free, {.step = kStep, .rho = 0.3, .enough = 1e-6}));
+  const int period = static_cast<int>(std::lround(1.0 / (kFrequency * kStep)));
+  std::vector<double> side, aligning, hub;
+  const double omega = 2.0 * std::numbers::pi * kFrequency;
+  for (int k = 1; k <= 3 * period; ++k) {
+    const double phase = omega * kStep * k;
+    WheelMoment to{.of = free.of};
+    // The first period begins smoothly, so that the wheel does not ring.
+    const double quarter = phase / 4.0;
+    const double share = k < period ? std::pow(std::sin(quarter), 2) : 1.0;
+    const double rate = k < period ? 0.25 * omega * std::sin(2.0 * quarter) : 0.0;
+    to.of.slip_angle = kSwing * share * std::sin(phase);
+    to.of.speed = kSpeed / std::cos(to.of.slip_angle);
+    // The wheel's velocity to the side is V tan(alpha).
+    to.acceleration.y() =
+        kSpeed * kSwing * (rate * std::sin(phase) + share * omega * std::cos(phase));
+    const auto now = passage.advance(to);
+    ASSERT_TRUE(now) << now.failure().reason;
+    if (k <= 2 * period) continue;
+    side.push_back(now->ground.force.y());
+    aligning.push_back(now->ground.moment.z());
+    hub.push_back(now->force.y());
+  }
+  // The samples begin one step after two periods, at sin.
+  const std::complex<double> turn =
+      std::polar(1.0 / kSwing, -omega * kStep) * std::complex<double>(0.0, 1.0);
+  const auto error = [&](const std::vector<double>& found, const std::complex<double>& value) {
+    return std::abs(swing(found) * turn / value - 1.0);
+  };
+  EXPECT_GT(error(side, without), 0.08);
+  EXPECT_LT(error(side, expected.patch.force.y()), 0.02);
+  EXPECT_LT(error(aligning, expected.patch.moment.z()), 0.02);
+  EXPECT_LT(error(hub, expected.hub_force.y()), 0.02);
+}
+
+/// A tire that spins off the ground.
+RollingState off_the_ground(FeTire& tire, const Inflated& spinning) {
+  const TireState over = tire.over(spinning, {}, FeTire::Poses::any);
+  RollingState state;
+  state.of.height = 2.0 * spinning.radius;
+  state.of.spin = spinning.spin;
+  state.of.speed = spinning.spin * spinning.radius;
+  state.pressure = spinning.pressure;
+  state.u = over.u;
+  state.alpha = over.alpha;
+  state.grip = GripState(0);
+  return state;
+}
+
+// Off the ground a point that is hit answers most at the frequencies of the waves with and against
+// the spin, which another eigenvalue problem in axes that spin along has found.
+TEST(RollingVibration, OffTheGroundHasThePeaksOfWavesWithAndAgainstTheSpin) {
+  constexpr double kSpin = 60.0;  // rad/s
+  FeTire tire(RelaxingTireB::description());
+  const Inflated at_rest = *tire.inflate(2.6e5);
+  SpinningTire spinning(tire);
+  const Inflated grown = *spinning.inflate(at_rest, kSpin);
+  const auto modes = spinning.modes(grown, {}, 8);
+  ASSERT_TRUE(modes);
+  const Mesh& mesh = tire.mesh();
+  int node = 0;  // the outermost node of the first plane
+  for (int a = 0; a < mesh.nodes_per_sector(); ++a)
+    if (mesh.X.col(a).norm() > mesh.X.col(node).norm()) node = a;
+  const auto vibration = RollingVibration::about(
+      tire,
+      off_the_ground(tire, grown),
+      {.highest = 100.0, .points = {{node, Eigen::Vector3d(0.2, 1.0, 1.0).normalized()}}});
+  ASSERT_TRUE(vibration) << vibration.failure().reason;
+  for (const SpinningMode& mode : *modes) {
+    // The peaks of n = 2 are 0.7 and 0.9 % higher. The mass is another one here, the consistent one.
+    if (mode.n > 1) continue;
+    // 1/receptance passes 0 at a natural frequency of a tire that nothing damps.
+    const auto stiffness = [&](double f) {
+      return 1.0 / vibration->at(f, {{VibrationInput::Of::point}}).front().points[0].real();
+    };
+    double low = 0.98 * mode.frequency, high = 1.02 * mode.frequency, nearest = 0.0;
+    constexpr int kScan = 400;
+    for (int k = 0; k < kScan; ++k) {
+      const double f = low + (high - low) * k / kScan, next = f + (high - low) / kScan;
+      const double a = stiffness(f), b = stiffness(next);
+      if (a * b > 0.0 || std::abs(a - b) > 1e9) continue;
+      const double root = f + (next - f) * a / (a - b);
+      if (std::abs(root - mode.frequency) < std::abs(nearest - mode.frequency)) nearest = root;
+    }
+    EXPECT_NEAR(nearest / mode.frequency, 1.0, 5e-3) << mode.label();
+  }
+}
+
+// A wheel that moves slowly takes the mass of the tire along.
+TEST(RollingVibration, OffTheGroundTheHubCarriesTheMass) {
+  FeTire tire(RelaxingTireB::description());
+  const Inflated at_rest = *tire.inflate(2.6e5);
+  const Inflated grown = *SpinningTire(tire).inflate(at_rest, 60.0);
+  const auto vibration =
+      RollingVibration::about(tire, off_the_ground(tire, grown), {.highest = 40.0});
+  ASSERT_TRUE(vibration) << vibration.failure().reason;
+  constexpr double kSlowly = 0.5;  // Hz
+  const double omega = 2.0 * std::numbers::pi * kSlowly, mass = tire.total_mass();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto moved =
+        vibration->at(kSlowly, {{.of = VibrationInput::Of::wheel, .axis = axis}}).front();
+    EXPECT_NEAR(moved.hub_force[axis].real() / (omega * omega * mass), 1.0, 2e-3) << axis;
   }
 }
 
