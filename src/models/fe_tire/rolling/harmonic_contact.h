@@ -13,8 +13,8 @@
 // A velocity v e^(i omega t) with which points move over the ground besides, as by a slip, adds
 //   v Delta t_k phi_k,   phi_k = (1 - e_k)/(i omega Delta t_k)
 // to the step of point k, which is the way of its material since it was at point k - 1. At omega =
-// 0 a velocity is a slip that does not change. Where the wheel turns, a point that moves relative to
-// the wheel comes over ground with another velocity, which is added.
+// 0 a velocity is a slip that does not change. Where the wheel turns, a point that moves relative
+// to the wheel comes over ground with another velocity, which is added.
 #pragma once
 
 #include <Eigen/Core>

@@ -90,7 +90,7 @@ class LinearPatch {
   Eigen::VectorXd condensed(Eigen::VectorXd forces) const;
   /// Returns forces on all unknowns from those on the body's rows, N.
   Eigen::VectorXd at_unknowns(const Eigen::VectorXd& forces) const;
-  /// Returns the displacements of the body's rows, in the ground's axes, from those of all unknowns.
+  /// Returns the displacements of the body's rows, ground's axes, from those of all unknowns.
   Eigen::VectorXd at_rows(const Eigen::VectorXd& displacements) const;
   /// Returns a vector of the ground's axes in the wheel frame.
   Eigen::Vector3d to_wheel(const Eigen::Vector3d& v) const { return to_wheel_ * v; }

@@ -181,9 +181,9 @@ std::complex<double> swing(const std::vector<double>& values) {
 
 // A fast wheel whose slip angle swings has the forces of rolling in time, (V.5), whose inertia is
 // integrated step by step. Without inertia Fy would differ by 9 %. Of the 1.3 % that are left, the
-// step of time takes 0.5 %, and another 0.3 % is the ground's velocity, which (F.5) takes at the end
-// of the way between two points. Points hardly slide, and the swing is small, since the sliding rear
-// edge of the patch changes with a larger one.
+// step of time takes 0.5 %, and another 0.3 % is the ground's velocity, which (F.5) takes at the
+// end of the way between two points. Points hardly slide, and the swing is small, since the sliding
+// rear edge of the patch changes with a larger one.
 TEST(RollingVibration, IsRollingInTime) {
   constexpr double kFrequency = 4.0, kSwing = 1e-4, kStep = 1e-3, kSpeed = 30.0;
   RelaxingTireB of;
@@ -264,7 +264,7 @@ TEST(RollingVibration, OffTheGroundHasThePeaksOfWavesWithAndAgainstTheSpin) {
       {.highest = 100.0, .points = {{node, Eigen::Vector3d(0.2, 1.0, 1.0).normalized()}}});
   ASSERT_TRUE(vibration) << vibration.failure().reason;
   for (const SpinningMode& mode : *modes) {
-    // The peaks of n = 2 are 0.7 and 0.9 % higher. The mass is another one here, the consistent one.
+    // The peaks of n = 2 are 0.7 and 0.9 % higher. The mass is another one here: the consistent.
     if (mode.n > 1) continue;
     // 1/receptance passes 0 at a natural frequency of a tire that nothing damps.
     const auto stiffness = [&](double f) {

@@ -11,7 +11,7 @@
 // spin, K_Omega = K - Omega^2 W, and the contact C(omega) of harmonic_contact.h on the rows B v of
 // the patch,
 //   [K_Omega + i omega Omega G - omega^2 M] v = B'(C B v + C moved - e x c)
-//                                               - (i omega Omega G - omega^2 M) T q_w          (R.4)
+//                                              - (i omega Omega G - omega^2 M) T q_w          (R.4)
 // since K_Omega T = e x c: a wheel that turns takes its forces along. A spin that changes adds the
 // inertia i omega dOmega G' x - 2 Omega dOmega (w_0 + W u), (V.3).
 //
