@@ -73,6 +73,7 @@ void roll_brush(int across, Table& table) {
 void roll_rings(const Options& options, Table& table) {
   const int across = options.size(80, 40);
   for (const double drum : {0.0, 0.6}) {
+    if (drum > 0.0 && options.is_smoke()) break;
     roll_carter(false, drum, across, table);
     roll_carter(true, drum, across, table);
   }
