@@ -10,6 +10,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 #include <utility>
 
+#include "models/fe_tire/passage/halved_step.h"
 #include "models/fe_tire/passage/transient_history.h"
 #include "models/fe_tire/rolling/tread_roller.h"
 
@@ -18,7 +19,6 @@ namespace {
 
 constexpr int kMostOfReduced = 12;
 constexpr std::size_t kMostWorkspaces = 8;  // one takes some 30 MB
-constexpr int kMostReducedHalvings = 4;     // halvings of a step that does not settle
 /// Change of the spin in an iteration, relative, at which it has settled.
 constexpr double kReducedSpinSettled = 2e-5;
 
@@ -86,7 +86,6 @@ struct ReducedPassage::Impl {
                                    const Known& given,
                                    const BossakStep::Motion& q) const;
   Result<TransientForces> step(const WheelMoment& to, double h);
-  Result<TransientForces> halves(const WheelMoment& to, double h, int halvings);
   void accept(const StepMatrices& matrices, const BossakStep::Motion& q);
 };
 
@@ -231,27 +230,6 @@ Result<TransientForces> ReducedPassage::Impl::step(const WheelMoment& to, double
       settings.enough * now.load)};
 }
 
-/// Makes two half steps, each of which is halved again if it does not succeed.
-Result<TransientForces> ReducedPassage::Impl::halves(const WheelMoment& to,
-                                                     double h,
-                                                     int halvings) {
-  const auto make = [&](const WheelMoment& wheel) {
-    auto half = step(wheel, 0.5 * h);
-    return half || halvings == 1 ? half : halves(wheel, 0.5 * h, halvings - 1);
-  };
-  const WheelMoment from = now.wheel;
-  WheelMoment middle = to;
-  middle.of = between(from.of, to.of, 0.5);
-  middle.place = between(from.place, to.place, 0.5);
-  const auto half = make(middle);
-  if (!half) return half;
-  auto end = make(to);
-  if (!end) return end;
-  end->iterations += half->iterations;
-  end->passes += half->passes;
-  return end;
-}
-
 ReducedPassage::ReducedPassage(RollingTransient& full) : impl_(std::make_unique<Impl>(full)) {}
 ReducedPassage::ReducedPassage(ReducedPassage&&) noexcept = default;
 ReducedPassage::~ReducedPassage() = default;
@@ -290,7 +268,8 @@ Result<TransientForces> ReducedPassage::advance(const WheelMoment& to, double st
   auto whole = impl_->step(to, step);
   if (whole) return whole;
   const ReducedState before = impl_->now;
-  auto end = impl_->halves(to, step, kMostReducedHalvings);
+  const auto part = [&](const WheelMoment& wheel, double h) { return impl_->step(wheel, h); };
+  auto end = in_halves(part, impl_->now.wheel, to, step);
   if (!end) impl_->now = before;
   return end;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "models/fe_tire/passage/bossak_step.h"
+#include "models/fe_tire/passage/halved_step.h"
 #include "models/fe_tire/passage/rolling_transient_impl.h"
 
 namespace latsch::fe_tire {
@@ -19,7 +20,6 @@ constexpr int kMostOfStep = 20;  // iterations
 constexpr double kSlowInTime = 0.85;
 constexpr int kMostFactors = 4;       // factorizations of one step
 constexpr int kMostSharesHalved = 4;  // halvings of an iteration that inverts elements
-constexpr int kMostStepsHalved = 4;
 /// Least load to which residuals are relative, in pressures on a square as wide as the tread: a
 /// tire that starts in the air carries none.
 constexpr double kLeastLoad = 0.1;
@@ -269,28 +269,6 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       settings.enough * now.load)};
 }
 
-/// Makes two half steps, each of which is halved again if it does not succeed.
-Result<TransientForces> RollingTransient::Impl::halves(const WheelMoment& to,
-                                                       double h,
-                                                       int halvings) {
-  const auto make = [&](const WheelMoment& wheel) {
-    auto half = step(wheel, 0.5 * h);
-    return half || halvings == 1 ? half : halves(wheel, 0.5 * h, halvings - 1);
-  };
-  const WheelMoment from = now.wheel;
-  WheelMoment middle = to;
-  middle.of = between(from.of, to.of, 0.5);
-  middle.place = between(from.place, to.place, 0.5);
-  const auto half = make(middle);
-  if (!half) return half;
-  auto end = make(to);
-  if (!end) return end;
-  end->iterations += half->iterations;
-  end->factors += half->factors;
-  end->passes += half->passes;
-  return end;
-}
-
 RollingTransient::RollingTransient(FeTire& tire, double touching)
     : impl_(std::make_unique<Impl>(
           tire, tire.impl_->elements(), tire.impl_->settings.tread_shape(), touching)) {}
@@ -350,7 +328,8 @@ Result<TransientForces> RollingTransient::advance(const WheelMoment& to, double 
   auto whole = of.step(to, step);
   if (whole) return whole;
   TransientState before = state();
-  auto end = of.halves(to, step, kMostStepsHalved);
+  const auto part = [&](const WheelMoment& wheel, double h) { return of.step(wheel, h); };
+  auto end = in_halves(part, of.now.wheel, to, step);
   if (!end) resume(std::move(before));
   return end;
 }

@@ -83,7 +83,6 @@ struct RollingTransient::Impl {
                          const RollingCase& of,
                          const RollingForces& ground) const;
   Result<TransientForces> step(const WheelMoment& to, double h);
-  Result<TransientForces> halves(const WheelMoment& to, double h, int halvings);
 };
 
 }  // namespace latsch::fe_tire
