@@ -15,7 +15,7 @@
 //
 // The tire stays as stiff as at its steady state: it does not know that a tire becomes stiffer or
 // softer with its deflection, that material of changing spin has changing gyroscopic forces, nor
-// products of two rotation rates of the wheel. stiffness_error() compares it with the full tire.
+// products of two rotation rates of the wheel. reduced_states.h compares it with the full tire.
 #pragma once
 
 #include <Eigen/Core>
