@@ -40,6 +40,10 @@ std::vector<Problem> held_out_problems();
 /// Returns problems with variables that have no effect at the start (lost_problems.cpp).
 /// `is_held_out` is true for those that were not used to design the method.
 std::vector<Problem> lost_problems();
+/// Returns problems with linear scales whose bounds lie far from the values (wide_problems.cpp).
+std::vector<Problem> wide_problems();
+/// Returns problems whose residuals leap, each from eight starts (leaping_problems.cpp).
+std::vector<Problem> leaping_problems();
 /// Returns all problems, the tuning half first.
 std::vector<Problem> problems();
 
