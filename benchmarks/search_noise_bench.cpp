@@ -30,6 +30,7 @@ using namespace latsch::benchmarks;
 using identification_set::Problem;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kDraws = 5;  // number of draws of the noise
 const std::vector<int> kBudgets{2, 3, 5, 10, 20, 50};  // in units of n + 1
 
 double square(const std::vector<double>& r) {
@@ -133,9 +134,10 @@ Shares solve(const std::vector<Problem>& problems, double noise, double tau, boo
   for (const Problem& problem : problems) {
     const double start = square(problem.residuals(problem.space.initial().values));
     const double least = least_known(problem);
-    const Search run = search(problem, noise, 0, kBudgets.back() * (problem.n() + 1));
-    times.push_back(solved_after(run, least + tau * (start - least), problem.n()));
-    if (lists) {
+    for (int draw = 0; draw < (noise > 0.0 ? kDraws : 1); ++draw) {
+      const Search run = search(problem, noise, draw, kBudgets.back() * (problem.n() + 1));
+      times.push_back(solved_after(run, least + tau * (start - least), problem.n()));
+      if (!lists) continue;
       fmt::print("    {:36} {:2} {:6.1f} of {:5.1f} {}\n",
                  problem.name,
                  problem.n(),

@@ -15,7 +15,7 @@ constexpr double kSlopeVariance = 1e4;   // V_g
 constexpr double kCubicVariance = 1e-4;  // rho
 // Relative increase of the diagonal of K that keeps K positive definite in spite of rounding.
 constexpr double kRounding = 1e-13;
-constexpr double kClear = 3.0;  // gain in log likelihood from which on noise is assumed
+constexpr double kClear = 6.0;  // gain in log likelihood from which on noise is assumed
 // Number of residuals from which the noise is estimated; more would not change the result.
 constexpr Eigen::Index kEnough = 128;
 

@@ -17,6 +17,9 @@ namespace {
 // Length of a probe as a share of the radius. Shorter probes give more exact slopes, longer ones
 // exceed the noise; a third of this length or three times this length make little difference.
 constexpr double kProbe = 0.03;
+// The same for the probes of the first model, for which nothing is known of noise and ripple. Long
+// ones cost nothing on smooth residuals, because the next model mends their curvature.
+constexpr double kFirstProbe = 1.0;
 // Smallest share of a probe's length that bounds and failed regions must leave.
 constexpr double kRoom = 0.5;
 // Length of a step, as a share of the radius, below which it is not worth an evaluation.
@@ -35,6 +38,22 @@ constexpr double kLongestProbe = 0.2;
 constexpr int kProbeShortenings = 3;  // number of times a probe without room is halved
 // Distance to a known point, as a share of the step, below which a new point gives no information.
 constexpr double kSame = 0.1;
+// A linear variable's width is at most this multiple of its value, however far its bounds are. A
+// bound may be a wall far away, and then its distance is no scale for a step or a tolerance.
+constexpr double kOrdinary = 10.0;
+
+/// Returns the widths of the variables around a point, as shares of their ranges. A value of 0 says
+/// nothing of its own size, so the width is then the whole range.
+Eigen::VectorXd ordinary_widths(const DesignSpace& space, const DesignPoint& point) {
+  Eigen::VectorXd widths = Eigen::VectorXd::Ones(space.size());
+  for (int i = 0; i < space.size(); ++i) {
+    const DesignVariable& variable = space[i];
+    const double size = std::abs(point.values[i]);
+    if (variable.scale == Scale::logarithmic || size == 0.0) continue;
+    widths[i] = std::min(1.0, kOrdinary * size / (variable.upper - variable.lower));
+  }
+  return widths;
+}
 
 }  // namespace
 
@@ -43,7 +62,7 @@ TrustBox::TrustBox(const DesignSpace& s, double first_radius, std::uint64_t seed
       region(s),
       radius(first_radius),
       start_(to_vector(s.to_unit(s.initial()))),
-      scale_(s.size()),
+      scale_(ordinary_widths(s, s.initial())),
       seed_(seed) {}
 
 double TrustBox::f() const { return has_center() ? memory[center_].f : kInfinity; }
@@ -97,6 +116,7 @@ SlopeVariance TrustBox::geometry(const PendingPoints<Wanted>& wanted) const {
 
 ResidualKriging TrustBox::model(bool is_noisy) {
   if (std::exchange(scaled_for_, center_) != center_) {
+    scale_.widen(ordinary_widths(space, space.from_unit({c().begin(), c().end()})));
     const ResidualKriging here(samples(), noise);
     const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
     scale_.learn(J * h().cwiseInverse().asDiagonal());
@@ -153,7 +173,7 @@ std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
   const auto end = [&](double length) {
     return region.nearest(c() + length * scale_.widths().cwiseProduct(direction));
   };
-  double length = kProbe * radius;
+  double length = (memory.size() <= n() ? kFirstProbe : kProbe) * radius;
   if (scale_.norm(end(-length) - c()) > 1.01 * scale_.norm(end(length) - c())) {
     direction = -direction;
   }
@@ -222,6 +242,7 @@ Wanted TrustBox::step(const ResidualKriging& m,
   const Eigen::VectorXd z = least_expected(m, h().asDiagonal(), box);
   Wanted step = at(c() + h().cwiseProduct(z), Wanted::Kind::step);
   step.predicted = m.expected(z);
+  step.deviation = m.target_deviation();
   if (step.length < kShort * radius || is_pointless(step.u, kSame * step.length, wanted) ||
       !promises(step)) {
     step.length = 0.0;

@@ -36,6 +36,8 @@ struct Wanted {
   double f_center = 0.0;   // value of the sample `center`
   double length = 0.0;     // largest component of u - center, in units of the widths
   double predicted = 0.0;  // expected value; only for steps
+  /// Standard deviation of the target due to noise, as the model of the step knows it.
+  double deviation = 0.0;
 };
 
 class TrustBox {

@@ -14,9 +14,13 @@ void TrustRadius::judge_step(
         std::clamp(box.radius, tuning_.growth * step.length, tuning_.most_growth * step.length);
     box.radius = std::min(box.radius, tuning_.widest);
   } else if (is_bad(gain) && is_of_center && step.length <= tuning_.own_steps * box.radius) {
+    ++disappointments_;
+    if (step.f_center - step.predicted < step.deviation) {
+      box.radius *= tuning_.below_noise;
+      return;
+    }
     box.radius *= std::clamp(step.length / box.radius, tuning_.most_shrinkage, tuning_.shrinkage);
     is_geometry_doubted_ = true;
-    ++disappointments_;
   }
 }
 

@@ -25,7 +25,9 @@ class TrustRadius {
   /// Shrinks the radius if several evaluations in a row have failed.
   void shrink_after_failure(TrustBox& box, const Wanted& failed) const;
   /// Shrinks the radius if no step in the box is worth an evaluation.
-  void shrink_without_step(TrustBox& box) const { box.radius *= tuning_.without_step; }
+  void shrink_without_step(TrustBox& box) const {
+    box.radius *= box.noise > 0.0 ? tuning_.without_step_in_noise : tuning_.without_step;
+  }
   /// Sets the radius for a new search.
   void begin(TrustBox& box, double radius);
 

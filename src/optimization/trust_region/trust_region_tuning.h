@@ -35,8 +35,12 @@ struct RadiusTuning {
   double own_steps = 1.01;
   /// Largest radius: half the width of the unit cube.
   double widest = 0.5;
-  /// Factor of the radius if no step in its box is worth an evaluation.
-  double without_step = 0.1;
+  /// Factor of the radius if no step in its box is worth an evaluation; the second one applies to
+  /// noisy residuals, whose model promises less than it finds.
+  double without_step = 0.1, without_step_in_noise = 0.5;
+  /// Factor of the radius after a bad gain of a step that promised less than noise scatters the
+  /// target: such an outcome says little about the model.
+  double below_noise = 0.9;
 
   /// After this number of failures in a row, each further failed step multiplies the radius by
   /// `after_failures`.
@@ -48,7 +52,7 @@ struct RadiusTuning {
   double after_giving_up = 0.1;
 
   /// After this number of disappointing steps in a row, the model estimates the noise.
-  int disappointments = 3;
+  int disappointments = 1;
   /// Ratio of noise to curvature, above 1, from which on noise counts as large as the slopes. The
   /// radius is then doubled, at most `widenings_an_outcome` times before the next outcome.
   double drowned = 1e4;

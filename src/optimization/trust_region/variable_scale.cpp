@@ -11,17 +11,29 @@ constexpr double kInsensitive = 1e-3;
 
 }  // namespace
 
-VariableScale::VariableScale(int n)
-    : largest_(Eigen::VectorXd::Zero(n)), widths_(Eigen::VectorXd::Ones(n)) {}
+VariableScale::VariableScale(const Eigen::VectorXd& base)
+    : base_(base), largest_(Eigen::VectorXd::Zero(base.size())), widths_(base) {}
+
+void VariableScale::widen(const Eigen::VectorXd& base) {
+  base_ = base_.cwiseMax(base);
+  update();
+}
 
 void VariableScale::learn(const Eigen::MatrixXd& J) {
   const Eigen::VectorXd now = J.colwise().norm().transpose();
   if (!now.allFinite() || !(now.maxCoeff() > 0.0)) return;
   largest_ = largest_.cwiseMax(now);
-  const Eigen::ArrayXd D = largest_.array().max(kInsensitive * largest_.maxCoeff());
+  update();
+}
+
+void VariableScale::update() {
+  widths_ = base_;
+  const Eigen::ArrayXd effect = largest_.cwiseProduct(base_);
+  if (!(effect.maxCoeff() > 0.0)) return;
+  const Eigen::ArrayXd D = effect.max(kInsensitive * effect.maxCoeff());
   Eigen::ArrayXd logarithm = -kExponent * D.log();
   logarithm -= logarithm.mean();
-  widths_ = logarithm.exp();
+  widths_.array() *= logarithm.exp();
 }
 
 double VariableScale::length(const Eigen::VectorXd& du) const {

@@ -9,7 +9,7 @@ namespace latsch {
 namespace {
 
 TEST(VariableScale, IsTheGeometricMeanOfTheCubeAndOfMoresScale) {
-  VariableScale scale(2);
+  VariableScale scale(Eigen::VectorXd::Ones(2));
   EXPECT_EQ(scale.widths(), Eigen::Vector2d(1.0, 1.0));
   // For this Jacobian, Moré's scale is 1/4 and 4.
   scale.learn(Eigen::Vector2d(4.0, 0.25).asDiagonal());
@@ -19,7 +19,7 @@ TEST(VariableScale, IsTheGeometricMeanOfTheCubeAndOfMoresScale) {
 }
 
 TEST(VariableScale, DoesNotDependOnTheUnitOfTheResiduals) {
-  VariableScale one(2), other(2);
+  VariableScale one(Eigen::VectorXd::Ones(2)), other(Eigen::VectorXd::Ones(2));
   const Eigen::Matrix2d J{{1.0, 3.0}, {-2.0, 5.0}};
   one.learn(J);
   other.learn(1e6 * J);
@@ -27,7 +27,7 @@ TEST(VariableScale, DoesNotDependOnTheUnitOfTheResiduals) {
 }
 
 TEST(VariableScale, RemembersTheLargestEffectAndBoundsWhatHasNone) {
-  VariableScale scale(2);
+  VariableScale scale(Eigen::VectorXd::Ones(2));
   scale.learn(Eigen::Vector2d(1.0, 0.0).asDiagonal());
   EXPECT_NEAR(scale.widths()[1] / scale.widths()[0], std::sqrt(1e3), 1e-10);
   scale.learn(Eigen::Vector2d(0.0, 1.0).asDiagonal());
