@@ -299,6 +299,26 @@ TEST(ResidualTrustRegion, SearchesOnWhereItChasedNoiseIntoASmallBox) {
   EXPECT_GE(solved, 45);
 }
 
+// A bound is a wall and no scale: a decay whose bounds are a thousand times farther away is fitted
+// by the same points.
+TEST(ResidualTrustRegion, TakesTheSameStepsHoweverFarTheBoundsAre) {
+  const auto decay = [](const std::vector<double>& x) {
+    std::vector<double> r;
+    for (int i = 0; i < 30; ++i) {
+      const double t = 0.1 * i;
+      r.push_back(x[0] * std::exp(-x[1] * t) - 3.0 * std::exp(-0.9 * t));
+    }
+    return r;
+  };
+  const auto within = [&](double reach) {
+    return minimize(box({6.0, 2.2}, 0.0, reach, Scale::linear), decay);
+  };
+  const Found near = within(1e3), far = within(1e6);
+  EXPECT_EQ(near.evaluations, far.evaluations);
+  EXPECT_NEAR(far.x[0], 3.0, 1e-3);
+  EXPECT_NEAR(far.x[1], 0.9, 1e-3);
+}
+
 // There are two minima: one at a bound, near the start, and one inside. A search that ended at a
 // bound is continued from the middle of that range before its result is accepted.
 TEST(ResidualTrustRegion, LeavesBoundsOnce) {
@@ -320,7 +340,7 @@ std::vector<double> two_wells(const std::vector<double>& x) {
 TEST(ResidualTrustRegion, LooksFurtherFromALocalMinimumWhereverItStarted) {
   for (const double start : {0.52, 0.6, 0.75}) {
     int found = 0;
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
       const DesignSpace space = box({start, 0.6}, 0.0, 1.0, Scale::linear);
       found += minimize(space, two_wells, {.seed = seed}).f < 1e-3;
     }
@@ -409,7 +429,7 @@ TEST(ResidualTrustRegion, RestartsUntilNothingIsLeftButTheNoiseThatIsStated) {
       for (int i = 0; i < m; ++i) {
         RandomStream random(draw, i);
         const double t = 0.01 * i, far = x[0] - 0.4;
-        const double valley = 30.0 * far * t + 20.0 * (x[1] - 0.6) + 6.0 * std::sin(25.0 * far);
+        const double valley = 30.0 * far * t + 20.0 * (x[1] - 0.6) + 9.0 * std::sin(25.0 * far);
         r.push_back(valley + random.normal());
       }
       return r;

@@ -38,19 +38,19 @@ constexpr double kLongestProbe = 0.2;
 constexpr int kProbeShortenings = 3;  // number of times a probe without room is halved
 // Distance to a known point, as a share of the step, below which a new point gives no information.
 constexpr double kSame = 0.1;
-// A linear variable's width is at most this multiple of its value, however far its bounds are. A
-// bound may be a wall far away, and then its distance is no scale for a step or a tolerance.
-constexpr double kOrdinary = 10.0;
-
-/// Returns the widths of the variables around a point, as shares of their ranges. A value of 0 says
-/// nothing of its own size, so the width is then the whole range.
-Eigen::VectorXd ordinary_widths(const DesignSpace& space, const DesignPoint& point) {
+/// Returns the widths of the variables around a point, as shares of their ranges: so narrow that a
+/// move by `radius` changes no linear variable by more than its value. A bound may be a wall far
+/// away, and then its distance is no scale for a step or a tolerance. A value of 0 says nothing of
+/// its own size, so the width is then the whole range.
+Eigen::VectorXd ordinary_widths(const DesignSpace& space,
+                                const DesignPoint& point,
+                                double radius) {
   Eigen::VectorXd widths = Eigen::VectorXd::Ones(space.size());
   for (int i = 0; i < space.size(); ++i) {
     const DesignVariable& variable = space[i];
     const double size = std::abs(point.values[i]);
     if (variable.scale == Scale::logarithmic || size == 0.0) continue;
-    widths[i] = std::min(1.0, kOrdinary * size / (variable.upper - variable.lower));
+    widths[i] = std::min(1.0, size / (radius * (variable.upper - variable.lower)));
   }
   return widths;
 }
@@ -62,7 +62,8 @@ TrustBox::TrustBox(const DesignSpace& s, double first_radius, std::uint64_t seed
       region(s),
       radius(first_radius),
       start_(to_vector(s.to_unit(s.initial()))),
-      scale_(ordinary_widths(s, s.initial())),
+      scale_(ordinary_widths(s, s.initial(), first_radius)),
+      first_radius_(first_radius),
       seed_(seed) {}
 
 double TrustBox::f() const { return has_center() ? memory[center_].f : kInfinity; }
@@ -116,9 +117,10 @@ SlopeVariance TrustBox::geometry(const PendingPoints<Wanted>& wanted) const {
 
 ResidualKriging TrustBox::model(bool is_noisy) {
   if (std::exchange(scaled_for_, center_) != center_) {
-    scale_.widen(ordinary_widths(space, space.from_unit({c().begin(), c().end()})));
-    const ResidualKriging here(samples(), noise);
-    const Eigen::MatrixXd J = here.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
+    const DesignPoint here = space.from_unit({c().begin(), c().end()});
+    scale_.widen(ordinary_widths(space, here, first_radius_));
+    const ResidualKriging first(samples(), noise);
+    const Eigen::MatrixXd J = first.jacobian(Eigen::VectorXd::Zero(n()));  // dr/dz
     scale_.learn(J * h().cwiseInverse().asDiagonal());
     // The edges are in units of the widths, which have changed, so they are computed again.
     edges_of_[0] = -1;

@@ -150,6 +150,7 @@ class TrustBox {
   int center_ = -1;
   int best_ = -1;
   VariableScale scale_;
+  double first_radius_;
   /// Edges of failed regions around the center, in units of the widths.
   mutable std::vector<Edge> edges_;
   /// Center and numbers of samples and failures that edges_ was computed for.

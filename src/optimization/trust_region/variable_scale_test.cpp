@@ -26,6 +26,22 @@ TEST(VariableScale, DoesNotDependOnTheUnitOfTheResiduals) {
   EXPECT_NEAR((one.widths() - other.widths()).norm(), 0.0, 1e-14);
 }
 
+TEST(VariableScale, DoesNotDependOnTheRangesIfTheBaseWidthsTakeThemOut) {
+  // The second variable is stated over a range a thousand times as wide, so that its unit is one.
+  VariableScale narrow(Eigen::Vector2d(1.0, 1.0)), wide(Eigen::Vector2d(1.0, 1e-3));
+  const Eigen::Matrix2d J{{1.0, 3.0}, {-2.0, 5.0}};
+  narrow.learn(J);
+  wide.learn(J * Eigen::Vector2d(1.0, 1e3).asDiagonal());
+  EXPECT_NEAR(wide.widths()[0], narrow.widths()[0], 1e-12);
+  EXPECT_NEAR(1e3 * wide.widths()[1], narrow.widths()[1], 1e-12);
+}
+
+TEST(VariableScale, WidensItsBaseAndNeverNarrowsIt) {
+  VariableScale scale(Eigen::Vector2d(0.1, 0.5));
+  scale.widen(Eigen::Vector2d(0.2, 0.3));
+  EXPECT_EQ(scale.widths(), Eigen::Vector2d(0.2, 0.5));
+}
+
 TEST(VariableScale, RemembersTheLargestEffectAndBoundsWhatHasNone) {
   VariableScale scale(Eigen::VectorXd::Ones(2));
   scale.learn(Eigen::Vector2d(1.0, 0.0).asDiagonal());
