@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "optimization/least_squares/box_least_squares.h"
@@ -20,6 +21,8 @@ constexpr double kProbe = 0.03;
 // The same for the probes of the first model, for which nothing is known of noise and ripple. Long
 // ones cost nothing on smooth residuals, because the next model mends their curvature.
 constexpr double kFirstProbe = 1.0;
+// Length of a probe beside an awaited step, as a share of the step.
+const double kBeside = std::getenv("BESIDE") ? std::atof(std::getenv("BESIDE")) : 0.5;
 // Smallest share of a probe's length that bounds and failed regions must leave.
 constexpr double kRoom = 0.5;
 // Length of a step, as a share of the radius, below which it is not worth an evaluation.
@@ -105,8 +108,13 @@ SlopeVariance TrustBox::geometry(const PendingPoints<Wanted>& wanted) const {
   for (const Wanted& w : wanted) {
     if (w.u != c()) places.push_back(w.u - c());
   }
+  return variance_left(places, h());
+}
+
+SlopeVariance TrustBox::variance_left(const std::vector<Eigen::VectorXd>& places,
+                                      const Eigen::VectorXd& h) const {
   Eigen::MatrixXd Z(std::ssize(places), n());
-  for (Eigen::Index i = 0; i < Z.rows(); ++i) Z.row(i) = places[i].cwiseQuotient(h());
+  for (Eigen::Index i = 0; i < Z.rows(); ++i) Z.row(i) = places[i].cwiseQuotient(h);
   if (region.E().rows() == 0) return slope_variance(Z);
   const Eigen::MatrixXd N = along();
   if (N.cols() == 0) return {};  // the region is a single point
@@ -175,7 +183,7 @@ std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
   const auto end = [&](double length) {
     return region.nearest(c() + length * scale_.widths().cwiseProduct(direction));
   };
-  double length = (memory.size() <= n() ? kFirstProbe : kProbe) * radius;
+  double length = (knows_slopes() ? kProbe : kFirstProbe) * radius;
   if (scale_.norm(end(-length) - c()) > 1.01 * scale_.norm(end(length) - c())) {
     direction = -direction;
   }
@@ -185,6 +193,29 @@ std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
       const Eigen::VectorXd u = end(signed_length);
       const bool has_room = scale_.norm(u - c()) > kRoom * length;
       if (has_room && !is_pointless(u, 1e-3 * length, wanted)) return at(u, Wanted::Kind::probe);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Wanted> TrustBox::probe_beside(const Wanted& step,
+                                             double least_share,
+                                             const PendingPoints<Wanted>& wanted) const {
+  const Eigen::VectorXd reach = step.length * scale_.widths();
+  std::vector<Eigen::VectorXd> places{c() - step.u};
+  for (const int i : memory.near(center_, h())) places.push_back(memory[i].u - step.u);
+  for (const Wanted& w : wanted) {
+    if (w.u != step.u) places.push_back(w.u - step.u);
+  }
+  const SlopeVariance left = variance_left(places, reach);
+  const Eigen::Index last = left.share.size() - 1;
+  if (last < 0 || left.share[last] <= least_share) return std::nullopt;
+  const Eigen::VectorXd move = kBeside * reach.cwiseProduct(left.directions.col(last));
+  for (const double side : {1.0, -1.0}) {
+    const Eigen::VectorXd u = region.nearest(step.u + side * move);
+    const bool has_room = scale_.norm(u - step.u) > kRoom * scale_.norm(move);
+    if (has_room && !is_beyond_edge(u) && !is_pointless(u, kSame * kBeside * step.length, wanted)) {
+      return at(u, Wanted::Kind::probe);
     }
   }
   return std::nullopt;
@@ -245,6 +276,8 @@ Wanted TrustBox::step(const ResidualKriging& m,
   Wanted step = at(c() + h().cwiseProduct(z), Wanted::Kind::step);
   step.predicted = m.expected(z);
   step.deviation = m.target_deviation();
+  step.radius = radius;
+  step.box = box;
   if (step.length < kShort * radius || is_pointless(step.u, kSame * step.length, wanted) ||
       !promises(step)) {
     step.length = 0.0;
@@ -339,6 +372,19 @@ std::optional<Wanted> TrustBox::explore(const PendingPoints<Wanted>& wanted) {
     const double size = reach * std::pow(10.0, -numbers.uniform());
     const Eigen::VectorXd u = moved(around, size, numbers);
     if (!is_pointless(u, 1e-3 * size, wanted)) return at(u, Wanted::Kind::probe);
+  }
+  return std::nullopt;
+}
+
+std::optional<Wanted> TrustBox::scatter(const PendingPoints<Wanted>& wanted) {
+  static const double S = std::getenv("SCATTER") ? std::atof(std::getenv("SCATTER")) : 1.0;
+  constexpr std::array kRadii{2.0, 4.0, 6.0};
+  constexpr int kTries = 20;
+  for (int k = 0; k < kTries; ++k) {
+    const double length = S * kRadii[drawn_ % kRadii.size()] * radius;
+    const Eigen::VectorXd move = length * draw().normalized();
+    const Eigen::VectorXd u = region.nearest(c() + scale_.widths().cwiseProduct(move));
+    if (!is_pointless(u, 0.1 * length, wanted)) return at(u, Wanted::Kind::probe);
   }
   return std::nullopt;
 }

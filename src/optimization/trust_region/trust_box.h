@@ -36,6 +36,8 @@ struct Wanted {
   double f_center = 0.0;   // value of the sample `center`
   double length = 0.0;     // largest component of u - center, in units of the widths
   double predicted = 0.0;  // expected value; only for steps
+  /// Radius of the search when the step was proposed, and the half width of its box in radii.
+  double radius = 0.0, box = 1.0;
   /// Standard deviation of the target due to noise, as the model of the step knows it.
   double deviation = 0.0;
 };
@@ -67,6 +69,8 @@ class TrustBox {
     return value > 0.0 && best_ >= 0 && memory[best_].f <= value;
   }
 
+  /// True unless the first samples are still too few for the slopes of all variables.
+  bool knows_slopes() const { return memory.size() > n(); }
   /// Moves the box to u, which is not evaluated yet, and starts again.
   void move_to(const Eigen::VectorXd& u);
   /// True if residuals jump: the sample is worse than the center and has more stand-ins for missing
@@ -91,6 +95,12 @@ class TrustBox {
   /// Returns a probe along a direction, toward the side with more room, of the length of a probe or
   /// as long as the room allows; nullopt if bounds and constraints leave no room.
   std::optional<Wanted> probe(Eigen::VectorXd direction, const PendingPoints<Wanted>& wanted) const;
+  /// Returns a probe beside a step whose outcome is awaited, in the direction whose slope at the end
+  /// of the step will be known least; nullopt if no direction leaves more than `least_share` of the
+  /// variance, or if there is no room.
+  std::optional<Wanted> probe_beside(const Wanted& step,
+                                     double least_share,
+                                     const PendingPoints<Wanted>& wanted) const;
   /// Returns the step in a box whose half width is `box` times the radius. Its length is 0 if it is
   /// not worth an evaluation.
   Wanted step(const ResidualKriging& m, double box, const PendingPoints<Wanted>& wanted) const;
@@ -119,6 +129,9 @@ class TrustBox {
   /// Returns a point near the one predicted to be the best, at a random distance of any order of
   /// magnitude.
   std::optional<Wanted> explore(const PendingPoints<Wanted>& wanted);
+  /// Returns a point around the start of the box at two to six radii in a random direction, so that
+  /// a first model with more samples than variables has curvature.
+  std::optional<Wanted> scatter(const PendingPoints<Wanted>& wanted);
   /// Returns u with every variable changed by a random amount of up to `reach` widths, inside the
   /// region.
   Eigen::VectorXd moved(const Eigen::VectorXd& u, double reach);
@@ -149,6 +162,10 @@ class TrustBox {
   Eigen::VectorXd start_;
   int center_ = -1;
   int best_ = -1;
+  /// Returns the variance of the slopes that samples at the places, in units of h, leave.
+  SlopeVariance variance_left(const std::vector<Eigen::VectorXd>& places,
+                              const Eigen::VectorXd& h) const;
+
   VariableScale scale_;
   double first_radius_;
   /// Edges of failed regions around the center, in units of the widths.

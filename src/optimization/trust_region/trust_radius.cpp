@@ -10,16 +10,22 @@ void TrustRadius::judge_step(
     TrustBox& box, const Wanted& step, double gain, bool is_best, bool is_of_center) {
   if (is_good(gain)) disappointments_ = 0;
   if (is_best && is_good(gain)) {
-    box.radius =
-        std::clamp(box.radius, tuning_.growth * step.length, tuning_.most_growth * step.length);
+    // A step that only its own small box kept short says nothing against a larger radius.
+    const double most = std::max(tuning_.most_growth * step.length,
+                                 step.box < 1.0 ? box.radius : 0.0);
+    box.radius = std::clamp(box.radius, tuning_.growth * step.length, most);
     box.radius = std::min(box.radius, tuning_.widest);
   } else if (is_bad(gain) && is_of_center && step.length <= tuning_.own_steps * box.radius) {
     ++disappointments_;
     if (step.f_center - step.predicted < step.deviation) {
-      box.radius *= tuning_.below_noise;
+      box.radius = std::min(box.radius, tuning_.below_noise * step.radius);
       return;
     }
-    box.radius *= std::clamp(step.length / box.radius, tuning_.most_shrinkage, tuning_.shrinkage);
+    // Several steps from the same center may disappoint at once; together they shrink the radius
+    // no more than the one that shrinks it most.
+    box.radius = std::min(
+        box.radius,
+        std::clamp(step.length, tuning_.most_shrinkage * step.radius, tuning_.shrinkage * step.radius));
     is_geometry_doubted_ = true;
   }
 }

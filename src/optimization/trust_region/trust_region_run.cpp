@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "optimization/trust_region/flat_directions.h"
@@ -57,7 +58,7 @@ std::optional<Wanted> TrustRegionRun::next_of_search() {
     if (bears_probes) {
       if (auto unknown = probe(open, tuning_.geometry.unknown)) return unknown;
     }
-    if (!box_.has_center()) return box_.explore(wanted_);
+    if (!box_.has_center()) return box_.scatter(wanted_);
     if (radius_.doubts_geometry()) {
       if (auto poor = probe(open, tuning_.geometry.poor)) return poor;
     }
@@ -69,6 +70,8 @@ std::optional<Wanted> TrustRegionRun::next_of_search() {
     if (bears_probes) {
       if (auto poor = probe(open, tuning_.geometry.poor)) return poor;
     }
+    // Outcomes that are still awaited may change the model, so the box is not judged before them.
+    if (!wanted_.empty()) return look_around();
     if (!box_.promises(first) && box_.radius < settled_radius()) break;
     radius_.shrink_without_step(box_);
   }
@@ -151,8 +154,24 @@ bool TrustRegionRun::is_step_awaited() const {
   });
 }
 
+/// Returns a further point while the outcome of a step is awaited: a probe beside the best awaited
+/// step, a step in a box of another size, or a point near the best predicted one.
 std::optional<Wanted> TrustRegionRun::another_step(const ResidualKriging& m) {
-  for (std::size_t k = 1; k < tuning_.search.boxes.size(); ++k) {
+  const Wanted* best = nullptr;
+  int steps = 0;
+  for (const Wanted& w : wanted_) {
+    if (w.kind != Kind::step || w.center != box_.center()) continue;
+    ++steps;
+    if (!best || w.predicted < best->predicted) best = &w;
+  }
+  static const double OPEN = std::getenv("OPEN") ? std::atof(std::getenv("OPEN")) : 0.05;
+  static const int FIRST = std::getenv("FIRST") ? std::atoi(std::getenv("FIRST")) : 1;
+  static const int MOSTS = std::getenv("MOSTS") ? std::atoi(std::getenv("MOSTS")) : 6;
+  if (steps >= FIRST) {
+    if (auto beside = box_.probe_beside(*best, OPEN, wanted_)) return beside;
+  }
+  const int most = std::min(1 + options_.outstanding / 4, MOSTS);
+  for (std::size_t k = 1; k < tuning_.search.boxes.size() && steps < most; ++k) {
     Wanted other = box_.step(m, tuning_.search.boxes[k], wanted_);
     if (other.length > 0.0) return other;
   }
@@ -162,7 +181,8 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualKriging& m) {
 /// Returns a random point near the best predicted one while outcomes are outstanding. The number of
 /// such points is limited by the option `outstanding`.
 std::optional<Wanted> TrustRegionRun::look_around() {
-  return explored_++ < options_.outstanding ? box_.explore(wanted_) : std::nullopt;
+  if (explored_++ >= options_.outstanding) return std::nullopt;
+  return box_.knows_slopes() ? box_.explore(wanted_) : box_.scatter(wanted_);
 }
 
 /// Begins the verification. Returns false if nothing is left to gain, if the last verification
