@@ -30,7 +30,7 @@ using namespace latsch::benchmarks;
 using identification_set::Problem;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kDraws = 5;  // number of draws of the noise
+constexpr int kDraws = 5;                              // number of draws of the noise
 const std::vector<int> kBudgets{2, 3, 5, 10, 20, 50};  // in units of n + 1
 
 double square(const std::vector<double>& r) {
@@ -169,8 +169,10 @@ void noise_rows(Table& table, const Half& which, const Options& options, bool li
     double noise, tau;
     double at_5, at_10;  // required shares; 0: none
   };
-  const Level levels[] = {
-      {0.0, 1e-3, 0, 0}, {1e-3, 1e-3, 0.92, 0.96}, {1e-2, 1e-3, 0.65, 0.73}, {5e-2, 1e-2, 0.45, 0.65}};
+  const Level levels[] = {{0.0, 1e-3, 0, 0},
+                          {1e-3, 1e-3, 0.92, 0.96},
+                          {1e-2, 1e-3, 0.65, 0.73},
+                          {5e-2, 1e-2, 0.45, 0.65}};
   const auto problems = half(identification_set::problems(), which.is_held_out, options);
   for (const Level& level : levels) {
     const std::string what = fmt::format("{}, noise {:g}", which.name, level.noise);
@@ -259,11 +261,11 @@ void bound_rows(Table& table, const Half& which, const Options& options, bool li
                  far.trials());
     }
   }
-  table.full_row(fmt::format("{}, bounds of 1e12 against 10: same end, 20 % more trials at most",
-                             which.name),
-                 fmt::format("{} of {}", alike, count),
-                 "all",
-                 alike == count);
+  table.full_row(
+      fmt::format("{}, bounds of 1e12 against 10: same end, 20 % more trials at most", which.name),
+      fmt::format("{} of {}", alike, count),
+      "all",
+      alike == count);
 }
 
 int bench(const Options& options) {

@@ -72,8 +72,8 @@ Outcome run(const Problem& problem, double below, int batch, int workers, int dr
   while (!method.converged() && time < kMost * (problem.n() + 1.0)) {
     const auto plan = method.propose(workers);
     for (const DesignPoint& point : plan) {
-      const auto busy = std::count_if(
-          begun.begin(), begun.end(), [&](const Begun& b) { return b.end > time; });
+      const auto busy =
+          std::count_if(begun.begin(), begun.end(), [&](const Begun& b) { return b.end > time; });
       if (busy >= workers) break;
       if (find(point) == begun.end()) begun.push_back({point, time + duration(point, draw)});
     }
@@ -90,11 +90,6 @@ Outcome run(const Problem& problem, double below, int batch, int workers, int dr
     const DesignPoint point = first->point;
     Score score{0.0, problem.residuals(point.values)};
     score.value = square_of(score.residuals);
-    if (std::getenv("TRACE") && problem.name == std::getenv("TRACE") && draw == 0 && batch == std::atoi(std::getenv("B"))) {
-      fmt::print("  {:5.2f} began {:4d}  f {:.3e} goal {:.3e} u", time, begun.size(), score.value, below);
-      for (double v : problem.space.to_unit(point)) fmt::print(" {:.4f}", v);
-      fmt::print("\n");
-    }
     if (score.value <= below) return {time, static_cast<double>(begun.size())};
     method.observe(point,
                    std::isfinite(score.value) ? Result<Score>(score) : Failure{"not finite"});

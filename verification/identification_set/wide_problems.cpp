@@ -85,13 +85,13 @@ std::vector<Problem> to_look_at_once() {
                        over_times(grid(-2, 2.1, 40), [](double v, const Vector& x) {
                          return x[0] * tanh(v / x[1]) + x[2] * v;
                        })));
-  all.push_back(fitted("wide: ring frequencies",
-                       {{"B", 0, 20, 0.05, 0.12}, {"T", 0, 900, 9, 4}, {"k", 0, 5000, 30, 80}},
-                       over_times(grid(1, 9, 9), [](double n, const Vector& x) {
-                         const double s = n * n;
-                         return sqrt((x[0] * s * (s - 1) * (s - 1) + x[1] * s * (s - 1) + x[2] * s) /
-                                     (1 + s));
-                       })));
+  all.push_back(fitted(
+      "wide: ring frequencies",
+      {{"B", 0, 20, 0.05, 0.12}, {"T", 0, 900, 9, 4}, {"k", 0, 5000, 30, 80}},
+      over_times(grid(1, 9, 9), [](double n, const Vector& x) {
+        const double s = n * n;
+        return sqrt((x[0] * s * (s - 1) * (s - 1) + x[1] * s * (s - 1) + x[2] * s) / (1 + s));
+      })));
   all.push_back(fitted("wide: rise with a delay",
                        {{"y", 0, 700, 9, 6}, {"t", 0, 300, 1, 2.5}, {"d", 0, 100, 2, 0.9}},
                        over_times(grid(0, 12, 40), [](double t, const Vector& x) {

@@ -182,7 +182,7 @@ TEST(LostVariables, PeaksOutsideTheDataAreBroughtBack) {
   EXPECT_GT(without.f, 1.0);  // the best fit without the peaks is a straight line
   EXPECT_LT(without.evaluations, 200);
   EXPECT_LT(fit_peaks(100, 1, 1000).f, 1e-3);
-  EXPECT_LT(fit_peaks(100, 6, 2000).f, 1e-3);
+  EXPECT_LT(fit_peaks(100, 8, 2000).f, 1e-3);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "optimization/least_squares/box_least_squares.h"
@@ -22,7 +21,7 @@ constexpr double kProbe = 0.03;
 // ones cost nothing on smooth residuals, because the next model mends their curvature.
 constexpr double kFirstProbe = 1.0;
 // Length of a probe beside an awaited step, as a share of the step.
-const double kBeside = std::getenv("BESIDE") ? std::atof(std::getenv("BESIDE")) : 0.5;
+constexpr double kBeside = 0.25;
 // Smallest share of a probe's length that bounds and failed regions must leave.
 constexpr double kRoom = 0.5;
 // Length of a step, as a share of the radius, below which it is not worth an evaluation.
@@ -45,9 +44,7 @@ constexpr double kSame = 0.1;
 /// move by `radius` changes no linear variable by more than its value. A bound may be a wall far
 /// away, and then its distance is no scale for a step or a tolerance. A value of 0 says nothing of
 /// its own size, so the width is then the whole range.
-Eigen::VectorXd ordinary_widths(const DesignSpace& space,
-                                const DesignPoint& point,
-                                double radius) {
+Eigen::VectorXd ordinary_widths(const DesignSpace& space, const DesignPoint& point, double radius) {
   Eigen::VectorXd widths = Eigen::VectorXd::Ones(space.size());
   for (int i = 0; i < space.size(); ++i) {
     const DesignVariable& variable = space[i];
@@ -377,14 +374,13 @@ std::optional<Wanted> TrustBox::explore(const PendingPoints<Wanted>& wanted) {
 }
 
 std::optional<Wanted> TrustBox::scatter(const PendingPoints<Wanted>& wanted) {
-  static const double S = std::getenv("SCATTER") ? std::atof(std::getenv("SCATTER")) : 1.0;
   constexpr std::array kRadii{2.0, 4.0, 6.0};
   constexpr int kTries = 20;
   for (int k = 0; k < kTries; ++k) {
-    const double length = S * kRadii[drawn_ % kRadii.size()] * radius;
+    const double length = kRadii[drawn_ % kRadii.size()] * radius;
     const Eigen::VectorXd move = length * draw().normalized();
     const Eigen::VectorXd u = region.nearest(c() + scale_.widths().cwiseProduct(move));
-    if (!is_pointless(u, 0.1 * length, wanted)) return at(u, Wanted::Kind::probe);
+    if (!is_pointless(u, kSame * length, wanted)) return at(u, Wanted::Kind::probe);
   }
   return std::nullopt;
 }

@@ -11,8 +11,8 @@ void TrustRadius::judge_step(
   if (is_good(gain)) disappointments_ = 0;
   if (is_best && is_good(gain)) {
     // A step that only its own small box kept short says nothing against a larger radius.
-    const double most = std::max(tuning_.most_growth * step.length,
-                                 step.box < 1.0 ? box.radius : 0.0);
+    const double most =
+        std::max(tuning_.most_growth * step.length, step.box < 1.0 ? box.radius : 0.0);
     box.radius = std::clamp(box.radius, tuning_.growth * step.length, most);
     box.radius = std::min(box.radius, tuning_.widest);
   } else if (is_bad(gain) && is_of_center && step.length <= tuning_.own_steps * box.radius) {
@@ -25,7 +25,8 @@ void TrustRadius::judge_step(
     // no more than the one that shrinks it most.
     box.radius = std::min(
         box.radius,
-        std::clamp(step.length, tuning_.most_shrinkage * step.radius, tuning_.shrinkage * step.radius));
+        std::clamp(
+            step.length, tuning_.most_shrinkage * step.radius, tuning_.shrinkage * step.radius));
     is_geometry_doubted_ = true;
   }
 }

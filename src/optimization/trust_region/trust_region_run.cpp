@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "optimization/trust_region/flat_directions.h"
@@ -164,13 +163,10 @@ std::optional<Wanted> TrustRegionRun::another_step(const ResidualKriging& m) {
     ++steps;
     if (!best || w.predicted < best->predicted) best = &w;
   }
-  static const double OPEN = std::getenv("OPEN") ? std::atof(std::getenv("OPEN")) : 0.05;
-  static const int FIRST = std::getenv("FIRST") ? std::atoi(std::getenv("FIRST")) : 1;
-  static const int MOSTS = std::getenv("MOSTS") ? std::atoi(std::getenv("MOSTS")) : 6;
-  if (steps >= FIRST) {
-    if (auto beside = box_.probe_beside(*best, OPEN, wanted_)) return beside;
+  if (best) {
+    if (auto beside = box_.probe_beside(*best, tuning_.geometry.beside, wanted_)) return beside;
   }
-  const int most = std::min(1 + options_.outstanding / 4, MOSTS);
+  const int most = std::min(1 + options_.outstanding / 4, tuning_.search.most_steps);
   for (std::size_t k = 1; k < tuning_.search.boxes.size() && steps < most; ++k) {
     Wanted other = box_.step(m, tuning_.search.boxes[k], wanted_);
     if (other.length > 0.0) return other;

@@ -17,6 +17,8 @@ struct GeometryTuning {
   /// Share above which a direction is probed if a step disappoints or none is found. A direction
   /// with no sample within 7 radii has this share.
   double poor = 0.02;
+  /// Share above which a direction is probed at the end of a step whose outcome is awaited.
+  double beside = 0.05;
 };
 
 struct RadiusTuning {
@@ -67,7 +69,10 @@ struct SearchTuning {
   double settled = 0.1;
   /// Sizes of the boxes in which steps are sought, in radii. The first one is for the next step,
   /// the others for further steps while the outcome of the first is outstanding.
-  std::array<double, 8> boxes{1.0, 0.25, 2.0, 0.5, 0.1, 4.0, 0.03, 0.01};
+  std::array<double, 8> boxes{1.0, 0.25, 2.0, 4.0, 0.5, 0.1, 0.03, 0.01};
+  /// Largest number of steps from one center whose outcomes are awaited at a time; fewer if less
+  /// than 20 points are outstanding.
+  int most_steps = 6;
   /// Share of the first value below which nothing is left to gain; the residuals are then a
   /// ten-thousandth of the first ones.
   double nothing_left = 1e-8;
