@@ -325,6 +325,20 @@ void say_finished(const Study& study) {
       study.file.string());
 }
 
+/// Says what `batch` would gain if several workers evaluated what a search may do with one point at
+/// a time. The figures are those of ./bench.sh workers_search.
+void offer_batch(const Study& study, int workers) {
+  constexpr int kWorthIt = 4;
+  const bool takes_one = study.optimizer.residual_trust_region.outstanding == 1;
+  const Method method = correlation::method_of(study).method;
+  if (workers < kWorthIt || !takes_one || method != Method::residual_trust_region) return;
+  say("The search knew every outcome before it chose the next point, so most of the {0} workers "
+      "evaluated points that it might have needed. With [optimizer] batch = {0} they work for the "
+      "search: on test problems 4 places were 1.5 to 2.1 times as fast for twice the trials, and "
+      "16 places 1.6 to 3.1 times for 4 to 8 times the trials. It then takes other steps\n",
+      workers);
+}
+
 /// Ends a run after its last stage: prints the result, runs the trials that the intervals need, and
 /// writes the report. Returns the exit code.
 int finish(const Study& study,
@@ -339,6 +353,7 @@ int finish(const Study& study,
   if (finished) say_finished(as_read);
   answer()["repeated"] = finished.has_value();
   print_result(study, run, journal);
+  if (!finished) offer_batch(study, stages.executor().workers());
   print_remarks(study, best, journal);
   const DesignPoint shown = finished ? *finished : best_of_journal(study, best, journal);
   const auto depth = run.end == RunEnd::converged ? correlation::Depth::intervals

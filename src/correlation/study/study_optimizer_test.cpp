@@ -36,7 +36,7 @@ TEST(StudyOptimizer, MakesUseOfTheResidualsUnlessTheStudySaysOtherwise) {
 
 TEST(StudyOptimizer, ReadsTheOptionsOfItsMethod) {
   const auto trust = optimizer_of(
-      "method = \"residual_trust_region\"\ninitial_step = 0.2\nrestarts = 2\noutstanding = 8");
+      "method = \"residual_trust_region\"\ninitial_step = 0.2\nrestarts = 2\nbatch = 8");
   EXPECT_EQ(trust.residual_trust_region.initial_radius, 0.2);
   EXPECT_EQ(trust.residual_trust_region.restarts, 2);
   EXPECT_EQ(trust.residual_trust_region.outstanding, 8);
@@ -70,6 +70,14 @@ TEST(StudyOptimizer, SaysWhichMethodAKeyBelongsTo) {
   EXPECT_THAT(optimizer_complaint("method = \"sqp\"\nrestarts = 1"),
               testing::HasSubstr("restarts belongs to method = \"residual_trust_region\", the "
                                  "method here is \"sqp\""));
+  // The former name still means the same, but not beside the new one.
+  EXPECT_EQ(optimizer_of("outstanding = 3").residual_trust_region.outstanding, 3);
+  EXPECT_THAT(optimizer_complaint("batch = 4\noutstanding = 3"),
+              testing::HasSubstr("former name of batch"));
+  EXPECT_THAT(optimizer_complaint("batch = 0"), testing::HasSubstr("batch"));
+  EXPECT_THAT(optimizer_complaint("batch = \"workers\""), testing::HasSubstr("batch"));
+  EXPECT_THAT(optimizer_complaint("method = \"nelder_mead\"\nbatch = 3"),
+              testing::HasSubstr("batch"));
   EXPECT_THAT(optimizer_complaint("method = \"nelder_mead\"\noutstanding = 3"),
               testing::HasSubstr("\"gss\", \"gss_nlc\" or \"residual_trust_region\""));
   EXPECT_THAT(optimizer_complaint("restart = 1"), testing::HasSubstr("unknown key"));

@@ -25,8 +25,16 @@ void read_lengths(const Node& node, double longest, double& initial, double& tol
   tolerance = node.quantity("step_tolerance", "1", Range{0.0, longest, true}, tolerance);
 }
 
-void read_outstanding(const Node& node, int& outstanding) {
-  outstanding = static_cast<int>(node.integer("outstanding", 1, kMostOutstanding, outstanding));
+/// Reads `batch`, or `outstanding`, which is its former name.
+void read_batch(const Node& node, int& outstanding) {
+  outstanding = static_cast<int>(node.integer("batch", 1, kMostOutstanding, outstanding));
+  if (!node.has("outstanding")) return;
+  const auto former = static_cast<int>(node.integer("outstanding", 1, kMostOutstanding));
+  if (node.has("batch") && former != outstanding) {
+    node.reject("outstanding",
+                "is the former name of batch, which states another number: remove it");
+  }
+  outstanding = former;
 }
 
 void read_gss(const Node& node, GssOptions& d) {
@@ -34,13 +42,13 @@ void read_gss(const Node& node, GssOptions& d) {
   d.contraction = node.quantity("contraction", "1", Range{0.0, 1.0, true}, d.contraction);
   d.sufficient_decrease =
       node.quantity("sufficient_decrease", "1", Range::not_negative(), d.sufficient_decrease);
-  read_outstanding(node, d.outstanding);
+  read_batch(node, d.outstanding);
 }
 
 void read_trust_region(const Node& node, OptimizerSettings& settings) {
   ResidualTrustRegionOptions& d = settings.residual_trust_region;
   read_lengths(node, 0.5, d.initial_radius, d.step_tolerance);
-  read_outstanding(node, d.outstanding);
+  read_batch(node, d.outstanding);
   d.restarts = static_cast<int>(node.integer("restarts", 0, kMostRestarts, d.restarts));
   d.seed = static_cast<std::uint64_t>(node.integer("seed", 0, kMostIndividuals, 1));
 }
@@ -116,8 +124,8 @@ std::unique_ptr<Optimizer> make_ensemble(const DesignSpace& space,
 
 // Keys that have the same meaning in several methods.
 const MethodKey kInitialStep = {"initial_step", "0.1"},
-                kStepTolerance = {"step_tolerance", "0.001"}, kOutstanding = {"outstanding", "1"},
-                kContraction = {"contraction", "0.25"},
+                kStepTolerance = {"step_tolerance", "0.001"}, kBatch = {"batch", "1"},
+                kOutstanding = {"outstanding", "1"}, kContraction = {"contraction", "0.25"},
                 kSufficientDecrease = {"sufficient_decrease", "0.01"}, kSeed = {"seed", "1"};
 
 using Space = DesignSpace;
@@ -130,7 +138,7 @@ MethodKind gss_kind() {
           "gss",
           "generating-set search",
           false,
-          {kInitialStep, kStepTolerance, kContraction, kSufficientDecrease, kOutstanding},
+          {kInitialStep, kStepTolerance, kContraction, kSufficientDecrease, kBatch, kOutstanding},
           [](const Node& table, Settings& settings) { read_gss(table, settings.gss); },
           [](const Space& space, const Settings& settings, const Traits&) -> Made {
             return std::make_unique<Gss>(space, settings.gss);
@@ -144,6 +152,7 @@ MethodKind trust_region_kind() {
           false,
           {kInitialStep,
            kStepTolerance,
+           kBatch,
            kOutstanding,
            {"restarts",
             "4",
@@ -194,6 +203,7 @@ MethodKind gss_nlc_kind() {
            kStepTolerance,
            {"contraction", "0.5"},
            kSufficientDecrease,
+           kBatch,
            kOutstanding,
            {"penalty", "\"l2_squared\"", "gss_nlc: penalty of violated constraints."},
            {"penalty_parameter", "1", "gss_nlc: rho at first.", "", "above 0"}},

@@ -67,7 +67,14 @@ priority = 2
               {"step_tolerance",
                "Step at which a search ends, as a share of the range of a variable.",
                "0.001; of levenberg_marquardt 0.000001"},
-              {"outstanding", "Points chosen ahead: gss, gss_nlc, residual_trust_region."},
+              {"batch",
+               "Points under way at a time: gss, gss_nlc, residual_trust_region. The search "
+               "chooses "
+               "them before it knows the outcome of the first, so its steps depend on this number "
+               "and never on the number of workers. 1 needs the fewest trials; the number of "
+               "workers needs the least time.",
+               "1; of gss and gss_nlc 2"},
+              {"outstanding", "Former name of batch.", "that of batch"},
               {"max_steps",
                "Outcomes that the optimizer may observe; of `[optimizer]` itself and of stages, "
                "not of members."},
@@ -85,7 +92,7 @@ method = "auto"
 max_steps = 1000
 step_tolerance = 0.001
 initial_step = 0.1
-outstanding = 1
+batch = 1
 restarts = 4
 seed = 1
 )toml",
