@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What many workers are worth to the residual trust region, in virtual time.
+// The worth of many workers to the residual trust region, in virtual time.
 //
 // As many workers as the batch has places evaluate points of the smooth problems of
 // verification/identification_set. The time of an evaluation is lognormal (deviation 0.4 of the
 // logarithm, mean 1), drawn from the point's bits. Outcomes are observed in the order of proposals,
 // so a place waits for the slowest point before it. The yardstick is the serial search as shipped.
 // A row states the median over problems of the serial time over the parallel time at which the
-// value falls to 1e-3 of its first one, and of the trials begun until then over the serial search's.
+// value falls to 1e-3 of its first one, and of the trials begun until then over those of the serial
+// search.
 //
 //   workers_search             the held-out half beside the tuning half
 //   workers_search --tuning    the tuning half alone, and every run
@@ -28,7 +29,7 @@ using namespace latsch;
 using namespace latsch::benchmarks;
 using identification_set::Problem;
 
-constexpr double kDeviation = 0.4;  // of the logarithm of an evaluation's time
+constexpr double kDeviation = 0.4;  // deviation of the logarithm of an evaluation's time
 constexpr double kTau = 1e-3;
 constexpr int kMost = 40;  // largest time of a search, in units of n + 1 mean evaluations
 constexpr int kDraws = 3;

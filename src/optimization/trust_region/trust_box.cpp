@@ -17,8 +17,8 @@ namespace {
 // Length of a probe as a share of the radius. Shorter probes give more exact slopes, longer ones
 // exceed the noise; a third of this length or three times this length make little difference.
 constexpr double kProbe = 0.03;
-// The same for the probes of the first model, for which nothing is known of noise and ripple. Long
-// ones cost nothing on smooth residuals, because the next model mends their curvature.
+// Length of the probes of the first model, likewise a share of the radius. Nothing is known of
+// noise and ripple then, and the next model mends what curvature makes of long probes.
 constexpr double kFirstProbe = 1.0;
 // Length of a probe beside an awaited step, as a share of the step.
 constexpr double kBeside = 0.25;

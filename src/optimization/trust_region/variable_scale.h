@@ -6,7 +6,8 @@
 // Moré's scale, 1 / D_i, makes a step in any variable change the residuals equally. It relies on
 // the Jacobian alone: a variable with no effect at one point may then move much too far. The base
 // widths b rely on the user alone: 1, the whole range, or less if the bounds are far from any
-// value. This scale is the geometric mean of both. [Moré, in: Numerical Analysis, Lecture Notes in Mathematics 630 (1978) 105]
+// value. This scale is the geometric mean of both.
+// [Moré, in: Numerical Analysis, Lecture Notes in Mathematics 630 (1978) 105]
 #pragma once
 
 #include <Eigen/Core>
