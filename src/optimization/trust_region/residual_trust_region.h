@@ -54,10 +54,10 @@
 //
 // Parallel evaluation: `outstanding` points are being evaluated at any time. At the start they are
 // the start, the probes, and points at two to six radii in random directions. Later they are a
-// step, probes beside its end, along directions in which the slope would be known least there, steps in
-// boxes of other sizes, and points around the best predicted one. Nothing is concluded from a model
-// while outcomes are awaited that may change it. Idle workers evaluate the points that the method
-// would propose next if outcomes were as predicted.
+// step, probes beside its end, along directions in which the slope would be known least there,
+// steps in boxes of other sizes, and points around the best predicted one. Nothing is concluded
+// from a model while outcomes are awaited that may change it. Idle workers evaluate the points that
+// the method would propose next if outcomes were as predicted.
 //
 // The method follows DFO-LS [Cartis, Fiala, Marteau, Roberts, ACM TOMS 45 (2019) 32] and POUNDERS
 // [Wild, in: Advances and Trends in Optimization, SIAM 2017, ch. 40], but with other models, whose

@@ -96,8 +96,8 @@ class TrustBox {
   /// as long as the room allows; nullopt if bounds and constraints leave no room.
   std::optional<Wanted> probe(Eigen::VectorXd direction, const PendingPoints<Wanted>& wanted) const;
   /// Returns a probe beside a step whose outcome is awaited, in the direction whose slope at the
-  /// end of the step will be known least; nullopt if no direction leaves more than `least_share` of the
-  /// variance, or if there is no room.
+  /// end of the step will be known least; nullopt if no direction leaves more than `least_share` of
+  /// the variance, or if there is no room.
   std::optional<Wanted> probe_beside(const Wanted& step,
                                      double least_share,
                                      const PendingPoints<Wanted>& wanted) const;
