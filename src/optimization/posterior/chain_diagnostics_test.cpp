@@ -54,11 +54,16 @@ TEST(ChainDiagnostics, RhatOfTwoShiftedChainsIsThatOfItsFormula) {
   EXPECT_NEAR(plain_rhat(chains), std::sqrt(V / W), 1e-12);
 }
 
+// A drift by d from the first to the last draw moves the means of the halves apart by d / 2 and
+// adds (d / 2)^2 / 12 to the variance within each: R-hat^2 = 1 + B / (N W), B / N = d^2 / 16 * 16 / 15
+// for sixteen halves.
 TEST(ChainDiagnostics, SeesADriftWithinChainsThatStartAlike) {
+  constexpr double kDrift = 1.0;
   Eigen::MatrixXd chains = autoregressive_chains(500, 8, 0.0);
-  for (Eigen::Index i = 0; i < chains.rows(); ++i) chains.row(i).array() += 0.002 * i;
-  EXPECT_LT(plain_rhat(chains), 1.01);
-  EXPECT_GT(chain_diagnostics(chains).rhat, 1.05);
+  for (Eigen::Index i = 0; i < chains.rows(); ++i) chains.row(i).array() += kDrift / 500.0 * i;
+  EXPECT_LT(plain_rhat(chains), 1.005);
+  const double expected = std::sqrt(1.0 + kDrift * kDrift / 15.0 / (1.0 + kDrift * kDrift / 48.0));
+  EXPECT_NEAR(chain_diagnostics(chains).rhat, expected, 0.01);
 }
 
 TEST(ChainDiagnostics, SeesAChainThatDiffersInSpreadAlone) {

@@ -8,7 +8,7 @@ namespace latsch {
 namespace {
 
 constexpr int kLengths[] = {1, 2, 4, 7, 10};  // of the chains, in units of the first one
-constexpr long kStepsOfAll = 400, kStepsOfVariable = 100;
+constexpr long kStepsOfAll = 1000, kStepsOfVariable = 200;
 // Streams of starts follow those of the walkers.
 constexpr std::uint64_t kStreamOfStarts = 1'000'000;
 constexpr int kStartTrials = 200;  // draws of a start, each nearer to its center by a few percent

@@ -24,7 +24,7 @@ constexpr double kFewestEffective = 400.0;
 
 struct SampleOptions {
   int samples = 2000;      // number of samples that are kept
-  long first_steps = 0;    // steps of each walker before the first diagnosis; 0: 400 + 100 n
+  long first_steps = 0;    // steps of each walker before the first diagnosis; 0: 1000 + 200 n
   std::uint64_t seed = 0;
   int threads = 1;         // does not change the result
 };

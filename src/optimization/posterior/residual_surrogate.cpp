@@ -10,12 +10,10 @@ namespace latsch {
 namespace {
 
 constexpr double kSlopeTerm = 1000.0;  // first coefficient of (1)
-constexpr double kTailTerm = 24000.0;  // |y|^10 over this is the variance of the terms left out
 // Relative increase of the diagonal of K that keeps it positive definite in spite of rounding.
-constexpr double kSurrogateRounding = 1e-12;
+constexpr double kSurrogateRounding = 1e-11;
+constexpr double kLeastPivot = 1e-30;    // of a sample at the fit itself, whose kernel may be 0
 constexpr double kInsideCube = 12.0;  // information of a uniform density in the unit cube
-
-double tail(double squared_length) { return std::pow(squared_length, 5) / kTailTerm; }
 
 }  // namespace
 
@@ -46,11 +44,9 @@ ResidualSurrogate::ResidualSurrogate(const SurrogateSamples& samples)
   basis_.leftCols(1 + n) << samples.r_c, samples.J;
   if (N > 0) {
     Eigen::MatrixXd K =
-        (Y_ * Y_.transpose()).unaryExpr([this](double g) { return kernel(g); });
-    for (Eigen::Index i = 0; i < N; ++i) {
-      K(i, i) += tail(Y_.row(i).squaredNorm());  // (2)
-      K(i, i) = std::max(K(i, i) * (1.0 + kSurrogateRounding), 1e-30);
-    }
+        (Y_ * Y_.transpose()).unaryExpr([this](double g) { return kernel(g); });  // (2)
+    for (Eigen::Index i = 0; i < N; ++i)
+      K(i, i) = std::max(K(i, i) * (1.0 + kSurrogateRounding), kLeastPivot);
     scale_ = K.diagonal().cwiseSqrt().cwiseInverse();
     factors_ = numerics::PivotedCholesky(scale_.asDiagonal() * K * scale_.asDiagonal());
     Eigen::MatrixXd D = samples.R - Y_ * samples.J.transpose();
@@ -97,8 +93,7 @@ Eigen::MatrixXd ResidualSurrogate::covariance(const Eigen::MatrixXd& points) con
         scale_.asDiagonal() * (Y_ * points.transpose()).unaryExpr(k);
     C -= cross.transpose() * factors_.solve(cross);
   }
-  for (Eigen::Index i = 0; i < C.rows(); ++i)
-    C(i, i) = std::max(0.0, C(i, i)) + tail(points.row(i).squaredNorm());  // (4)
+  C.diagonal() = C.diagonal().cwiseMax(0.0);  // (4)
   return C;
 }
 

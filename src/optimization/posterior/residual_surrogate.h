@@ -9,16 +9,16 @@
 //
 //   r(y)   = r_c + J y + z(y)
 //   k(y,x) = 1000 (1 + g) + g^2/2 + g^3/60 + g^4/1200,    g = y'x                              (1)
-//   K_ij   = k(y_i, y_j) + delta_ij (|y_i|^10 / 24000)                                         (2)
+//   K_ij   = k(y_i, y_j)                                                                       (2)
 //   z(y)   = D' K^-1 k(y),                     d_i = r_i - r_c - J y_i                         (3)
-//   v(y)   = k(y,y) - k(y)' K^-1 k(y) + |y|^10 / 24000                                         (4)
+//   v(y)   = k(y,y) - k(y)' K^-1 k(y)                                                          (4)
 //
-// The ratios of the terms say how much faster the curvature of a residual falls than its slope.
-// Terms of higher order are left out. Their variance, which grows with the distance, is the diagonal
-// of (2): a far sample is not forced onto a polynomial of the fourth degree at the cost of near
-// ones. If J is exact, residual and slope at the fit are known, and the first term of (1) is left
-// out. The variance v is relative: it tells where the surrogate knows least, not by how much it
-// errs. How much it errs is measured by trials that it has not seen (surrogate_runs.h).
+// The ratios of the terms say how large a residual's higher derivatives are beside its curvature.
+// Residuals are polynomials of the fourth degree; once there are more samples than coefficients, the
+// polynomial is the one nearest to them. If J is exact, residual and slope at the fit are known, and
+// the first term of (1) is left out. The variance v is relative: it tells where the surrogate knows
+// least, not by how much it errs. How much it errs is measured by trials that it has not seen
+// (surrogate_runs.h).
 //
 // Residuals enter (3) linearly. The factor R of [r_c J D'K^-1] = Q R replaces m residuals by at most
 // as many as there are samples, so a sum of squares costs no more for 10,000 residuals than for 50.

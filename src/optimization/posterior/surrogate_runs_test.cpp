@@ -41,8 +41,9 @@ void answer_runs(SurrogateRuns& runs, const WhitenedModel& model) {
   }
 }
 
-PosteriorSamples surrogate_samples(const SurrogateRuns& runs, int count = 20'000) {
-  return draw_samples(runs.chains(), {.samples = count});
+/// Runs the chains so long that their quantiles scatter by 0.04 deviations at most.
+PosteriorSamples surrogate_samples(const SurrogateRuns& runs) {
+  return draw_samples(runs.chains(), {.samples = 40'000, .first_steps = 100'000});
 }
 
 Eigen::MatrixXd slopes_at_random(Eigen::Index m, Eigen::Index n) {
@@ -157,7 +158,7 @@ TEST(SurrogateRuns, GivesNoDensityToFailures) {
   // the nearest sample decides, so the edge is as sharp as the samples are dense
   EXPECT_LT((samples.u.row(0).array() > 0.6).cast<double>().mean(), 0.05);
   for (const KnownSample& sample : runs.fit().known)
-    if (!sample.r) EXPECT_EQ(runs.log_density()(sample.u), kNoDensity);
+    EXPECT_TRUE(sample.r || runs.log_density()(sample.u) == kNoDensity);
 }
 
 TEST(SurrogateRuns, SayThatNothingWasCheckedWithoutRuns) {
