@@ -39,8 +39,8 @@ ROOMS = {
     "formats": ["text", "tables", "tire", "car", "road", "deck", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
-    "correlation": ["laboratory", "observable", "study", "target", "analysis", "search", "study_report",
-                    "rig_data", "comparison", "validation"],
+    "correlation": ["laboratory", "observable", "study", "target", "analysis", "posterior", "search",
+                    "study_report", "rig_data", "comparison", "validation"],
     "studio": ["http", "shelf", "views"],
 }
 

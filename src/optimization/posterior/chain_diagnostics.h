@@ -7,7 +7,7 @@
 // between the M split chains and W the mean variance within,
 //
 //   R-hat = sqrt(((N - 1)/N W + B/N) / W)                                                    (3, 4)
-//   S_eff = M N / tau,  tau = 1 + 2 sum of rho_t over t = 1 .. T                         (10 ... 13)
+//   S_eff = M N / tau,  tau = 1 + 2 sum of rho_t over t = 1 .. T                        (10 ... 13)
 //
 // where rho_t is the autocorrelation of the chains together and T ends at the first pair of rho_t
 // whose sum is not positive; the sums of pairs are made to fall monotonically [Geyer 1992]. The
@@ -16,9 +16,9 @@
 // that differ in spread alone (section 4.1). The bulk is the effective number of the normal scores,
 // the tail the smaller one of the indicators of the 5 % and 95 % quantiles (section 4.3).
 //
-// Walkers of one ensemble (walker_chains.h) move along each other's differences. They are independent
-// given the other half, and their joint density is the product of the wanted one, so each is a chain
-// of its own here.
+// Walkers of one ensemble (walker_chains.h) move along each other's differences. They are
+// independent given the other half, and their joint density is the product of the wanted one, so
+// each is a chain of its own here.
 #pragma once
 
 #include <Eigen/Core>

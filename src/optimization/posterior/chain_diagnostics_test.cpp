@@ -55,8 +55,8 @@ TEST(ChainDiagnostics, RhatOfTwoShiftedChainsIsThatOfItsFormula) {
 }
 
 // A drift by d from the first to the last draw moves the means of the halves apart by d / 2 and
-// adds (d / 2)^2 / 12 to the variance within each: R-hat^2 = 1 + B / (N W), B / N = d^2 / 16 * 16 / 15
-// for sixteen halves.
+// adds (d / 2)^2 / 12 to the variance within each: R-hat^2 = 1 + B / (N W), B / N = d^2 / 16 * 16 /
+// 15 for sixteen halves.
 TEST(ChainDiagnostics, SeesADriftWithinChainsThatStartAlike) {
   constexpr double kDrift = 1.0;
   Eigen::MatrixXd chains = autoregressive_chains(500, 8, 0.0);

@@ -2,10 +2,10 @@
 // Says in words how the samples of a posterior differ from the linear interval. Each word has a
 // test; a word whose test fails is not said. All lengths are those of the unit cube.
 //
-//   as the linear interval   both ends of the 95 % interval lie within 0.25 deviations of the linear
-//                            one's
-//   skewed                   the upper half of the interval, from the median on, is more than 3/2 or
-//                            less than 2/3 of the lower one
+//   as the linear interval   both ends of the 95 % interval lie within 0.25 deviations of the
+//                            linear one's
+//   skewed                   the upper half of the interval, from the median on, is more than 3/2
+//                            or less than 2/3 of the lower one
 //   banana with X            a quadratic in X explains 0.2 of the variance more than a line
 //   two modes                the histogram has a valley below half of its lower peak, and more than
 //                            5 % of the samples lie on each side

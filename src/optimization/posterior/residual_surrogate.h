@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models all residuals of a fit far beyond its linear range, from few samples, so that the posterior
-// density can be sampled without the model.
+// Models all residuals of a fit far beyond its linear range, from few samples, so that the
+// posterior density can be sampled without the model.
 //
 // The samples y_i lie in whitened coordinates around the fit, y = T^-1 (u - u_fit), where T is the
 // Cholesky factor of the covariance of twice the linear deviations (whitened_frame()). In them a
@@ -14,15 +14,15 @@
 //   v(y)   = k(y,y) - k(y)' K^-1 k(y)                                                          (4)
 //
 // The ratios of the terms say how large a residual's higher derivatives are beside its curvature.
-// Residuals are polynomials of the fourth degree; once there are more samples than coefficients, the
-// polynomial is the one nearest to them. If J is exact, residual and slope at the fit are known, and
-// the first term of (1) is left out. The variance v is relative: it tells where the surrogate knows
-// least, not by how much it errs. How much it errs is measured by trials that it has not seen
-// (surrogate_runs.h).
+// Residuals are polynomials of the fourth degree; once there are more samples than coefficients,
+// the polynomial is the one nearest to them. If J is exact, residual and slope at the fit are
+// known, and the first term of (1) is left out. The variance v is relative: it tells where the
+// surrogate knows least, not by how much it errs. How much it errs is measured by trials that it
+// has not seen (surrogate_runs.h).
 //
-// Residuals enter (3) linearly. The factor R of [r_c J D'K^-1] = Q R replaces m residuals by at most
-// as many as there are samples, so a sum of squares costs no more for 10,000 residuals than for 50.
-// The sum of squares is that of the mean (3), without the variance.
+// Residuals enter (3) linearly. The factor R of [r_c J D'K^-1] = Q R replaces m residuals by at
+// most as many as there are samples, so a sum of squares costs no more for 10,000 residuals than
+// for 50. The sum of squares is that of the mean (3), without the variance.
 #pragma once
 
 #include <Eigen/Core>

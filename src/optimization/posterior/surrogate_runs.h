@@ -3,11 +3,11 @@
 // ten further ones whether it stands for the model.
 //
 // Ask and tell, in rounds, like Identification:
-//   1. Batches of six. Chains sample the surrogate. Three trials are plain draws. Three are those of
-//      40 draws where the variance of the surrogate is largest, given all other trials. If the
-//      errors of the log density at the plain draws have a root mean square below 0.3 in two batches
-//      in a row, the batches end. One such batch is luck. They also end if the next one would
-//      exceed `runs`.
+//   1. Batches of six. Chains sample the surrogate. Three trials are plain draws. Three are those
+//      of 40 draws where the variance of the surrogate is largest, given all other trials. If the
+//      errors of the log density at the plain draws have a root mean square below 0.3 in two
+//      batches in a row, the batches end. One such batch is luck. They also end if the next one
+//      would exceed `runs`.
 //   2. The check: ten plain draws more, of the final surrogate, which does not learn from them.
 //      With e = errors of the log density less their mean,
 //        deviation(e) <= 0.3                the surrogate stands for the model
@@ -91,6 +91,8 @@ class SurrogateRuns {
 
   /// Returns the logarithm of the density by the surrogate.
   LogDensityAt log_density() const;
+  /// False if the density is 0 at the fit itself; there are then no chains.
+  bool has_density() const { return chains_.has_value(); }
   /// Returns chains on the surrogate, at their present places.
   const WalkerChains& chains() const { return *chains_; }
   const FittedDensity& fit() const { return fit_; }

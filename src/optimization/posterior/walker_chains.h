@@ -8,10 +8,10 @@
 //   gamma = 2.38 / sqrt(2 n) exp(c e), e normal, c = 0.1; in every tenth step gamma = 1
 //
 // where a and b are two walkers of the other half, which rests meanwhile. The move is accepted with
-// probability min(1, p(u*) / p(u)). So the shape of the ensemble is the shape of the moves, whatever
-// the correlations of the variables are, and nothing is tuned. A move of length 1 leads from one
-// mode to another. A coordinate that leaves the cube is reflected at the face; the reflection of a
-// symmetric move is symmetric.
+// probability min(1, p(u*) / p(u)). So the shape of the ensemble is the shape of the moves,
+// whatever the correlations of the variables are, and nothing is tuned. A move of length 1 leads
+// from one mode to another. A coordinate that leaves the cube is reflected at the face; the
+// reflection of a symmetric move is symmetric.
 //
 // Every walker has a random stream of its own, and no decision depends on another walker of the
 // same half, so the chains have the same bits for any number of threads.
