@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -156,7 +157,7 @@ int sample(const std::string& file,
                      " does not exist: there is no fit whose posterior could be sampled; start "
                      "with latsch run");
   if (const std::string reason = correlation::why_no_posterior(study); !reason.empty())
-    throw InputError(reason, {study.file.string(), 0});
+    throw InputError({study.file.string(), 0}, reason);
   Workers workers_of_study(study);
   if (workers_of_study.served(study)) return kDone;
   Journal journal = Journal::open(study.run.journal, correlation::identity(study));
@@ -192,7 +193,8 @@ int sample(const std::string& file,
   print_samples(study, posterior);
   print_standing(study, posterior);
   answer_samples(study, posterior);
-  const std::filesystem::path to = output.empty() ? correlation::samples_file(study) : output;
+  const std::filesystem::path to =
+      output.empty() ? correlation::samples_file(study) : std::filesystem::path(output);
   correlation::write_samples(study, posterior, to);
   say_written(to.string());
   return kDone;
