@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kLengths[] = {1, 2, 4, 7, 10};  // of the chains, in units of the first one
 constexpr long kStepsOfAll = 1000, kStepsOfVariable = 200;
+constexpr int kReleases = 3;  // times that stuck walkers are released before the first step counts
 // Streams of starts follow those of the walkers.
 constexpr std::uint64_t kStreamOfStarts = 1'000'000;
 constexpr int kStartTrials = 200;  // draws of a start, each nearer to its center by a few percent
@@ -90,6 +91,11 @@ PosteriorSamples draw_samples(WalkerChains chains, const SampleOptions& options)
   const Eigen::Index n = chains.places().rows();
   const long first =
       options.first_steps > 0 ? options.first_steps : kStepsOfAll + kStepsOfVariable * n;
+  chains.forget();
+  for (int k = 0; k < kReleases; ++k) {
+    chains.advance(first / 4, options.threads);
+    chains.release_stuck();
+  }
   PosteriorSamples samples;
   for (const int length : kLengths) {
     chains.advance(first * length - samples.steps, options.threads);

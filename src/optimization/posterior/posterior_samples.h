@@ -2,8 +2,8 @@
 // Draws samples of a density until its chains have converged by their diagnostics, or a limit of
 // steps is reached.
 //
-// Walkers start from the linear density around a fit, or around several. The first half of all
-// steps is left out. The chains run until every variable has R-hat <= 1.01 and effective numbers
+// Walkers start from the linear density around a fit, or around several. Stuck walkers are released
+// three times; later, the first half of all steps is left out. The chains run until every variable has R-hat <= 1.01 and effective numbers
 // of draws >= 400 [Vehtari et al. 2021], at most to ten times their first length. What does not
 // converge is named, not hidden: `unmixed`.
 #pragma once

@@ -161,9 +161,12 @@ std::vector<int> SurrogateRuns::drawn_walkers(int count) {
 void SurrogateRuns::ask_batch() {
   const Eigen::Index n = fit_.frame.center.size();
   const long steps = kBatchSteps + kBatchStepsOfVariable * n;
-  chains_->advance(3 * steps / 4, options_.threads);
+  chains_->forget();
+  chains_->advance(steps / 2, options_.threads);
+  chains_->release_stuck();
+  chains_->advance(steps / 4, options_.threads);
   const Eigen::MatrixXd candidates = chains_->places().leftCols(kCandidates);
-  chains_->advance(steps - 3 * steps / 4, options_.threads);
+  chains_->advance(steps - steps / 2 - steps / 4, options_.threads);
   for (const int walker : drawn_walkers(kPlainDraws)) {
     wanted_.emplace_back(chains_->places().col(walker));
     expected_.push_back(chains_->log_densities()[walker]);
@@ -179,8 +182,11 @@ void SurrogateRuns::ask_batch() {
 }
 
 void SurrogateRuns::ask_check() {
-  chains_->advance(kBatchSteps + kBatchStepsOfVariable * fit_.frame.center.size(),
-                   options_.threads);
+  const long steps = kBatchSteps + kBatchStepsOfVariable * fit_.frame.center.size();
+  chains_->forget();
+  chains_->advance(steps, options_.threads);
+  chains_->release_stuck();
+  chains_->advance(steps, options_.threads);
   for (const int walker : drawn_walkers(kCheckDraws)) {
     wanted_.emplace_back(chains_->places().col(walker));
     expected_.push_back(chains_->log_densities()[walker]);

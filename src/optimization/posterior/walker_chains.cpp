@@ -9,11 +9,14 @@
 #include <thread>
 #include <utility>
 
+#include "optimization/posterior/chain_diagnostics.h"
+
 namespace latsch {
 namespace {
 
 constexpr double kBestJump = 2.38;      // ter Braak's gamma for a normal density, over sqrt(2 n)
 constexpr double kJitter = 0.1;         // c of (1): moves are no lattice
+constexpr double kStuck = 2.0;          // distances of the quartiles below the first one
 constexpr long kLongJumpEvery = 10;     // steps
 constexpr std::size_t kMostKept = 2048;  // steps of a record; then every second one is dropped
 
@@ -106,6 +109,28 @@ void WalkerChains::keep(long step) {
 }
 
 void WalkerChains::forget() { record_ = {}; }
+
+int WalkerChains::release_stuck() {
+  if (record_.values.empty()) return 0;
+  Eigen::VectorXd means = Eigen::VectorXd::Zero(walkers());
+  for (const Eigen::VectorXd& values : record_.values) means += values;
+  means /= static_cast<double>(record_.values.size());
+  const double first = quantile_of(means, 0.25), third = quantile_of(means, 0.75);
+  const double limit = first - kStuck * (third - first);
+  const int half = walkers() / 2;
+  int moved = 0;
+  for (int walker = 0; walker < walkers(); ++walker) {
+    if (means[walker] >= limit) continue;
+    const int begin = walker < half ? 0 : half;
+    Eigen::Index best = 0;
+    means.segment(begin, half).maxCoeff(&best);
+    places_.col(walker) = places_.col(begin + best);
+    values_[walker] = values_[begin + best];
+    ++moved;
+  }
+  forget();
+  return moved;
+}
 
 bool WalkerChains::change_density(LogDensityAt density) {
   density_ = std::move(density);

@@ -46,6 +46,13 @@ class WalkerChains {
 
   /// Forgets all recorded steps, so that only later ones count.
   void forget();
+  /// Moves walkers that are stuck where the density is negligible to the place of the likeliest
+  /// walker of their half, and forgets the record. A walker is stuck if the mean of its recorded log
+  /// densities lies below the first quartile of all walkers by more than twice the distance of the
+  /// quartiles [Vrugt et al., Int. J. Nonlinear Sci. Numer. Simul. 10 (2009) 273]. One of 40 walkers
+  /// would else be 2.5 % of all samples. Only for steps that are left out later: the move is not
+  /// reversible. Returns the number of walkers moved.
+  int release_stuck();
   /// Continues with another density from the present places. A walker whose density is 0 under it
   /// is placed where a walker of the same half is whose density is not; returns false if there is
   /// none in one of the halves.
