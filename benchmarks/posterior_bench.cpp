@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Samples of a posterior by a surrogate of few runs, against long chains on the exact density.
 //
-// Nine cases with synthetic data: a linear model, a decay with few data, a banana, a valley x y, two
-// exponentials, a frequency response of two modes, the Magic Formula for side force with five
+// Nine cases with synthetic data: a linear model, a decay with few data, a banana, a valley x y,
+// two exponentials, a frequency response of two modes, the Magic Formula for side force with five
 // coefficients and 30 % noise and with twelve, and a chain of eight springs whose stiffnesses are
-// known to a factor of ten. All start from the least squares and from the trials of its derivatives.
-// The error of a case is the largest error of the 2.5, 50 and 97.5 % points of its variables, in
-// deviations of the posterior.
+// known to a factor of ten. All start from the least squares and from the trials of its
+// derivatives. The error of a case is the largest error of the 2.5, 50 and 97.5 % points of its
+// variables, in deviations of the posterior.
 //
-// Simulation-based calibration [Talts, Betancourt, Simpson, Vehtari, Gelman 2018, arXiv:1804.06788]:
-// if the truth is drawn from the prior and the data from the truth, the rank of the truth among 99
-// samples is uniform. Its chi-square over 20 bins gives p.
+// Simulation-based calibration [Talts, Betancourt, Simpson, Vehtari, Gelman 2018,
+// arXiv:1804.06788]: if the truth is drawn from the prior and the data from the truth, the rank of
+// the truth among 99 samples is uniform. Its chi-square over 20 bins gives p.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -61,9 +61,8 @@ std::vector<Case> cases() {
   Eigen::MatrixXd A(30, 6);
   RandomStream random(11, 0);
   for (double& a : A.reshaped()) a = 8.0 * random.normal();
-  all.push_back({"linear, n = 6", repeated(6, 0.5), [A](const auto& u) {
-                   return Eigen::VectorXd(A * u);
-                 }});
+  all.push_back(
+      {"linear, n = 6", repeated(6, 0.5), [A](const auto& u) { return Eigen::VectorXd(A * u); }});
   all.push_back({"decay with few data, n = 2", Eigen::Vector2d(0.5, 0.4), [](const auto& u) {
                    Eigen::VectorXd y(5);
                    const double a = between(0.2, 2.0, u[0]), k = between_logs(0.1, 10.0, u[1]);
@@ -78,19 +77,18 @@ std::vector<Case> cases() {
                    const double x = between(0.2, 2.0, u[0]), y = between(0.2, 2.0, u[1]);
                    return Eigen::VectorXd(Eigen::Vector3d(x * y / 0.05, x / 0.25, y / 0.25));
                  }});
-  all.push_back(
-      {"two exponentials, n = 4",
-       (Eigen::VectorXd(4) << 0.5, 0.35, 0.5, 0.7).finished(),
-       [](const auto& u) {
-         Eigen::VectorXd y(40);
-         const double a = between(0.2, 2.0, u[0]), k = between_logs(0.1, 10.0, u[1]);
-         const double b = between(0.2, 2.0, u[2]), l = between_logs(0.1, 10.0, u[3]);
-         for (int j = 0; j < 40; ++j) {
-           const double t = 0.1 * (j + 0.5);
-           y[j] = (a * std::exp(-k * t) + b * std::exp(-l * t)) / 0.05;
-         }
-         return y;
-       }});
+  all.push_back({"two exponentials, n = 4",
+                 (Eigen::VectorXd(4) << 0.5, 0.35, 0.5, 0.7).finished(),
+                 [](const auto& u) {
+                   Eigen::VectorXd y(40);
+                   const double a = between(0.2, 2.0, u[0]), k = between_logs(0.1, 10.0, u[1]);
+                   const double b = between(0.2, 2.0, u[2]), l = between_logs(0.1, 10.0, u[3]);
+                   for (int j = 0; j < 40; ++j) {
+                     const double t = 0.1 * (j + 0.5);
+                     y[j] = (a * std::exp(-k * t) + b * std::exp(-l * t)) / 0.05;
+                   }
+                   return y;
+                 }});
   all.push_back({"frequency response, n = 6", repeated(6, 0.5), [](const auto& u) {
                    Eigen::VectorXd y(120);
                    for (int j = 0; j < 60; ++j) {
@@ -124,7 +122,8 @@ std::vector<Case> cases() {
            for (int camber = 0; camber < 2; ++camber) {
              const double dfz = 0.5 * (load - 1), g = 0.08 * camber;
              const double C = between(1.0, 2.0, u[0]);
-             const double D = (1.0 + dfz) * (between(0.6, 1.6, u[1]) + between(-0.5, 0.5, u[2]) * dfz) *
+             const double D = (1.0 + dfz) *
+                              (between(0.6, 1.6, u[1]) + between(-0.5, 0.5, u[2]) * dfz) *
                               (1.0 - between(-10.0, 10.0, u[3]) * g * g);
              const double E = between(-2.0, 1.0, u[4]) + between(-1.0, 1.0, u[5]) * dfz;
              const double K = between(8.0, 32.0, u[6]) *
@@ -164,7 +163,8 @@ Eigen::MatrixXd slopes(const Curve& r, const Eigen::VectorXd& u, double way) {
   return J;
 }
 
-/// Returns the least squares in the cube by Levenberg-Marquardt steps that are cut off at the bounds.
+/// Returns the least squares in the cube by Levenberg-Marquardt steps that are cut off at the
+/// bounds.
 Eigen::VectorXd least_squares_in_cube(const Curve& r, Eigen::VectorXd u) {
   double damping = 1e-3, S = r(u).squaredNorm();
   for (int step = 0; step < 200 && damping < 1e10; ++step) {
@@ -234,7 +234,9 @@ Fitted fitted(const Curve& values,
   return fit;
 }
 
-Eigen::VectorXd noisy_values(const Curve& values, const Eigen::VectorXd& truth, RandomStream random) {
+Eigen::VectorXd noisy_values(const Curve& values,
+                             const Eigen::VectorXd& truth,
+                             RandomStream random) {
   Eigen::VectorXd y = values(truth);
   for (double& value : y) value += random.normal();
   return y;
@@ -336,16 +338,18 @@ void case_rows(Table& table, const Options& options) {
               "<= 50",
               runs.trials() <= 50);
   }
-  table.full_row("cases whose check passes", fmt::format("{}", standing), ">= 6 of 9", standing >= 6);
+  table.full_row(
+      "cases whose check passes", fmt::format("{}", standing), ">= 6 of 9", standing >= 6);
 }
 
-/// Returns the probability of a chi-square at least that of these counts, if all are equally likely.
+/// Returns the probability of a chi-square at least that of these counts, if all are equally
+/// likely.
 double p_value(const std::vector<int>& counts, int all) {
   const double expected = static_cast<double>(all) / static_cast<double>(counts.size());
   double chi_square = 0.0;
   for (const int count : counts) chi_square += (count - expected) * (count - expected) / expected;
-  return 1.0 - numerics::chi_square_probability(chi_square,
-                                                static_cast<double>(counts.size()) - 1.0);
+  return 1.0 -
+         numerics::chi_square_probability(chi_square, static_cast<double>(counts.size()) - 1.0);
 }
 
 void calibration_rows(Table& table, const std::string& name, const Case& one, int sets) {
@@ -363,8 +367,7 @@ void calibration_rows(Table& table, const std::string& name, const Case& one, in
       do value = prior.mean + prior.deviation * random.normal();
       while (value < 0.0 || value > 1.0);
     }
-    const Fitted fit =
-        fitted(one.values, noisy_values(one.values, truth, random), truth, prior);
+    const Fitted fit = fitted(one.values, noisy_values(one.values, truth, random), truth, prior);
     const SurrogateRuns runs = answered(fit, static_cast<std::uint64_t>(set));
     runs_made += runs.trials();
     refused += runs.check().verdict == SurrogateVerdict::refused;
@@ -390,15 +393,15 @@ void calibration_rows(Table& table, const std::string& name, const Case& one, in
                    fmt::format(">= {:.4f}", least),
                    p >= least);
     const double of_90 = share(in_90[at]), of_95 = share(in_95[at]);
-    table.full_row(fmt::format("calibration, {}, variable {}: 90 / 95 % intervals hold", name, i + 1),
-                   fmt::format("{:.1f} / {:.1f} %", of_90, of_95),
-                   "87.5-92.5 / 93-97 %",
-                   87.5 <= of_90 && of_90 <= 92.5 && 93.0 <= of_95 && of_95 <= 97.0);
+    table.full_row(
+        fmt::format("calibration, {}, variable {}: 90 / 95 % intervals hold", name, i + 1),
+        fmt::format("{:.1f} / {:.1f} %", of_90, of_95),
+        "87.5-92.5 / 93-97 %",
+        87.5 <= of_90 && of_90 <= 92.5 && 93.0 <= of_95 && of_95 <= 97.0);
   }
-  table.note(fmt::format("calibration, {}: runs in the mean, share of sets refused", name),
-             fmt::format("{:.1f}, {:.1f} %",
-                         static_cast<double>(runs_made) / sets,
-                         share(refused)));
+  table.note(
+      fmt::format("calibration, {}: runs in the mean, share of sets refused", name),
+      fmt::format("{:.1f}, {:.1f} %", static_cast<double>(runs_made) / sets, share(refused)));
 }
 
 /// Checks surrogates that learn from the wrong model `learned` in place of that of the fit. Returns

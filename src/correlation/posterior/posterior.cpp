@@ -119,8 +119,10 @@ class FitFrame {
     }
     if (!noise_->is_white() && !noise_->is_pattern())
       result.remarks.emplace_back(
-          "Neighboring values share noise as estimated at the fit; the samples do not know how "
-          "uncertain this estimate is.");
+          "Neighboring values share noise, as estimated at the fit. The density weighs the values "
+          "by "
+          "it and the fit does not, so medians may lie beside the fit; and the samples do not know "
+          "how uncertain the estimate is.");
     fit.density.values = r_.size();
     fit.density.log_prior = log_prior();
     fit.frame = whitened_frame(center(), with_priors(J_ / s));
@@ -236,9 +238,7 @@ class FitFrame {
 /// Presents the runs of the surrogate as an analysis of design points.
 class SampledPoints {
  public:
-  SampledPoints(SurrogateRuns& runs, const FitFrame& frame) : runs_(runs), frame_(frame) {
-    take();
-  }
+  SampledPoints(SurrogateRuns& runs, const FitFrame& frame) : runs_(runs), frame_(frame) { take(); }
   const std::vector<DesignPoint>& wanted() const { return wanted_; }
   void observe(const std::vector<Result<Evaluated>>& evaluated) {
     std::vector<std::optional<Eigen::VectorXd>> outcomes;

@@ -26,16 +26,16 @@ namespace latsch::correlation {
 
 /// Samples of a study, and what was tested about them.
 struct Posterior {
-  DesignPoint center;       // the fit around which the density is sampled
-  std::vector<int> axes;    // indices of the variables that were sampled
-  PosteriorSamples samples;             // one row of u for each of the axes
-  std::vector<PosteriorShape> shapes;   // one for each of the axes
-  std::vector<Interval> linear;         // linear 95 % intervals of the axes, in the unit cube
+  DesignPoint center;                  // the fit around which the density is sampled
+  std::vector<int> axes;               // indices of the variables that were sampled
+  PosteriorSamples samples;            // one row of u for each of the axes
+  std::vector<PosteriorShape> shapes;  // one for each of the axes
+  std::vector<Interval> linear;        // linear 95 % intervals of the axes, in the unit cube
   SurrogateCheck check;
-  int trials = 0;           // trials beyond the fit, those of the check included
-  int failed = 0;           // those of them that failed
-  int learned_from = 0;     // trials from which the surrogate was made
-  bool settled = false;     // false: the limit of trials ended the batches
+  int trials = 0;        // trials beyond the fit, those of the check included
+  int failed = 0;        // those of them that failed
+  int learned_from = 0;  // trials from which the surrogate was made
+  bool settled = false;  // false: the limit of trials ended the batches
   bool noise_stated = false;
   std::vector<std::string> remarks;  // sentences about the density
 

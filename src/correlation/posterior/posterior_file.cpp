@@ -41,9 +41,9 @@ void write_samples(const Study& study,
     for (Eigen::Index k = 0; k < posterior.samples.size(); ++k) {
       const DesignPoint point = posterior.point(study.space, k);
       for (const int axis : posterior.axes)
-        out << fmt::format("{:.12g},",
-                           Unit::of(study.space[axis].unit)
-                               .from_si(point.values[static_cast<std::size_t>(axis)]));
+        out << fmt::format(
+            "{:.12g},",
+            Unit::of(study.space[axis].unit).from_si(point.values[static_cast<std::size_t>(axis)]));
       out << fmt::format("{:.12g},{},{}\n",
                          posterior.samples.log_density[k],
                          posterior.samples.chain[static_cast<std::size_t>(k)],

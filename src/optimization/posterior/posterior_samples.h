@@ -3,9 +3,9 @@
 // steps is reached.
 //
 // Walkers start from the linear density around a fit, or around several. Stuck walkers are released
-// three times; later, the first half of all steps is left out. The chains run until every variable has R-hat <= 1.01 and effective numbers
-// of draws >= 400 [Vehtari et al. 2021], at most to ten times their first length. What does not
-// converge is named, not hidden: `unmixed`.
+// three times; later, the first half of all steps is left out. The chains run until every variable
+// has R-hat <= 1.01 and effective numbers of draws >= 400 [Vehtari et al. 2021], at most to ten
+// times their first length. What does not converge is named, not hidden: `unmixed`.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,20 +23,20 @@ constexpr double kLargestRhat = 1.01;
 constexpr double kFewestEffective = 400.0;
 
 struct SampleOptions {
-  int samples = 2000;      // number of samples that are kept
-  long first_steps = 0;    // steps of each walker before the first diagnosis; 0: 1000 + 200 n
+  int samples = 2000;    // number of samples that are kept
+  long first_steps = 0;  // steps of each walker before the first diagnosis; 0: 1000 + 200 n
   std::uint64_t seed = 0;
-  int threads = 1;         // does not change the result
+  int threads = 1;  // does not change the result
 };
 
 struct PosteriorSamples {
-  Eigen::MatrixXd u;             // n x samples, in the unit cube
-  Eigen::VectorXd log_density;   // one a sample
-  std::vector<int> chain;        // walker of each sample
+  Eigen::MatrixXd u;                          // n x samples, in the unit cube
+  Eigen::VectorXd log_density;                // one a sample
+  std::vector<int> chain;                     // walker of each sample
   std::vector<ChainDiagnostics> diagnostics;  // one a variable
-  std::vector<int> unmixed;      // variables whose diagnostics fall short
-  long steps = 0;                // of each walker, the first half included
-  double accepted = 0.0;         // share of accepted moves
+  std::vector<int> unmixed;                   // variables whose diagnostics fall short
+  long steps = 0;                             // of each walker, the first half included
+  double accepted = 0.0;                      // share of accepted moves
 
   Eigen::Index size() const { return u.cols(); }
 };

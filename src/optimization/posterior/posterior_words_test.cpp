@@ -70,8 +70,7 @@ TEST(PosteriorWords, TwoHeapsAreTwoModesAndOneFlatHeapIsNot) {
     if (k % 5 == 0) u(0, k) += 0.16;
     u(1, k) = 0.4 + 0.2 * random.uniform();
   }
-  const auto shapes =
-      posterior_shapes(u, {normal_interval(0.5, 0.02), normal_interval(0.5, 0.02)});
+  const auto shapes = posterior_shapes(u, {normal_interval(0.5, 0.02), normal_interval(0.5, 0.02)});
   EXPECT_TRUE(shapes[0].two_modes);
   EXPECT_FALSE(shapes[1].two_modes);
 }

@@ -12,8 +12,8 @@ namespace {
 constexpr double kSlopeTerm = 1000.0;  // first coefficient of (1)
 // Relative increase of the diagonal of K that keeps it positive definite in spite of rounding.
 constexpr double kSurrogateRounding = 1e-11;
-constexpr double kLeastPivot = 1e-30;    // of a sample at the fit itself, whose kernel may be 0
-constexpr double kInsideCube = 12.0;  // information of a uniform density in the unit cube
+constexpr double kLeastPivot = 1e-30;  // of a sample at the fit itself, whose kernel may be 0
+constexpr double kInsideCube = 12.0;   // information of a uniform density in the unit cube
 
 }  // namespace
 
@@ -52,8 +52,7 @@ ResidualSurrogate::ResidualSurrogate(const SurrogateSamples& samples)
     Eigen::MatrixXd D = samples.R - Y_ * samples.J.transpose();
     D.rowwise() -= samples.r_c.transpose();
     const Eigen::MatrixXd scaled = scale_.asDiagonal() * D;
-    basis_.rightCols(N) =
-        (scale_.asDiagonal() * factors_.solve(scaled)).transpose();  // (3)
+    basis_.rightCols(N) = (scale_.asDiagonal() * factors_.solve(scaled)).transpose();  // (3)
   }
   reduced_ = m > basis_.cols() ? numerics::HouseholderQr(basis_).R() : basis_;
 }
@@ -89,8 +88,7 @@ Eigen::MatrixXd ResidualSurrogate::covariance(const Eigen::MatrixXd& points) con
   const auto k = [this](double g) { return kernel(g); };
   Eigen::MatrixXd C = (points * points.transpose()).unaryExpr(k);
   if (Y_.rows() > 0) {
-    const Eigen::MatrixXd cross =
-        scale_.asDiagonal() * (Y_ * points.transpose()).unaryExpr(k);
+    const Eigen::MatrixXd cross = scale_.asDiagonal() * (Y_ * points.transpose()).unaryExpr(k);
     C -= cross.transpose() * factors_.solve(cross);
   }
   C.diagonal() = C.diagonal().cwiseMax(0.0);  // (4)

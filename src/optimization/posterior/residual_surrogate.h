@@ -51,11 +51,11 @@ WhitenedFrame whitened_frame(const Eigen::VectorXd& center, const Eigen::MatrixX
 
 /// Residuals around a fit.
 struct SurrogateSamples {
-  Eigen::MatrixXd Y;           // N x n: samples in whitened coordinates
-  Eigen::MatrixXd R;           // N x m: residuals of each sample
-  Eigen::VectorXd r_c;         // m: residuals at the fit, y = 0
-  Eigen::MatrixXd J;           // m x n: slopes dr/dy at the fit
-  bool slopes_exact = false;   // true if J was computed by the model, not by differences
+  Eigen::MatrixXd Y;          // N x n: samples in whitened coordinates
+  Eigen::MatrixXd R;          // N x m: residuals of each sample
+  Eigen::VectorXd r_c;        // m: residuals at the fit, y = 0
+  Eigen::MatrixXd J;          // m x n: slopes dr/dy at the fit
+  bool slopes_exact = false;  // true if J was computed by the model, not by differences
 };
 
 class ResidualSurrogate {
@@ -77,8 +77,8 @@ class ResidualSurrogate {
   Eigen::VectorXd weights(const Eigen::VectorXd& y) const;  // (1, y, k(y))
 
   Eigen::MatrixXd Y_;
-  double slope_prior_;       // 1000, or 0 if the slopes are exact
-  Eigen::VectorXd scale_;    // of the samples, 1 / sqrt(K_ii)
+  double slope_prior_;     // 1000, or 0 if the slopes are exact
+  Eigen::VectorXd scale_;  // of the samples, 1 / sqrt(K_ii)
   numerics::PivotedCholesky factors_;
   Eigen::MatrixXd basis_;    // m x (1 + n + N): r = basis (1, y, k(y))
   Eigen::MatrixXd reduced_;  // R of the factorization of the basis, or the basis if it is smaller

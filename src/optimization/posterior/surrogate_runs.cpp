@@ -246,8 +246,8 @@ void SurrogateRuns::judge(const std::vector<double>& errors) {
   if (check_.failed > 0 || check_.deviation > kRefused || check_.largest > kOneTooFar)
     check_.verdict = SurrogateVerdict::refused;
   else
-    check_.verdict = check_.deviation <= kStands ? SurrogateVerdict::stands
-                                                 : SurrogateVerdict::doubtful;
+    check_.verdict =
+        check_.deviation <= kStands ? SurrogateVerdict::stands : SurrogateVerdict::doubtful;
 }
 
 }  // namespace latsch

@@ -43,9 +43,9 @@ struct KnownSample {
 /// same deviation and is independent; rows of priors are not among them.
 struct FittedDensity {
   WhitenedFrame frame;
-  Eigen::VectorXd r_c;             // residuals at the center of the frame
-  Eigen::MatrixXd J;               // dr/du there
-  bool slopes_exact = false;       // true if J was computed by the model
+  Eigen::VectorXd r_c;        // residuals at the center of the frame
+  Eigen::MatrixXd J;          // dr/du there
+  bool slopes_exact = false;  // true if J was computed by the model
   PosteriorDensity density;
   std::vector<KnownSample> known;  // earlier trials; those too far away are not used
 };

@@ -15,7 +15,9 @@ namespace {
 using WhitenedModel = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
 /// Returns the fit of a model at `center` with slopes by central differences.
-FittedDensity fitted_density(const WhitenedModel& model, const Eigen::VectorXd& center, double s = 1.0) {
+FittedDensity fitted_density(const WhitenedModel& model,
+                             const Eigen::VectorXd& center,
+                             double s = 1.0) {
   constexpr double kStep = 1e-5;
   FittedDensity fit;
   fit.r_c = model(center);
@@ -78,7 +80,8 @@ TEST(SurrogateRuns, ALinearModelWithUnknownNoiseHasStudentsDistribution) {
   EXPECT_LT(runs.check().deviation, 1e-3);
   const PosteriorSamples samples = surrogate_samples(runs);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double deviation = s * normal.solve_lower(Eigen::VectorXd(Eigen::VectorXd::Unit(n, i))).norm();
+    const double deviation =
+        s * normal.solve_lower(Eigen::VectorXd(Eigen::VectorXd::Unit(n, i))).norm();
     for (const double p : {0.025, 0.5, 0.975}) {
       const double expected = 0.5 + deviation * numerics::student_t_quantile(p, m - n);
       EXPECT_NEAR(quantile_of(samples.u.row(i).transpose(), p), expected, 0.1 * deviation) << p;
@@ -176,8 +179,7 @@ TEST(ResidualSurrogate, RepeatsAPolynomialOfTheFourthDegree) {
                            Eigen::MatrixXd(9, 2),
                            quartic(0.0),
                            (Eigen::MatrixXd(2, 1) << 1.0, 0.0).finished()};
-  for (Eigen::Index k = 0; k < 9; ++k)
-    samples.R.row(k) = quartic(samples.Y(k, 0)).transpose();
+  for (Eigen::Index k = 0; k < 9; ++k) samples.R.row(k) = quartic(samples.Y(k, 0)).transpose();
   for (const bool exact : {false, true}) {
     samples.slopes_exact = exact;
     const ResidualSurrogate surrogate(samples);

@@ -14,17 +14,15 @@
 namespace latsch {
 namespace {
 
-constexpr double kBestJump = 2.38;      // ter Braak's gamma for a normal density, over sqrt(2 n)
-constexpr double kJitter = 0.1;         // c of (1): moves are no lattice
-constexpr double kStuck = 2.0;          // distances of the quartiles below the first one
-constexpr long kLongJumpEvery = 10;     // steps
+constexpr double kBestJump = 2.38;       // ter Braak's gamma for a normal density, over sqrt(2 n)
+constexpr double kJitter = 0.1;          // c of (1): moves are no lattice
+constexpr double kStuck = 2.0;           // distances of the quartiles below the first one
+constexpr long kLongJumpEvery = 10;      // steps
 constexpr std::size_t kMostKept = 2048;  // steps of a record; then every second one is dropped
 
 }  // namespace
 
-int walker_count(Eigen::Index variables) {
-  return std::max(40, 4 * static_cast<int>(variables));
-}
+int walker_count(Eigen::Index variables) { return std::max(40, 4 * static_cast<int>(variables)); }
 
 Eigen::VectorXd reflected_into_cube(Eigen::VectorXd u) {
   for (double& x : u) {
@@ -56,8 +54,9 @@ void WalkerChains::move(int walker, long step) {
   const double chance = random.uniform();
   const bool is_long = step % kLongJumpEvery == kLongJumpEvery - 1;
   const double gamma = is_long ? 1.0 : kBestJump / std::sqrt(2.0 * n) * jitter;
-  const Eigen::VectorXd tried = reflected_into_cube(
-      places_.col(walker) + gamma * (places_.col(others + a) - places_.col(others + b)));  // (1)
+  const Eigen::VectorXd tried =
+      places_.col(walker) + gamma * (places_.col(others + a) - places_.col(others + b));  // (1)
+  if ((tried.array() < 0.0).any() || (tried.array() > 1.0).any()) return;
   const double value = density_(tried);
   if (!(value > kNoDensity) || !(std::log(1.0 - chance) < value - values_[walker])) return;
   places_.col(walker) = tried;

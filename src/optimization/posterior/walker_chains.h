@@ -10,8 +10,10 @@
 // where a and b are two walkers of the other half, which rests meanwhile. The move is accepted with
 // probability min(1, p(u*) / p(u)). So the shape of the ensemble is the shape of the moves,
 // whatever the correlations of the variables are, and nothing is tuned. A move of length 1 leads
-// from one mode to another. A coordinate that leaves the cube is reflected at the face; the
-// reflection of a symmetric move is symmetric.
+// from one mode to another. A move out of the cube is refused, because the density is 0 there.
+// Reflecting single coordinates at the faces would bias the samples: the reflected move is no
+// longer symmetric where the differences of two coordinates are correlated. For two springs in
+// series it moved a median by 0.17 deviations.
 //
 // Every walker has a random stream of its own, and no decision depends on another walker of the
 // same half, so the chains have the same bits for any number of threads.
@@ -47,18 +49,18 @@ class WalkerChains {
   /// Forgets all recorded steps, so that only later ones count.
   void forget();
   /// Moves walkers that are stuck where the density is negligible to the place of the likeliest
-  /// walker of their half, and forgets the record. A walker is stuck if the mean of its recorded log
-  /// densities lies below the first quartile of all walkers by more than twice the distance of the
-  /// quartiles [Vrugt et al., Int. J. Nonlinear Sci. Numer. Simul. 10 (2009) 273]. One of 40 walkers
-  /// would else be 2.5 % of all samples. Only for steps that are left out later: the move is not
-  /// reversible. Returns the number of walkers moved.
+  /// walker of their half, and forgets the record. A walker is stuck if the mean of its recorded
+  /// log densities lies below the first quartile of all walkers by more than twice the distance of
+  /// the quartiles [Vrugt et al., Int. J. Nonlinear Sci. Numer. Simul. 10 (2009) 273]. One of 40
+  /// walkers would else be 2.5 % of all samples. Only for steps that are left out later: the move
+  /// is not reversible. Returns the number of walkers moved.
   int release_stuck();
   /// Continues with another density from the present places. A walker whose density is 0 under it
   /// is placed where a walker of the same half is whose density is not; returns false if there is
   /// none in one of the halves.
   bool change_density(LogDensityAt density);
 
-  const Eigen::MatrixXd& places() const { return places_; }          // n x walkers
+  const Eigen::MatrixXd& places() const { return places_; }         // n x walkers
   const Eigen::VectorXd& log_densities() const { return values_; }  // one for each walker
   int walkers() const { return static_cast<int>(places_.cols()); }
   /// Share of the moves that were accepted since the beginning.

@@ -33,9 +33,9 @@ struct EqualCorrelation {
 };
 
 PosteriorSamples walker_samples(const LogDensityAt& density,
-                            const WhitenedFrame& frame,
-                            const Eigen::MatrixXd& modes = {},
-                            int count = 20'000) {
+                                const WhitenedFrame& frame,
+                                const Eigen::MatrixXd& modes = {},
+                                int count = 20'000) {
   const auto starts = walker_starts(frame, modes, density, 7);
   return draw_samples(WalkerChains(density, *starts, 7), {.samples = count});
 }
@@ -79,10 +79,35 @@ TEST(WalkerChains, HaveTheSameBitsForAnyNumberOfThreads) {
 // A density that rises linearly to its bound at 1: P(u < x) = x^2.
 TEST(WalkerChains, FillADensityUpToItsBounds) {
   const LogDensityAt rising = [](const Eigen::VectorXd& u) { return std::log(u[0]); };
-  const WhitenedFrame frame{Eigen::VectorXd::Constant(1, 0.7), Eigen::MatrixXd::Constant(1, 1, 0.4)};
+  const WhitenedFrame frame{Eigen::VectorXd::Constant(1, 0.7),
+                            Eigen::MatrixXd::Constant(1, 1, 0.4)};
   const PosteriorSamples s = walker_samples(rising, frame);
   for (const double p : {0.025, 0.5, 0.975})
     EXPECT_NEAR(quantile_of(s.u.row(0).transpose(), p), std::sqrt(p), 0.015) << p;
+}
+
+// A narrow ridge u_0 + u_1 = 0.3 that ends at two bounds. Moves along the ridge have correlated
+// coordinates, which a reflection at the bounds would turn off the ridge.
+TEST(WalkerChains, FillACorrelatedRidgeUpToTheBounds) {
+  const LogDensityAt ridge = [](const Eigen::VectorXd& u) {
+    return -0.5 * std::pow((u.sum() - 0.3) / 0.03, 2) + 4.0 * u[0];
+  };
+  const WhitenedFrame frame{Eigen::VectorXd::Constant(2, 0.15),
+                            0.05 * Eigen::MatrixXd::Identity(2, 2)};
+  const PosteriorSamples s = walker_samples(ridge, frame);
+  constexpr int kCells = 600;
+  Eigen::VectorXd marginal = Eigen::VectorXd::Zero(kCells);
+  for (int i = 0; i < kCells; ++i)
+    for (int j = 0; j < kCells; ++j)
+      marginal[i] += std::exp(ridge(Eigen::Vector2d((i + 0.5) / kCells, (j + 0.5) / kCells)));
+  marginal /= marginal.sum();
+  const Eigen::VectorXd x = s.u.row(0).transpose();
+  double below = 0.0;
+  for (int i = 0; i < kCells; ++i) {
+    below += marginal[i];
+    if (i % 25 != 24 || below > 0.999) continue;
+    EXPECT_NEAR((x.array() < (i + 1.0) / kCells).cast<double>().mean(), below, 0.02) << i;
+  }
 }
 
 // Weights 0.7 and 0.3, eight deviations apart.
@@ -93,9 +118,9 @@ TEST(WalkerChains, WeighTwoModesThatAreBothKnown) {
     };
     return std::log(0.7 * mode(0.3) + 0.3 * mode(0.7));
   };
-  const WhitenedFrame frame{Eigen::VectorXd::Constant(2, 0.3), 0.1 * Eigen::MatrixXd::Identity(2, 2)};
-  const PosteriorSamples s =
-      walker_samples(mixture, frame, Eigen::MatrixXd::Constant(2, 1, 0.7));
+  const WhitenedFrame frame{Eigen::VectorXd::Constant(2, 0.3),
+                            0.1 * Eigen::MatrixXd::Identity(2, 2)};
+  const PosteriorSamples s = walker_samples(mixture, frame, Eigen::MatrixXd::Constant(2, 1, 0.7));
   EXPECT_NEAR((s.u.row(0).array() < 0.5).cast<double>().mean(), 0.7, 0.05);
 }
 
@@ -103,8 +128,7 @@ TEST(WalkerChains, WeighTwoModesThatAreBothKnown) {
 // means are integrated in closed form: y_j has the variance 1 + tau^2. The density of (mu, tau) is
 // integrated on a grid. The ten variables (mu, tau, theta) form a funnel.
 TEST(WalkerChains, SampleAHierarchicalModelOrNameWhatDoesNotMix) {
-  const Eigen::VectorXd y =
-      to_vector({2.8, 0.8, -0.3, 0.7, -0.1, 0.1, 1.8, 1.2});
+  const Eigen::VectorXd y = to_vector({2.8, 0.8, -0.3, 0.7, -0.1, 0.1, 1.8, 1.2});
   // u in the cube: mu = 20 u - 10, tau = 10 u, theta = 20 u - 10
   const LogDensityAt density = [&](const Eigen::VectorXd& u) {
     const double mu = 20.0 * u[0] - 10.0, tau = 10.0 * u[1];
@@ -136,9 +160,9 @@ TEST(WalkerChains, SampleAHierarchicalModelOrNameWhatDoesNotMix) {
     return 1.0;
   };
   const Eigen::VectorXd mu = s.u.row(0).transpose();
-  const bool mixed =
-      std::find_if(s.unmixed.begin(), s.unmixed.end(), [](int i) { return i < 2; }) ==
-      s.unmixed.end();
+  const bool mixed = std::find_if(s.unmixed.begin(), s.unmixed.end(), [](int i) {
+                       return i < 2;
+                     }) == s.unmixed.end();
   for (const double p : {0.025, 0.5, 0.975}) {
     const double error = std::abs(quantile_of(mu, p) - quantile(p)) / deviation_of_draws(mu);
     // what is called mixed has to be right; the rest is named

@@ -60,10 +60,8 @@ void print_samples(const Study& study, const Posterior& posterior) {
     say("  {:<{}} {:<16} {:<28} {:<28} {:>6.3f} {:>6.0f}  {}\n",
         names[a],
         width,
-        correlation::value_text(study.space,
-                                posterior.axes[a],
-                                value_at_unit(study, posterior, a, shape.median),
-                                own),
+        correlation::value_text(
+            study.space, posterior.axes[a], value_at_unit(study, posterior, a, shape.median), own),
         correlation::interval_text(study.space, posterior.axes[a], own),
         correlation::interval_text(study.space, posterior.axes[a], posterior.linear[a]),
         d.rhat,
@@ -89,14 +87,15 @@ void print_standing(const Study& study, const Posterior& posterior) {
   for (const std::string& remark : posterior.remarks) say("{}\n", remark);
   for (const int axis : posterior.samples.unmixed) {
     const ChainDiagnostics& d = posterior.samples.diagnostics[static_cast<std::size_t>(axis)];
-    warn(fmt::format("the chains do not mix in {} after {} steps: R-hat {:.3f}, {:.0f} effective "
-                     "draws of the bulk and {:.0f} of the tails, expected at most 1.01 and at least "
-                     "400",
-                     study.space[posterior.axes[static_cast<std::size_t>(axis)]].name,
-                     posterior.samples.steps,
-                     d.rhat,
-                     d.bulk,
-                     d.tail));
+    warn(
+        fmt::format("the chains do not mix in {} after {} steps: R-hat {:.3f}, {:.0f} effective "
+                    "draws of the bulk and {:.0f} of the tails, expected at most 1.01 and at least "
+                    "400",
+                    study.space[posterior.axes[static_cast<std::size_t>(axis)]].name,
+                    posterior.samples.steps,
+                    d.rhat,
+                    d.bulk,
+                    d.tail));
   }
 }
 
@@ -203,8 +202,8 @@ int sample(const std::string& file,
 }  // namespace
 
 void add_sample(CommandLine& app, Program& program) {
-  Verb verb = app.add_subcommand("sample",
-                                 "Draws samples of the variables' posterior density around the fit");
+  Verb verb = app.add_subcommand(
+      "sample", "Draws samples of the variables' posterior density around the fit");
   verb.footer(
       "Example:\n  latsch sample studies/race_tire_mf/study.toml --workers 2\n\n"
       "Needs a finished latsch run. A surrogate of all residuals learns from the journal and from "
@@ -221,9 +220,8 @@ void add_sample(CommandLine& app, Program& program) {
   verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
       .between(1, 1024);
   verb.add_option("-o,--output", *output, "CSV file of the samples; beside the study unless given");
-  verb.callback([=, &program] {
-    program.exit_code = sample(*file, program.language, *workers, *output);
-  });
+  verb.callback(
+      [=, &program] { program.exit_code = sample(*file, program.language, *workers, *output); });
 }
 
 }  // namespace latsch::cli
