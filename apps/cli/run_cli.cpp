@@ -13,6 +13,7 @@
 #include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/version.h"
+#include "cli/verbs/posterior/sample.h"
 #include "cli/verbs/verbs.h"
 #include "experiment/language/capabilities.h"
 

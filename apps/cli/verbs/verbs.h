@@ -30,7 +30,6 @@ void add_simulate(CommandLine& app, Program& program);
 void add_doe(CommandLine& app, Program& program);
 void add_run(CommandLine& app, Program& program);  // run and resume
 void add_identify(CommandLine& app, Program& program);
-void add_sample(CommandLine& app, Program& program);
 void add_serve(CommandLine& app, Program& program);
 void add_pareto(CommandLine& app, Program& program);
 void add_report(CommandLine& app, Program& program);

@@ -65,7 +65,7 @@ class FitFrame {
     for (const Eigen::Index row : identification.residuals_used())
       if (all[static_cast<std::size_t>(row)].experiment >= 0) rows_.push_back(row);
     const Linearization& at = identification.linearization();
-    std::vector<Eigen::Index> places;  // of these rows among the used ones; priors are the last
+    std::vector<Eigen::Index> places;  // places of these rows among the used ones; priors come last
     for (Eigen::Index k = 0; k < std::ssize(rows_); ++k) places.push_back(k);
     const Eigen::MatrixXd J = at.J(places, axes_);
     const Eigen::VectorXd r = at.r(places);

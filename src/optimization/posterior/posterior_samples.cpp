@@ -7,7 +7,7 @@
 namespace latsch {
 namespace {
 
-constexpr int kLengths[] = {1, 2, 4, 7, 10};  // of the chains, in units of the first one
+constexpr int kLengths[] = {1, 2, 4, 7, 10};  // lengths of the chains, in units of the first one
 constexpr long kStepsOfAll = 1000, kStepsOfVariable = 200;
 constexpr int kReleases = 3;  // times that stuck walkers are released before the first step counts
 // Streams of starts follow those of the walkers.

@@ -35,8 +35,8 @@ struct PosteriorSamples {
   std::vector<int> chain;                     // walker of each sample
   std::vector<ChainDiagnostics> diagnostics;  // one a variable
   std::vector<int> unmixed;                   // variables whose diagnostics fall short
-  long steps = 0;                             // of each walker, the first half included
-  double accepted = 0.0;                      // share of accepted moves
+  long steps = 0;         // number of steps of each walker, the first half included
+  double accepted = 0.0;  // share of accepted moves
 
   Eigen::Index size() const { return u.cols(); }
 };

@@ -13,10 +13,10 @@ constexpr double kAsLinear = 0.25;   // deviations
 constexpr double kSkewed = 1.5;      // ratio of the half widths, or its inverse
 constexpr double kBent = 0.2;        // share of the variance
 constexpr double kModeShare = 0.05;  // share of the samples on each side of a valley
-constexpr double kAtBound = 0.01;    // of the range
-constexpr double kCutShare = 0.025;  // of the samples
-constexpr double kOpen = 0.25;       // of the range
-constexpr int kBins = 24;            // of the histogram, between the 0.5 and 99.5 % points
+constexpr double kAtBound = 0.01;    // share of the range
+constexpr double kCutShare = 0.025;  // share of the samples
+constexpr double kOpen = 0.25;       // share of the range
+constexpr int kBins = 24;            // bins of the histogram, between the 0.5 and 99.5 % points
 constexpr double kByChance = 3.0;    // deviations of a count
 
 /// Returns the counts of the samples in bins of equal width; samples outside count in the end bins.

@@ -12,7 +12,7 @@ namespace {
 constexpr double kSlopeTerm = 1000.0;  // first coefficient of (1)
 // Relative increase of the diagonal of K that keeps it positive definite in spite of rounding.
 constexpr double kSurrogateRounding = 1e-11;
-constexpr double kLeastPivot = 1e-30;  // of a sample at the fit itself, whose kernel may be 0
+constexpr double kLeastPivot = 1e-30;  // pivot of a sample at the fit itself, whose kernel may be 0
 constexpr double kInsideCube = 12.0;   // information of a uniform density in the unit cube
 
 }  // namespace

@@ -78,7 +78,7 @@ class ResidualSurrogate {
 
   Eigen::MatrixXd Y_;
   double slope_prior_;     // 1000, or 0 if the slopes are exact
-  Eigen::VectorXd scale_;  // of the samples, 1 / sqrt(K_ii)
+  Eigen::VectorXd scale_;  // 1 / sqrt(K_ii) of the samples
   numerics::PivotedCholesky factors_;
   Eigen::MatrixXd basis_;    // m x (1 + n + N): r = basis (1, y, k(y))
   Eigen::MatrixXd reduced_;  // R of the factorization of the basis, or the basis if it is smaller

@@ -53,7 +53,7 @@ struct FittedDensity {
 struct SurrogateRunOptions {
   int runs = 50;  // most trials, those of the check included; 0: none, without a check
   std::uint64_t seed = 0;
-  int threads = 1;  // of the chains; does not change the result
+  int threads = 1;  // threads of the chains, which do not change the result
 };
 
 enum class SurrogateVerdict { unchecked, stands, doubtful, refused };
@@ -61,7 +61,7 @@ enum class SurrogateVerdict { unchecked, stands, doubtful, refused };
 /// Result of the ten draws.
 struct SurrogateCheck {
   SurrogateVerdict verdict = SurrogateVerdict::unchecked;
-  double deviation = 0.0;  // of the errors of the log density
+  double deviation = 0.0;  // standard deviation of the errors of the log density
   double largest = 0.0;    // largest |e|
   int draws = 0;           // draws of the check
   int failed = 0;          // those at which the model failed

@@ -165,7 +165,7 @@ TEST(WalkerChains, SampleAHierarchicalModelOrNameWhatDoesNotMix) {
                      }) == s.unmixed.end();
   for (const double p : {0.025, 0.5, 0.975}) {
     const double error = std::abs(quantile_of(mu, p) - quantile(p)) / deviation_of_draws(mu);
-    // what is called mixed has to be right; the rest is named
+    // A variable that is called mixed has to be right; the rest is named.
     EXPECT_TRUE(!mixed || error < 0.1) << p << ' ' << error;
   }
   for (const ChainDiagnostics& d : s.diagnostics) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Implements `latsch sample`: draws samples of the posterior density of the variables around the
-// best trial of a journal.
+#include "cli/verbs/posterior/sample.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +16,6 @@
 #include "cli/run/interrupt.h"
 #include "cli/run/trials.h"
 #include "cli/run/workers.h"
-#include "cli/verbs/verbs.h"
 #include "correlation/posterior/posterior.h"
 #include "correlation/posterior/posterior_file.h"
 #include "correlation/search/search_standing.h"
