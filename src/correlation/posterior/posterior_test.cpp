@@ -19,7 +19,7 @@ namespace latsch::correlation {
 namespace {
 
 /// A spring a in series with a spring b, the force at 10 mm known to 10 %, and that of a alone to
-/// 30 %: k = a b / (a + b) leaves a curved valley.
+/// 15 %: k = a b / (a + b) leaves a curved valley.
 Study serial_springs() {
   const auto measured = [](const std::string& test, double force) {
     return std::make_shared<ForceCurve>(
@@ -32,7 +32,7 @@ Study serial_springs() {
   StudyExperiment alone = press;
   alone.name = "alone";
   alone.observable = measured("alone", 40.0);
-  alone.noise = {.relative = 0.3};
+  alone.noise = {.relative = 0.15};
   Study study{"study.toml",
               "springs",
               "springs.toml",
