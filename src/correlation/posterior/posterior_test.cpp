@@ -18,8 +18,8 @@
 namespace latsch::correlation {
 namespace {
 
-/// A spring a in series with a spring b, the force at 10 mm known to 10 %, and that of a alone to
-/// 15 %: k = a b / (a + b) leaves a curved valley.
+/// A spring a in series with a spring b, the force at 10 mm known to 5 %, and that of a alone to
+/// 8 %: k = a b / (a + b) leaves a curved valley.
 Study serial_springs() {
   const auto measured = [](const std::string& test, double force) {
     return std::make_shared<ForceCurve>(
@@ -28,11 +28,11 @@ Study serial_springs() {
   StudyExperiment press;
   press.name = "press";
   press.observable = measured("press", 20.0);
-  press.noise = {.relative = 0.1};
+  press.noise = {.relative = 0.05};
   StudyExperiment alone = press;
   alone.name = "alone";
   alone.observable = measured("alone", 40.0);
-  alone.noise = {.relative = 0.15};
+  alone.noise = {.relative = 0.08};
   Study study{"study.toml",
               "springs",
               "springs.toml",

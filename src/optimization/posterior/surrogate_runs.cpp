@@ -13,7 +13,8 @@ namespace {
 constexpr double kFarthest = 6.0;  // linear deviations within which earlier trials are used
 constexpr int kPlainDraws = 3, kSpreadDraws = 3, kBatch = kPlainDraws + kSpreadDraws;
 constexpr Eigen::Index kCandidates = 40;  // draws among which those of large variance are chosen
-constexpr double kGoodBatch = 0.3;        // root mean square error of the log density
+constexpr double kGoodBatch = 0.3;        // root mean square error of the log density, plain draws
+constexpr double kGoodSpread = 1.0;       // the same of the draws with the largest variance
 constexpr int kGoodInARow = 2;
 constexpr int kCheckDraws = 10;
 constexpr double kStands = 0.3, kRefused = 1.0, kOneTooFar = 3.0;
@@ -166,6 +167,7 @@ void SurrogateRuns::ask_batch() {
   chains_->release_stuck();
   chains_->advance(steps / 4, options_.threads);
   const Eigen::MatrixXd candidates = chains_->places().leftCols(kCandidates);
+  const Eigen::VectorXd of_candidates = chains_->log_densities().head(kCandidates);
   chains_->advance(steps - steps / 2 - steps / 4, options_.threads);
   for (const int walker : drawn_walkers(kPlainDraws)) {
     wanted_.emplace_back(chains_->places().col(walker));
@@ -177,8 +179,10 @@ void SurrogateRuns::ask_batch() {
   for (Eigen::Index k = 0; k < candidates.cols(); ++k)
     points.row(kPlainDraws + k) = fit_.frame.whitened(candidates.col(k)).transpose();
   for (const Eigen::Index k :
-       largest_variances(model_->surrogate.covariance(points), kPlainDraws, kSpreadDraws))
+       largest_variances(model_->surrogate.covariance(points), kPlainDraws, kSpreadDraws)) {
     wanted_.emplace_back(candidates.col(k - kPlainDraws));
+    expected_.push_back(of_candidates[k - kPlainDraws]);
+  }
 }
 
 void SurrogateRuns::ask_check() {
@@ -204,7 +208,7 @@ void SurrogateRuns::observe(const std::vector<std::optional<Eigen::VectorXd>>& o
     seen.push_back({wanted_[k], outcomes[k]});
     ++trials_;
     if (!outcomes[k]) ++failed_;
-    if (k < expected_.size()) errors.push_back(model_density(seen.back()) - expected_[k]);
+    errors.push_back(model_density(seen.back()) - expected_[k]);
   }
   if (phase_ == Phase::check) {
     judge(errors);
@@ -212,8 +216,11 @@ void SurrogateRuns::observe(const std::vector<std::optional<Eigen::VectorXd>>& o
     wanted_.clear();
     return;
   }
-  batch_errors_.push_back(root_mean_square(errors));
-  good_in_a_row_ = batch_errors_.back() < kGoodBatch ? good_in_a_row_ + 1 : 0;
+  const auto middle = errors.begin() + kPlainDraws;
+  batch_errors_.push_back(root_mean_square({errors.begin(), middle}));
+  const bool is_good =
+      batch_errors_.back() < kGoodBatch && root_mean_square({middle, errors.end()}) < kGoodSpread;
+  good_in_a_row_ = is_good ? good_in_a_row_ + 1 : 0;
   for (KnownSample& sample : seen) fit_.known.push_back(std::move(sample));
   learn();
   if (good_in_a_row_ >= kGoodInARow) {

@@ -6,8 +6,9 @@
 //   1. Batches of six. Chains sample the surrogate. Three trials are plain draws. Three are those
 //      of 40 draws where the variance of the surrogate is largest, given all other trials. If the
 //      errors of the log density at the plain draws have a root mean square below 0.3 in two
-//      batches in a row, the batches end. One such batch is luck. They also end if the next one
-//      would exceed `runs`.
+//      batches in a row, and those at the others below 1, the batches end. One such batch is luck,
+//      and plain draws alone seldom see the ends of the density. The batches also end if the next
+//      one would exceed `runs`.
 //   2. The check: ten plain draws more, of the final surrogate, which does not learn from them.
 //      With e = errors of the log density less their mean,
 //        deviation(e) <= 0.3                the surrogate stands for the model
@@ -116,7 +117,7 @@ class SurrogateRuns {
   std::optional<WalkerChains> chains_;
   RandomStream choice_;
   std::vector<Eigen::VectorXd> wanted_;
-  std::vector<double> expected_;  // log densities of the plain draws among the wanted points
+  std::vector<double> expected_;  // log densities of the wanted points by the surrogate
   int trials_ = 0, failed_ = 0, good_in_a_row_ = 0;
   bool settled_ = false;
   std::vector<double> batch_errors_;
