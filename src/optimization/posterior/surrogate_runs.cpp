@@ -14,7 +14,7 @@ constexpr double kFarthest = 6.0;  // linear deviations within which earlier tri
 constexpr int kPlainDraws = 3, kSpreadDraws = 3, kBatch = kPlainDraws + kSpreadDraws;
 constexpr Eigen::Index kCandidates = 40;  // draws among which those of large variance are chosen
 constexpr double kGoodBatch = 0.3;        // root mean square error of the log density, plain draws
-constexpr double kGoodSpread = 1.0;       // the same of the draws with the largest variance
+constexpr double kGoodSpread = 1.0;       // limit for the draws with the largest variance
 constexpr int kGoodInARow = 2;
 constexpr int kCheckDraws = 10;
 constexpr double kStands = 0.3, kRefused = 1.0, kOneTooFar = 3.0;
