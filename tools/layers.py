@@ -35,12 +35,12 @@ ROOMS = {
                        "rolling", "passage", "slopes"],
     "models/ring_tire": ["description", "belt", "tread", "step", "ring"],
     "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
-                     "identifiability"],
+                     "identifiability", "posterior"],
     "formats": ["text", "tables", "tire", "car", "road", "deck", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
-    "correlation": ["laboratory", "observable", "study", "target", "analysis", "search", "study_report",
-                    "rig_data", "comparison", "validation"],
+    "correlation": ["laboratory", "observable", "study", "target", "analysis", "posterior", "search",
+                    "study_report", "rig_data", "comparison", "validation"],
     "studio": ["http", "shelf", "views"],
 }
 

@@ -13,6 +13,7 @@
 #include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/version.h"
+#include "cli/verbs/posterior/sample.h"
 #include "cli/verbs/verbs.h"
 #include "experiment/language/capabilities.h"
 
@@ -43,6 +44,7 @@ constexpr OfferedVerb kVerbs[] = {{add_new, experiment::IsPressed::kName},
                                   {add_doe},
                                   {add_run},
                                   {add_identify},
+                                  {add_sample},
                                   {add_report},
                                   {add_serve},
                                   {add_pareto},

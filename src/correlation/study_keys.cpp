@@ -40,6 +40,7 @@ const KeySection& start_keys();
 const KeySection& stage_keys();
 const KeySection& refined_keys();
 const KeySection& doe_keys();
+const KeySection& posterior_keys();
 const KeySection& run_keys();
 const KeySection& suite_keys();
 
@@ -228,6 +229,7 @@ std::vector<const KeySection*> sections_of(const Language& language) {
                               stage_keys,
                               refined_keys,
                               doe_keys,
+                              posterior_keys,
                               run_keys,
                               suite_keys})
     sections.push_back(&section());

@@ -14,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-from cli_testing import DONE, LATSCH, WRONG_INPUT, edit, trials_of
+from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, edit, trials_of
 
 SPRING = pathlib.Path(LATSCH).with_name("spring")
 
@@ -120,6 +120,31 @@ class SpringAlone(unittest.TestCase):
         forces = {c["name"]: c["values"] for c in self.answer("test", written, self.folder / "fast.toml")["channels"]}
         for force, x in zip(forces["force"], forces["travel"], strict=True):
             self.assertAlmostEqual(force, 20e3 * x + 120, delta=0.1)
+
+    def test_samples_are_drawn_around_the_fit_and_again_alike(self):
+        self.write_twin()
+        self.spring("run", self.study)
+        self.assertIn("state the noise", self.spring("sample", self.study, code=FAILED))
+        edit(self.study, ('measurement = "swiftly.csv"', 'measurement = "swiftly.csv"\nnoise = "2 %"'))
+        self.spring("run", self.study)
+        found = self.answer("sample", self.study)
+        self.assertEqual(found["check"]["verdict"], "stands")
+        self.assertEqual(found["trials"], 22)
+        for variable, value in zip(found["variables"], (20, 300), strict=True):
+            # the model is linear: both intervals are that of a normal density, up to the scatter of 2000 samples
+            self.assertEqual(variable["shape"], "as the linear interval")
+            lower, upper = variable["linear"]
+            self.assertAlmostEqual(0.5 * (lower + upper), value, delta=0.01 * value)
+            for end, linear in zip(variable["interval"], variable["linear"], strict=True):
+                self.assertAlmostEqual(end, linear, delta=0.25 * (upper - lower) / 3.92)
+        samples = self.folder / "study.samples.csv"
+        head, *rows = samples.read_text().splitlines()
+        self.assertEqual(head, "stiffness [N/mm],damping [N s/m],log density,chain,density")
+        self.assertEqual(len(rows), 2000)
+        before, trials = samples.read_bytes(), trials_of(self.journal)
+        self.spring("sample", self.study, "--workers", "1")
+        self.assertEqual(samples.read_bytes(), before)
+        self.assertEqual(trials_of(self.journal), trials)
 
     def test_what_is_missed_is_told_with_what_would_mend_it(self):
         self.write_twin()

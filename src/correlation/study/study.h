@@ -14,6 +14,7 @@
 #include "base/document.h"
 #include "correlation/study/channel_constraint.h"
 #include "correlation/study/run_settings.h"
+#include "correlation/study/settings/posterior_settings.h"
 #include "correlation/study/specimens.h"
 #include "correlation/study/study_design.h"
 #include "correlation/study/study_experiment.h"
@@ -81,6 +82,7 @@ struct Study {
 
   Laboratory laboratory = {};                 // every [measurement.NAME], for their ledgers
   StartSettings start = {};                   // start of the search
+  PosteriorSettings posterior = {};           // for latsch sample
   std::vector<StageSettings> stages = {};     // empty: one run, as [optimizer] says
   std::optional<Refinement> refinement = {};  // none without [refined]
   std::string stage = {};                     // name of the stage that this study is; empty: none

@@ -309,6 +309,16 @@ Eigen::MatrixXd ResidualNoise::colored(const Eigen::MatrixXd& Y) const {
   return Z;
 }
 
+Eigen::MatrixXd ResidualNoise::whitened(const Eigen::MatrixXd& Y) const {
+  Eigen::MatrixXd Z = deviations_.cwiseInverse().asDiagonal() * Y;
+  for (const Curve& curve : curves_) {
+    if (curve.process.order() == 0) continue;
+    const Eigen::MatrixXd own = Z(curve.rows, Eigen::all);
+    Z(curve.rows, Eigen::all) = curve.process.whitened(own);
+  }
+  return Z;
+}
+
 Eigen::VectorXd ResidualNoise::effective_deviations() const {
   Eigen::VectorXd effective = deviations_;
   for (const Curve& curve : curves_) {

@@ -73,6 +73,9 @@ class ResidualNoise {
   /// Scales the columns of Y so that the squared norm of a column y becomes  y' D R D y,  the
   /// variance of y' r in units of sigma^2.
   Eigen::MatrixXd colored(const Eigen::MatrixXd& Y) const;
+  /// Returns the columns of Y with uncorrelated rows of deviation 1: if y has the covariance D R D
+  /// sigma^2, its column has the covariance sigma^2.
+  Eigen::MatrixXd whitened(const Eigen::MatrixXd& Y) const;
   /// Returns for every residual its deviation, in units of sigma, times the square root of the
   /// number of neighboring samples that together hold as much information as one independent
   /// sample.

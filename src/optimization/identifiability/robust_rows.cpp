@@ -18,7 +18,7 @@ namespace {
 // rounding errors.
 constexpr double kLeastSlope = 1e-6;
 // Smallest curvature as a share of its positive part. A point with less curvature is no minimum.
-constexpr double kLeastCurvature = 1e-2;
+constexpr double kLeastRowCurvature = 1e-2;
 // Share of the largest singular value below which a singular value counts as zero.
 constexpr double kRoundingOfRows = 1e-13;
 
@@ -170,7 +170,7 @@ Eigen::MatrixXd weighted_rows(const Eigen::MatrixXd& J, const Eigen::VectorXd& w
   const Eigen::MatrixXd NW = N * V * inverse.asDiagonal();
   const auto [taken, Q] = numerics::self_adjoint_eigen(Eigen::MatrixXd(NW.transpose() * NW));
   const Eigen::VectorXd kept =
-      (1.0 - taken.array()).max(kLeastCurvature).sqrt();  // H'H - N'N = (S V')' (1 - NW'NW) S V'
+      (1.0 - taken.array()).max(kLeastRowCurvature).sqrt();  // H'H - N'N = (S V')' (1 - NW'NW) S V'
   return kept.asDiagonal() * Q.transpose() * s.asDiagonal() * V.transpose();
 }
 

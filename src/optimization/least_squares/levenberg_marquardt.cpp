@@ -34,7 +34,7 @@ constexpr double kSteepDescent = 0.1;
 constexpr double kExpansionOnReturn = 10.0, kRadiusOnReturn = 4.0;
 // Smallest cosine between a step and the direction along which the curvature of the residuals is
 // known.
-constexpr double kAlong = 0.8;
+constexpr double kAlongDescent = 0.8;
 // Largest correction of a step for curvature, relative to the step [Transtrum & Sethna, alpha =
 // 0.75].
 constexpr double kMostTurn = 0.375;
@@ -253,7 +253,7 @@ struct LevenbergMarquardt::State {
   LevenbergMarquardtStep bend(const LevenbergMarquardtStep& step) const {
     if (!along) return step;
     const Eigen::VectorXd s = x.u - along->u;
-    if (!(std::abs(s.dot(step.p)) > kAlong * s.norm() * step.p.norm())) return step;
+    if (!(std::abs(s.dot(step.p)) > kAlongDescent * s.norm() * step.p.norm())) return step;
     const Eigen::VectorXd r = x.r + residual_curvature(x, *along, step.p);
     LevenbergMarquardtStep bent = LevenbergMarquardtSteps(r, x.J, D, x.u, region).damped(step.mu);
     bent.promised = x.f - (r + x.J * bent.p).squaredNorm();

@@ -14,7 +14,7 @@ constexpr int kFewest = 3;  // smallest number of failures that can form an edge
 constexpr double kForetold = 0.7;
 constexpr int kMostEdges = 3;
 // Largest number of failures of one edge, as a multiple of n + 1; the nearest ones are used.
-constexpr int kMostFailures = 2;
+constexpr int kMostEdgeFailures = 2;
 // Weight of b^2 in the minimization. It is small beside that of |a|^2, which is 1, so that b is
 // nearly free.
 constexpr double kOffset = 1e-6;
@@ -88,7 +88,7 @@ std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
     std::stable_sort(some.begin(), some.end(), [&](const auto& x, const auto& y) {
       return (x - left.front()).squaredNorm() < (y - left.front()).squaredNorm();
     });
-    some.resize(std::min(some.size(), kMostFailures * (n + 1)));
+    some.resize(std::min(some.size(), kMostEdgeFailures * (n + 1)));
     std::optional<Edge> edge;
     for (; !edge && std::ssize(some) >= kFewest; some.resize((some.size() + 1) / 2)) {
       edge = plane(some, successes);

@@ -7,9 +7,9 @@ namespace latsch {
 namespace {
 
 // Longest step, in units of the axes of the frame.
-constexpr double kReach = 2.0;
+constexpr double kSlopeReach = 2.0;
 // Factor by which the longest step is shortened after a disappointing step.
-constexpr double kShorter = 0.3;
+constexpr double kShorterSlope = 0.3;
 constexpr int kMostMisses = 3;  // number of steps in a row without success that end a round
 // Factor by which moves are lengthened if the residuals are at noise level.
 constexpr double kFarther = 3.0;
@@ -49,7 +49,7 @@ void FreshSlopes::begin_round(const TrustBox& box, const Eigen::MatrixXd& J) {
   is_blind_ = false;
   steps_ = 0;
   sharpened_ = 0;
-  reach_ = kReach;
+  reach_ = kSlopeReach;
   f_begin_ = box.f();
   ++rounds_;
 }
@@ -114,7 +114,7 @@ bool FreshSlopes::sharpen(const TrustBox& box) {
   axis_ = 0;
   steps_ = 0;
   misses_ = 0;
-  reach_ = kReach;
+  reach_ = kSlopeReach;
   return true;
 }
 
@@ -142,7 +142,7 @@ void FreshSlopes::observe_step(bool is_bad, double promise) {
   has_failed_ = false;
   if (!is_bad) return;
   has_disappointed_ |= promise >= kTelling * deviation_;
-  reach_ *= kShorter;
+  reach_ *= kShorterSlope;
 }
 
 }  // namespace latsch

@@ -34,6 +34,7 @@ experiments with their measurements, and the optimizer.
               {"stage", "Tables `[stage.NAME]`: one fit after the other."},
               {"refined", "Finer model that is evaluated once, at the values found."},
               {"doe", "Design of experiments."},
+              {"posterior", "Samples of the posterior density, for `latsch sample`."},
               {"run", "Settings for running the trials."},
           },
       .samples =
@@ -72,6 +73,8 @@ max_steps = 60
 model.tread.blocks = 20
 [doe]
 levels = 5
+[posterior]
+samples = 1000
 [run]
 workers = 2
 )toml",

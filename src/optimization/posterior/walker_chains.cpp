@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/posterior/walker_chains.h"
+
+#include <algorithm>
+#include <barrier>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <thread>
+#include <utility>
+
+#include "optimization/posterior/chain_diagnostics.h"
+
+namespace latsch {
+namespace {
+
+constexpr double kBestJump = 2.38;       // ter Braak's gamma for a normal density, over sqrt(2 n)
+constexpr double kJitter = 0.1;          // c of (1): moves are no lattice
+constexpr double kStuck = 2.0;           // distances of the quartiles below the first one
+constexpr long kLongJumpEvery = 10;      // steps
+constexpr std::size_t kMostKept = 2048;  // steps of a record; then every second one is dropped
+
+}  // namespace
+
+int walker_count(Eigen::Index variables) { return std::max(40, 4 * static_cast<int>(variables)); }
+
+Eigen::VectorXd reflected_into_cube(Eigen::VectorXd u) {
+  for (double& x : u) {
+    x = std::abs(std::remainder(x, 2.0));  // the period of two reflections
+  }
+  return u;
+}
+
+WalkerChains::WalkerChains(LogDensityAt density, Eigen::MatrixXd starts, std::uint64_t seed)
+    : density_(std::move(density)), places_(std::move(starts)), values_(places_.cols()) {
+  assert(walkers() >= 6 && walkers() % 2 == 0);
+  for (int walker = 0; walker < walkers(); ++walker) {
+    values_[walker] = density_(places_.col(walker));
+    assert(std::isfinite(values_[walker]));
+    streams_.emplace_back(seed, static_cast<std::uint64_t>(walker));
+  }
+  moved_.assign(static_cast<std::size_t>(walkers()), 0);
+}
+
+void WalkerChains::move(int walker, long step) {
+  const int half = walkers() / 2;
+  const int others = walker < half ? half : 0;  // first walker of the half that rests
+  RandomStream& random = streams_[static_cast<std::size_t>(walker)];
+  const auto a = static_cast<int>(random.below(static_cast<std::uint64_t>(half)));
+  auto b = static_cast<int>(random.below(static_cast<std::uint64_t>(half - 1)));
+  if (b >= a) ++b;
+  const double n = static_cast<double>(places_.rows());
+  const double jitter = std::exp(kJitter * random.normal());
+  const double chance = random.uniform();
+  const bool is_long = step % kLongJumpEvery == kLongJumpEvery - 1;
+  const double gamma = is_long ? 1.0 : kBestJump / std::sqrt(2.0 * n) * jitter;
+  const Eigen::VectorXd tried =
+      places_.col(walker) + gamma * (places_.col(others + a) - places_.col(others + b));  // (1)
+  if ((tried.array() < 0.0).any() || (tried.array() > 1.0).any()) return;
+  const double value = density_(tried);
+  if (!(value > kNoDensity) || !(std::log(1.0 - chance) < value - values_[walker])) return;
+  places_.col(walker) = tried;
+  values_[walker] = value;
+  ++moved_[static_cast<std::size_t>(walker)];
+}
+
+void WalkerChains::advance(long steps, int threads) {
+  const int half = walkers() / 2;
+  threads = std::clamp(threads, 1, half);
+  const auto move_part = [&](int thread, int first, long step) {
+    const int from = first + half * thread / threads, to = first + half * (thread + 1) / threads;
+    for (int walker = from; walker < to; ++walker) move(walker, step);
+  };
+  std::barrier turn(threads);
+  const auto run = [&](int thread) {
+    for (long step = steps_; step < steps_ + steps; ++step) {
+      move_part(thread, 0, step);
+      turn.arrive_and_wait();
+      move_part(thread, half, step);
+      turn.arrive_and_wait();
+      if (thread == 0) keep(step + 1);
+      if (threads > 1) turn.arrive_and_wait();
+    }
+  };
+  std::vector<std::jthread> team;
+  for (int thread = 1; thread < threads; ++thread) team.emplace_back(run, thread);
+  run(0);
+  team.clear();
+  steps_ += steps;
+}
+
+void WalkerChains::keep(long step) {
+  if (step % record_.stride != 0) return;
+  record_.places.push_back(places_);
+  record_.values.push_back(values_);
+  if (record_.places.size() < kMostKept) return;
+  // every second one stays, those whose step is a multiple of the doubled stride
+  const bool first_stays = (step / record_.stride - std::ssize(record_.places) + 1) % 2 == 0;
+  std::size_t kept = 0;
+  for (std::size_t k = first_stays ? 0 : 1; k < record_.places.size(); k += 2, ++kept) {
+    if (kept == k) continue;
+    record_.places[kept] = std::move(record_.places[k]);
+    record_.values[kept] = std::move(record_.values[k]);
+  }
+  record_.places.resize(kept);
+  record_.values.resize(kept);
+  record_.stride *= 2;
+}
+
+void WalkerChains::forget() { record_ = {}; }
+
+int WalkerChains::release_stuck() {
+  if (record_.values.empty()) return 0;
+  Eigen::VectorXd means = Eigen::VectorXd::Zero(walkers());
+  for (const Eigen::VectorXd& values : record_.values) means += values;
+  means /= static_cast<double>(record_.values.size());
+  const double first = quantile_of(means, 0.25), third = quantile_of(means, 0.75);
+  const double limit = first - kStuck * (third - first);
+  const int half = walkers() / 2;
+  int moved = 0;
+  for (int walker = 0; walker < walkers(); ++walker) {
+    if (means[walker] >= limit) continue;
+    const int begin = walker < half ? 0 : half;
+    Eigen::Index best = 0;
+    means.segment(begin, half).maxCoeff(&best);
+    places_.col(walker) = places_.col(begin + best);
+    values_[walker] = values_[begin + best];
+    ++moved;
+  }
+  forget();
+  return moved;
+}
+
+bool WalkerChains::change_density(LogDensityAt density) {
+  density_ = std::move(density);
+  for (int walker = 0; walker < walkers(); ++walker)
+    values_[walker] = density_(places_.col(walker));
+  const int half = walkers() / 2;
+  for (int first : {0, half}) {
+    std::vector<int> alive;
+    for (int walker = first; walker < first + half; ++walker)
+      if (values_[walker] > kNoDensity) alive.push_back(walker);
+    if (std::ssize(alive) < 3) return false;  // fewer have no differences to move along
+    std::size_t next = 0;
+    for (int walker = first; walker < first + half; ++walker) {
+      if (values_[walker] > kNoDensity) continue;
+      const int from = alive[next++ % alive.size()];
+      places_.col(walker) = places_.col(from);
+      values_[walker] = values_[from];
+    }
+  }
+  return true;
+}
+
+double WalkerChains::accepted() const {
+  const long moved = std::accumulate(moved_.begin(), moved_.end(), 0L);
+  const long tried = steps_ * walkers();
+  return tried == 0 ? 0.0 : static_cast<double>(moved) / static_cast<double>(tried);
+}
+
+}  // namespace latsch
