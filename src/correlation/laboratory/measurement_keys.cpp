@@ -110,11 +110,11 @@ struct = "run2"
 zero = {channels = ["Fz"], at = {Fz = "4 kN .. 4.1 kN"}}
 )toml",
               R"toml([measurement.logged]
-file = "logged.mf4"
-group = "forces"
+file = "logged.uff"
+group = "time 1"
 )toml",
               R"toml([measurement.joined]
-file = "logged.mf4"
+file = "logged.uff"
 resample = "1 ms"
 )toml",
           },

@@ -168,7 +168,7 @@ TEST_F(WrittenRecordings, WithWrongLengthsAndLinksAreRefusedInWords) {
   EXPECT_THAT(refusal_of(with_number(plain, channels + 72 + 8, std::uint64_t{1} << 63), true),
               HasSubstr("expected 9223372036854775808: is the file cut off?"));
   EXPECT_THAT(refusal_of(with_number(plain, channels + 72 + 24, 0), true),
-              HasSubstr("of a record of 0 bytes"));
+              HasSubstr("has group \"rig\" with a record size of 0"));
   EXPECT_THAT(refusal_of(with_number(bytes("rules.mf4"), rule + 8, 1), true),
               HasSubstr("states a length of 1 bytes"));
   EXPECT_THAT(refusal_of(plain.substr(0, data + 100), true), HasSubstr("links to byte"));
@@ -194,9 +194,13 @@ TEST_F(WrittenRecordings, OfBrokenTextAreRefusedWithTheLine) {
   std::string text = bytes("text_2_even.uff");
   const std::size_t number = text.rfind("-1.75000e+00");
   text.replace(number, 5, "abcde");
-  EXPECT_THAT(refusal_of(text, false), HasSubstr("spoiled:36: is "));
+  EXPECT_THAT(refusal_of(text, false), HasSubstr("spoiled:34: is "));
   const std::string binary = bytes("binary_4_even_1.uff");
   EXPECT_THAT(refusal_of(binary.substr(0, binary.size() - 30), false), HasSubstr("cut off"));
+  // The head ends with the file, without a line end, and states no sample.
+  std::string head = binary.substr(0, binary.find("a line more") - 1);
+  head.replace(head.find("         4         7"), 19, "         4         0");
+  EXPECT_THAT(refusal_of(head, false), HasSubstr("spoiled:"));
 }
 
 TEST(RecordedText, EndsAtAZeroByteAndTakesLatin1) {

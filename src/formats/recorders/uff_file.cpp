@@ -117,7 +117,7 @@ class UffReading {
     const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
     line = bytes_.substr(at_, end - at_);
     if (line.ends_with('\r')) line.remove_suffix(1);
-    at_ = end + 1;
+    at_ = std::min(end + 1, bytes_.size());
     ++line_;
     return true;
   }
