@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures how fast recordings of recorders are read on one core: MDF 4 raw, deflated and transposed,
-// and universal files as text and binary, from memory to numbers.
+// Measures how fast recordings of recorders are read on one core: MDF 4 raw, deflated and
+// transposed, and universal files as text and binary, from memory to numbers.
 //
 //   ./bench.sh formats_speed
 #include <fmt/format.h>

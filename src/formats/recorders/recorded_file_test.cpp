@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files written by verification/recorders/write_recordings.py, a writer that shares nothing with the
-// readers, are read back to the last bit.
+// Files written by verification/recorders/write_recordings.py, a writer that shares nothing with
+// the readers, are read back to the last bit.
 #include "formats/recorders/recorded_file.h"
 
 #include <fmt/format.h>
