@@ -24,18 +24,23 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <new>
 #include <thread>
 
 #include "base/document.h"
 #include "base/error.h"
+#include "base/file.h"
 #include "base/spoiled_text_testing.h"
 #include "base/text.h"
 #include "formats/car/bus_file.h"
 #include "formats/deck/inp_deck.h"
 #include "formats/mesh/inp_tire.h"
+#include "formats/recorders/mdf_file.h"
+#include "formats/recorders/uff_file.h"
 #include "formats/road/open_crg.h"
 #include "formats/road/road_file.h"
 #include "formats/tables/csv_table.h"
@@ -263,6 +268,62 @@ Reader mat_reader() {
           }};
 }
 
+/// Returns files that the independent writer of the tests writes.
+std::vector<std::string> written_recordings(std::initializer_list<const char*> names) {
+  static const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / fmt::format("latsch_fuzz_{}", ::getpid());
+  const std::string command =
+      fmt::format("python3 {}/verification/recorders/write_recordings.py {}",
+                  LATSCH_SOURCE_DIR,
+                  folder.string());
+  if (std::system(command.c_str()) != 0) throw InputError("python3 cannot write recordings");
+  std::vector<std::string> files;
+  for (const char* name : names) files.push_back(read_text_file(folder / name, 1u << 20));
+  std::filesystem::remove_all(folder);
+  return files;
+}
+
+void use_recorded(const formats::RecordedFile& file) {
+  for (const formats::RecordedGroup& group : file.groups)
+    for (const formats::RecordedChannel& channel : group.channels) {
+      if (channel.values.size() != group.samples()) broken("unequal channels");
+      for (const double value : channel.values)
+        if (std::isinf(value)) broken("a number that is not finite");
+    }
+}
+
+Reader uff_reader() {
+  return {"UFF",
+          written_recordings({"text_2_even.uff",
+                              "text_4_uneven.uff",
+                              "text_6_uneven.uff",
+                              "binary_5_uneven_2.uff",
+                              "binary_4_even_1.uff",
+                              "functions.uff"}),
+          with_numbers({"    -1\n", "    58\n", "    58b", "   164\n", "  2411\n", "NONE", "D+00"}),
+          [](const std::string& bytes) { use_recorded(formats::parse_uff(bytes, "spoiled")); }};
+}
+
+Reader mdf_reader() {
+  return {"MDF",
+          written_recordings({"plain.mf4",
+                              "headed.mf4",
+                              "rules.mf4",
+                              "unsorted_2.mf4",
+                              "columns.mf4",
+                              "unfinished.mf4"}),
+          with_numbers({"##DT",
+                        "##DZ",
+                        "##CN",
+                        "UnFinMF ",
+                        std::string(8, '\0'),
+                        bytes_of<std::uint64_t>({std::uint64_t{1} << 63}),
+                        bytes_of<std::uint64_t>({64}),
+                        bytes_of<std::uint32_t>({65}),
+                        bytes_of<double>({NAN, INFINITY})}),
+          [](const std::string& bytes) { use_recorded(formats::parse_mdf(bytes, "spoiled")); }};
+}
+
 Reader rdf_reader() {
   const std::string units =
       "[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\nANGLE = 'degree'\nMASS = 'kg'\nTIME = "
@@ -486,6 +547,8 @@ int fuzz(const Options& options) {
                                crg_reader(),
                                rdf_reader(),
                                mat_reader(),
+                               uff_reader(),
+                               mdf_reader(),
                                inp_reader(),
                                toml_reader()}) {
     if (only.empty() || only == reader.name) run(reader, first, inputs, table);

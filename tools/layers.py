@@ -36,7 +36,7 @@ ROOMS = {
     "models/ring_tire": ["description", "belt", "tread", "step", "ring"],
     "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
                      "identifiability", "posterior"],
-    "formats": ["text", "tables", "tire", "car", "road", "deck", "mesh"],
+    "formats": ["text", "recorders", "tables", "tire", "car", "road", "deck", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
     "correlation": ["laboratory", "observable", "study", "target", "analysis", "posterior", "search",

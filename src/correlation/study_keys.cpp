@@ -152,6 +152,14 @@ class SampleFolder {
              {"old.latsch", ""},
              {"force.csv", "deflection [mm],force [N]\n5,1000\n10,2100\n"},
              {"two_runs.csv", "run1.Fz [N],run2.Fz [N]\n4000,4010\n3990,4005\n"},
+             {"logged.uff",
+              "    -1\n    58\nFz\nNONE\nNONE\nNONE\nNONE\n    1\n"
+              "         2         3         1  0.00000e+00  1.00000e-02\n"
+              "        17    0    0    0 time                 s\n"
+              "         9    0    0    0 force                N\n"
+              "         0    0    0    0 NONE                 NONE\n"
+              "         0    0    0    0 NONE                 NONE\n"
+              "  4.00000e+03  4.01000e+03  3.99000e+03\n    -1\n"},
              {"lengths.csv", "length [mm]\n112\n139\n"},
              {"modes.csv", "frequency [Hz],n,type\n54,0,torsional\n70,1,radial\n"},
              {"mode_shapes.csv",

@@ -234,7 +234,7 @@ class Files(FileCase):
                     self.assertIn("is UTF-16 text, expected UTF-8", self.latsch("show", self.folder / name, code=WRONG_INPUT))
 
     def test_bad_files_are_named_with_their_line(self):
-        self.assertIn('expected ".bus", ".crg"', self.latsch("show", self.write("a.xyz", ""), code=WRONG_INPUT))
+        self.assertIn('expected ".bunv", ".bus", ".crg"', self.latsch("show", self.write("a.xyz", ""), code=WRONG_INPUT))
         torso = self.write("torso.tdx", "**HEADER\n**MEASURCHANNELS\n")
         self.assertIn("torso.tdx:2", self.latsch("show", torso, code=WRONG_INPUT))
         points = self.write("points.csv", "x [m]\n0\n")

@@ -15,6 +15,7 @@
 #include "correlation/laboratory/measurement.h"
 #include "experiment/kinds/inp_numbers.h"
 #include "formats/deck/inp_deck.h"
+#include "formats/recorders/recorded_file.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/lab_table.h"
 #include "formats/tables/mat_file.h"
@@ -147,6 +148,54 @@ ShownFile show_mat(const std::filesystem::path& path, AxisConvention axes) {
   for (const auto& [name, why] : named.left_out)
     shown.facts.push_back(name + " is left out: it " + why);
   show_channels(to_iso(named.channels, axes), false, shown);
+  return shown;
+}
+
+/// Returns the rate of a group with equal steps in time as text, such as "2000 Hz".
+std::string rate_of(const formats::RecordedGroup& group) {
+  if (!group.has_abscissa || group.samples() < 2 || group.channels.front().name != "time")
+    return "-";
+  const std::vector<double>& time = group.channels.front().values;
+  const auto unit = Unit::find(group.channels.front().unit);
+  const double length = time.back() - time.front();
+  if (!unit || !(length > 0.0)) return "-";
+  const double step = unit->to_si(length / static_cast<double>(time.size() - 1));
+  return format_number(1.0 / step, 4) + " Hz";
+}
+
+/// Shows the groups of a recorder's file and the channels of the one that a study would read.
+ShownFile show_groups(const std::filesystem::path& path, AxisConvention axes) {
+  ShownFile shown;
+  ShownTable groups{"Groups", {"group", "samples", "rate", "from", "to", "channels"}, {}};
+  {
+    const formats::RecordedFile file = formats::read_recorded_file(path);
+    shown.kind = file.kind;
+    shown.facts = file.facts;
+    for (const auto& [name, why] : file.left_out)
+      shown.facts.push_back(name + " is left out: it " + why);
+    for (const formats::RecordedGroup& group : file.groups) {
+      std::vector<std::string> names;
+      for (const formats::RecordedChannel& channel : group.channels)
+        names.push_back(titled(channel.name, channel.unit));
+      const auto end_of = [&](double value) {
+        return group.has_abscissa
+                   ? format_number(value, kDigits) + " " + group.channels.front().unit
+                   : std::string("-");
+      };
+      groups.rows.push_back({group.name,
+                             std::to_string(group.samples()),
+                             rate_of(group),
+                             end_of(group.channels.front().values.front()),
+                             end_of(group.channels.front().values.back()),
+                             fmt::format("{}", fmt::join(names, ", "))});
+    }
+  }
+  shown.tables.push_back(std::move(groups));
+  const auto measurement = correlation::read_measurement(path, axes);
+  Channels channels;
+  for (const Channel& channel : measurement.channels().all())
+    channels.add({measurement.written(channel.name).column, channel.unit, channel.values});
+  show_channels(channels, false, shown);
   return shown;
 }
 
@@ -306,6 +355,8 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
       {".rdf", shown_road},
       {".toml", show_document},
       {".inp", show_inp}};
+  for (const std::string& ending : formats::recorder_endings())
+    readers[ending] = [&](const Path& path) { return show_groups(path, axes); };
   for (const std::string& lab : formats::lab_endings())
     readers.try_emplace(lab, [&](const Path& path) { return show_recording(path, axes); });
   std::string ending = file.extension().string();

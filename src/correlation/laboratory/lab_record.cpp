@@ -124,6 +124,7 @@ LabRecord record_of(formats::LabTable table, const std::map<std::string, StatedC
   }
   record.header = table.header;
   record.structs = table.structs;
+  record.part_word = table.part_word;
   std::set<std::string> taken;
   for (const auto& [theirs, ours] : stated) taken.insert(ours);
   for (std::size_t k = 0; k < table.channels.all().size(); ++k) {
@@ -228,6 +229,7 @@ Channels LabRecord::table() const {
 LabRecord join_files(const std::vector<std::filesystem::path>& files,
                      const std::map<std::string, StatedColumn>& columns,
                      const std::string& part,
+                     double resampled,
                      std::vector<std::string>& words) {
   std::map<std::string, std::string> units;
   std::map<std::string, std::string> ours_of;
@@ -251,7 +253,8 @@ LabRecord join_files(const std::vector<std::filesystem::path>& files,
   };
   LabRecord record;
   for (const std::filesystem::path& file : files) {
-    LabRecord more = record_of(formats::read_lab_table(file, units, expected, part), columns);
+    LabRecord more =
+        record_of(formats::read_lab_table(file, units, expected, part, resampled), columns);
     words.push_back(fmt::format(
         "{}: {} samples of {} channels", name_of(file), more.samples(), more.channels.size()));
     if (record.channels.empty()) {

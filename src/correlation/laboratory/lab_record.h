@@ -60,6 +60,7 @@ struct LabRecord {
   std::map<std::string, std::vector<std::string>> ambiguous;
   std::vector<SuspectSamples> suspects;
   std::vector<std::string> structs;  // structs of the first file, if none of them was chosen
+  std::string part_word = "struct";  // "group" if those are groups of different rates
 
   std::size_t samples() const { return places.size(); }
   std::vector<std::string> names() const;
@@ -72,11 +73,12 @@ struct LabRecord {
 };
 
 /// Joins files one after the other; channels that one of them lacks are omitted. `columns` maps
-/// Latsch's names of channels to columns of the files. `part` is the struct of the files that
-/// contains the channels, or empty.
+/// Latsch's names of channels to columns of the files. `part` is the struct or group of the files
+/// that contains the channels, or empty; a step of time `resampled` above 0, in s, joins groups.
 LabRecord join_files(const std::vector<std::filesystem::path>& files,
                      const std::map<std::string, StatedColumn>& columns,
                      const std::string& part,
+                     double resampled,
                      std::vector<std::string>& words);
 
 /// Returns why channels cannot be in these axes, to follow their name: those of Adams define no

@@ -323,6 +323,15 @@ std::string about_angle(const std::string& channel,
          "asin(toe / d), or half of that for the toe of both wheels)";
 }
 
+/// Returns the struct or group that the measurement names; empty if it names none.
+std::string read_part(const Node& table) {
+  if (!table.has("group")) return table.has("struct") ? table.text("struct") : "";
+  if (table.has("struct")) table.reject("group", "is given beside struct, expected one of them");
+  if (table.has("resample"))
+    table.reject("group", "is given beside resample, which joins all groups; expected one of them");
+  return table.text("group");
+}
+
 void take(LabRecord record, Measurement::Told& told) {
   told.channels = record.table();
   told.left_out = std::move(record.left_out);
@@ -330,6 +339,7 @@ void take(LabRecord record, Measurement::Told& told) {
     told.ambiguous[channel] = ambiguity(record, channel);
   told.ledgers = std::make_shared<std::vector<Ledger>>(std::move(record.ledgers));
   told.structs = std::move(record.structs);
+  told.part_word = std::move(record.part_word);
   told.written = std::move(record.written);
   told.stated = std::move(record.stated);
   told.sources = std::move(record.sources);
@@ -346,8 +356,10 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   told.place = table.place();
   told.files = read_files(table, folder);
   if (table.has("frame")) told.frame = table.choice("frame", {"W", "H", "C"});
-  const std::string part = table.has("struct") ? table.text("struct") : "";
-  LabRecord record = join_files(told.files, read_columns(table), part, told.words);
+  const std::string part = read_part(table);
+  const double resampled =
+      table.has("resample") ? table.quantity("resample", "s", Range::positive()) : 0.0;
+  LabRecord record = join_files(told.files, read_columns(table), part, resampled, told.words);
   if (record.samples() == 0) table.reject("file", "holds no sample");
   if (table.has("axes")) {
     const std::string axes = table.choice("axes", axis_convention_names());
@@ -389,7 +401,7 @@ Measurement read_measurement(const fs::path& file, std::optional<AxisConvention>
   told.name = file.filename().string();
   told.is_stated = false;
   told.files = {file};
-  LabRecord record = join_files(told.files, {}, "", told.words);
+  LabRecord record = join_files(told.files, {}, "", 0.0, told.words);
   told.place = record.header;
   told.axes = axes.value_or(AxisConvention::iso);
   turn_axes(record, told.axes);

@@ -54,6 +54,7 @@ class Measurement {
     std::vector<LedgerDoubt> suspects;
     // structs of the MAT file, if none of them was chosen
     std::vector<std::string> structs;
+    std::string part_word = "struct";  // "group" if those are groups of different rates
     // all samples as read, in Latsch's names and axes
     Channels recorded;
     Channels channels;            // processed and selected samples

@@ -22,13 +22,21 @@ in channels that something needs.
 )md",
       .sentences =
           {
-              {"file", "File of the recording: .csv .txt .dat .mat .tdx .tda .tdb."},
+              {"file",
+               "File of the recording: .csv .txt .dat .mat .tdx .tda .tdb .uff .unv .mf4 .mdf."},
               {"files",
                "Several files, one after the other, instead of `file`: `[\"a.dat\", ...]`."},
               {"struct",
                "Struct of a .mat that has the channels, \"run1\" of run1.Fz; or what stands before "
                "the dot in the columns of a .csv.",
                "the only struct with known channels"},
+              {"group",
+               "Group of a .mf4 or .uff whose channels are read; `latsch show FILE` lists them.",
+               "the only group with known channels, else the first one"},
+              {"resample",
+               "Step of time at which all groups of a .mf4 or .uff are joined, linear between "
+               "samples, over the time that all of them have; a value beside a gap is a gap.",
+               "no joining"},
               {"axes", "Signs of the file.", "\"iso\""},
               {"frame", "Frame of forces and moments whose names omit it."},
               {"columns", "Table of our names and the file's columns."},
@@ -100,6 +108,14 @@ files = ["force.csv"]
 file = "two_runs.csv"
 struct = "run2"
 zero = {channels = ["Fz"], at = {Fz = "4 kN .. 4.1 kN"}}
+)toml",
+              R"toml([measurement.logged]
+file = "logged.uff"
+group = "time 1"
+)toml",
+              R"toml([measurement.joined]
+file = "logged.uff"
+resample = "1 ms"
 )toml",
           },
   };

@@ -164,7 +164,8 @@ std::string Measurement::way_out_of_missing(const std::string& channel,
                                             const std::string& unit) const {
   if (!told_.structs.empty())
     return fmt::format(
-        "; the channels are in structs: say struct = {} in {} ({})",
+        "; the channels are in {0}s: say {0} = {1} in {2} ({3})",
+        told_.part_word,
         in_quotes(told_.structs.front()),
         told_.is_stated ? "[measurement." + told_.name + "]" : "a [measurement.NAME] of the file",
         list_of(told_.structs));

@@ -180,18 +180,22 @@ void note_encoding(const formats::LabTable& table, Ledger& ledger) {
 void note_structs(const formats::LabTable& table, Ledger& ledger) {
   if (!table.assumed_struct.empty()) {
     LedgerRow row;
-    row.taken_as = "struct";
+    row.taken_as = table.part_word;
     row.state = LedgerState::assumed;
     row.remark = table.assumed_struct + ", because all known channels are in it";
     ledger.rows.push_back(std::move(row));
   }
   if (table.structs.empty()) return;
+  const bool is_group = table.part_word == "group";
   ledger.doubts.push_back(
       {"",
-       fmt::format("known channels are in several structs: {}; a study chooses one by struct = {} "
-                   "in its [measurement.NAME]",
+       fmt::format("{0}: {1}; a study chooses one by {2} = {3} in its [measurement.NAME]{4}",
+                   is_group ? "the file has groups with times of their own"
+                            : "known channels are in several structs",
                    list_of(table.structs),
-                   in_quotes(table.structs.front())),
+                   table.part_word,
+                   in_quotes(table.structs.front()),
+                   is_group ? ", or joins them by resample = \"1 ms\"" : ""),
        {ledger.file, 0}});
 }
 

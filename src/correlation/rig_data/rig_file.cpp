@@ -33,6 +33,10 @@ void read_channels(const Node& table, RigFile& rig) {
                        (again ? " twice" : ", which is the force already") +
                        "; expected further channels, each once");
   }
+  rig.group = table.text("group", "");
+  if (table.has("resample")) rig.resampled = table.quantity("resample", "s", Range::positive());
+  if (!rig.group.empty() && rig.resampled > 0.0)
+    table.reject("group", "is given beside resample, which joins all groups; expected one of them");
   const auto units = table.find_table("units");
   if (!units) return;
   std::vector<std::string> names{rig.time, rig.speed, rig.force, rig.pulses};

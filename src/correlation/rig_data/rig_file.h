@@ -8,6 +8,8 @@
 //                                        # wheel on its shaft: pulse_speed.h
 //   force = "Fz"                         # gives period and alignment; the filter is applied to it
 //   also = ["Fx"]                        # averaged too; none unless given
+//   group = "forces"                     # of a .mf4 or .uff; or resample = "0.5 ms", which joins
+//                                        # its groups
 //   [channels.units]                     # of files that have none (MAT)
 //   Fz = "N"
 //   [drum]
@@ -96,8 +98,10 @@ struct RigFile {
   int teeth = 0;
   std::vector<std::string> also;
   std::map<std::string, std::string> units;  // unit of each channel
-  std::optional<double> circumference;       // m
-  std::vector<double> speeds;                // m/s
+  std::string group;       // group of the files that is read; empty: the reader chooses
+  double resampled = 0.0;  // s; step at which all groups are joined; 0: they are not
+  std::optional<double> circumference;  // m
+  std::vector<double> speeds;           // m/s
   PlateauSettings plateaus;
   PassageSettings passages;
   numerics::Convention convention = numerics::Convention::scipy;

@@ -142,7 +142,8 @@ DrumRecord read_record(const RigFile& rig,
                        const std::vector<std::string>& needed,
                        const std::string& by,
                        std::vector<Ledger>& ledgers) {
-  const formats::Recording recording = formats::read_whole_recording(file, rig.units);
+  const formats::Recording recording =
+      formats::read_whole_recording(file, rig.units, rig.group, rig.resampled);
   ledgers.push_back(ledger_of_recording(rig, file, recording, needed, by));
   for (const std::string& name : needed)
     if (const auto why = recording.left_out.find(name); why != recording.left_out.end())

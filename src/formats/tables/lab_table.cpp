@@ -12,9 +12,12 @@
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "base/utf8.h"
+#include "formats/recorders/recorded_file.h"
 #include "formats/tables/csv_table.h"
+#include "formats/tables/lab_columns.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/mat_runs.h"
+#include "formats/tables/recorder_table.h"
 #include "formats/tables/tydex_file.h"
 #include "formats/text/fortran_number.h"
 #include "formats/text/letter_case.h"
@@ -29,89 +32,6 @@ using Units = std::map<std::string, std::string>;
 
 constexpr std::size_t kMostColumns = 10000;                    // most columns of a .dat
 constexpr std::size_t kLargestLabFile = std::size_t{1} << 30;  // bytes
-
-/// A column of a laboratory's file.
-struct LabColumn {
-  TableColumn source;
-  std::vector<double> values = {};  // NaN: a gap
-  bool is_si = false;               // false: in the unit of `source`
-  std::string fault = {};           // error in the cells, in words
-};
-
-void expect_once(const std::vector<LabColumn>& columns, const Place& header) {
-  std::map<std::string, int> places;
-  for (const LabColumn& column : columns) {
-    const auto [before, is_new] = places.emplace(column.source.name, column.source.place);
-    if (!is_new)
-      throw InputError(header,
-                       fmt::format("column {} comes twice, as column {} and {}",
-                                   in_quotes(column.source.name),
-                                   before->second,
-                                   column.source.place));
-  }
-}
-
-/// Sets the units that the caller states for columns without unit.
-void take_stated_units(std::vector<LabColumn>& columns, const Units& units, const Place& header) {
-  std::vector<std::string> names, missing;
-  for (const LabColumn& column : columns) names.push_back(column.source.name);
-  for (const auto& [name, unit] : units) {
-    const auto found =
-        std::find_if(columns.begin(), columns.end(), [&name = name](const LabColumn& column) {
-          return column.source.name == name || column.source.title == name;
-        });
-    if (found == columns.end()) {
-      missing.push_back(name);
-      continue;
-    }
-    found->source.name = name;
-    const int line = found->source.unit_line;
-    take_stated_unit(found->source, unit, {header.file, line > 0 ? line : header.line});
-  }
-  if (!missing.empty()) throw InputError(header, missing_columns(missing, names));
-}
-
-/// Adds columns, converted to SI; for columns without unit, uses the units that the caller states.
-void add_columns(std::vector<LabColumn> columns,
-                 const Units& units,
-                 const ExpectedUnit& expected,
-                 const Place& header,
-                 LabTable& table) {
-  for (LabColumn& column : columns) take_minus_of_name(column.source);
-  expect_once(columns, header);
-  take_stated_units(columns, units, header);
-  table.header = header;
-  for (LabColumn& column : columns) {
-    TableColumn& source = column.source;
-    if (expected && !column.is_si) take_unit_of_name(source, expected(source.name));
-    const std::string wanted =
-        expected && !source.unit.empty() ? expected(source.name) : std::string();
-    const bool is_known =
-        units.contains(source.name) || (expected && !expected(source.name).empty());
-    const Place place{header.file, source.unit_line > 0 ? source.unit_line : header.line};
-    const std::string unit_fault = fault_of_unit(source, wanted);
-    if (is_known && !unit_fault.empty()) throw InputError(place, unit_fault);
-    if (is_known && !column.fault.empty())
-      throw InputError(header, source.name + " " + column.fault);
-    if (!unit_fault.empty() || !column.fault.empty()) {
-      const std::size_t has = unit_fault.find(" has ");
-      table.left_out[source.name] =
-          has == unit_fault.npos ? column.fault : unit_fault.substr(has + 1);
-      table.left_columns.push_back(std::move(source));
-      continue;
-    }
-    const Unit unit = unit_of_column(source, wanted, place);
-    if (!column.is_si)
-      for (double& value : column.values) value = unit.to_si(value);
-    if (source.is_negative)
-      for (double& value : column.values) value = -value;
-    table.channels.add({source.name, si_unit(unit.dimension()), std::move(column.values)});
-    // For a unit with several meanings, the spelling of the chosen meaning is recorded.
-    table.units.push_back(source.unit.empty() || unit.text() == source.unit ? source.unit
-                                                                            : unit.text());
-    table.columns.push_back(std::move(source));
-  }
-}
 
 LabTable table_of(const std::filesystem::path& file) {
   LabTable table;
@@ -520,6 +440,16 @@ LabTable read_tydex(const std::filesystem::path& file,
   return table;
 }
 
+/// Throws InputError if a step of time is stated for a file that has one time for all channels.
+void expect_no_resampling(const std::filesystem::path& file, double step) {
+  if (step > 0.0)
+    throw InputError(
+        {file.string(), 0},
+        "has one time for all channels, but resample is stated, which brings groups of "
+        "different rates to one time; expected " +
+            list_of(recorder_endings()));
+}
+
 using LabReader = LabTable (*)(const std::filesystem::path&,
                                const Units&,
                                const ExpectedUnit&,
@@ -547,8 +477,13 @@ Place LabTable::place(std::size_t sample) const {
 LabTable read_lab_table(const std::filesystem::path& file,
                         const Units& units,
                         const ExpectedUnit& expected,
-                        const std::string& part) {
+                        const std::string& part,
+                        double resampled) {
   const std::string ending = lower(file.extension().string());
+  const auto recorders = recorder_endings();
+  if (std::find(recorders.begin(), recorders.end(), ending) != recorders.end())
+    return recorder_table(read_recorded_file(file), units, expected, part, resampled);
+  expect_no_resampling(file, resampled);
   for (const auto& [known, reader] : lab_readers()) {
     if (known != ending) continue;
     LabTable table = reader(file, units, expected, part);
@@ -563,6 +498,7 @@ LabTable read_lab_table(const std::filesystem::path& file,
 std::vector<std::string> lab_endings() {
   std::vector<std::string> endings;
   for (const auto& [ending, reader] : lab_readers()) endings.push_back(ending);
+  for (const std::string& ending : recorder_endings()) endings.push_back(ending);
   return endings;
 }
 

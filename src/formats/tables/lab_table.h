@@ -7,6 +7,11 @@
 //                             channel with the same value in all samples
 //   .tdx .tydex .tda .tdb     tydex_file.h; a constant that is no channel (INFLPRES) becomes a
 //                             channel with the same value in all samples
+//   .uff .unv .uf .bunv       recorders/uff_file.h
+//   .mf4 .mdf                 recorders/mdf_file.h
+//
+// The last two kinds hold groups of channels, each with its own time. A table is one group, or all
+// of them brought to one time (recorder_table.h).
 //
 // The text files of tire test consortia begin with a line about the run, a line of names and a line
 // of units; numbers between tabs or blanks follow:
@@ -52,6 +57,7 @@ struct LabTable {
   std::string assumed_encoding;      // encoding assumed for a text that is not UTF-8, in words
   std::string assumed_struct;        // the only struct with known channels, if none is stated
   std::vector<std::string> structs;  // structs of the file, if none of them was chosen
+  std::string part_word = "struct";  // "group" if the parts of the file are groups
   std::vector<LedgerDoubt> doubts;   // text of the file that was not read
 
   /// Returns the place of a sample for messages: the line, or the file alone.
@@ -63,14 +69,16 @@ struct LabTable {
 /// unit of another dimension is then an error, and a unit with several meanings is read in that
 /// dimension. If `part` is not empty, only the channels of that part of the file are read: of a
 /// struct of a MAT file, given by its path, or of the columns of a .csv file whose names begin with
-/// the part and a dot. The part is then omitted from their names. Throws InputError that names
-/// file, line and column for: an unknown extension, a broken file, ragged rows, two columns of the
-/// same name, columns of `units` that do not exist or have another unit in the file, and a part
-/// that does not exist.
+/// the part and a dot. The part is then omitted from their names. Of a file with groups, the part
+/// is a group; a step `resampled` above 0, in s, joins all groups at that step instead. Throws
+/// InputError that names file, line and column for: an unknown extension, a broken file, ragged
+/// rows, two columns of the same name, columns of `units` that do not exist or have another unit in
+/// the file, and a part that does not exist.
 LabTable read_lab_table(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {},
                         const ExpectedUnit& expected = {},
-                        const std::string& part = "");
+                        const std::string& part = "",
+                        double resampled = 0.0);
 
 /// Returns the extensions of the files that read_lab_table() reads, in lower case: ".csv", ... A
 /// new kind of file needs a reader and a line in lab_table.cpp; all parts of the program that

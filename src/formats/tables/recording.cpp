@@ -155,8 +155,12 @@ Channels read_recording(const std::filesystem::path& file,
 }
 
 Recording read_whole_recording(const std::filesystem::path& file,
-                               const std::map<std::string, std::string>& units) {
+                               const std::map<std::string, std::string>& units,
+                               const std::string& group,
+                               double resampled) {
   const std::string ending = lower(file.extension().string());
+  if (!group.empty() || resampled > 0.0)
+    return recording_of(read_lab_table(file, units, {}, group, resampled));
   if (ending == ".tdx" || ending == ".tydex" || ending == ".tda" || ending == ".tdb") {
     TydexFile tydex = TydexFile::read(file);
     Recording recording{tydex.channels, {}, tydex.left_out};

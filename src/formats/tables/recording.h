@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A whole recording of a rig as channels in SI: separated values (.csv, .txt, as in csv_table.h,
-// but of any size and numbers only), TYDEX (.tdx) or MATLAB (.mat).
+// but of any size and numbers only), TYDEX (.tdx), MATLAB (.mat), MDF 4
+// (.mf4) or a universal file (.uff).
 //
 // Ten minutes of ten channels at 2 kHz are 12 million numbers: a number is read by from_chars in
 // double precision and converted once, which may differ from csv_table.h in the last bit if a unit
@@ -24,7 +25,8 @@ Channels read_recording(const std::filesystem::path& file,
                         const std::map<std::string, std::string>& units = {});
 
 /// A recording with its columns as the file states them. A column with an unknown unit is left out
-/// with the reason, unless `units` states one for its name.
+/// with the reason, unless `units` states one for its name. Of a file with groups, `group` is read,
+/// or all of them at the step `resampled` above 0, in s.
 struct Recording {
   Channels channels;
   std::vector<TableColumn> columns;             // one for each channel, as the file states it
@@ -32,7 +34,9 @@ struct Recording {
   int header_line = 0;                          // line of the units; 0: the file has no lines
 };
 Recording read_whole_recording(const std::filesystem::path& file,
-                               const std::map<std::string, std::string>& units = {});
+                               const std::map<std::string, std::string>& units = {},
+                               const std::string& group = "",
+                               double resampled = 0.0);
 
 /// Parses separated values from a text.
 Channels parse_recording(std::string text, const std::string& file_name);
