@@ -9,7 +9,8 @@
 // limits of 93 to 97 % are two standard errors.
 //
 // Each recording has one shift: over time it is a delay, over an angle an x_offset. So "all four"
-// is offset, gain and delay in two recordings, and offset, gain and x_offset in the third.
+// is offset, gain and delay in two recordings, and offset, gain and x_offset in the third. If gains
+// are free, the first recording has none, because A and a gain of every recording act alike.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -118,7 +119,11 @@ initial = 8.7
   write_text_file(folder / "in.txt", "{A} {k} {w}");
   for (int e = 0; e < recordings; ++e) {
     const bool over_time = e % 3 != 2;
-    const double offset = drawn.offset * random.normal(), gain = drawn.gain * random.normal();
+    Numbers own_drawn = drawn, own_solved = solved;
+    // If every gain were free, A would be no more than their common factor.
+    if (is_free && e == 0) own_drawn.gain = own_solved.gain = 0.0;
+    const double offset = own_drawn.offset * random.normal(),
+                 gain = own_drawn.gain * random.normal();
     const double shift = (over_time ? drawn.delay : drawn.x_offset) * random.normal();
     std::string rows = over_time ? "t [s],y [N]\n" : "alpha [rad],y [N]\n";
     for (int i = 0; i < kSamples; ++i) {
@@ -134,7 +139,7 @@ initial = 8.7
         e,
         over_time ? "t" : "alpha",
         kNoise,
-        stated(solved, over_time, is_free));
+        stated(own_solved, over_time, is_free));
   }
   write_text_file(folder / "study.toml", text);
   return correlation::read_study(folder / "study.toml", experiment::language());
@@ -198,9 +203,12 @@ int trials_of(const correlation::Study& study) {
   const auto optimizer = correlation::make_optimizer(study);
   int trials = 0;
   while (trials < kMost && !optimizer->converged()) {
-    const DesignPoint point = optimizer->propose(1).front();
+    const auto proposed = optimizer->propose(1);
+    if (proposed.empty()) break;
+    const DesignPoint point = proposed.front();
     Channels plain;
-    for (Channel channel : simulated(point.values).all()) {
+    const Channels whole = simulated(point.values);
+    for (Channel channel : whole.all()) {
       channel.slopes.clear();
       plain.add(std::move(channel));
     }
@@ -233,11 +241,13 @@ int run(const Options& options) {
     }
     table.note(fmt::format("{}, ignored", name), coverage(folder, numbers, {}, false, sets).shares);
   }
-  // Of eight recordings, with the numbers and without them.
+  // Eight recordings are fitted with their numbers and without them.
   const Numbers all{kOffset, kGain, kShift, kShift};
   RandomStream with(kSeed, 1000), without(kSeed, 1000);
-  const int solved = trials_of(study_of(folder, all, all, false, 8, with));
-  const int plain = trials_of(study_of(folder, all, {}, false, 8, without));
+  const correlation::Study numbered = study_of(folder, all, all, false, 8, with);
+  const int solved = trials_of(numbered);
+  const correlation::Study ignoring = study_of(folder, all, {}, false, 8, without);
+  const int plain = trials_of(ignoring);
   table.row("trials of a fit to 8 recordings with their numbers, over those without",
             fmt::format("{} / {}", solved, plain),
             "<= 1.2",

@@ -21,6 +21,9 @@ constexpr double kFarFromPrior = 3.0;
 /// Share of a variable's effect that the numbers leave, below which they act like the variable.
 /// Errors of differences leave about 1e-5.
 constexpr double kActsAlike = 0.01;
+/// Ratio of deviation to value above which a free number is open: a value that is 0 by chance is
+/// not as small as that.
+constexpr double kOpen = 1e6;
 constexpr double kParallel = 0.9;  // cosine above which a number is named for it
 
 bool has_nuisance(const Study& study) {
@@ -167,9 +170,12 @@ void remark_on_alike(const Study& study,
       }
     }
     if (names.empty()) names.emplace_back("the nuisance numbers together");
+    const std::string last = names.back();
+    names.back() = study.space[i].name;
+    std::rotate(names.begin(), names.end() - 1, names.end());
     table.remarks.push_back(fmt::format("{} and {} act alike; give {} a prior",
-                                        study.space[i].name,
                                         fmt::join(names, ", "),
+                                        last,
                                         names.size() == 1 ? "one" : "one of them"));
   }
 }
@@ -208,6 +214,8 @@ void add_costs(const Study& study,
 std::string NuisanceRow::in_words() const {
   const std::string name = name_of(number.kind);
   if (!is_determined) return name + ": the recording does not determine it";
+  if (number.is_free() && deviation > kOpen * std::abs(value))
+    return name + ": open, because the variables act like it";
   std::string text =
       fmt::format("{}: {} +- {}",
                   name,
