@@ -34,6 +34,7 @@ const KeySection& linear_constraint_keys();
 const KeySection& measurement_keys();
 const KeySection& experiment_keys();
 const KeySection& noise_keys();
+const KeySection& nuisance_keys();
 const KeySection& constraint_keys();
 const KeySection& optimizer_keys();
 const KeySection& start_keys();
@@ -166,6 +167,9 @@ class SampleFolder {
               "mode,x [mm],y [mm],z [mm],ux,uy,uz\n1,0,50,310,0,0,1\n2,0,50,310,1,0,0\n"},
              {"step.csv", swinging("time [s],z [mm]", 0.0, 10.0)},
              {"slow_measured.csv", swinging("time [s],Fz [N]", 4000.0, 200.0)},
+             {"over_speed.csv",
+              "speed [km/h],Fz [N]\n10,4000\n20,4010\n30,4015\n40,4030\n50,4035\n60,4050\n"
+              "70,4052\n80,4070\n"},
              {"frf.csv",
               "frequency [Hz],re_hub_Fz [N/mm],im_hub_Fz "
               "[N/mm],coherence\n20,210,12,0.99\n40,190,15,"
@@ -228,7 +232,8 @@ std::vector<const KeySection*> sections_of(const Language& language) {
                               linear_constraint_keys,
                               measurement_keys,
                               experiment_keys,
-                              noise_keys})
+                              noise_keys,
+                              nuisance_keys})
     sections.push_back(&section());
   for (const ComparedKind* kind : compared_kinds()) experiment::add_section(kind->keys(), sections);
   for (const auto& section : {constraint_keys,

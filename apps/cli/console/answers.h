@@ -41,6 +41,12 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands);
 
+/// Returns the nuisance numbers of recordings: [{"experiment", "number", "value", "deviation",
+/// "prior", "from_prior", "at_end", "is_determined"}], SI. "prior" and "from_prior" are null for a
+/// free number, "deviation" if it is not known.
+Json nuisance_of(const correlation::Study& study,
+                 const std::vector<correlation::ExperimentBand>& bands);
+
 /// Returns the fitted delays of recordings: [{"name", "value", "lower", "upper", "at_end",
 /// "unit"}], s.
 Json delays_of(const correlation::Study& study,

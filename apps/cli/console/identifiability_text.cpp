@@ -125,6 +125,23 @@ void print_delays(const Study& study, const std::vector<correlation::ExperimentB
       say("  Delay of {}: {}\n", study.experiments[e].name, bands[e].delay->in_words());
 }
 
+void print_nuisance(const Study& study, const std::vector<correlation::ExperimentBand>& bands) {
+  bool is_first = true;
+  for (size_t e = 0; e < bands.size(); ++e) {
+    for (const correlation::NuisanceRow& row : bands[e].nuisance) {
+      if (is_first) say("\nNumbers of the recordings, solved at every trial\n");
+      is_first = false;
+      say("  {:<16} {}\n", study.experiments[e].name, row.in_words());
+    }
+  }
+  for (const correlation::ExperimentBand& band : bands) {
+    if (!band.nuisance_costs.empty()) say("  Their cost\n");
+    for (const correlation::NuisanceCost& cost : band.nuisance_costs)
+      say("    {}\n", correlation::cost_text(study, cost));
+    for (const std::string& remark : band.nuisance_remarks) say("  {}\n", remark);
+  }
+}
+
 void print_missed(const Study& study, const std::vector<correlation::MissedValue>& missed) {
   if (missed.empty()) return;
   say("\nMissed by more than three times their noise, 1 % if none is stated; to first order\n");

@@ -25,6 +25,10 @@ void print_identifiability(const correlation::Study& study,
 void print_bands(const correlation::Study& study,
                  const std::vector<correlation::ExperimentBand>& bands);
 
+/// Prints the nuisance numbers of all recordings and what they cost the intervals of the variables.
+void print_nuisance(const correlation::Study& study,
+                    const std::vector<correlation::ExperimentBand>& bands);
+
 /// Prints the fitted time delays of recordings, one in each line; nothing if none is fitted.
 void print_delays(const correlation::Study& study,
                   const std::vector<correlation::ExperimentBand>& bands);

@@ -99,7 +99,9 @@ int identify_as_recorded(const Study& as_written,
   print_identifiability(study, *found);
   const auto bands = correlation::prediction_bands(study, *found, journal);
   print_bands(study, bands);
+  print_nuisance(study, bands);
   answer()["bands"] = answer_of(study, bands);
+  answer()["nuisance"] = nuisance_of(study, bands);
   if (!output.empty())
     return write_report(study, journal, language, experiment::Thoroughness::seconds, output);
   say("\nNo report is written: its folder may not be written; -o FILE writes it elsewhere\n");
@@ -132,7 +134,9 @@ bool print_found(const Study& study,
   if (profiles && !rank_predictions(study, found)) return false;
   const auto bands = correlation::prediction_bands(study, found, journal);
   print_bands(study, bands);
+  print_nuisance(study, bands);
   answer()["bands"] = answer_of(study, bands);
+  answer()["nuisance"] = nuisance_of(study, bands);
   const auto missed = correlation::missed_values(study, found);
   answer()["missed"] = answer_of(study, missed);
   print_missed(study, missed);

@@ -71,7 +71,7 @@ void print_remarks(const Study& study, const DesignPoint& best, const Journal& j
   const Channels recording = correlation::recording_at(best, journal);
   for (const correlation::StudyExperiment& experiment : study.experiments) {
     if (!experiment.fitted) continue;
-    const auto comparison = experiment.observable->compare(recording, experiment.objective);
+    const auto comparison = correlation::comparison_of(experiment, recording);
     if (!comparison) continue;
     for (const std::string& remark : experiment.observable->remarks(*comparison))
       say("{}: {}\n", experiment.name, remark);
@@ -141,6 +141,8 @@ bool print_values(const Study& study,
     const auto bands = correlation::prediction_bands(study, **result, journal);
     print_delays(study, bands);
     answer()["delays"] = delays_of(study, bands);
+    print_nuisance(study, bands);
+    answer()["nuisance"] = nuisance_of(study, bands);
   } else {
     print_point(study.space, point);
     say("  No confidence intervals: {}\n", result->failure().reason);

@@ -47,7 +47,7 @@ int simulate(const std::string& file,
     return kFailed;
   }
   for (const auto& experiment : study.experiments) {
-    const auto comparison = experiment.observable->compare(*channels, experiment.objective);
+    const auto comparison = correlation::comparison_of(experiment, *channels);
     if (!comparison) {
       complain("experiment " + experiment.name + ": " + comparison.failure().reason);
       return kFailed;

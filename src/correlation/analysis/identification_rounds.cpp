@@ -95,7 +95,7 @@ bool cross_validate(const IdentificationTrials& trials, Identifiability& result)
   const Identification& identification = result.identification;
   const auto rows = residual_rows(study);
   std::vector<int> group;
-  for (Eigen::Index row : identification.residuals_used()) group.push_back(rows[row].experiment);
+  for (Eigen::Index row : identification.residuals_used()) group.push_back(rows[row].owner());
   std::set<int> groups(group.begin(), group.end());
   groups.erase(-1);  // priors
   if (groups.size() < 2) return true;

@@ -94,7 +94,7 @@ class ComputedValues {
       const auto asked = experiment.observable->asks();
       const auto is_there = [&](const std::string& name) { return channels.find(name) != nullptr; };
       if (!std::all_of(asked.begin(), asked.end(), is_there)) continue;
-      auto comparison = experiment.observable->compare(channels, experiment.objective);
+      auto comparison = comparison_of(experiment, channels);
       if (!comparison) continue;
       Errors errors = errors_of(study_, experiment, point, std::move(*comparison));
       if (!found || errors.slopes.size() > 0) found = std::move(errors);
@@ -295,6 +295,13 @@ std::vector<ExperimentBand> prediction_bands(const Study& study,
   const PredictionBands bands(what.identification.linearization().u, c);
   for (size_t e = 0; e < all.size(); ++e)
     fill(study, what, bands, computed, study.experiments[e], all[e]);
+  NuisanceTable table = nuisance_table(study, what, journal);
+  if (table.empty()) return all;
+  ExperimentBand& first = all[static_cast<size_t>(table.rows.front().experiment)];
+  first.nuisance_costs = std::move(table.costs);
+  first.nuisance_remarks = std::move(table.remarks);
+  for (NuisanceRow& row : table.rows)
+    all[static_cast<size_t>(row.experiment)].nuisance.push_back(std::move(row));
   return all;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "correlation/analysis/identifiability.h"
+#include "correlation/analysis/nuisance_table.h"
 
 namespace latsch::correlation {
 
@@ -37,6 +38,10 @@ struct ExperimentBand {
   std::vector<std::string> remarks;  // reasons why the band is wide, one-sided or not known
 
   std::optional<DelayBand> delay = {};
+  std::vector<NuisanceRow> nuisance = {};  // nuisance numbers of the recording
+  /// Cost of all nuisance numbers of the study; set for the first experiment that has any.
+  std::vector<NuisanceCost> nuisance_costs = {};
+  std::vector<std::string> nuisance_remarks = {};  // numbers that act like a variable
 
   bool is_known() const { return !lower.empty(); }
 };

@@ -16,7 +16,6 @@
 #include "correlation/observable/compared_frame.h"
 #include "correlation/observable/compared_kinds.h"
 #include "formats/tables/csv_table.h"
-#include "report/report.h"
 
 namespace latsch::correlation {
 namespace {
@@ -77,8 +76,10 @@ std::vector<double> scaled(const std::vector<double>& values, double scale) {
 bool read_delay(const Node& table, const CurveMeasurement& curve) {
   constexpr std::size_t kFewestSamples = 8;
   const auto nuisance = table.find_table("nuisance");
-  if (!nuisance) return false;
-  nuisance->choice("delay", {"free"});
+  // Beside other numbers, or with a prior, a delay is solved with them (nuisance_solver.h).
+  if (!nuisance || nuisance->keys() != std::vector<std::string>{"delay"} ||
+      nuisance->text("delay") != "free")
+    return false;
   const ComparedCurve what = curve.comparison.what;
   if (what != ComparedCurve::values && what != ComparedCurve::about_mean)
     nuisance->reject("delay",
@@ -202,6 +203,28 @@ Result<std::vector<double>> at_measured(const CurveMeasurement& curve,
   return values;
 }
 
+/// Returns the index of the simulated sample that ends the interval of an abscissa. Beyond the ends
+/// it is the first or the last interval.
+std::size_t end_of_interval(const std::vector<double>& x, double at) {
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(std::upper_bound(x.begin(), x.end() - 1, at) - x.begin()));
+}
+
+/// Returns the simulated y at the measured abscissas minus a shift. Beyond the ends of the
+/// simulation the curve is continued with its last slope.
+std::vector<double> continued_at_measured(const CurveMeasurement& curve,
+                                          const std::vector<double>& x,
+                                          const std::vector<double>& y,
+                                          double shift) {
+  std::vector<double> values;
+  for (const double measured : curve.x_measured) {
+    const double at = reached(measured - shift, x);
+    const std::size_t r = end_of_interval(x, at), l = r - 1;
+    values.push_back(y[l] + (at - x[l]) / (x[r] - x[l]) * (y[r] - y[l]));
+  }
+  return values;
+}
+
 /// Returns dy/dx of the curve at the measured abscissas minus a delay.
 std::vector<double> steepness_at_measured(const CurveMeasurement& curve,
                                           const std::vector<double>& x,
@@ -210,8 +233,7 @@ std::vector<double> steepness_at_measured(const CurveMeasurement& curve,
   std::vector<double> steepness;
   for (const double measured : curve.x_measured) {
     const double at = reached(measured - delay, x);
-    const auto upper = std::upper_bound(x.begin(), x.end() - 1, at);
-    const auto r = static_cast<std::size_t>(upper - x.begin()), l = r - 1;
+    const std::size_t r = end_of_interval(x, at), l = r - 1;
     steepness.push_back((y[r] - y[l]) / (x[r] - x[l]));
   }
   return steepness;
@@ -229,8 +251,7 @@ std::vector<double> slopes_at_measured(const CurveMeasurement& curve,
   for (std::size_t column = 0; column < y.slopes.size(); column += rows) {
     for (const double measured : curve.x_measured) {
       const double at = reached(measured - delay, x.values);
-      const auto upper = std::upper_bound(x.values.begin(), x.values.end() - 1, at);
-      const auto r = static_cast<std::size_t>(upper - x.values.begin()), l = r - 1;
+      const std::size_t r = end_of_interval(x.values, at), l = r - 1;
       const double width = x.values[r] - x.values[l], share = (at - x.values[l]) / width;
       const double steepness = (y.values[r] - y.values[l]) / width;
       const auto between = [&](const std::vector<double>& S) {
@@ -345,20 +366,55 @@ Result<SimulatedValues> Curve::simulated(const Channels& trial) const {
   return curve;
 }
 
+Result<DelayRange> Curve::shift_range(const Channels& trial) const {
+  const auto both = channels_of(trial, c_.y);
+  if (!both) return both.failure();
+  const std::vector<double>& x = both->first->values;
+  if (x.size() < 2 || !rises(x))
+    return wrong(c_.x, "does not rise over two values at least, as a shift along it needs it");
+  // Without a shift the simulation has to cover the measurement, whatever the abscissa.
+  if (const auto covered = at_measured(c_, x, both->second->values); !covered)
+    return covered.failure();
+  if (c_.x_unit == "s") {
+    if (const auto range = delay_range(c_.x_measured, x)) return *range;
+    return wrong(c_.x,
+                 "covers no more than the measurement, which leaves no room for the delay that "
+                 "nuisance asks for; select a shorter stretch of the measurement, or simulate a "
+                 "longer one");
+  }
+  constexpr double kWidestShift = 0.1;  // share of the record, in either direction
+  const auto [least, most] = std::minmax_element(c_.x_measured.begin(), c_.x_measured.end());
+  const double widest = kWidestShift * (*most - *least);
+  return DelayRange{-widest, widest};
+}
+
+Result<Comparison> Curve::compare_shifted(const Channels& trial,
+                                          const ObjectiveSettings& settings,
+                                          double shift) const {
+  const auto both = channels_of(trial, c_.y);
+  if (!both) return both.failure();
+  const Channel &x = *both->first, &y = *both->second;
+  if (x.values.size() < 2 || !rises(x.values))
+    return wrong(c_.x, "does not rise over two values at least, as a shift along it needs it");
+  SimulatedValues found{
+      compared_values(c_.comparison, continued_at_measured(c_, x.values, y.values, shift)),
+      slopes_at_measured(c_, x, y, shift)};
+  auto steepness = steepness_at_measured(c_, x.values, y.values, shift);
+  if (c_.comparison.what == ComparedCurve::about_mean) {
+    found.slopes = about_their_means(std::move(found.slopes), found.values.size());
+    steepness = about_their_means(std::move(steepness), found.values.size());
+  }
+  Comparison comparison = compare_values(c_.y_compared, found, scales(), settings);
+  // d = (measured - y(x - shift)) / scale, so its derivative by the shift is y' / scale.
+  comparison.by_shift = scaled(steepness, c_.scale);
+  return comparison;
+}
+
 Result<Comparison> Curve::compare(const Channels& trial, const ObjectiveSettings& settings) const {
   const auto found = simulated(trial);
   if (!found) return found.failure();
   return compare_values(c_.y_compared, *found, scales(), settings);
 }
-
-namespace {
-
-std::vector<double> values_of(const Channels& channels, const std::string& name) {
-  const Channel* channel = channels.find(name);
-  return channel ? channel->values : std::vector<double>{};
-}
-
-}  // namespace
 
 std::vector<std::filesystem::path> Curve::write(const Channels& trial,
                                                 const MeasurementFiles& files) const {
@@ -392,130 +448,6 @@ std::vector<std::filesystem::path> Curve::write(const Channels& trial,
   take(c_.y, c_.y_unit);
   write_text_file(files.values, "# " + files.comment + "\n" + formats::csv_text(columns));
   return {files.values};
-}
-
-namespace {
-
-/// Draws a band around all samples of a curve; the band is known only at the measured abscissas,
-/// which are in ascending order.
-void draw_around_samples(const report::Band& band,
-                         const std::vector<double>& x,
-                         const std::vector<double>& computed,
-                         report::MeasuredCurve& picture) {
-  std::map<double, std::pair<double, double>>
-      beside;  // distance of the band's ends from the curve; the larger one if an x repeats
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double lower = band.lower[k] - computed[k], upper = band.upper[k] - computed[k];
-    if (!std::isfinite(lower) || !std::isfinite(upper)) continue;
-    const auto [at, is_new] = beside.try_emplace(x[k], lower, upper);
-    if (!is_new)
-      at->second = {std::min(at->second.first, lower), std::max(at->second.second, upper)};
-  }
-  if (beside.empty()) return;
-  std::vector<double> xs, lower, upper;
-  for (const auto& [at, ends] : beside) {
-    xs.push_back(at);
-    lower.push_back(ends.first);
-    upper.push_back(ends.second);
-  }
-  std::vector<double> all = xs;
-  for (const double at : picture.x_simulated) {
-    if (xs.front() < at && at < xs.back()) all.push_back(at);
-  }
-  std::sort(all.begin(), all.end());
-  for (const double at : all) {
-    const double y = interpolated(picture.x_simulated, picture.y_simulated, at);
-    picture.x_band.push_back(at);
-    picture.band.lower.push_back(y + interpolated(xs, lower, at));
-    picture.band.upper.push_back(y + interpolated(xs, upper, at));
-  }
-}
-
-}  // namespace
-
-std::vector<double> Curve::shown_abscissas(const Channels& trial) const {
-  std::vector<double> x = values_of(trial, c_.x);
-  if (!c_.fits_delay) return x;
-  if (const auto found = simulated(trial); found && found->delay)
-    for (double& one : x) one += found->delay->value;
-  return x;
-}
-
-void Curve::draw_over_natural(const ShownExperiment& shown, report::MeasuredCurve& picture) const {
-  const NaturalAbscissa& over = *c_.natural;
-  const auto ordered = [&](const std::vector<double>& values) {
-    std::vector<double> sorted;
-    if (values.size() == over.order.size())
-      for (const std::size_t i : over.order) sorted.push_back(values[i]);
-    return sorted;
-  };
-  picture.x_name = over.channel;
-  picture.x_unit = over.shown;
-  picture.x_measured = picture.x_simulated = ordered(over.values);
-  picture.y_measured = ordered(c_.y_measured);
-  picture.errors = ordered(shown.comparison.errors);
-  picture.y_simulated = ordered(values_of(shown.found, c_.y));
-  if (shown.initial) {
-    picture.x_initial = picture.x_simulated;
-    picture.y_initial = ordered(values_of(*shown.initial, c_.y));
-  }
-  if (over.groups.size() > 1)
-    for (const auto& group : over.groups)
-      picture.pieces.push_back({group.name, group.level, group.from, group.end});
-}
-
-void Curve::draw(const ShownExperiment& shown, report::StudyReport& page) const {
-  report::MeasuredCurve picture;
-  picture.experiment = shown.name;
-  picture.conditions = shown.conditions;
-  picture.fitted = shown.fitted;
-  picture.of_design = shown.of_design;
-  picture.errors = shown.comparison.errors;
-  const bool is_spectrum = c_.comparison.of_spectrum();
-  if (is_spectrum || c_.comparison.what == ComparedCurve::about_mean) {
-    // The picture shows the compared values, such as a spectrum, instead of the time series.
-    picture.x_name = is_spectrum ? "frequency" : c_.x;
-    picture.y_name = c_.compared_name;
-    picture.x_unit = is_spectrum ? c_.x_compared_unit : c_.x_shown;
-    picture.y_unit = is_spectrum ? c_.y_compared_unit : c_.y_shown;
-    picture.x_measured = picture.x_simulated = c_.x_compared;
-    picture.y_measured = c_.y_compared;
-    if (const auto found = simulated(shown.found)) picture.y_simulated = found->values;
-    const Result<SimulatedValues> start =
-        shown.initial ? simulated(*shown.initial) : Failure{"not simulated"};
-    if (start) {
-      picture.x_initial = c_.x_compared;
-      picture.y_initial = start->values;
-    }
-  } else if (c_.natural) {
-    picture.y_name = c_.y;
-    picture.y_unit = c_.y_shown;
-    draw_over_natural(shown, picture);
-  } else {
-    picture.x_name = c_.x;
-    picture.y_name = c_.y;
-    picture.x_unit = c_.x_shown;
-    picture.y_unit = c_.y_shown;
-    picture.x_measured = c_.x_measured;
-    picture.y_measured = c_.y_measured;
-    picture.x_simulated = shown_abscissas(shown.found);
-    picture.y_simulated = values_of(shown.found, c_.y);
-    if (shown.initial) {
-      picture.x_initial = shown_abscissas(*shown.initial);
-      picture.y_initial = values_of(*shown.initial, c_.y);
-    }
-  }
-  if (shown.band) {
-    const auto computed = simulated(shown.found);
-    if (computed && c_.comparison.what == ComparedCurve::values && !c_.x.empty()) {
-      picture.band.inside = shown.band->inside;
-      draw_around_samples(*shown.band, c_.x_measured, computed->values, picture);
-    } else if (!c_.natural) {
-      picture.band = *shown.band;
-      picture.x_band = c_.x_compared;
-    }
-  }
-  page.curves.push_back(std::move(picture));
 }
 
 std::string Curve::table(const Channels& trial, const Comparison& comparison) const {

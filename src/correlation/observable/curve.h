@@ -57,6 +57,10 @@ class Curve : public Observable {
 
   Result<Comparison> compare(const Channels& trial,
                              const ObjectiveSettings& settings) const override;
+  Result<Comparison> compare_shifted(const Channels& trial,
+                                     const ObjectiveSettings& settings,
+                                     double shift) const override;
+  Result<DelayRange> shift_range(const Channels& trial) const override;
   std::vector<std::filesystem::path> write(const Channels& trial,
                                            const MeasurementFiles& files) const override;
   void draw(const ShownExperiment& shown, report::StudyReport& page) const override;

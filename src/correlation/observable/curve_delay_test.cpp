@@ -192,8 +192,8 @@ TEST_F(Delays, WithoutAMeaningTheyAreRefused) {
   measure(hit);
   refused(std::string("compare = \"psd\"\n") + kFree, "a delay makes no");
   refused(kFree, "needs a curve over time", "");
-  refused("nuisance = {delay = \"2 ms\"}\n", "expected \"free\"");
-  refused("nuisance = {offset = \"free\"}\n", "nuisance.delay is missing");
+  refused("nuisance = {delay = \"2 ms\"}\n", "weighed against the measured values");
+  refused("nuisance = {delai = \"free\"}\n", "did you mean \"delay\"");
 }
 
 }  // namespace

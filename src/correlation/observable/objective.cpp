@@ -14,6 +14,7 @@ namespace {
 /// Sets mean and maximum of the magnitudes of the errors.
 void summarize_errors(Comparison& comparison) {
   double sum = 0.0;
+  comparison.largest_error = 0.0;
   for (double error : comparison.errors) {
     sum += std::abs(error);
     comparison.largest_error = std::max(comparison.largest_error, std::abs(error));
@@ -30,6 +31,11 @@ double mean_power(const std::vector<double>& differences, double k) {
 double relative(double measured, double simulated) { return (measured - simulated) / measured; }
 
 }  // namespace
+
+void summarize(Comparison& comparison, const ObjectiveSettings& settings) {
+  comparison.value = mean_power(comparison.differences, settings.exponent);
+  summarize_errors(comparison);
+}
 
 Comparison compare_values(const std::vector<double>& measured,
                           const SimulatedValues& simulated,

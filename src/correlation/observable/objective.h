@@ -30,6 +30,7 @@
 #include "correlation/laboratory/measurement_noise.h"
 #include "correlation/observable/curve_delay.h"
 #include "correlation/observable/mode_pairing.h"
+#include "correlation/observable/solved_nuisance.h"
 
 namespace latsch::correlation {
 
@@ -61,7 +62,13 @@ struct Comparison {
   /// known.
   std::vector<double> slopes = {};
   std::optional<FittedDelay> delay = {};  // for a curve whose delay is fitted
+  /// d difference / d shift of the abscissa, for a comparison at a stated shift
+  std::vector<double> by_shift = {};
+  std::vector<SolvedNumber> nuisance = {};  // nuisance numbers of the recording in this trial
 };
+
+/// Computes value, mean and largest error anew from differences and errors.
+void summarize(Comparison& comparison, const ObjectiveSettings& settings);
 
 /// Simulated counterparts of the measured values, with their slopes as in Channel::slopes.
 struct SimulatedValues {

@@ -14,6 +14,14 @@ std::vector<double> Observable::deviations(const MeasurementNoise& noise,
   return deviations;
 }
 
+Result<Comparison> Observable::compare_shifted(const Channels& trial,
+                                               const ObjectiveSettings& settings,
+                                               double) const {
+  return compare(trial, settings);
+}
+
+Result<DelayRange> Observable::shift_range(const Channels&) const { return DelayRange{}; }
+
 Channels recording_of(const std::string& test, const Channels& trial) {
   const std::string prefix = test + "/";
   Channels own;

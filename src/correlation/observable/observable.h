@@ -105,6 +105,14 @@ class Observable {
   /// partner is no failure.
   virtual Result<Comparison> compare(const Channels& trial,
                                      const ObjectiveSettings& settings) const = 0;
+  /// Compares with the simulated curve shifted along its abscissa: a sample at x with the simulated
+  /// y(x - shift). Sets the derivatives by the shift. Only a curve with an abscissa has a shift.
+  virtual Result<Comparison> compare_shifted(const Channels& trial,
+                                             const ObjectiveSettings& settings,
+                                             double shift) const;
+  /// Returns the shifts that a trial allows: a tenth of the record in either direction; over time,
+  /// as far as the simulation covers the measured samples. Fails if it covers them at no shift.
+  virtual Result<DelayRange> shift_range(const Channels& trial) const;
 
   /// Writes the file of a measurement in which the values of a trial replace the measured values.
   /// Returns the files.

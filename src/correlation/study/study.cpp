@@ -239,7 +239,12 @@ void check_reach(const Node& root,
   const double room = (*least - reach->from) + (reach->to - *most);
   // share of the record; a smaller range is only rounding of the times
   constexpr double kNoRoom = 1e-9;
-  if (is_within && curve.fits_delay && room <= kNoRoom * (*most - *least))
+  const auto& numbers = experiment.nuisance.numbers;
+  const bool asks_delay =
+      curve.fits_delay || std::any_of(numbers.begin(), numbers.end(), [](const auto& one) {
+        return one.kind == NuisanceKind::delay;
+      });
+  if (is_within && asks_delay && room <= kNoRoom * (*most - *least))
     table.reject(
         "nuisance",
         fmt::format("asks for a delay, but the measurement and the test \"{}\"{} both reach "

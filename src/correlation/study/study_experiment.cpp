@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "base/toml/toml_text.h"
 #include "base/units.h"
+#include "correlation/nuisance/nuisance_solver.h"
 #include "correlation/observable/compared_kinds.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
@@ -305,6 +306,11 @@ StudyExperiment read_experiment(const Node& table,
                              table.text("noise")));
   }
   experiment.loss = read_loss(table, experiment.noise.has_value());
+  experiment.nuisance = read_nuisance(table,
+                                      *experiment.observable,
+                                      experiment.objective,
+                                      experiment.fitted,
+                                      experiment.noise || experiment.estimates_noise);
   return experiment;
 }
 
@@ -333,8 +339,18 @@ std::string conditions_of(const StudyExperiment& experiment, const std::vector<S
   return "";
 }
 
+Result<Comparison> comparison_of(const StudyExperiment& experiment, const Channels& trial) {
+  if (experiment.nuisance.empty())
+    return experiment.observable->compare(trial, experiment.objective);
+  return compare_with(experiment.nuisance,
+                      {stated_deviations(experiment), experiment.objective.weight},
+                      *experiment.observable,
+                      experiment.objective,
+                      trial);
+}
+
 Comparison compare(const StudyExperiment& experiment, const Channels& trial) {
-  const auto comparison = experiment.observable->compare(trial, experiment.objective);
+  const auto comparison = comparison_of(experiment, trial);
   if (comparison) return *comparison;
   throw InputError("experiment " + experiment.name + ": " + comparison.failure().reason);
 }

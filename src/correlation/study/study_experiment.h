@@ -16,6 +16,7 @@
 
 #include "base/document.h"
 #include "correlation/laboratory/measurement_noise.h"
+#include "correlation/nuisance/nuisance_numbers.h"
 #include "correlation/observable/objective.h"
 #include "correlation/observable/observable.h"
 #include "correlation/study/specimens.h"
@@ -43,6 +44,7 @@ struct StudyExperiment {
   std::filesystem::path shapes_file;  // empty: no shapes
   int measured_modes = 0;  // number of modes that are measured, or that a twin will write
   std::shared_ptr<const Observable> observable = {};
+  Nuisance nuisance = {};  // numbers of the recording that every trial solves
 
   /// Returns the number of measured values that are compared.
   size_t values() const { return observable->values(); }
@@ -77,8 +79,11 @@ std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experim
 /// test.
 std::string conditions_of(const StudyExperiment& experiment, const std::vector<StudyTest>& tests);
 
-/// Compares the channels of a trial with the measurement. Throws InputError if they leave nothing
-/// to compare.
+/// Compares the channels of a trial with the measurement, at the best nuisance numbers of the
+/// recording. Fails if they leave nothing to compare.
+Result<Comparison> comparison_of(const StudyExperiment& experiment, const Channels& trial);
+
+/// Compares as comparison_of() does. Throws InputError if the channels leave nothing to compare.
 Comparison compare(const StudyExperiment& experiment, const Channels& trial);
 
 }  // namespace latsch::correlation

@@ -107,6 +107,10 @@ report::IdentifiabilityPage identifiability_page(const Study& study,
     const StudyExperiment& experiment = study.experiments[e];
     std::vector<std::string> remarks = bands[e].remarks;
     if (bands[e].delay) remarks.insert(remarks.begin(), "delay " + bands[e].delay->in_words());
+    for (const NuisanceRow& row : bands[e].nuisance) remarks.push_back(row.in_words());
+    for (const NuisanceCost& cost : bands[e].nuisance_costs)
+      remarks.push_back(cost_text(study, cost));
+    for (const std::string& remark : bands[e].nuisance_remarks) remarks.push_back(remark);
     page.bands.push_back({experiment.name,
                           experiment.fitted,
                           widest_text(experiment, bands[e]),

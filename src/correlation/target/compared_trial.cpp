@@ -12,7 +12,7 @@ Result<std::vector<Comparison>> compare_all(const std::vector<StudyExperiment>& 
                                             const Channels& channels) {
   std::vector<Comparison> comparisons;
   for (const StudyExperiment& experiment : experiments) {
-    auto comparison = experiment.observable->compare(channels, experiment.objective);
+    auto comparison = comparison_of(experiment, channels);
     if (!comparison) return comparison.failure();  // a measurement may have grown since the trial
     comparisons.push_back(std::move(*comparison));
   }
@@ -27,6 +27,16 @@ std::string measure_in_words(const StudyExperiment& experiment) {
   const double k = experiment.objective.exponent;
   if (k == 1.0) return "mean";
   return k == 2.0 ? "RMS" : fmt::format("mean to the power {:g}", k);
+}
+
+std::vector<NuisancePrior> nuisance_priors(const Comparison& comparison) {
+  std::vector<NuisancePrior> priors;
+  for (const SolvedNumber& number : comparison.nuisance) {
+    if (number.is_free()) continue;
+    priors.push_back({number.value / number.prior, number.slopes});
+    for (double& slope : priors.back().slopes) slope /= number.prior;
+  }
+  return priors;
 }
 
 std::vector<PriorResidual> prior_residuals(const DesignSpace& space, const DesignPoint& point) {

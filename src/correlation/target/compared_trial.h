@@ -25,6 +25,15 @@ double own_measure(const StudyExperiment& experiment, const Comparison& comparis
 /// Returns the name of the experiment's measure: "mean", "RMS", "mean to the power 4".
 std::string measure_in_words(const StudyExperiment& experiment);
 
+/// Residual of the prior of one nuisance number.
+struct NuisancePrior {
+  double residual = 0.0;            // the number over its stated deviation
+  std::vector<double> slopes = {};  // d residual / d variable; empty: not known
+};
+
+/// Returns one residual for each nuisance number with a prior, in their order.
+std::vector<NuisancePrior> nuisance_priors(const Comparison& comparison);
+
 /// Residual of the prior of one variable at a point.
 struct PriorResidual {
   int variable = 0;       // index in the space

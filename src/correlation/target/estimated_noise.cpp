@@ -15,7 +15,7 @@ constexpr double kLeast = 1e-9;
 }  // namespace
 
 double rms_error(const StudyExperiment& experiment, const Channels& at) {
-  const auto comparison = experiment.observable->compare(at, experiment.objective);
+  const auto comparison = comparison_of(experiment, at);
   if (!comparison)
     throw InputError("experiment " + experiment.name + ": " + comparison.failure().reason);
   const auto unit = experiment.observable->deviations({.relative = 1.0}, experiment.objective);

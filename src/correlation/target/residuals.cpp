@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/units.h"
+#include "correlation/observable/curve.h"
 #include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
 
@@ -42,6 +43,14 @@ double factor_of(const StudyExperiment& experiment, double mean) {
   return experiment.noise ? weight : weight * spread_of(experiment, mean);
 }
 
+/// Returns how many nuisance numbers every trial solves for a recording.
+int solved_numbers(const StudyExperiment& experiment) {
+  if (!experiment.nuisance.held.empty()) return 0;
+  const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
+  return static_cast<int>(experiment.nuisance.numbers.size()) +
+         (curve && curve->measured().fits_delay ? 1 : 0);
+}
+
 }  // namespace
 
 ResidualTraits residual_traits(const Study& study) {
@@ -57,6 +66,16 @@ ResidualTraits residual_traits(const Study& study) {
     RobustLoss loss = experiments[e].loss;
     loss.scale *= factor_of(experiments[e], mean);
     traits.losses.insert(traits.losses.end(), count, loss);
+  }
+  int nuisance_priors = 0;
+  for (const StudyExperiment& experiment : experiments) {
+    nuisance_priors += experiment.nuisance.priors();
+    traits.solved += solved_numbers(experiment);
+  }
+  for (int k = 0; k < nuisance_priors; ++k) {
+    traits.deviations.push_back(1.0);
+    traits.curves.push_back(-1);
+    traits.losses.emplace_back();
   }
   for (const DesignVariable& variable : study.space.variables()) {
     if (!variable.prior) continue;
@@ -101,6 +120,13 @@ Objective residual_objective(const Study& study) {
       score.jacobian.insert(
           score.jacobian.end(), comparison.slopes.begin(), comparison.slopes.end());
     }
+    for (const Comparison& comparison : *comparisons) {
+      for (const NuisancePrior& prior : nuisance_priors(comparison)) {
+        score.residuals.push_back(prior.residual);
+        score.value += prior.residual * prior.residual;
+        score.jacobian.insert(score.jacobian.end(), prior.slopes.begin(), prior.slopes.end());
+      }
+    }
     for (const PriorResidual& prior : prior_residuals(space, point)) {
       score.residuals.push_back(prior.residual);
       score.value += prior.residual * prior.residual;
@@ -135,6 +161,15 @@ std::vector<ResidualRow> residual_rows(const Study& study) {
                       names[k],
                       (sigma.empty() ? 1.0 : sigma[k]) / factor_of(experiment, mean)});
   }
+  for (size_t e = 0; e < study.experiments.size(); ++e) {
+    if (!counts(study.experiments[e])) continue;
+    for (const NuisanceNumber& number : study.experiments[e].nuisance.numbers)
+      if (!number.is_free())
+        rows.push_back({-1,
+                        "prior of " + name_of(number.kind) + " of " + study.experiments[e].name,
+                        1.0,
+                        static_cast<int>(e)});
+  }
   for (const DesignVariable& variable : study.space.variables()) {
     if (variable.prior) rows.push_back({-1, "prior of " + variable.name});
   }
@@ -143,8 +178,11 @@ std::vector<ResidualRow> residual_rows(const Study& study) {
 
 std::size_t prior_count(const Study& study) {
   const auto& variables = study.space.variables();
-  return static_cast<std::size_t>(std::count_if(
+  auto count = static_cast<std::size_t>(std::count_if(
       variables.begin(), variables.end(), [](const auto& v) { return v.prior.has_value(); }));
+  for (const StudyExperiment& experiment : study.experiments)
+    if (counts(experiment)) count += static_cast<std::size_t>(experiment.nuisance.priors());
+  return count;
 }
 
 }  // namespace latsch::correlation

@@ -13,8 +13,9 @@
 // Both are taken after a robust loss. The distribution of r is stated separately: its deviation is
 // sqrt(w), or sqrt(n / N), in units of the spread, because a weight or a mean over few values makes
 // a value count more but not more exact. Values of a curve or a load-deflection test share noise
-// with their neighbors. Priors of variables (variables.h) follow, one residual each. A measured
-// mode without a partner is NaN, because its derivative is not known.
+// with their neighbors. The differences are those at the best nuisance numbers
+// (nuisance_solver.h). Priors of nuisance numbers and then of variables (variables.h) follow, one
+// residual each. A measured mode without a partner is NaN, because its derivative is not known.
 #pragma once
 
 #include <optional>
@@ -42,15 +43,20 @@ double difference_of(const Study& study, int experiment, double residual);
 
 /// Describes one residual: a measured value, or a prior.
 struct ResidualRow {
-  int experiment = 0;  // index in the study; -1: a prior
-  std::string name;    // "10 mm", "radial n=2"
-  double unit = 1.0;   // difference d that makes a residual of 1, without a robust loss
+  int experiment = 0;    // index in the study; -1: a prior, of a variable or of a nuisance number
+  std::string name;      // "10 mm", "radial n=2"
+  double unit = 1.0;     // difference d that makes a residual of 1, without a robust loss
+  int nuisance_of = -1;  // for a prior of a nuisance number: index of its experiment
+
+  /// Returns the experiment to which the row belongs; -1 for the prior of a variable.
+  int owner() const { return experiment < 0 ? nuisance_of : experiment; }
 };
 
 /// Returns a row for every residual, in their order.
 std::vector<ResidualRow> residual_rows(const Study& study);
 
-/// Returns how many of the residuals are priors of variables; these come last.
+/// Returns how many of the residuals are priors, of nuisance numbers and of variables; these come
+/// last, in this order.
 std::size_t prior_count(const Study& study);
 
 }  // namespace latsch::correlation

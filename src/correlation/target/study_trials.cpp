@@ -112,7 +112,27 @@ Result<Channels> simulate_all(const Study& study, const DesignPoint& point) {
 
 namespace {
 
-/// Adds each prior as one more value.
+/// Adds the priors of nuisance numbers, each as one more value.
+void add_nuisance_priors(const std::vector<Comparison>& comparisons,
+                         double common,
+                         const std::vector<double>& weights,
+                         double exponent,
+                         Score& score) {
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (std::size_t e = 0; e < comparisons.size(); ++e) {
+    if (!(weights[e] > 0.0)) continue;
+    for (const NuisancePrior& prior : nuisance_priors(comparisons[e])) {
+      const double d = common * prior.residual;
+      score.value += std::pow(std::abs(d), exponent) / total;
+      score.residuals.push_back(d / std::sqrt(total));
+      if (score.jacobian.empty()) continue;
+      for (const double slope : prior.slopes)
+        score.jacobian.push_back(common * slope / std::sqrt(total));
+    }
+  }
+}
+
+/// Adds each prior of a variable as one more value.
 void add_priors(const DesignSpace& space,
                 const DesignPoint& point,
                 double common,
@@ -169,8 +189,11 @@ Objective objective(const Study& study) {
         score.value = target(*comparisons, weights);
         score.residuals = weighted_residuals(*comparisons, weights);
         score.jacobian = weighted_slopes(*comparisons, weights);
-        if (common)
-          add_priors(space, point, *common, weights, fitted.front().objective.exponent, score);
+        if (common) {
+          const double exponent = fitted.front().objective.exponent;
+          add_nuisance_priors(*comparisons, *common, weights, exponent, score);
+          add_priors(space, point, *common, weights, exponent, score);
+        }
         for (const Comparison& comparison : *comparisons) {
           score.stand_ins += static_cast<int>(comparison.pairing.missing.size());
         }

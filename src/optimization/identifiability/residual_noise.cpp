@@ -130,7 +130,7 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
   x_ = r.cwiseQuotient(deviations_);
   Q_ = J.cols() == 0 ? Eigen::MatrixXd(m, 0)
                      : numerics::range_basis(deviations_.cwiseInverse().asDiagonal() * J);
-  freedom_ = static_cast<double>(m - J.cols());
+  freedom_ = static_cast<double>(m - J.cols() - traits.solved);
   std::map<int, std::vector<Eigen::Index>> rows;
   for (Eigen::Index row = 0; row < m; ++row) {
     const int curve = traits.curves.empty() ? -1 : traits.curves[static_cast<size_t>(row)];

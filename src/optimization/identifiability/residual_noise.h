@@ -39,6 +39,9 @@ struct ResidualTraits {
   std::vector<double> deviations = {};
   std::vector<int> curves = {};         // < 0: independent
   std::vector<RobustLoss> losses = {};  // scales of the losses are in the unit of the residuals
+  /// Number of unknowns that were solved at every point and removed from residuals and derivatives;
+  /// each leaves one degree of freedom less.
+  int solved = 0;
 
   /// Returns the traits of some of the residuals.
   ResidualTraits of(const std::vector<Eigen::Index>& rows) const;

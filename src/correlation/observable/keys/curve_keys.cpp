@@ -5,6 +5,7 @@ namespace latsch::correlation {
 
 const experiment::KeySection& curve_comparison_keys();
 const experiment::KeySection& curve_delay_keys();
+const experiment::KeySection& nuisance_keys();
 const experiment::KeySection& experiment_keys();
 const experiment::KeySection& noise_keys();
 
@@ -39,7 +40,6 @@ with the simulated curve linear between its samples.
                "(unit of y)^2/Hz; for \"band_levels\" in dB.",
                "the largest abs(y); of \"psd\" the highest measured density; of \"band_levels\" 10 "
                "dB"},
-              {"nuisance", "Table of what belongs to the recording and not to the model.", "none"},
           },
       .samples =
           {
@@ -58,6 +58,7 @@ file = "slow.toml"
           },
       .shared = {{"", curve_comparison_keys},
                  {"", curve_delay_keys},
+                 {"", nuisance_keys},
                  {"", experiment_keys},
                  {"", noise_keys}},
   };

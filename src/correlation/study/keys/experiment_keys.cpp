@@ -4,6 +4,7 @@
 namespace latsch::correlation {
 
 const experiment::KeySection& noise_keys();
+const experiment::KeySection& nuisance_keys();
 
 const experiment::KeySection& experiment_keys() {
   static const experiment::KeySection section = {
@@ -107,7 +108,7 @@ kind = "load_deflection"
 deflections = ["5 mm", "10 mm"]
 )toml",
           },
-      .shared = {{"", noise_keys}},
+      .shared = {{"", noise_keys}, {"", nuisance_keys}},
   };
   return section;
 }

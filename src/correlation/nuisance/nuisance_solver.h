@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compares a trial with a recording that has nuisance numbers: they are solved at every trial, not
+// searched (nuisance_projection.h).
+//
+// Offset and gain enter the differences linearly. A shift of the abscissa does not, so it is
+// solved by Gauss-Newton steps in all numbers together: from 0 if it has a prior, and from the best
+// of kFirstShifts shifts over its range if it is free. After each step offset and gain are solved
+// anew, and a step that does not reduce the sum of squares is halved. The range is a tenth of the
+// record in either direction; for a delay, as far as the simulation covers the measured samples.
+//
+// The differences of the result are those at the best numbers, and its slopes are Kaufman's. They
+// give the exact slope of the sum of squares, and slopes of the single differences without the part
+// that is as small as the differences themselves. A robust loss is applied afterwards.
+#pragma once
+
+#include "correlation/nuisance/nuisance_numbers.h"
+
+namespace latsch::correlation {
+
+/// Weights of the differences against the priors of the nuisance numbers.
+struct NuisanceWeights {
+  std::vector<double> deviations = {};  // one for each difference d; empty: 1 for all
+  double weight = 1.0;                  // weight of the experiment
+};
+
+/// Returns the comparison at the best numbers; at the held ones if they are held. Fails as
+/// Observable::compare() does.
+Result<Comparison> compare_with(const Nuisance& nuisance,
+                                const NuisanceWeights& weights,
+                                const Observable& observable,
+                                const ObjectiveSettings& settings,
+                                const Channels& trial);
+
+}  // namespace latsch::correlation
