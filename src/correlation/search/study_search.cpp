@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "correlation/analysis/doe_basins.h"
+#include "correlation/doe/doe_basins.h"
 #include "correlation/search/study_method.h"
 #include "correlation/target/study_trials.h"
 #include "correlation/target/trial_ownership.h"

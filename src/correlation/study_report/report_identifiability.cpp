@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "base/units.h"
-#include "correlation/analysis/doe_basins.h"
-#include "correlation/analysis/doe_effects.h"
 #include "correlation/analysis/measurement_gains.h"
 #include "correlation/analysis/missed_values.h"
+#include "correlation/doe/doe_basins.h"
+#include "correlation/doe/doe_effects.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/residuals.h"
 

@@ -10,7 +10,7 @@
 
 #include "correlation/analysis/beyond_data.h"
 #include "correlation/analysis/coefficient_levels.h"
-#include "correlation/analysis/doe_surface.h"
+#include "correlation/doe/doe_surface.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
 #include "correlation/study/study_stages.h"

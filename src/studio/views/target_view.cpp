@@ -5,7 +5,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "correlation/analysis/doe_surface.h"
+#include "correlation/doe/doe_surface.h"
 #include "correlation/study_report/report_identifiability.h"
 #include "studio/views/json_values.h"
 #include "studio/views/views.h"

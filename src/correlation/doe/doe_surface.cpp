@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/analysis/doe_surface.h"
+#include "correlation/doe/doe_surface.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/analysis/doe_extent.h"
+#include "correlation/doe/doe_extent.h"
 
 #include <gtest/gtest.h>
 

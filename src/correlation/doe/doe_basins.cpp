@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/analysis/doe_basins.h"
+#include "correlation/doe/doe_basins.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/analysis/doe_surface.h"
+#include "correlation/doe/doe_surface.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "correlation/analysis/doe_basins.h"
+#include "correlation/doe/doe_basins.h"
 #include "optimization/design/full_factorial.h"
 
 namespace latsch::correlation {
