@@ -18,11 +18,21 @@ constexpr int kMostEdgeFailures = 2;
 // Weight of b^2 in the minimization. It is small beside that of |a|^2, which is 1, so that b is
 // nearly free.
 constexpr double kOffset = 1e-6;
+// Distance behind the plane's own side of the gap, as a share of half the gap, within which a
+// failure holds the plane.
+constexpr double kHolds = 1e-6;
 
-/// Returns the plane midway in the widest gap between failures and successes; nullopt if no plane
-/// separates them.
-std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
-                          const std::vector<Eigen::VectorXd>& successes) {
+/// The plane midway in the widest gap between failures and successes.
+struct Gap {
+  Edge edge;
+  /// For each failure, true if it lies at the side of the gap. The plane stays the same without any
+  /// other one.
+  std::vector<bool> holds;
+};
+
+/// Returns the widest gap; nullopt if no plane separates failures from successes.
+std::optional<Gap> widest_gap(const std::vector<Eigen::VectorXd>& failures,
+                              const std::vector<Eigen::VectorXd>& successes) {
   const auto n = failures.front().size();
   const double unit = failures.front().norm();  // scales lengths to about 1
   QuadraticProgram program;
@@ -51,29 +61,39 @@ std::optional<Edge> plane(const std::vector<Eigen::VectorXd>& failures,
   const auto is_beyond = [&](const Eigen::VectorXd& x) { return edge.a.dot(x) > edge.b; };
   const bool parts = edge.b > 0.0 && std::all_of(failures.begin(), failures.end(), is_beyond) &&
                      std::none_of(successes.begin(), successes.end(), is_beyond);
-  return parts ? std::optional(edge) : std::nullopt;
+  if (!parts) return std::nullopt;
+  Gap gap{edge, {}};
+  for (const Eigen::VectorXd& x : failures) {
+    gap.holds.push_back(found.x.head(n).dot(x) / unit - found.x[n] < 1.0 + kHolds);
+  }
+  return gap;
 }
 
 /// True if planes fitted without each failure in turn predict most of the failures left out: the
 /// failure lies farther out than all successes. (It need not lie beyond the plane. The innermost
 /// failure never does, because the plane is midway between successes and the other failures.)
-bool foretells(const std::vector<Eigen::VectorXd>& failures,
+bool foretells(const Gap& gap,
+               const std::vector<Eigen::VectorXd>& failures,
                const std::vector<Eigen::VectorXd>& successes) {
-  const auto is_foretold = [&](const Eigen::VectorXd& x) {
-    std::vector<Eigen::VectorXd> others;
-    for (const Eigen::VectorXd& other : failures) {
-      // A point that failed twice is in the list twice.
-      if (&other != &x) others.push_back(other);
-    }
-    const std::optional<Edge> edge = plane(others, successes);
-    if (!edge) return false;
-    const double out = edge->a.dot(x);
+  const auto is_farthest = [&](const Eigen::VectorXd& x, const Edge& edge) {
+    const double out = edge.a.dot(x);
     return out > 0.0 && std::all_of(successes.begin(), successes.end(), [&](const auto& success) {
-             return out > edge->a.dot(success);
+             return out > edge.a.dot(success);
            });
   };
-  const auto foretold = std::count_if(failures.begin(), failures.end(), is_foretold);
-  return static_cast<double>(foretold) >= kForetold * static_cast<double>(failures.size());
+  const auto is_foretold = [&](std::size_t left_out) {
+    if (!gap.holds[left_out]) return is_farthest(failures[left_out], gap.edge);
+    std::vector<Eigen::VectorXd> others = failures;
+    others.erase(others.begin() + static_cast<long>(left_out));
+    const std::optional<Gap> without = widest_gap(others, successes);
+    return without && is_farthest(failures[left_out], without->edge);
+  };
+  const double bearable = (1.0 - kForetold) * static_cast<double>(failures.size());
+  int missed = 0;
+  for (std::size_t i = 0; i < failures.size() && missed <= bearable; ++i) {
+    missed += !is_foretold(i);
+  }
+  return missed <= bearable;
 }
 
 }  // namespace
@@ -91,8 +111,8 @@ std::vector<Edge> failure_edges(const std::vector<Eigen::VectorXd>& failures,
     some.resize(std::min(some.size(), kMostEdgeFailures * (n + 1)));
     std::optional<Edge> edge;
     for (; !edge && std::ssize(some) >= kFewest; some.resize((some.size() + 1) / 2)) {
-      edge = plane(some, successes);
-      if (edge && !foretells(some, successes)) edge.reset();
+      const std::optional<Gap> gap = widest_gap(some, successes);
+      if (gap && foretells(*gap, some, successes)) edge = gap->edge;
       if (some.size() == kFewest) break;
     }
     if (!edge) {
