@@ -68,15 +68,15 @@ class ExactFit(unittest.TestCase):
             again = subprocess.run([LATSCH, "run", folder / "study.toml", "--json"], capture_output=True, text=True)
             return run.stdout, json.loads(again.stdout)["result"]
 
-    def assert_known(self, answer, names=("a", "b", "c"), to=2e-8):
+    def assert_known(self, answer, names=("a", "b", "c"), to=2e-8, off=0.0):
         for row in answer["variables"]:
             if row["name"] not in names:
                 continue
             low, high = row["interval"]
             self.assertIsNotNone(low, row)
             self.assertIsNotNone(high, row)
-            self.assertLessEqual(low, TRUTH[row["name"]])
-            self.assertGreaterEqual(high, TRUTH[row["name"]])
+            self.assertLessEqual(low, TRUTH[row["name"]] + off)
+            self.assertGreaterEqual(high, TRUTH[row["name"]] - off)
             self.assertLess(high - low, to, row)
 
     def test_intervals_do_not_depend_on_the_start(self):
@@ -163,11 +163,24 @@ class ExactFit(unittest.TestCase):
         self.assertIn("The search ended at a minimum", words)
         self.assertRegex(words, r"A neighboring trial has a smaller target: .* Its sum of squared errors, .* is larger")
 
-    def test_an_exact_program_over_ranges_too_wide_is_not_called_noisy(self):
+    def test_bounds_far_from_the_values_do_not_hide_the_truth(self):
         for wide in ("1e9", "1e12"):
             with self.subTest(wide):
-                words, answer = self.fit({"a": (f"-{wide}", wide, 1), "b": (f"-{wide}", 0, -1), "c": (f"-{wide}", wide, 1)})
+                _, answer = self.fit({"a": (f"-{wide}", wide, 1), "b": (f"-{wide}", 0, -1), "c": (f"-{wide}", wide, 1)})
+                self.assertLess(answer["target"], 1e-4)
+                for row in answer["variables"]:
+                    self.assertAlmostEqual(row["value"], TRUTH[row["name"]], delta=1e-3)
+
+    def test_an_exact_program_over_ranges_too_wide_is_not_called_noisy(self):
+        # Initial values of 0 say nothing of the sizes of the variables, so only the ranges do.
+        for wide in ("1e9", "1e12"):
+            with self.subTest(wide):
+                words, answer = self.fit({"a": (f"-{wide}", wide, 0), "b": (f"-{wide}", 0, 0), "c": (f"-{wide}", wide, 0)})
                 self.assertGreater(answer["target"], 1e-3, "the search finds the truth: choose wider bounds")
+                self.assertNotIn("in the noise", words)
+                self.assertNotIn("at a minimum", words)
+                if wide == "1e12":  # here residuals that exploded surround the best point
+                    continue
                 self.assertIn("without having seen a minimum", words)
                 self.assertIn("narrow its bounds or give it a logarithmic scale", words)
 
@@ -213,8 +226,8 @@ class ExactFit(unittest.TestCase):
             for half in halves[1:]:
                 for one, other in zip(halves[0], half):
                     # An identification moves its center to a better point only if an interval changes by more than a
-                    # sixth.
-                    self.assertAlmostEqual(other / one, 1.0, delta=1 / 6, msg=f"{loss}, {off}")
+                    # sixth of its width. Two of them may be off by a sixth to either side.
+                    self.assertGreater(min(one, other) / max(one, other), 5 / 7, msg=f"{loss}, {off}")
 
     def test_a_wrong_value_at_the_end_of_a_curve_leaves_the_intervals_closed(self):
         """With Huber's loss a wrong value at the end of the curve, where its leverage is largest, moves the fit so
@@ -254,7 +267,9 @@ class ExactFit(unittest.TestCase):
                                  formula=rounded)
         for name in ("a", "d"):
             self.assertRegex(words, rf"(?m)^  {name} .*anywhere between the bounds")
-        self.assert_known(answer, names=("b", "c"), to=2e-5)
+        # Results of six digits are off by up to 5e-7 of their size, and by the same errors in neighboring values, so
+        # the truth may lie beside an interval by a few of them.
+        self.assert_known(answer, names=("b", "c"), to=2e-5, off=5e-6)
 
     def test_as_many_numbers_as_values_are_not_said_to_be_anywhere(self):
         words = self.words_of_two_values()

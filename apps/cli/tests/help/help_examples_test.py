@@ -20,7 +20,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[4]
 
 # Examples that take longer than a test may, need a cluster or do not end by themselves. Their verbs have separate
 # tests.
-NOT_RUN = re.compile(r"mpirun|srun|latsch (run|resume|identify|doe|serve|compare|process)\b|--place-columns|mesh .*--convergence"
+NOT_RUN = re.compile(r"mpirun|srun|latsch (run|resume|sample|identify|doe|serve|compare|process)\b|--place-columns|mesh .*--convergence"
                      r"|slow\.toml|tire_b_twin|--ccx|--vtu|--drum |--size|baseline.toml --fmu")
 
 
