@@ -333,6 +333,11 @@ void offer_batch(const Study& study, int workers) {
   constexpr int kWorthIt = 4;
   const bool takes_one = study.optimizer.residual_trust_region.outstanding == 1;
   const Method method = correlation::method_of(study).method;
+  if (!takes_one && method != Method::residual_trust_region && method != Method::ensemble)
+    warn(
+        fmt::format("[optimizer] batch had no effect, because the method is {}, which chooses one "
+                    "point at a time",
+                    in_words(method)));
   if (workers < kWorthIt || !takes_one || method != Method::residual_trust_region) return;
   say("The search knew every outcome before it chose the next point, so most of the {0} workers "
       "evaluated points that it might have needed. With [optimizer] batch = {0} they work for the "

@@ -15,6 +15,7 @@ namespace latsch::correlation {
 namespace {
 
 constexpr std::size_t kFewestShifted = 8;  // samples that determine a shift beside other numbers
+constexpr double kLargestGain = 0.5;       // largest deviation of a gain's prior
 constexpr double kLongest = 0.1;           // share of the record that a shift may be
 const std::vector<NuisanceKind> kNuisanceKinds{
     NuisanceKind::offset, NuisanceKind::gain, NuisanceKind::delay, NuisanceKind::x_offset};
@@ -121,6 +122,14 @@ NuisanceNumber read_number(const Node& table,
   number.shown = shown_unit_of(kind, observable);
   if (is_free) return number;
   number.prior = table.quantity(key, unit_of(kind, observable), Range::positive());
+  if (kind == NuisanceKind::gain && number.prior > kLargestGain)
+    table.reject(
+        key,
+        fmt::format("is {}, a deviation of {:g} % of the recording; expected a share of up to "
+                    "{:g} %, such as \"1 %\", or \"free\"",
+                    in_quotes(table.text(key)),
+                    100.0 * number.prior,
+                    100.0 * kLargestGain));
   if (number.prior > kLongest * length)
     table.reject(key,
                  fmt::format("is {}, longer than a tenth of the record, which is {:g} {}; expected "

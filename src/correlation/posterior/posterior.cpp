@@ -385,6 +385,12 @@ std::optional<Posterior> recorded_posterior(const Study& study, const Journal& j
 
 std::string verdict_text(const Posterior& posterior) {
   const SurrogateCheck& check = posterior.check;
+  if (!posterior.is_mixed())
+    return "The chains do not mix, so neither the ends nor the shapes of the samples are those of "
+           "the "
+           "posterior, whatever the surrogate is worth; another seed or more runs in [posterior] "
+           "may "
+           "help.";
   switch (check.verdict) {
     case SurrogateVerdict::unchecked:
       return "The surrogate was not checked: the samples are those of what the trials of the fit "

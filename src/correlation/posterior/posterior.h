@@ -39,6 +39,9 @@ struct Posterior {
   bool noise_stated = false;
   std::vector<std::string> remarks;  // sentences about the density
 
+  /// True if the chains mix in every variable. If they do not, neither ends nor shapes are those of
+  /// the density.
+  bool is_mixed() const { return samples.unmixed.empty(); }
   /// Returns the point of sample k; variables that were not sampled keep their value.
   DesignPoint point(const DesignSpace& space, Eigen::Index k) const;
 };

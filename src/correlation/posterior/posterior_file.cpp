@@ -11,8 +11,9 @@
 namespace latsch::correlation {
 namespace {
 
-const char* density_word(SurrogateVerdict verdict) {
-  switch (verdict) {
+const char* density_word(const Posterior& posterior) {
+  if (!posterior.is_mixed()) return "chains that do not mix";
+  switch (posterior.check.verdict) {
     case SurrogateVerdict::unchecked:
       return "unchecked surrogate";
     case SurrogateVerdict::stands:
@@ -47,7 +48,7 @@ void write_samples(const Study& study,
       out << fmt::format("{:.12g},{},{}\n",
                          posterior.samples.log_density[k],
                          posterior.samples.chain[static_cast<std::size_t>(k)],
-                         density_word(posterior.check.verdict));
+                         density_word(posterior));
     }
   });
 }

@@ -138,6 +138,13 @@ RecordedGroup joined_groups(RecordedFile& file, double step, LabTable& table) {
                     steps + 1.0,
                     channels,
                     step));
+  if (steps < 1.0)
+    throw InputError(
+        {file.file, 0},
+        fmt::format("would have one sample at a step of {:g} s, because its groups share "
+                    "{:g} s; expected a smaller step",
+                    step,
+                    last - first));
   std::vector<double> grid(static_cast<std::size_t>(steps) + 1);
   for (std::size_t i = 0; i < grid.size(); ++i)
     grid[i] = std::min(first + static_cast<double>(i) * step, last);

@@ -104,13 +104,13 @@ std::vector<PosteriorShape> posterior_shapes(const Eigen::MatrixXd& u,
 std::string in_words(const PosteriorShape& shape, const std::vector<std::string>& names) {
   std::string text;
   const auto say = [&text](const std::string& word) { text += (text.empty() ? "" : ", ") + word; };
-  if (shape.as_linear) say("as the linear interval");
   if (shape.skewed) say("skewed");
   for (const int other : shape.bananas)
     say("banana with " + names[static_cast<std::size_t>(other)]);
   if (shape.two_modes) say("two modes");
   if (shape.cut) say("cut by its bound");
   if (shape.open) say("open");
+  if (text.empty() && shape.as_linear) return "as the linear interval";
   return text.empty() ? "unlike the linear interval" : text;
 }
 

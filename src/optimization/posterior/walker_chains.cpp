@@ -17,6 +17,8 @@ namespace {
 constexpr double kBestJump = 2.38;       // ter Braak's gamma for a normal density, over sqrt(2 n)
 constexpr double kJitter = 0.1;          // c of (1): moves are no lattice
 constexpr double kStuck = 2.0;           // distances of the quartiles below the first one
+constexpr double kBeside = 0.3;          // share of a difference by which a copy is set apart
+constexpr int kTrialsBeside = 12;        // each half as far as the one before, to the other side
 constexpr long kLongJumpEvery = 10;      // steps
 constexpr std::size_t kMostKept = 2048;  // steps of a record; then every second one is dropped
 
@@ -109,6 +111,27 @@ void WalkerChains::keep(long step) {
 
 void WalkerChains::forget() { record_ = {}; }
 
+// Walkers at one place have no differences, and a half in which all of them stood at one place could
+// never move the other half again.
+void WalkerChains::set_beside(int walker, int model) {
+  RandomStream& random = streams_[static_cast<std::size_t>(walker)];
+  const auto count = static_cast<std::uint64_t>(walkers());
+  const Eigen::VectorXd there = places_.col(model);
+  double share = kBeside;
+  for (int trial = 0; trial < kTrialsBeside; ++trial, share *= -0.5) {
+    const int a = static_cast<int>(random.below(count)), b = static_cast<int>(random.below(count));
+    const Eigen::VectorXd beside = there + share * (places_.col(a) - places_.col(b));
+    if ((beside.array() < 0.0).any() || (beside.array() > 1.0).any() || beside == there) continue;
+    const double value = density_(beside);
+    if (!(value > kNoDensity)) continue;
+    places_.col(walker) = beside;
+    values_[walker] = value;
+    return;
+  }
+  places_.col(walker) = there;
+  values_[walker] = values_[model];
+}
+
 int WalkerChains::release_stuck() {
   if (record_.values.empty()) return 0;
   Eigen::VectorXd means = Eigen::VectorXd::Zero(walkers());
@@ -123,8 +146,7 @@ int WalkerChains::release_stuck() {
     const int begin = walker < half ? 0 : half;
     Eigen::Index best = 0;
     means.segment(begin, half).maxCoeff(&best);
-    places_.col(walker) = places_.col(begin + best);
-    values_[walker] = values_[begin + best];
+    set_beside(walker, begin + static_cast<int>(best));
     ++moved;
   }
   forget();
@@ -144,9 +166,7 @@ bool WalkerChains::change_density(LogDensityAt density) {
     std::size_t next = 0;
     for (int walker = first; walker < first + half; ++walker) {
       if (values_[walker] > kNoDensity) continue;
-      const int from = alive[next++ % alive.size()];
-      places_.col(walker) = places_.col(from);
-      values_[walker] = values_[from];
+      set_beside(walker, alive[next++ % alive.size()]);
     }
   }
   return true;

@@ -77,6 +77,9 @@ class WalkerChains {
  private:
   void move(int walker, long step);
   void keep(long step);
+  /// Moves the walker beside another one, by a share of the difference of two walkers, or onto it if
+  /// that place has no density.
+  void set_beside(int walker, int model);
 
   LogDensityAt density_;
   Eigen::MatrixXd places_;

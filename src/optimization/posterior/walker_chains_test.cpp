@@ -176,6 +176,31 @@ TEST(WalkerChains, SampleAHierarchicalModelOrNameWhatDoesNotMix) {
   RecordProperty("mixed", mixed ? "yes" : "no");
 }
 
+// Walkers that a new density leaves without density go beside others and not onto them: a half of
+// walkers at one place would have no differences to move along.
+TEST(WalkerChains, StandApartWhereADensityEndedMostOfThem) {
+  const EqualCorrelation gaussian(3, 0.03, 0.5);
+  const auto starts = walker_starts(gaussian.frame(), {}, gaussian.density(), 7);
+  WalkerChains chains(gaussian.density(), *starts, 7);
+  chains.advance(200);
+  const Eigen::VectorXd first = chains.places().row(0).transpose();
+  const Eigen::Index half = first.size() / 2;
+  const auto third_lowest = [](Eigen::VectorXd values) {
+    std::nth_element(values.begin(), values.begin() + 2, values.end());
+    return values[2];
+  };
+  const double limit = std::max(third_lowest(first.head(half)), third_lowest(first.tail(half)));
+  ASSERT_TRUE(chains.change_density(
+      [&](const Eigen::VectorXd& u) { return u[0] > limit ? kNoDensity : gaussian.density()(u); }));
+  const Eigen::MatrixXd& places = chains.places();
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    EXPECT_LE(places(0, i), limit);
+    for (Eigen::Index j = 0; j < i; ++j) {
+      EXPECT_GT((places.col(i) - places.col(j)).norm(), 0.0) << i << ' ' << j;
+    }
+  }
+}
+
 TEST(WalkerChains, ReflectAtTheFacesOfTheCube) {
   const Eigen::VectorXd u = to_vector({-0.25, 1.25, 2.25, 0.5});
   const Eigen::VectorXd expected = to_vector({0.25, 0.75, 0.25, 0.5});

@@ -2,6 +2,7 @@
 #include "cli/verbs/posterior/sample.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +65,30 @@ void print_samples(const Study& study, const Posterior& posterior) {
         correlation::interval_text(study.space, posterior.axes[a], posterior.linear[a]),
         d.rhat,
         std::min(d.bulk, d.tail),
-        in_words(shape, names));
+        posterior.is_mixed() ? in_words(shape, names) : "not mixed");
   }
+}
+
+/// Warns of variables whose fitted value lies outside of the interval of the samples.
+void warn_of_fits_outside(const Study& study, const Posterior& posterior) {
+  const std::vector<std::string> names = correlation::axis_names(study, posterior);
+  const std::vector<double> fit = study.space.to_unit(posterior.center);
+  std::vector<std::string> outside;
+  for (std::size_t a = 0; a < names.size(); ++a) {
+    const double u = fit[static_cast<std::size_t>(posterior.axes[a])];
+    const PosteriorShape& shape = posterior.shapes[a];
+    if (u < shape.lower || u > shape.upper) outside.push_back(names[a]);
+  }
+  answer()["fit_outside"] = outside;
+  if (outside.empty()) return;
+  warn(
+      fmt::format("the fitted value of {} of {} variables lies outside of the interval of the "
+                  "samples: {}. Fit and samples weigh the values differently, for example because "
+                  "neighbors share noise or weights are stated, or the fit is no minimum; do not "
+                  "report the fit with the intervals of the samples",
+                  outside.size(),
+                  names.size(),
+                  fmt::join(outside, ", ")));
 }
 
 void print_standing(const Study& study, const Posterior& posterior) {
@@ -78,7 +101,7 @@ void print_standing(const Study& study, const Posterior& posterior) {
           ? "; the limit of runs ended the learning, not two good batches in a row"
           : "");
   const std::string verdict = correlation::verdict_text(posterior);
-  if (posterior.check.verdict == SurrogateVerdict::stands)
+  if (posterior.is_mixed() && posterior.check.verdict == SurrogateVerdict::stands)
     say("{}\n", verdict);
   else
     warn(verdict.substr(0, verdict.size() - 1));
@@ -128,11 +151,12 @@ void answer_samples(const Study& study, const Posterior& posterior) {
          {"median", shown_at(shape.median)},
          {"interval", {shown_at(shape.lower), shown_at(shape.upper)}},
          {"linear", {shown_at(posterior.linear[a].lower), shown_at(posterior.linear[a].upper)}},
-         {"shape", in_words(shape, names)},
+         {"shape", posterior.is_mixed() ? Json(in_words(shape, names)) : Json()},
          {"rhat", d.rhat},
          {"bulk", d.bulk},
          {"tail", d.tail}});
   }
+  answer()["mixed"] = posterior.is_mixed();
   answer()["samples"] = posterior.samples.size();
   answer()["trials"] = posterior.trials;
   answer()["failed"] = posterior.failed;
@@ -189,12 +213,13 @@ int sample(const std::string& file,
   const Posterior& posterior = **found;
   print_samples(study, posterior);
   print_standing(study, posterior);
+  warn_of_fits_outside(study, posterior);
   answer_samples(study, posterior);
   const std::filesystem::path to =
       output.empty() ? correlation::samples_file(study) : std::filesystem::path(output);
   correlation::write_samples(study, posterior, to);
   say_written(to.string());
-  return kDone;
+  return posterior.is_mixed() ? kDone : kFailed;
 }
 
 }  // namespace
