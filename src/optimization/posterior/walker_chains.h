@@ -77,8 +77,8 @@ class WalkerChains {
  private:
   void move(int walker, long step);
   void keep(long step);
-  /// Moves the walker beside another one, by a share of the difference of two walkers, or onto it if
-  /// that place has no density.
+  /// Moves the walker beside another one, by a share of the difference of two walkers, or onto it
+  /// if no such place has density.
   void set_beside(int walker, int model);
 
   LogDensityAt density_;
