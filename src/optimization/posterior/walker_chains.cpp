@@ -111,8 +111,8 @@ void WalkerChains::keep(long step) {
 
 void WalkerChains::forget() { record_ = {}; }
 
-// Walkers at one place have no differences, and a half in which all of them stood at one place could
-// never move the other half again.
+// Walkers at one place have no differences, and a half in which all of them stood at one place
+// could never move the other half again.
 void WalkerChains::set_beside(int walker, int model) {
   RandomStream& random = streams_[static_cast<std::size_t>(walker)];
   const auto count = static_cast<std::uint64_t>(walkers());
