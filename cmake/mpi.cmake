@@ -2,7 +2,9 @@
 # Only the program and latsch::cli: whoever links the other libraries needs no MPI.
 set(MPI_CXX_SKIP_MPICXX ON)
 find_package(MPI COMPONENTS CXX QUIET)
-if(MPI_CXX_FOUND)
+if(NOT MPI_CXX_FOUND)
+  message(STATUS "No runs on the ranks of an MPI job: MPI is not installed; tools/install_packages.sh mpi installs it")
+else()
   add_library(latsch_mpi STATIC ${CMAKE_SOURCE_DIR}/src/evaluation/executors/mpi/mpi_executor.cpp)
   target_link_libraries(latsch_mpi PUBLIC latsch::evaluation MPI::MPI_CXX)
   set_target_properties(latsch_mpi PROPERTIES EXPORT_NAME mpi)

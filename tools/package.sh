@@ -5,7 +5,7 @@
 #                           check, run, serve, export, the manual and the Python package have to work
 set -eu
 cd "$(dirname "$0")/.."
-tools/install_packages.sh
+tools/install_packages.sh build page python mpi
 packages=build/packages
 log=build/package_build.log
 mkdir -p "$packages"
@@ -18,7 +18,7 @@ rm -rf "$packages/_CPack_Packages"
 ls "$packages"/*.deb
 [ "${1:-}" = --try ] || exit 0
 
-command -v mmdebstrap >/dev/null || { echo "package.sh: --try needs mmdebstrap: apt-get install mmdebstrap" >&2; exit 1; }
+tools/install_packages.sh bare
 root=$packages/bare_debian
 trap 'rm -rf "$root"' EXIT
 rm -rf "$root"
