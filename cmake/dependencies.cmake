@@ -1,8 +1,7 @@
 # Dependencies of Latsch: Debian 12 packages. tools/install_packages.sh installs the sets that it is given; a set is all
 # lines of its name below. ./demo.sh needs the set `build` alone; what the other sets bring is left out, and named, where
 # they are not installed.
-#
-# The compiler, and the libraries of the program:
+# The compiler and the libraries of the program are the first set.
 # apt build: g++ cmake ninja-build python3
 # apt build: libfmt-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
 # apt build: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmetis-dev

@@ -105,7 +105,7 @@ endfunction()
 
 function(latsch_sources out folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_test(ing)?\\.cpp$|/mpi/")  # mpi.cmake makes its library
+  list(FILTER sources EXCLUDE REGEX "_test(ing)?\\.cpp$|/open_mpi\\.cpp$")  # mpi.cmake makes its library
   list(SORT sources COMPARE FILE_BASENAME)  # so a new room leaves the groups of files unchanged
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# tools/package.sh          writes latsch_*.deb and python3-latsch_*.deb into build/packages
+# tools/package.sh          writes the Debian packages latsch, latsch-mpi and python3-latsch into build/packages
 # tools/package.sh --try    and installs them in a bare Debian 12 below build/packages (mmdebstrap, root), where new,
 #                           check, run, serve, export, the manual and the Python package have to work
 set -eu
