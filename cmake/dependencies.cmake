@@ -35,6 +35,8 @@
 # apt api-pages: doxygen
 # tools/package.sh --try and tools/bare_demo.sh make a bare Debian with this program:
 # apt bare: mmdebstrap
+# tools/archive.sh makes the archive with these programs:
+# apt archive: patchelf xz-utils
 # What ./test.sh and ./bench.sh need, as one name:
 # apt-sets complete: build page python mpi test browser slurm
 find_package(fmt REQUIRED)
