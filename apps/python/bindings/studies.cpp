@@ -19,6 +19,8 @@
 #include "bindings/failures.h"
 #include "bindings/long_call.h"
 #include "bindings/models.h"
+#include "bindings/posteriors.h"
+#include "correlation/posterior/posterior.h"
 #include "correlation/search/search_standing.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
@@ -247,6 +249,22 @@ py::object best_of(const Study& as_written) {
   return py::make_tuple(array(best->point.values), best->target, best->violation);
 }
 
+/// The samples of a journal, with the study in the stage that was sampled.
+struct RecordedSamples {
+  Study study;
+  correlation::Posterior posterior;
+};
+
+std::optional<RecordedSamples> samples_of(const Study& as_written) {
+  const std::optional<Journal> journal = journal_of(as_written);
+  if (!journal) return std::nullopt;
+  Study study = correlation::recorded_stages(as_written, *journal).study;
+  correlation::require_best(study, *journal);
+  auto posterior = correlation::recorded_posterior(study, *journal);
+  if (!posterior) return std::nullopt;
+  return RecordedSamples{std::move(study), std::move(*posterior)};
+}
+
 void bind_experiments(py::module_& module) {
   py::class_<StudyExperiment>(
       module, "Experiment", "The comparison of a test's recording with a measurement.")
@@ -344,6 +362,13 @@ void bind_studies(py::module_& module) {
             });
           })
       .def("_best", [](const Read& s) { return best_of(*s.study); })
+      .def("_samples",
+           [](const Read& s) -> py::object {
+             const auto found = long_call<std::optional<RecordedSamples>>(
+                 [study = s.study](const Abandonment&) { return samples_of(*study); });
+             if (!found) return py::none();
+             return as_dict(found->study, found->posterior);
+           })
       .def("_trials", [](const Read& s, const std::vector<std::string>& names, bool all) {
         const Trials trials = long_call<Trials>([study = s.study, names, all](const Abandonment&) {
           return trials_of(*study, names, all);

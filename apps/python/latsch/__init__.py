@@ -23,13 +23,13 @@ from latsch._latsch import (Confidence, DesignSpace, Experiment, Identification,
                             Profile, Score, Variable, basins_of_grid, confidence, full_factorial, kernels, latin_hypercube,
                             method_names, read_model, sobol, tests)
 from latsch._optimizers import cascade, multi_start, optimizer
-from latsch._study import Study, Trials, read_study
+from latsch._study import Posterior, Study, Trials, read_study
 from latsch._tests import Recording, test
 
 __version__ = "0.1.0"
 
 __all__ = [
     "Confidence", "DesignSpace", "Experiment", "Failure", "Identification", "InputError", "JournalError", "LinearConstraint",
-    "Model", "Morris", "Optimizer", "Profile", "Recording", "Score", "Study", "Trials", "Variable", "basins_of_grid",
+    "Model", "Morris", "Optimizer", "Posterior", "Profile", "Recording", "Score", "Study", "Trials", "Variable", "basins_of_grid",
     "cascade", "confidence", "full_factorial", "kernels", "latin_hypercube", "method_names", "multi_start", "optimizer",
     "read_model", "read_study", "sobol", "test", "tests"]

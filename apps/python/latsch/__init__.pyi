@@ -268,6 +268,29 @@ class Trials:
     def __len__(self) -> int: ...
 
 
+class Posterior:
+    points: Array
+    log_densities: Array
+    chains: NDArray[np.int32]
+    center: Array
+    names: list[str]
+    medians: Array
+    intervals: Array
+    linear: Array
+    shapes: list[str | None]
+    rhat: Array
+    effective: Array
+    mixed: bool
+    verdict: str
+    deviation: float
+    verdict_text: str
+    remarks: list[str]
+    trials: int
+    failed: int
+    def __len__(self) -> int: ...
+    def __getitem__(self, name: str) -> Array: ...
+
+
 class Best(NamedTuple):
     point: Array
     target: float
@@ -304,6 +327,8 @@ class Study:
                progress: bool | Callable[[str], Any] = True) -> dict[str, Any]: ...
     def doe(self, workers: int | None = None, *, progress: bool | Callable[[str], Any] = True) -> dict[str, Any]: ...
     def identify(self, workers: int | None = None, *, progress: bool | Callable[[str], Any] = True) -> dict[str, Any]: ...
+    def sample(self, workers: int | None = None, *, progress: bool | Callable[[str], Any] = True) -> Posterior: ...
+    def samples(self) -> Posterior | None: ...
     def trials(self, channels: str | bool | Sequence[str] = ()) -> Trials: ...
     def best(self) -> Best | None: ...
     def fitted_text(self, date: Any = None) -> str: ...

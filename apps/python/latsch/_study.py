@@ -65,6 +65,35 @@ class Trials:
         return f"<latsch.Trials {len(self)}, {sum(1 for one in self.failures if one)} failed>"
 
 
+class Posterior:
+    """Samples of the posterior density of a study's variables around its fit; N samples, n variables of the study, k sampled
+    ones. Values are in SI.
+
+       points (N, n): the samples; variables that are not sampled keep their value; log_densities (N,), whose zero is
+       arbitrary; chains (N,): the walker of each sample; center (n,): the fit;
+       names: the k sampled variables; medians (k,); intervals (k, 2): the 2.5 and 97.5 % points; linear (k, 2): the linear
+       95 % interval, NaN for an open end; shapes: words such as "skewed, banana with B", None if the chains do not mix;
+       rhat (k,) and effective (k,): the diagnostics of the chains; mixed: True if all of them are good;
+       verdict: "stands", "doubtful", "refused" or "unchecked", the check of the surrogate by trials that it had not seen;
+       deviation: the error of the logarithm of the density there, NaN if unchecked; verdict_text: the verdict in one sentence;
+       remarks: sentences about the density; trials and failed: numbers of trials beyond the fit."""
+
+    def __init__(self, fields):
+        self.__dict__.update(fields)
+
+    def __len__(self):
+        return len(self.points)
+
+    def __getitem__(self, name):
+        """Returns the samples (N,) of one variable."""
+        if name not in self.names:
+            raise KeyError(f"{name} is none of the sampled variables {', '.join(self.names)}")
+        return self.points[:, self._columns[name]]
+
+    def __repr__(self):
+        return f"<latsch.Posterior {len(self)} samples of {len(self.names)} variables, surrogate {self.verdict}{'' if self.mixed else ', not mixed'}>"
+
+
 class Study(_latsch._Study):
     """A study as read: `file`, `title`, `journal`; `space` and `variables`; `experiments`; `method` of its search.
 
@@ -111,6 +140,25 @@ class Study(_latsch._Study):
     def identify(self, workers=None, *, progress=True):
         """Computes confidence intervals and profiles around the best trial."""
         return self._program("identify", workers, [], progress)
+
+    def sample(self, workers=None, *, progress=True):
+        """Draws samples of the variables' posterior density around the best trial, in a process `latsch sample`, by the settings
+        of [posterior]. Needs a finished run. Returns a Posterior.
+
+        Raises InputError if the study has no density that can be sampled, and Failure if the chains do not mix or nothing
+        tells the noise, with the sentence of the command. A doubtful or refused surrogate is a Python warning; see `verdict`.
+        """
+        self._program("sample", workers, [], progress)
+        return self.samples()
+
+    def samples(self):
+        """Returns the Posterior that the journal determines, without a trial; None if trials are missing: sample() runs
+        them. The samples have the same bits as those of the command; `mixed` tells whether their chains mix."""
+        fields = self._samples()
+        if fields is None:
+            return None
+        columns = {variable.name: k for k, variable in enumerate(self.variables)}
+        return Posterior({**fields, "_columns": columns})
 
     def trials(self, channels=()):
         """Returns the trials so far, also during a run. channels: names of channels to read; True: all (large)."""

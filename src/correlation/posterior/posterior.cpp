@@ -326,6 +326,13 @@ DesignPoint Posterior::point(const DesignSpace& space, Eigen::Index k) const {
   return moved;
 }
 
+double Posterior::value_at(const DesignSpace& space, std::size_t axis, double u) const {
+  std::vector<double> all = space.to_unit(center);
+  const auto i = static_cast<std::size_t>(axes[axis]);
+  all[i] = u;
+  return space.from_unit(all).values[i];
+}
+
 std::string why_no_posterior(const Study& study) {
   for (const StudyExperiment& experiment : study.experiments)
     if (experiment.objective.weight > 0.0 && experiment.loss.loss != Loss::squares)

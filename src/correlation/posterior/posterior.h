@@ -44,6 +44,8 @@ struct Posterior {
   bool is_mixed() const { return samples.unmixed.empty(); }
   /// Returns the point of sample k; variables that were not sampled keep their value.
   DesignPoint point(const DesignSpace& space, Eigen::Index k) const;
+  /// Returns the value, SI, of the sampled variable `axis` at the place u of the unit cube.
+  double value_at(const DesignSpace& space, std::size_t axis, double u) const;
 };
 
 /// Returns the reason why the study has no posterior density that could be sampled, in one

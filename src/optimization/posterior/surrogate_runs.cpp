@@ -59,6 +59,20 @@ std::vector<Eigen::Index> largest_variances(Eigen::MatrixXd C, Eigen::Index firs
 
 }  // namespace
 
+const char* name(SurrogateVerdict verdict) {
+  switch (verdict) {
+    case SurrogateVerdict::unchecked:
+      return "unchecked";
+    case SurrogateVerdict::stands:
+      return "stands";
+    case SurrogateVerdict::doubtful:
+      return "doubtful";
+    case SurrogateVerdict::refused:
+      break;
+  }
+  return "refused";
+}
+
 /// The surrogate with the samples from which it is made.
 struct SurrogateRuns::Model {
   FittedDensity const* fit;

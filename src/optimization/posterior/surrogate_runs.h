@@ -59,6 +59,9 @@ struct SurrogateRunOptions {
 
 enum class SurrogateVerdict { unchecked, stands, doubtful, refused };
 
+/// Returns the verdict in one word, for example "stands".
+const char* name(SurrogateVerdict verdict);
+
 /// Result of the ten draws.
 struct SurrogateCheck {
   SurrogateVerdict verdict = SurrogateVerdict::unchecked;

@@ -30,14 +30,6 @@ namespace {
 using correlation::Posterior;
 using correlation::Study;
 
-/// Returns the value, SI, of a sampled variable at a place of the unit cube.
-double value_at_unit(const Study& study, const Posterior& posterior, std::size_t axis, double u) {
-  std::vector<double> all = study.space.to_unit(posterior.center);
-  const auto i = static_cast<std::size_t>(posterior.axes[axis]);
-  all[i] = u;
-  return study.space.from_unit(all).values[i];
-}
-
 void print_samples(const Study& study, const Posterior& posterior) {
   const std::vector<std::string> names = correlation::axis_names(study, posterior);
   const int width = name_width(study.space.variables());
@@ -60,7 +52,7 @@ void print_samples(const Study& study, const Posterior& posterior) {
         names[a],
         width,
         correlation::value_text(
-            study.space, posterior.axes[a], value_at_unit(study, posterior, a, shape.median), own),
+            study.space, posterior.axes[a], posterior.value_at(study.space, a, shape.median), own),
         correlation::interval_text(study.space, posterior.axes[a], own),
         correlation::interval_text(study.space, posterior.axes[a], posterior.linear[a]),
         d.rhat,
@@ -101,10 +93,13 @@ void print_standing(const Study& study, const Posterior& posterior) {
           ? "; the limit of runs ended the learning, not two good batches in a row"
           : "");
   const std::string verdict = correlation::verdict_text(posterior);
-  if (posterior.is_mixed() && posterior.check.verdict == SurrogateVerdict::stands)
+  const std::string without_period = verdict.substr(0, verdict.size() - 1);
+  if (!posterior.is_mixed())
+    complain(without_period);
+  else if (posterior.check.verdict == SurrogateVerdict::stands)
     say("{}\n", verdict);
   else
-    warn(verdict.substr(0, verdict.size() - 1));
+    warn(without_period);
   for (const std::string& remark : posterior.remarks) say("{}\n", remark);
   for (const int axis : posterior.samples.unmixed) {
     const ChainDiagnostics& d = posterior.samples.diagnostics[static_cast<std::size_t>(axis)];
@@ -120,20 +115,6 @@ void print_standing(const Study& study, const Posterior& posterior) {
   }
 }
 
-const char* word_of(SurrogateVerdict verdict) {
-  switch (verdict) {
-    case SurrogateVerdict::unchecked:
-      return "unchecked";
-    case SurrogateVerdict::stands:
-      return "stands";
-    case SurrogateVerdict::doubtful:
-      return "doubtful";
-    case SurrogateVerdict::refused:
-      break;
-  }
-  return "refused";
-}
-
 void answer_samples(const Study& study, const Posterior& posterior) {
   const std::vector<std::string> names = correlation::axis_names(study, posterior);
   for (std::size_t a = 0; a < names.size(); ++a) {
@@ -142,7 +123,7 @@ void answer_samples(const Study& study, const Posterior& posterior) {
     const Unit unit = Unit::of(variable.unit);
     const auto shown_at = [&](double u) -> Json {
       if (!std::isfinite(u) || u < 0.0 || u > 1.0) return nullptr;
-      return unit.from_si(value_at_unit(study, posterior, a, u));
+      return unit.from_si(posterior.value_at(study.space, a, u));
     };
     const ChainDiagnostics& d = posterior.samples.diagnostics[a];
     answer()["variables"].push_back(
@@ -160,7 +141,7 @@ void answer_samples(const Study& study, const Posterior& posterior) {
   answer()["samples"] = posterior.samples.size();
   answer()["trials"] = posterior.trials;
   answer()["failed"] = posterior.failed;
-  answer()["check"] = {{"verdict", word_of(posterior.check.verdict)},
+  answer()["check"] = {{"verdict", name(posterior.check.verdict)},
                        {"draws", posterior.check.draws},
                        {"failed", posterior.check.failed},
                        {"deviation", posterior.check.deviation},
