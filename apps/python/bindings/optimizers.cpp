@@ -37,6 +37,13 @@ class AskTell {
     const std::lock_guard lock(mutex_);
     if (outcome) expect_same_counts(*outcome);
     optimizer_->observe(point, outcome);
+    if (outcome && (!best_ || is_better(*outcome, best_->second))) best_.emplace(point, *outcome);
+  }
+  /// Returns the best outcome so far and its point; nullopt if none has succeeded.
+  std::optional<std::pair<DesignPoint, Score>> best() {
+    const py::gil_scoped_release others;
+    const std::lock_guard lock(mutex_);
+    return best_;
   }
   bool converged() {
     const py::gil_scoped_release others;
@@ -78,6 +85,7 @@ class AskTell {
   MethodChoice choice_;
   std::mutex mutex_;
   std::optional<Counts> first_;  // counts at the first point that did not fail
+  std::optional<std::pair<DesignPoint, Score>> best_;
 };
 
 /// Reads a point of the design space at which a search may evaluate the objective: it is finite
@@ -337,6 +345,16 @@ void bind_optimizers(py::module_& module) {
           "Records the outcome of a point (n,): the target, a Score or a Failure. The point need "
           "not have been\nproposed, but it lies within the bounds. Raises InputError if the number "
           "of residuals or constraints\ndiffers from that of the first point.")
+      .def_property_readonly(
+          "best",
+          [](AskTell& of) -> py::object {
+            const auto best = of.best();
+            if (!best) return py::none();
+            return py::make_tuple(array(best->first.values), best->second);
+          },
+          "The best point observed so far (n,) and its Score, as a pair; None if none has "
+          "succeeded. A point that\nviolates constraints less is better than one that violates "
+          "them more, whatever their targets.")
       .def_property_readonly("converged", &AskTell::converged)
       .def_property_readonly("ending",
                              &AskTell::ending,

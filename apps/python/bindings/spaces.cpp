@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/units.h"
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
 #include "optimization/problem/design_space.h"
@@ -71,6 +72,11 @@ void bind_variables(py::module_& module) {
       .def_readonly("paths",
                     &DesignVariable::paths,
                     "Paths of the numbers of the model that are set to its value.")
+      .def(
+          "text",
+          [](const DesignVariable& v, double value) { return format_quantity(value, v.unit, 4); },
+          py::arg("value"),
+          "Returns a value, given in SI, with the unit for display: \"22 kN/mm\".")
       .def("__repr__", [](const DesignVariable& v) {
         return py::str("Variable({!r}, lower={!r}, upper={!r}, initial={!r}, scale={!r})")
             .format(v.name,

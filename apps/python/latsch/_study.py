@@ -19,7 +19,7 @@ import sys
 import threading
 import warnings
 
-from latsch import _latsch
+from latsch import _latsch, _notebook
 from latsch._errors import Failure, InputError
 from latsch._tests import Recording
 
@@ -53,7 +53,7 @@ class Trials:
        successful trials; seconds (N,); asked (N,): False for trials that ran ahead of a search and are no result of it;
        own (N,): False for trials that were run for other measurements, weights or bounds than those of the present study;
        channels: arrays (N, samples) by "TEST/CHANNEL", with rows of NaN for failed trials, or lists of arrays if the numbers
-       of samples differ; units: the units of the channels."""
+       of samples differ; units: the units of the channels; names: the names of the n variables."""
 
     def __init__(self, columns):
         self.__dict__.update(columns)
@@ -63,6 +63,21 @@ class Trials:
 
     def __repr__(self):
         return f"<latsch.Trials {len(self)}, {sum(1 for one in self.failures if one)} failed>"
+
+    def _repr_html_(self):
+        return _notebook.trials(self)
+
+    def to_frame(self):
+        """Returns a pandas.DataFrame with a row for each trial: the variables in SI, target, violation, failure (its reason),
+        seconds, asked, own, and channels that have one value; needs pandas."""
+        columns = {name: self.points[:, k] for k, name in enumerate(self.names)}
+        columns |= {"target": self.targets, "violation": self.violations,
+                    "failure": [one.reason if one else None for one in self.failures],
+                    "seconds": self.seconds, "asked": self.asked, "own": self.own}
+        for name, values in self.channels.items():
+            if not isinstance(values, list) and values.ndim == 2 and values.shape[1] == 1:
+                columns[f"{name} [{self.units[name]}]"] = values[:, 0]
+        return _notebook.frame(columns)
 
 
 class Posterior:
@@ -90,6 +105,15 @@ class Posterior:
             raise KeyError(f"{name} is none of the sampled variables {', '.join(self.names)}")
         return self.points[:, self._columns[name]]
 
+    def _repr_html_(self):
+        return _notebook.posterior(self)
+
+    def to_frame(self):
+        """Returns a pandas.DataFrame with a row for each sample: the sampled variables in SI, log_density and chain; needs
+        pandas."""
+        return _notebook.frame({**{name: self[name] for name in self.names},
+                                "log_density": self.log_densities, "chain": self.chains})
+
     def __repr__(self):
         return f"<latsch.Posterior {len(self)} samples of {len(self.names)} variables, surrogate {self.verdict}{'' if self.mixed else ', not mixed'}>"
 
@@ -101,6 +125,9 @@ class Study(_latsch._Study):
     if the model knows them, their jacobian. A point outside of the bounds is a Python warning. target(point, channels): the Score of given channels, a dict like a Recording.
     model(point=None): the Model as written, or at a point. fitted_text(): the text of the file of the fitted model.
     """
+
+    def _repr_html_(self):
+        return _notebook.study(self)
 
     @property
     def ledger(self):
@@ -163,7 +190,7 @@ class Study(_latsch._Study):
     def trials(self, channels=()):
         """Returns the trials so far, also during a run. channels: names of channels to read; True: all (large)."""
         names = [channels] if isinstance(channels, str) else [] if isinstance(channels, bool) else list(channels)
-        return Trials(self._trials(names, channels is True))
+        return Trials({**self._trials(names, channels is True), "names": self.space.names})
 
     def best(self):
         """The best trial of the journal: (point, target, violation); None where none has succeeded.

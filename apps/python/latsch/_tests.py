@@ -2,7 +2,8 @@
 """Runs models through tests; recordings are arrays."""
 import os
 
-from latsch import _latsch, _toml
+from latsch import _latsch, _notebook, _toml
+from latsch._errors import InputError
 
 
 class Recording(dict):
@@ -22,6 +23,21 @@ class Recording(dict):
     def __repr__(self):
         return "<latsch.Recording " + ", ".join(
             f"{name} [{self.units[name]}] ({len(values)},)" for name, values in self.items()) + ">"
+
+    def _repr_html_(self):
+        return _notebook.recording(self)
+
+    def to_frame(self, names=None):
+        """Returns a pandas.DataFrame with a column "NAME [UNIT]" for each channel; needs pandas.
+
+        names: the channels; unless given, all with as many samples as most of them have. Raises InputError if the channels
+        named differ in their samples.
+        """
+        chosen = _notebook.of_one_length(self) if names is None else list(names)
+        if len({len(self[name]) for name in chosen}) > 1:
+            raise InputError("the channels differ in their numbers of samples: " + ", ".join(
+                f"{name} has {len(self[name])}" for name in chosen))
+        return _notebook.frame({f"{name} [{self.units[name]}]": self[name] for name in chosen})
 
 
 def test(model, test, *, kind=None, slopes=()):
