@@ -6,7 +6,7 @@ import math
 
 from latsch._errors import InputError
 
-_WIDTH, _HEIGHT = 260, 90  # of a small drawing, px
+_WIDTH, _HEIGHT = 260, 90  # size of a small drawing, px
 _MOST = 12  # rows and drawings shown; a line says how many more there are
 _POINTS = 400  # most points of a line
 _CELL = "text-align:left;padding:1px 8px"
@@ -113,7 +113,7 @@ def _progress(trials):
 
 def _curve(x, y, said=lambda value: _number(value)):
     step = max(1, len(x) // _POINTS)
-    if step > 1:  # of each stretch its least and its largest value, so that no peak is lost
+    if step > 1:  # each stretch keeps its least and its largest value, so that no peak is lost
         kept = []
         for at in range(0, len(y), 2 * step):
             stretch = [k for k in range(at, min(at + 2 * step, len(y))) if math.isfinite(y[k])]
