@@ -204,6 +204,42 @@ std::string effects(const StudyReport& report) {
   return html + "</tbody></table></div>";
 }
 
+std::string shares(const StudyReport& report) {
+  std::string html =
+      "<p class=\"lead\">Sobol's indices: the share of the variance that a variable causes if all "
+      "vary between their bounds, alone (first) and with others (total). Intervals are of 95 "
+      "%.</p>";
+  for (const SharesOfResponse& response : report.shares) {
+    html += fmt::format("<p><b>{}</b>: ", escape(response.response));
+    if (response.of.empty()) {
+      html += "it does not vary.</p>";
+      continue;
+    }
+    html += fmt::format("the points explain {:.0f} % of the variance{}.</p>",
+                        100.0 * response.explained,
+                        response.is_trusted ? "" : ", so that the shares are not to be trusted");
+    html += fmt::format(
+        "<div class=\"scroll{}\"><table><thead><tr><th>Variable</th><th class=\"n\">First</th>"
+        "<th class=\"n\">interval</th><th class=\"n\">Total</th><th class=\"n\">interval</th>"
+        "</tr></thead><tbody>\n",
+        response.is_trusted ? "" : " quiet");
+    for (const ShareOfVariance& row : response.of)
+      html += fmt::format(
+          "<tr><td>{}</td><td class=\"n strong\">{:.0f} %</td><td class=\"n\">{:.0f} .. {:.0f} "
+          "%</td>"
+          "<td class=\"n strong\">{:.0f} %</td><td class=\"n\">{:.0f} .. {:.0f} %</td></tr>\n",
+          escape(row.variable),
+          100.0 * row.first,
+          100.0 * row.first_lower,
+          100.0 * row.first_upper,
+          100.0 * row.total,
+          100.0 * row.total_lower,
+          100.0 * row.total_upper);
+    html += "</tbody></table></div>";
+  }
+  return html;
+}
+
 std::string surface_chapter(const StudyReport& report) {
   std::string html = report.surfaces.empty() ? "" : surfaces(report);
   if (report.basins) html += basins(*report.basins);
@@ -289,7 +325,10 @@ std::vector<Chapter> chapters(const StudyReport& report) {
   add("slip", "Force over slip", slip_chapter(report));
   add("frequencies", "Frequencies", report.modes.empty() ? "" : frequencies(report));
   add("surface", "Target surface", surface_chapter(report));
-  add("sensitivity", "Sensitivity", report.effects.empty() ? "" : effects(report));
+  add("sensitivity",
+      "Sensitivity",
+      (report.effects.empty() ? "" : effects(report)) +
+          (report.shares.empty() ? "" : shares(report)));
   add("identifiability",
       "What the data determine",
       report.identifiability ? identifiability_chapter(*report.identifiability) : "");

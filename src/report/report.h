@@ -190,6 +190,21 @@ struct EffectRow {
   int effects = 0;  // number of effects evaluated
 };
 
+/// Share of the variance that a variable causes, with its 95 % interval; 0 .. 1.
+struct ShareOfVariance {
+  std::string variable;
+  double first = 0.0, first_lower = 0.0, first_upper = 0.0;
+  double total = 0.0, total_lower = 0.0, total_upper = 0.0;
+};
+
+/// Shares of one response over the points of a design of experiments.
+struct SharesOfResponse {
+  std::string response;    // "target", "value of NAME", "target of NAME"
+  double explained = 0.0;  // share of the variance that the points explain; may be negative
+  bool is_trusted = false;
+  std::vector<ShareOfVariance> of;  // empty: the response does not vary
+};
+
 struct RunFacts {
   std::string method;  // method in words, such as "GSS", "full factorial 5 x 5"
   std::string ended;   // reason why the search ended (Run::ending), such as "at a minimum: ..."
@@ -275,6 +290,7 @@ struct StudyReport {
   std::vector<Surface> surfaces;
   std::optional<Basins> basins;
   std::vector<EffectRow> effects;
+  std::vector<SharesOfResponse> shares;
   std::optional<IdentifiabilityPage> identifiability;
   std::optional<FittedBy> fitted_by;
   std::optional<RunFacts> run;

@@ -389,6 +389,9 @@ TEST(Report, SaysWhatTheDataDetermine) {
   what.gains = {{"footprint", 20.0, "carcass"}};
   report.identifiability = what;
   report.effects = {{"carcass", 0.12, -0.05, 0.03, 10}};
+  report.shares = {{"value of radial", 0.97, true, {{"carcass", 0.6, 0.55, 0.65, 0.7, 0.6, 0.8}}},
+                   {"target", 0.41, false, {{"carcass", 0.2, 0.0, 0.9, 0.3, 0.0, 0.9}}},
+                   {"value of mass", 0.0, false, {}}};
   report.basins = Basins{"full factorial grid, 6 x 6",
                          {"matrix", "carcass"},
                          1,

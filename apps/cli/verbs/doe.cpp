@@ -19,6 +19,7 @@
 #include "correlation/doe/doe_basins.h"
 #include "correlation/doe/doe_effects.h"
 #include "correlation/doe/doe_extent.h"
+#include "correlation/doe/doe_shares.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/trial_ownership.h"
 #include "evaluation/schedule/retried_failures.h"
@@ -141,6 +142,52 @@ void print_effects(const Study& study, const StudyDesign& design, const Journal&
   }
 }
 
+void print_shares(const Study& study, const StudyDesign& design, const Journal& journal) {
+  if (!design.asks_shares) return;
+  const correlation::DoeShares found = correlation::doe_shares(study, design, journal);
+  if (!found.refusal.empty()) {
+    answer()["shares_refused"] = found.refusal;
+    say("\nNo shares of the variance: {}\n", found.refusal);
+    return;
+  }
+  say("\nSobol's indices from {} points: share of the variance that a variable causes, alone "
+      "(first) and with others (total), with 95 % intervals\n",
+      found.points);
+  for (const correlation::ResponseShares& one : found.responses) {
+    nlohmann::ordered_json told{{"response", one.response}, {"constant", one.shares.is_constant()}};
+    if (one.shares.is_constant()) {
+      say("{}: does not vary\n", one.response);
+      answer()["shares"].push_back(told);
+      continue;
+    }
+    told["explained"] = one.shares.explained;
+    told["trusted"] = one.shares.is_trusted();
+    say("{}: the points explain {:.0f} %{}\n",
+        one.response,
+        100.0 * one.shares.explained,
+        one.shares.is_trusted() ? "" : "; not to be trusted: raise points of [doe]");
+    for (int i = 0; i < study.space.size(); ++i) {
+      const auto &first = one.shares.first[i], &total = one.shares.total[i];
+      const auto in_words = [](const VarianceShare& share) {
+        return fmt::format("{:.0f} % ({:.0f} .. {:.0f})",
+                           100.0 * share.value,
+                           100.0 * share.lower,
+                           100.0 * share.upper);
+      };
+      say("  {:<16} first {:<20} total {}\n",
+          study.space[i].name,
+          in_words(first),
+          in_words(total));
+      told["variables"].push_back({{"name", study.space[i].name},
+                                   {"first", first.value},
+                                   {"first_interval", {first.lower, first.upper}},
+                                   {"total", total.value},
+                                   {"total_interval", {total.lower, total.upper}}});
+    }
+    answer()["shares"].push_back(told);
+  }
+}
+
 std::optional<Trial> first_failure(const Journal& journal) {
   std::optional<Trial> first;
   journal.for_each([&](const Trial& trial) {
@@ -219,6 +266,7 @@ int doe(const std::string& file,
   print_basins(study, design, journal);
   print_extent(study.space, points, level > 0.0 ? level : kNear * points.front().target);
   print_effects(study, design, journal);
+  print_shares(study, design, journal);
   workers_of_study.end();
   return write_report_of_run(study, study, journal, language);
 }
@@ -231,6 +279,7 @@ void add_doe(CommandLine& app, Program& program) {
   verb.footer(
       "Example:\n  latsch doe studies/tire_b_twin/study.toml --levels 5 --workers 2\n\n"
       "[doe] in the study names the design: full_factorial, latin_hypercube, sobol or morris.\n"
+      "effects = \"sobol\" there tells which share of the variance each variable causes.\n"
       "A later `latsch run` of the same study reuses what the design evaluated.");
   auto file = std::make_shared<std::string>();
   auto levels = std::make_shared<int>(0);

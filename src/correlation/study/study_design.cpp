@@ -9,6 +9,7 @@
 #include "optimization/design/full_factorial.h"
 #include "optimization/design/latin_hypercube.h"
 #include "optimization/design/sobol.h"
+#include "optimization/surrogate/variance_shares.h"
 
 namespace latsch::correlation {
 namespace {
@@ -56,7 +57,7 @@ void reject_keys_of_another(const Node& doe, const std::vector<const char*>& key
     if (!doe.has(key)) continue;
     doe.reject(key,
                "does not belong to this design; design = \"full_factorial\" has levels, "
-               "the others have points and seed");
+               "the others have points and seed, and scattered ones may have effects");
   }
 }
 
@@ -83,7 +84,7 @@ StudyDesign read_design(const Node& doe, const DesignSpace& space) {
   StudyDesign design;
   design.kind = read_kind(doe);
   if (design.kind == DesignKind::full_factorial) {
-    reject_keys_of_another(doe, {"points", "seed"});
+    reject_keys_of_another(doe, {"points", "seed", "effects"});
     design.levels = read_levels(doe, space);
     return design;
   }
@@ -96,6 +97,21 @@ StudyDesign read_design(const Node& doe, const DesignSpace& space) {
                            "\"latin_hypercube\" has no such limit",
                            space.size(),
                            kMostSobolVariables));
+  }
+  if (doe.has("effects")) {
+    doe.choice("effects", {"sobol"});
+    if (design.kind == DesignKind::morris)
+      doe.reject("effects",
+                 "is \"sobol\" beside design = \"morris\", which has effects of its own; expected "
+                 "design = \"latin_hypercube\" or \"sobol\"");
+    if (design.points < kFewestPointsOfShares)
+      doe.reject(
+          "points",
+          fmt::format("is {}, expected at least {} beside effects = \"sobol\"; about ten for "
+                      "each variable that matters",
+                      design.points,
+                      kFewestPointsOfShares));
+    design.asks_shares = true;
   }
   if (design.kind == DesignKind::morris && trajectories(design, space) < kFewestTrajectories) {
     doe.reject("points",

@@ -23,6 +23,7 @@ struct StudyDesign {
   std::vector<int> levels = {};
   int points = 0;  // used by the other designs
   std::uint64_t seed = 0;
+  bool asks_shares = false;  // shares of the variance are computed from the points (doe_shares.h)
 
   /// Returns the name of the design in words, such as "maximin Latin hypercube".
   std::string name() const;

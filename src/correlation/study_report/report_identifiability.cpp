@@ -10,6 +10,7 @@
 #include "correlation/analysis/missed_values.h"
 #include "correlation/doe/doe_basins.h"
 #include "correlation/doe/doe_effects.h"
+#include "correlation/doe/doe_shares.h"
 #include "correlation/target/predictions.h"
 #include "correlation/target/residuals.h"
 
@@ -143,6 +144,28 @@ std::optional<report::Basins> basins_of(const Study& study, const std::vector<Ra
     page.rows.push_back(std::move(row));
   }
   return page;
+}
+
+std::vector<report::SharesOfResponse> shares_of(const Study& study, const Journal& journal) {
+  if (!study.doe || !study.doe->asks_shares) return {};
+  std::vector<report::SharesOfResponse> all;
+  for (const ResponseShares& one : doe_shares(study, *study.doe, journal).responses) {
+    report::SharesOfResponse& page = all.emplace_back();
+    page.response = one.response;
+    page.explained = one.shares.explained;
+    page.is_trusted = one.shares.is_trusted();
+    for (std::size_t i = 0; i < one.shares.first.size(); ++i) {
+      const VarianceShare &first = one.shares.first[i], &total = one.shares.total[i];
+      page.of.push_back({study.space[static_cast<int>(i)].name,
+                         first.value,
+                         first.lower,
+                         first.upper,
+                         total.value,
+                         total.lower,
+                         total.upper});
+    }
+  }
+  return all;
 }
 
 std::vector<report::EffectRow> effects_of(const Study& study,

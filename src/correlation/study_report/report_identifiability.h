@@ -25,4 +25,7 @@ std::optional<report::Basins> basins_of(const Study& study, const std::vector<Ra
 std::vector<report::EffectRow> effects_of(const Study& study,
                                           const std::vector<RatedTrial>& trials);
 
+/// Returns the shares of the variance if the study's design asks for them; otherwise an empty list.
+std::vector<report::SharesOfResponse> shares_of(const Study& study, const Journal& journal);
+
 }  // namespace latsch::correlation

@@ -275,6 +275,7 @@ Result<StudyReport> study_report(const Study& study,
   page.surfaces = doe_surfaces(study, rated, best->point);
   page.basins = basins_of(study, rated);
   page.effects = effects_of(study, rated);
+  page.shares = shares_of(study, journal);
   if (what) page.identifiability = identifiability_page(study, *what, bands);
   return page;
 }

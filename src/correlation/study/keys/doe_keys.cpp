@@ -28,6 +28,13 @@ The design of experiments of a study: the points that `latsch doe` evaluates bef
                "",
                "2 to 100000, of a Latin hypercube fewer"},
               {"seed", "Number that selects the points."},
+              {"effects",
+               "\"sobol\" computes which share of the variance of the target and of each "
+               "experiment "
+               "a variable causes, alone (first) and with others (total), from the points of a "
+               "Latin hypercube or a Sobol sequence: Sobol's indices. How much of the variance the "
+               "points explain is told beside them; below 80 % the shares are not to be trusted.",
+               "none"},
           },
       .samples =
           {
@@ -40,6 +47,7 @@ levels_of = {radial = 1}
 design = "latin_hypercube"
 points = 40
 seed = 0
+effects = "sobol"
 )toml",
               R"toml([doe]
 design = "morris"
