@@ -91,7 +91,6 @@ RandomSet random_set(const Size& size, std::uint64_t number) {
 CoefficientSelection selected(const RandomSet& set,
                               SelectionProblem problem,
                               const SelectionOptions& options) {
-  problem.traits.curves.clear();
   problem.recordings = set.recordings;
   CoefficientSelection selection(std::move(problem), options);
   while (!selection.wanted().empty()) {
@@ -117,7 +116,7 @@ SelectionProblem problem_of(const RandomSet& set) {
 /// Sums over sets.
 struct Counts {
   int sets = 0, felt = 0, missed = 0, wrong = 0, refits = 0, most_refits = 0, most_missed = 0,
-      most_wrong = 0;
+      most_wrong = 0, limited = 0;
   double noisy_ratio = 0.0, exact_ratio = 0.0, most_ratio = 0.0;
   // numbers of intervals, and of those that hold; as projected, and true
   long own = 0, own_projected = 0, own_true = 0;
@@ -179,6 +178,7 @@ void add_set(const RandomSet& set, const SelectionOptions& options, Counts& coun
   counts.wrong += wrong;
   counts.refits += selection.refits();
   counts.most_refits = std::max(counts.most_refits, selection.refits());
+  counts.limited += selection.ending() == SelectionEnd::refits;
   counts.most_missed = std::max(counts.most_missed, missed);
   counts.most_wrong = std::max(counts.most_wrong, wrong);
   const Eigen::VectorXd c = 2.0 * best.at.u.array() - 1.0;
@@ -242,6 +242,8 @@ void add_rows(Table& table, const std::string& name, const Counts& counts) {
             fmt::format("{:.1f}, at most {}", counts.refits / sets, counts.most_refits),
             "<= 20",
             counts.most_refits <= 20);
+  table.note(name + ": sets whose path the limit of refits ended",
+             fmt::format("{} of {}", counts.limited, counts.sets));
   table.row(name + ": prediction error over that of the true subset",
             fmt::format("{:.3f}, at most {:.3f}", counts.noisy_ratio / sets, counts.most_ratio),
             "<= 1.05",

@@ -39,7 +39,7 @@ ROOMS = {
     "formats": ["text", "recorders", "tables", "tire", "car", "road", "deck", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
-    "correlation": ["laboratory", "observable", "nuisance", "study", "target", "doe", "analysis", "posterior", "search",
+    "correlation": ["laboratory", "observable", "nuisance", "study", "target", "doe", "analysis", "posterior", "selection", "search",
                     "study_report", "rig_data", "comparison", "validation"],
     "studio": ["http", "shelf", "views"],
 }

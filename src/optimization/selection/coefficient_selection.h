@@ -73,8 +73,8 @@ struct UnitFate {
   /// Kept unit that acts most alike then, and the correlation with it; -1: none.
   int alike = -1;
   double correlation = 0.0;
-  bool tested = false;         // true if a refit without it was rated, because a bound held it
-  double tested_rise = 0.0;    // rise of -2 log L in this test
+  bool tested = false;       // true if a refit without it was rated, because a bound held it
+  double tested_rise = 0.0;  // rise of -2 log L in this test
   bool cannot_be_dropped = false;  // true: the model fails without it
 };
 
@@ -95,7 +95,16 @@ class CoefficientSelection {
   }
 
   /// Purpose of the wanted points.
-  enum class Phase { start, full_fit, dropping, testing, restarts, leaving_out, done };
+  enum class Phase {
+    start,
+    full_fit,
+    dropping,
+    testing,
+    restart_points,
+    restarts,
+    leaving_out,
+    done
+  };
   Phase phase() const { return phase_; }
 
   /// Returns the reason if no selection is possible.
@@ -114,6 +123,8 @@ class CoefficientSelection {
   int refits() const { return refits_; }
   /// The rows of the fits, with the noise that was estimated.
   const SelectionRows& rows() const { return *rows_; }
+  /// Returns the variables that a model fits, ascending.
+  std::vector<int> free_variables(const SelectedModel& model) const { return free_of(model.units); }
   /// Returns the confidence of a model's variables, as if the model had been known before.
   Confidence confidence_of(const SelectedModel& model) const;
 
@@ -143,6 +154,7 @@ class CoefficientSelection {
   void begin_tests(const std::vector<int>& units);
   void tests_done();
   void begin_restarts();
+  void restart_points_observed(const std::vector<Result<Evaluated>>& evaluated);
   void restarts_done();
   void begin_leaving_out();
   void leaving_out_done();
@@ -159,6 +171,7 @@ class CoefficientSelection {
   std::vector<Eigen::VectorXd> wanted_;
   std::vector<Running> running_;
   std::vector<std::size_t> asked_;  // indices in running_ of the wanted points
+  std::vector<std::size_t> restarted_;  // models of the path that are fitted once more
   std::optional<SelectionRows> rows_;
   Linearization raw_start_;  // residuals and slopes at the start
   bool noise_taken_ = false;

@@ -25,7 +25,8 @@ SelectionRows::SelectionRows(const SelectionProblem& problem, const Linearizatio
   const auto counts = [&](Eigen::Index row) {
     if (!std::isfinite(start.r[row]) || !start.J.row(row).allFinite()) return false;
     if (problem.recordings.empty() || problem.fitted.empty()) return true;
-    const int own = problem.recordings[static_cast<std::size_t>(row)];
+    int own = problem.recordings[static_cast<std::size_t>(row)];
+    if (own < -1) own = -2 - own;
     return own < 0 || std::find(problem.fitted.begin(), problem.fitted.end(), own) !=
                           problem.fitted.end();
   };

@@ -27,9 +27,11 @@ struct SelectionProblem {
   std::vector<int> free = {};           // variables that may move, ascending; empty: all
   std::optional<double> sigma = {};     // deviation of a residual, if the noise is stated
   ResidualTraits traits = {};           // of all residuals
-  /// Recording of each residual; < 0: a prior, which counts as no value. Empty: one recording.
+  /// Recording of each residual; -1: a prior, which counts as no value; -2 - k: a prior that
+  /// belongs to recording k. Empty: one recording.
   std::vector<int> recordings = {};
-  std::vector<int> fitted = {};  // recordings that are fitted; empty: all
+  std::vector<int> fitted = {};   // recordings that are fitted; empty: all
+  Eigen::VectorXd restart = {};   // where the best models are fitted once more; empty: `start`
 };
 
 class SelectionRows {
