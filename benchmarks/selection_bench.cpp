@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Choice of the coefficients that values carry, on random linear models with a known answer.
 //
-// 180 candidates in groups of four, whose columns are correlated by 0.5; 40 are true, with sizes of 4
-// to 40 standard deviations of the fit of all candidates. Twelve recordings of 60 values with
+// 180 candidates are in groups of four, whose columns are correlated by 0.5; 40 are true, of sizes
+// of 4 to 40 standard deviations of the fit of all candidates. Twelve recordings of 60 values with
 // Gaussian noise of unknown size are fitted, and twelve more are predicted. A true coefficient is
 // felt if it is larger than five deviations. Each row is the mean over the sets. The sets of the
 // reserve were not looked at while constants were chosen.
@@ -26,8 +26,8 @@
 namespace latsch::benchmarks {
 namespace {
 
-constexpr double kNoise = 0.2;       // deviation of a value
-constexpr double kFelt = 5.0;        // deviations
+constexpr double kNoise = 0.2;                 // deviation of a value
+constexpr double kFelt = 5.0;                  // deviations
 constexpr double kFewest = 4.0, kMost = 40.0;  // sizes of true coefficients, in deviations
 
 struct Size {
@@ -70,9 +70,9 @@ RandomSet random_set(const Size& size, std::uint64_t number) {
   RandomSet set;
   set.X = grouped_columns(size.rows(), size.candidates, random);
   set.X_new = grouped_columns(size.rows(), size.candidates, random);
-  const Eigen::MatrixXd inverse = numerics::PivotedCholesky(set.X.transpose() * set.X)
-                                      .solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(
-                                          size.candidates, size.candidates)));
+  const Eigen::MatrixXd inverse =
+      numerics::PivotedCholesky(set.X.transpose() * set.X)
+          .solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(size.candidates, size.candidates)));
   set.deviations = kNoise * inverse.diagonal().cwiseSqrt();
   set.b = Eigen::VectorXd::Zero(size.candidates);
   for (int count = 0; count < size.truths;) {
@@ -153,9 +153,8 @@ void count_intervals(const RandomSet& set,
 std::vector<int> rows_of(const RandomSet& set, const std::vector<int>& recordings) {
   std::vector<int> rows;
   for (std::size_t row = 0; row < set.recordings.size(); ++row)
-    if (recordings.empty() || std::find(recordings.begin(),
-                                        recordings.end(),
-                                        set.recordings[row]) != recordings.end())
+    if (recordings.empty() ||
+        std::find(recordings.begin(), recordings.end(), set.recordings[row]) != recordings.end())
       rows.push_back(static_cast<int>(row));
   return rows;
 }
@@ -230,10 +229,11 @@ double share(long part, long all) {
 void add_rows(Table& table, const std::string& name, const Counts& counts) {
   const double sets = counts.sets;
   const double missed = counts.missed / sets, wrong = counts.wrong / sets;
-  table.row(name + ": felt coefficients missed",
-            fmt::format("{:.2f} of {:.1f}, at most {}", missed, counts.felt / sets, counts.most_missed),
-            "<= 2",
-            missed <= 2.0);
+  table.row(
+      name + ": felt coefficients missed",
+      fmt::format("{:.2f} of {:.1f}, at most {}", missed, counts.felt / sets, counts.most_missed),
+      "<= 2",
+      missed <= 2.0);
   table.row(name + ": useless coefficients kept",
             fmt::format("{:.2f}, at most {}", wrong, counts.most_wrong),
             "<= 2",

@@ -157,8 +157,7 @@ std::string work_of(const CoefficientSelection& selection) {
 }
 
 bool moves(const Study& study, int variable) {
-  return study.free.empty() ||
-         std::binary_search(study.free.begin(), study.free.end(), variable);
+  return study.free.empty() || std::binary_search(study.free.begin(), study.free.end(), variable);
 }
 
 /// Returns the settings without candidates that the last stage of the study holds.
@@ -214,7 +213,8 @@ std::string why_no_selection(const Study& study) {
            recordings.front() +
            ": split it into several [measurement.NAME], such as one for each load, or use \"bic\"";
   if (settings.honest)
-    return "honest = true needs recordings that choose and others that are refitted, but all values "
+    return "honest = true needs recordings that choose and others that are refitted, but all "
+           "values "
            "of the study are of one, " +
            recordings.front() +
            ": split it into several [measurement.NAME], such as one for each load";
@@ -275,10 +275,8 @@ std::optional<Result<StudySelection>> select_coefficients(const Study& study,
   const std::vector<std::string> recordings = fitted_recordings(study);
   const auto [first, second] = halves(recordings.size(), settings.seed);
   if (settings.honest) problem.fitted = first;
-  StudySelection selected{settings,
-                          start,
-                          CoefficientSelection(problem,
-                                               {settings.criterion, settings.refits})};
+  StudySelection selected{
+      settings, start, CoefficientSelection(problem, {settings.criterion, settings.refits})};
   if (!run(selected.selection)) return std::nullopt;
   if (!selected.selection.status()) {
     answer.emplace(selected.selection.status().failure());
@@ -295,9 +293,10 @@ std::optional<Result<StudySelection>> select_coefficients(const Study& study,
     selected.refitted = chosen_names(recordings, second);
     if (!run(*selected.refit)) return std::nullopt;
     if (!selected.refit->status()) {
-      answer.emplace(Failure{"the chosen variables cannot be fitted to the other half of the "
-                             "recordings: " +
-                             selected.refit->status().failure().reason});
+      answer.emplace(
+          Failure{"the chosen variables cannot be fitted to the other half of the "
+                  "recordings: " +
+                  selected.refit->status().failure().reason});
       return answer;
     }
   }
@@ -313,8 +312,7 @@ std::vector<std::optional<HoldingRecording>> holding_recordings(const Study& stu
   const double s =
       counted.noise_known
           ? 1.0
-          : std::sqrt(full.at.sum_of_squares() /
-                      std::max(1.0, counted.values - full.coefficients));
+          : std::sqrt(full.at.sum_of_squares() / std::max(1.0, counted.values - full.coefficients));
   const std::vector<int> recordings = selected.selection.rows().recordings();
   const std::vector<int> free = selected.selection.free_variables(full);
   const Eigen::MatrixXd J = full.at.J(Eigen::all, free) / s;
@@ -322,8 +320,8 @@ std::vector<std::optional<HoldingRecording>> holding_recordings(const Study& stu
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < selected.choosing.size(); ++k) {
     const auto names = fitted_recordings(study);
-    const auto own = static_cast<int>(
-        std::find(names.begin(), names.end(), selected.choosing[k]) - names.begin());
+    const auto own = static_cast<int>(std::find(names.begin(), names.end(), selected.choosing[k]) -
+                                      names.begin());
     std::vector<int> rows;
     for (std::size_t row = 0; row < recordings.size(); ++row)
       if (recordings[row] == own) rows.push_back(static_cast<int>(row));
@@ -333,7 +331,7 @@ std::vector<std::optional<HoldingRecording>> holding_recordings(const Study& stu
   std::vector<std::optional<HoldingRecording>> holding;
   for (const SelectionUnit& unit : selected.settings.units) {
     holding.emplace_back();
-    Eigen::Index place = -1;  // of the least known variable of the unit
+    Eigen::Index place = -1;  // place of the least known variable of the unit
     for (const int i : unit.variables) {
       const auto at = std::find(free.begin(), free.end(), i) - free.begin();
       if (at < std::ssize(free) && (place < 0 || before[at] > before[place])) place = at;

@@ -28,7 +28,7 @@ namespace latsch::correlation {
 /// The choice of a study's variables.
 struct StudySelection {
   SelectionSettings settings;
-  DesignPoint start;  // where the fits began
+  DesignPoint start;  // start of the fits
   CoefficientSelection selection;
   /// Fit of the chosen variables to the other half of the recordings; nullopt unless asked for.
   std::optional<CoefficientSelection> refit = {};
@@ -38,9 +38,7 @@ struct StudySelection {
 
   const SelectedModel& chosen() const { return selection.path()[selection.best()]; }
   /// Returns the model whose values and intervals are reported: of the refit, or the chosen one.
-  const SelectedModel& reported() const {
-    return refit ? refit->path().front() : chosen();
-  }
+  const SelectedModel& reported() const { return refit ? refit->path().front() : chosen(); }
   /// Returns the intervals of all variables in the unit cube; those of held ones have no width.
   Confidence intervals() const {
     return refit ? refit->confidence_of(reported()) : selection.confidence_of(chosen());

@@ -81,9 +81,9 @@ struct Study {
   /// Constraints on channels; linear constraints belong to `space`.
   std::vector<ChannelConstraint> constraints = {};
 
-  Laboratory laboratory = {};                 // every [measurement.NAME], for their ledgers
-  StartSettings start = {};                   // start of the search
-  PosteriorSettings posterior = {};           // for latsch sample
+  Laboratory laboratory = {};        // every [measurement.NAME], for their ledgers
+  StartSettings start = {};          // start of the search
+  PosteriorSettings posterior = {};  // for latsch sample
   /// for latsch select; nullopt: the study does not state it
   std::optional<SelectionSettings> selection = {};
   std::vector<StageSettings> stages = {};     // empty: one run, as [optimizer] says

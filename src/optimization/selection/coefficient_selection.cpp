@@ -64,12 +64,7 @@ Eigen::VectorXd CoefficientSelection::dropped_from(Eigen::VectorXd u,
 
 BroydenFitOptions CoefficientSelection::fit_options(const Linearization& at,
                                                     std::size_t variables) const {
-  const double variance =
-      rows_->counted().noise_known
-          ? 1.0
-          : rows_->without_prior(path_.empty() ? at : present_).sum_of_squares() /
-                rows_->counted().values;
-  return {.tolerance = kToleranceOfASelection * variance,
+  return {.tolerance = kToleranceOfASelection * rows_->variance(),
           .most_evaluations =
               kEvaluationsOfASelection + (at.is_exact ? 0 : 2 * static_cast<int>(variables))};
 }
@@ -99,10 +94,8 @@ void CoefficientSelection::start_observed(const std::vector<Result<Evaluated>>& 
     for (std::size_t k = 0; k < problem_.free.size(); ++k) {
       const int i = problem_.free[k];
       if (!evaluated[k + 1])
-        return fail("beside the start the evaluation failed: " +
-                    evaluated[k + 1].failure().reason);
-      raw_start_.J.col(i) =
-          (evaluated[k + 1]->r - r) / (wanted_[k + 1][i] - problem_.start[i]);
+        return fail("beside the start the evaluation failed: " + evaluated[k + 1].failure().reason);
+      raw_start_.J.col(i) = (evaluated[k + 1]->r - r) / (wanted_[k + 1][i] - problem_.start[i]);
     }
   }
   rows_.emplace(problem_, raw_start_);
@@ -121,7 +114,18 @@ void CoefficientSelection::begin_full_fit() {
   const std::vector<int> free = free_of(all);
   BroydenFitOptions options = fit_options(from, free.size());
   if (!from.is_exact && !noise_taken_) options.refresh = free;
-  running_ = {{BroydenFit(from, free, options), all, {}}};
+  running_.clear();
+  run(BroydenFit(from, free, options), all, {});
+}
+
+/// Begins a fit of the units that are kept.
+CoefficientSelection::Running& CoefficientSelection::run(BroydenFit fit,
+                                                         const std::vector<int>& units,
+                                                         const std::vector<int>& dropped) {
+  const int most = fit_options(fit.best(), free_of(units).size()).most_evaluations;
+  running_.push_back({std::move(fit), units, dropped});
+  running_.back().most_evaluations = most;
+  return running_.back();
 }
 
 void CoefficientSelection::running_observed(const std::vector<Result<Evaluated>>& evaluated) {
@@ -146,8 +150,7 @@ void CoefficientSelection::ask() {
     wanted_.clear();
     asked_.clear();
     if (phase_ == Phase::restart_points) {
-      const Eigen::VectorXd& from =
-          problem_.restart.size() > 0 ? problem_.restart : problem_.start;
+      const Eigen::VectorXd& from = problem_.restart.size() > 0 ? problem_.restart : problem_.start;
       for (const std::size_t k : restarted_) wanted_.push_back(dropped_from(from, path_[k].units));
       return;
     }
@@ -222,7 +225,8 @@ SelectedModel CoefficientSelection::rated(const Running& running) const {
   model.minus_two_log = minus_two_log_likelihood(model.at.sum_of_squares(), rows_->counted());
   model.bic = latsch::bic(model.minus_two_log, model.coefficients, rows_->counted());
   model.aicc = latsch::aicc(model.minus_two_log, model.coefficients, rows_->counted());
-  model.converged = running.fit.converged();
+  model.converged = running.fit.fitted() && running.fit.evaluations() < running.most_evaluations;
+  model.is_flat = !running.fit.converged();
   return model;
 }
 

@@ -5,13 +5,15 @@
 //   1. All candidates are fitted, with a weak prior of a range for each (selection_rows.h). The
 //      noise that neighbors share is estimated there.
 //   2. Rounds. The fit's own covariance tells how much -2 log L rises if a set is dropped
-//      (drop_set.h): the largest set whose rise stays below 2 a coefficient is dropped, or the
-//      single unit with the least rise, and all others are refitted. If a set costs more than twice
-//      that, because residuals are not linear, half of it is dropped instead. The models form a
-//      path that ends 60 BIC above its least.
+//      (drop_set.h): the largest set whose rise stays below 2 a coefficient is dropped. If none
+//      does, the set that should lower BIC most is dropped, or the single unit with the least rise.
+//      All others are refitted. If a set costs more than twice as much as expected, because
+//      residuals are not linear, half of it is dropped instead. The models form a path that ends 60
+//      BIC above its least.
 //   3. A bound that holds a candidate makes its covariance meaningless. Such candidates are tested,
 //      before candidates are dropped one by one, by a refit without each; the best is adopted if
 //      the criterion falls.
+//      A model that a smaller one overtakes was not at its minimum, and is fitted anew from there.
 //   4. The best three models are refitted from the start, too: a fit that ended in another minimum
 //      is replaced.
 //   5. With the criterion cross_validation, each recording is left out in turn from every model.
@@ -20,9 +22,9 @@
 // values do not tell apart [Burnham, Anderson, Model Selection and Multimodel Inference, 2002, ch.
 // 2.6].
 //
-// Limits: a dropped candidate is never taken up again. The intervals of the chosen model do not know
-// that the same values chose it: they are too narrow for coefficients that were nearly dropped,
-// unless other values than those of the choice determine them.
+// Limits: a dropped candidate is never taken up again. The intervals of the chosen model do not
+// know that the same values chose it: they are too narrow for coefficients that were nearly
+// dropped, unless other values than those of the choice determine them.
 //
 // Ask and tell, in rounds, like Identification. If evaluations return slopes, these are used.
 #pragma once
@@ -48,19 +50,22 @@ struct SelectionOptions {
 
 /// One model of the path.
 struct SelectedModel {
-  std::vector<int> units;       // units that are kept, ascending
-  std::vector<int> dropped;     // units that this model lacks and the one before has
-  int round = 0;                // 0: all candidates
-  int coefficients = 0;         // number of variables that are fitted
-  Linearization at;             // whitened, without the rows of the weak prior
-  double expected_rise = 0.0;   // rise of -2 log L that the covariance predicted
-  double minus_two_log = 0.0;   // -2 log L up to a constant
+  std::vector<int> units;      // units that are kept, ascending
+  std::vector<int> dropped;    // units that this model lacks and the one before has
+  int round = 0;               // 0: all candidates
+  int coefficients = 0;        // number of variables that are fitted
+  Linearization at;            // whitened, without the rows of the weak prior
+  double expected_rise = 0.0;  // rise of -2 log L that the covariance predicted
+  double minus_two_log = 0.0;  // -2 log L up to a constant
   double bic = 0.0;
   double aicc = 0.0;
   /// Sum of squares of the residuals of recordings left out; NaN if it is not known.
   double left_out = std::numeric_limits<double>::quiet_NaN();
-  bool converged = false;
-  bool is_from_start = false;   // true: the fit from the start values was the better one
+  bool converged = false;  // false: the evaluations of its fit ran out
+  /// True if the slopes promise a gain for long steps that none of the steps tried brought, as in a
+  /// curved valley or along variables that the values hardly determine.
+  bool is_flat = false;
+  bool is_from_start = false;  // true: the fit from the start values was the better one
   /// For each of `units`, the rise that dropping it alone causes, by the covariance; NaN if a bound
   /// holds it.
   std::vector<double> rises = {};
@@ -73,8 +78,8 @@ struct UnitFate {
   /// Kept unit that acts most alike then, and the correlation with it; -1: none.
   int alike = -1;
   double correlation = 0.0;
-  bool tested = false;       // true if a refit without it was rated, because a bound held it
-  double tested_rise = 0.0;  // rise of -2 log L in this test
+  bool tested = false;             // true if a refit without it was rated, because a bound held it
+  double tested_rise = 0.0;        // rise of -2 log L in this test
   bool cannot_be_dropped = false;  // true: the model fails without it
 };
 
@@ -134,14 +139,17 @@ class CoefficientSelection {
     std::vector<int> units;
     std::vector<int> dropped;
     double expected_rise = 0.0;
-    std::size_t model = 0;               // of the path, for restarts and recordings left out
+    std::size_t model = 0;  // index in the path, for restarts and recordings left out
     std::vector<Eigen::Index> rest = {}, out = {};  // rows, if a recording is left out
     double left_out = 0.0;
+    int most_evaluations = 0;
+    bool mends = false;  // true: a larger model that a smaller one has overtaken is fitted anew
   };
 
   std::vector<int> free_of(const std::vector<int>& units) const;
   Eigen::VectorXd dropped_from(Eigen::VectorXd u, const std::vector<int>& units) const;
   BroydenFitOptions fit_options(const Linearization& at, std::size_t variables) const;
+  Running& run(BroydenFit fit, const std::vector<int>& units, const std::vector<int>& dropped);
   void start_observed(const std::vector<Result<Evaluated>>& evaluated);
   void running_observed(const std::vector<Result<Evaluated>>& evaluated);
   void ask();
@@ -151,6 +159,7 @@ class CoefficientSelection {
   void plan_round();
   void begin_drop(const std::vector<int>& units, double expected_rise);
   void drop_done();
+  void mend(const Linearization& better);
   void begin_tests(const std::vector<int>& units);
   void tests_done();
   void begin_restarts();
@@ -170,13 +179,13 @@ class CoefficientSelection {
   Status status_;
   std::vector<Eigen::VectorXd> wanted_;
   std::vector<Running> running_;
-  std::vector<std::size_t> asked_;  // indices in running_ of the wanted points
+  std::vector<std::size_t> asked_;      // indices in running_ of the wanted points
   std::vector<std::size_t> restarted_;  // models of the path that are fitted once more
   std::optional<SelectionRows> rows_;
   Linearization raw_start_;  // residuals and slopes at the start
   bool noise_taken_ = false;
   std::vector<SelectedModel> path_;
-  Linearization present_;     // the last model of the path, with the rows of the prior
+  Linearization present_;  // the last model of the path, with the rows of the prior
   std::vector<UnitFate> fates_;
   SelectionEnd ending_ = SelectionEnd::nothing_left;
   int refits_ = 0;

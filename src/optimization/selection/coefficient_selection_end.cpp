@@ -35,15 +35,13 @@ void CoefficientSelection::restart_points_observed(
     std::optional<Evaluated> rows;
     if (evaluated[k]) rows = rows_->of(wanted_[k], *evaluated[k]);
     if (!rows) continue;
-    const Eigen::MatrixXd J =
-        rows->has_slopes() ? rows->J : rows_->with_prior_rows(model.at).J;
+    const Eigen::MatrixXd J = rows->has_slopes() ? rows->J : rows_->with_prior_rows(model.at).J;
     const Linearization from{wanted_[k], rows->r, J, rows->has_slopes()};
     const std::vector<int> free = free_of(model.units);
-    running_.push_back({BroydenFit(from, free, fit_options(from, free.size())),
-                        model.units,
-                        model.dropped,
-                        model.expected_rise,
-                        restarted_[k]});
+    Running& running =
+        run(BroydenFit(from, free, fit_options(from, free.size())), model.units, model.dropped);
+    running.expected_rise = model.expected_rise;
+    running.model = restarted_[k];
   }
   ask();
 }
@@ -85,7 +83,9 @@ void CoefficientSelection::begin_leaving_out() {
       const Linearization without{
           whole.u, whole.r(fold.rest), whole.J(fold.rest, Eigen::all), whole.is_exact};
       fold.left_out = at.r(fold.out).squaredNorm();
-      fold.fit = BroydenFit(without, free, fit_options(whole, free.size()));
+      const BroydenFitOptions options = fit_options(whole, free.size());
+      fold.fit = BroydenFit(without, free, options);
+      fold.most_evaluations = options.most_evaluations;
       running_.push_back(std::move(fold));
     }
   }
@@ -95,11 +95,15 @@ void CoefficientSelection::leaving_out_done() {
   for (SelectedModel& model : path_) model.left_out = 0.0;
   for (const Running& running : running_) {
     double& sum = path_[running.model].left_out;
-    sum = running.fit.converged() ? sum + running.left_out
-                                  : std::numeric_limits<double>::quiet_NaN();
+    const bool ended = running.fit.fitted() && running.fit.evaluations() < running.most_evaluations;
+    sum = ended ? sum + running.left_out : std::numeric_limits<double>::quiet_NaN();
   }
   running_.clear();
   phase_ = Phase::done;
+  if (std::all_of(path_.begin(), path_.end(), [](const auto& m) { return std::isnan(m.left_out); }))
+    status_ = Failure{
+        "no model could be fitted without each of the recordings in turn, so nothing tells how "
+        "well one predicts: use the criterion \"bic\""};
 }
 
 double CoefficientSelection::criterion(const SelectedModel& model) const {

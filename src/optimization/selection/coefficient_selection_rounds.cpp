@@ -16,6 +16,8 @@ namespace {
 constexpr double kPastTheLeast = 60.0;
 // A set whose rise exceeds this multiple of the limit of a set is halved.
 constexpr double kTooMuch = 2.0;
+// Fall of -2 log L without candidates from which on the model with them was not at its minimum.
+constexpr double kOvertakes = 0.5;
 // Distance to a bound, as a share of the range, within which a variable counts as on the bound.
 constexpr double kAtItsBound = 1e-6;
 // A candidate counts as already dropped if it is this close to its value.
@@ -32,8 +34,8 @@ Eigen::MatrixXd covariance_of(const Linearization& at,
   const Eigen::MatrixXd J = at.J(Eigen::all, inside);
   Eigen::MatrixXd M = J.transpose() * J;
   M.diagonal().array() += kFlatCurvature * M.diagonal().maxCoeff();
-  return variance * numerics::PivotedCholesky(M).solve(
-                        Eigen::MatrixXd(Eigen::MatrixXd::Identity(k, k)));
+  return variance *
+         numerics::PivotedCholesky(M).solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(k, k)));
 }
 
 }  // namespace
@@ -99,7 +101,8 @@ void CoefficientSelection::plan_round() {
     if (fates_[static_cast<std::size_t>(unit)].cannot_be_dropped) continue;
     std::vector<int> own;
     for (const int i : problem_.units[static_cast<std::size_t>(unit)])
-      if (place[static_cast<std::size_t>(i)] >= 0) own.push_back(place[static_cast<std::size_t>(i)]);
+      if (place[static_cast<std::size_t>(i)] >= 0)
+        own.push_back(place[static_cast<std::size_t>(i)]);
     if (std::isnan(model.rises[k])) {
       held.push_back(unit);
     } else if (own.empty()) {
@@ -114,7 +117,8 @@ void CoefficientSelection::plan_round() {
   ending_ = SelectionEnd::nothing_left;
   const DropSet set = largest_drop_set((present_.u - problem_.toward)(inside),
                                        covariance_of(present_, inside, noise_variance(model)),
-                                       regular_places);
+                                       regular_places,
+                                       std::log(rows_->counted().independent));
   std::vector<int> drops = at_value;
   if (set.stays_below || at_value.empty()) {
     const bool tests_first = !set.stays_below && at_value.empty();
@@ -139,24 +143,43 @@ void CoefficientSelection::begin_drop(const std::vector<int>& units, double expe
   for (const int unit : path_.back().units)
     if (std::find(units.begin(), units.end(), unit) == units.end()) kept.push_back(unit);
   const std::vector<int> free = free_of(kept);
-  running_ = {{BroydenFit(present_,
-                          free,
-                          fit_options(present_, free.size()),
-                          dropped_from(present_.u, kept)),
-               kept,
-               units,
-               expected_rise}};
+  running_.clear();
+  run(BroydenFit(
+          present_, free, fit_options(present_, free.size()), dropped_from(present_.u, kept)),
+      kept,
+      units)
+      .expected_rise = expected_rise;
+}
+
+/// Fits the last model of the path anew, from a better point that a smaller model has found.
+void CoefficientSelection::mend(const Linearization& better) {
+  ++refits_;
+  const SelectedModel& model = path_.back();
+  const std::vector<int> free = free_of(model.units);
+  running_.clear();
+  Running& running =
+      run(BroydenFit(better, free, fit_options(better, free.size())), model.units, model.dropped);
+  running.expected_rise = model.expected_rise;
+  running.mends = true;
 }
 
 void CoefficientSelection::drop_done() {
   const Running running = running_.front();
   const std::vector<int>& dropped = running.dropped;
+  if (running.mends) {
+    path_.pop_back();
+    add_to_path(running);
+    return plan_round();
+  }
   int coefficients = 0;
   for (const int unit : dropped)
     coefficients += static_cast<int>(problem_.units[static_cast<std::size_t>(unit)].size());
   const bool fitted = running.fit.fitted();
-  const double rise = fitted ? rated(running).minus_two_log - path_.back().minus_two_log : kInfinity;
-  if (dropped.size() > 1 && rise > kTooMuch * kRiseOfADrop * coefficients) {
+  const double rise =
+      fitted ? rated(running).minus_two_log - path_.back().minus_two_log : kInfinity;
+  const double expected = std::max(kRiseOfADrop * coefficients, running.expected_rise);
+  if (rise < -kOvertakes && refits_ < options_.refits) return mend(running.fit.best());
+  if (dropped.size() > 1 && rise > kTooMuch * expected) {
     const auto half = static_cast<std::ptrdiff_t>(dropped.size() / 2);
     return begin_drop({dropped.begin(), dropped.begin() + half}, running.expected_rise);
   }
@@ -178,12 +201,10 @@ void CoefficientSelection::begin_tests(const std::vector<int>& units) {
     std::vector<int> kept = path_.back().units;
     std::erase(kept, unit);
     const std::vector<int> free = free_of(kept);
-    running_.push_back({BroydenFit(present_,
-                                   free,
-                                   fit_options(present_, free.size()),
-                                   dropped_from(present_.u, kept)),
-                        kept,
-                        {unit}});
+    run(BroydenFit(
+            present_, free, fit_options(present_, free.size()), dropped_from(present_.u, kept)),
+        kept,
+        {unit});
   }
   if (!running_.empty()) return;
   ending_ = SelectionEnd::refits;

@@ -39,8 +39,7 @@ CoefficientSelection answered_selection(SelectionProblem problem,
       if (r.size() == 0)
         outcomes.emplace_back(Failure{"no value"});
       else
-        outcomes.emplace_back(
-            Evaluated(r, with_slopes ? slopes_of(model, u) : Eigen::MatrixXd()));
+        outcomes.emplace_back(Evaluated(r, with_slopes ? slopes_of(model, u) : Eigen::MatrixXd()));
       if (selection.is_enough(outcomes.front())) break;
     }
     selection.observe(outcomes);
@@ -89,9 +88,8 @@ SelectionModel decays(const Eigen::VectorXd& y) {
     Eigen::VectorXd r(y.size());
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       const double t = 0.1 * static_cast<double>(i), x = 0.3 * t;
-      r[i] = 4.0 * u[0] * std::exp(-3.0 * u[1] * t) + 2.0 * (u[2] - 0.5) +
-             2.0 * (u[3] - 0.5) * x + 2.0 * (u[4] - 0.5) * x * x +
-             2.0 * (u[5] - 0.5) * std::sin(2.0 * t) - y[i];
+      r[i] = 4.0 * u[0] * std::exp(-3.0 * u[1] * t) + 2.0 * (u[2] - 0.5) + 2.0 * (u[3] - 0.5) * x +
+             2.0 * (u[4] - 0.5) * x * x + 2.0 * (u[5] - 0.5) * std::sin(2.0 * t) - y[i];
     }
     return r;
   };
@@ -118,7 +116,8 @@ TEST(CoefficientSelection, DifferencesChooseAsSlopesDo) {
     const auto exact = answered_selection(decay_problem(), model, true);
     const auto differences = answered_selection(decay_problem(), model, false);
     ASSERT_TRUE(exact.status().ok() && differences.status().ok());
-    const SelectedModel &a = exact.path()[exact.best()], &b = differences.path()[differences.best()];
+    const SelectedModel &a = exact.path()[exact.best()],
+                        &b = differences.path()[differences.best()];
     EXPECT_EQ(a.units, b.units) << draw;
     EXPECT_EQ(a.units.back(), 3) << draw;  // the sine is true
     EXPECT_NEAR(a.bic, b.bic, 0.1) << draw;
@@ -243,8 +242,8 @@ TEST(CoefficientSelection, LeavesOutWholeRecordings) {
   problem.recordings = recordings;
   const auto by_bic = answered_selection(problem, model);
   EXPECT_EQ(by_bic.path()[by_bic.best()].units, (std::vector<int>{0, 1}));
-  const auto by_recordings = answered_selection(
-      problem, model, true, {.criterion = SelectionCriterion::cross_validation});
+  const auto by_recordings =
+      answered_selection(problem, model, true, {.criterion = SelectionCriterion::cross_validation});
   // the offset of a recording that is left out is not known, so it predicts nothing; without
   // its column the slope is kept alone or both predict alike
   const SelectedModel& both = by_recordings.path()[0];
@@ -254,10 +253,8 @@ TEST(CoefficientSelection, LeavesOutWholeRecordings) {
 
 TEST(CoefficientSelection, MoreVariablesThanValuesNeedStatedNoise) {
   const Eigen::MatrixXd X = orthogonal_columns(5, 5);
-  const auto selection =
-      answered_selection(problem_from_the_middle(5), [&](const Eigen::VectorXd& u) {
-        return Eigen::VectorXd(X * u);
-      });
+  const auto selection = answered_selection(
+      problem_from_the_middle(5), [&](const Eigen::VectorXd& u) { return Eigen::VectorXd(X * u); });
   EXPECT_FALSE(selection.status().ok());
   EXPECT_NE(selection.status().failure().reason.find("state the noise"), std::string::npos);
 }
@@ -274,8 +271,7 @@ TEST(CoefficientSelection, AnExactFitIsNoGroundForAChoice) {
 TEST(CoefficientSelection, TheLimitOfRefitsIsTold) {
   SelectionOptions options;
   options.refits = 1;
-  const auto selection =
-      answered_selection(decay_problem(), decays(noisy_decay(1)), true, options);
+  const auto selection = answered_selection(decay_problem(), decays(noisy_decay(1)), true, options);
   EXPECT_EQ(selection.refits(), 1);
   EXPECT_EQ(selection.ending(), SelectionEnd::refits);
 }

@@ -28,7 +28,8 @@ std::vector<double> single_rises(const Eigen::VectorXd& b,
 
 DropSet largest_drop_set(const Eigen::VectorXd& b,
                          const Eigen::MatrixXd& C,
-                         const std::vector<std::vector<int>>& units) {
+                         const std::vector<std::vector<int>>& units,
+                         double price) {
   DropSet best;
   if (units.empty()) return best;
   const std::vector<double> rises = single_rises(b, C, units);
@@ -50,14 +51,17 @@ DropSet largest_drop_set(const Eigen::VectorXd& b,
   const numerics::Cholesky factors(C(coefficients, coefficients));
   if (!factors.is_positive_definite()) return best;
   const Eigen::VectorXd z = factors.solve_lower(Eigen::VectorXd(b(coefficients)));
-  double rise = 0.0;
+  double rise = 0.0, least = 0.0;
   Eigen::Index count = 0;
   for (std::size_t j = 0; j < order.size(); ++j) {
     const auto own = std::ssize(units[static_cast<std::size_t>(order[j])]);
     rise += z.segment(count, own).squaredNorm();
     count += own;
-    if (!(rise < kRiseOfADrop * static_cast<double>(count))) continue;
-    best = {{order.begin(), order.begin() + static_cast<std::ptrdiff_t>(j) + 1}, rise, true};
+    const bool below = rise < kRiseOfADrop * static_cast<double>(count);
+    const double change = rise - price * static_cast<double>(count);
+    if (!below && (best.stays_below || !(change < least))) continue;
+    least = std::min(least, change);
+    best = {{order.begin(), order.begin() + static_cast<std::ptrdiff_t>(j) + 1}, rise, below};
   }
   return best;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which coefficients a fit could do without, by its own covariance.
+// Finds the coefficients that a fit could do without, by its own covariance.
 //
 // A fit has found coefficients that differ by b from the values that they have if they are dropped.
 // C is their covariance. Dropping the set D, and refitting all others, raises -2 log L by
@@ -19,17 +19,15 @@
 
 namespace latsch {
 
-/// Rise of -2 log L for each coefficient up to which a set is dropped at once. A useless coefficient
-/// has 1 on average. A larger value drops more at a time and may drop useful ones with them.
+/// Rise of -2 log L for each coefficient up to which a set is dropped at once. A useless one has 1
+/// on average. A larger value drops more at a time and may drop useful ones with them.
 constexpr double kRiseOfADrop = 2.0;
 
 /// The units that should be dropped next.
 struct DropSet {
-  std::vector<int> units;  // indices of the units, by rising single rise
-  double rise = 0.0;       // rise that dropping them together causes
-  /// True if the rise stays below kRiseOfADrop for each coefficient; false: the single unit with
-  /// the least rise, because no set stays below.
-  bool stays_below = false;
+  std::vector<int> units;    // indices of the units, by rising single rise
+  double rise = 0.0;         // rise that dropping them together causes
+  bool stays_below = false;  // true: the rise stays below kRiseOfADrop for each coefficient
 };
 
 /// Returns for each unit the rise that dropping it alone causes. A unit is a list of indices of
@@ -39,9 +37,12 @@ std::vector<double> single_rises(const Eigen::VectorXd& b,
                                  const std::vector<std::vector<int>>& units);
 
 /// Returns the largest of the nested sets with at most a third of the units, but at least one,
-/// whose rise stays below kRiseOfADrop for each coefficient. Empty without units.
+/// whose rise stays below kRiseOfADrop for each coefficient. If none does, it returns the set that
+/// lowers the rise less `price` for each coefficient most, such as BIC with a price of ln m, or, if
+/// none lowers it, the single unit with the least rise. Empty without units.
 DropSet largest_drop_set(const Eigen::VectorXd& b,
                          const Eigen::MatrixXd& C,
-                         const std::vector<std::vector<int>>& units);
+                         const std::vector<std::vector<int>>& units,
+                         double price);
 
 }  // namespace latsch

@@ -54,7 +54,7 @@ TEST(DropSet, TheRiseIsThatOfTheSumOfSquaresOfALinearRefit) {
   const auto rises = single_rises(fit.b, fit.C, singles(9));
   for (int j = 0; j < 9; ++j)
     EXPECT_NEAR(rises[j], fit.least_squares_without({j}) - least, 1e-9 * least);
-  const DropSet set = largest_drop_set(fit.b, fit.C, singles(9));
+  const DropSet set = largest_drop_set(fit.b, fit.C, singles(9), 0.0);
   EXPECT_NEAR(set.rise, fit.least_squares_without(set.units) - least, 1e-9 * least);
 }
 
@@ -70,7 +70,7 @@ TEST(DropSet, CoefficientsThatActAlikeAreRatedTogether) {
 
 TEST(DropSet, HoldsAtMostAThirdAndIsTheLargestThatStaysBelow) {
   const LinearFit fit = linear_fit_at_random();
-  const DropSet set = largest_drop_set(fit.b, fit.C, singles(9));
+  const DropSet set = largest_drop_set(fit.b, fit.C, singles(9), 0.0);
   ASSERT_TRUE(set.stays_below);
   EXPECT_LE(set.units.size(), 3u);
   EXPECT_LT(set.rise, kRiseOfADrop * static_cast<double>(set.units.size()));
@@ -79,16 +79,26 @@ TEST(DropSet, HoldsAtMostAThirdAndIsTheLargestThatStaysBelow) {
 // With C = 1 the rises are b^2.
 TEST(DropSet, WithoutASetBelowTheLimitTheLeastUnitIsNamed) {
   const Eigen::VectorXd b = (Eigen::VectorXd(6) << 3, 2, 5, 4, 6, 7).finished();
-  const DropSet set = largest_drop_set(b, Eigen::MatrixXd::Identity(6, 6), singles(6));
+  const DropSet set = largest_drop_set(b, Eigen::MatrixXd::Identity(6, 6), singles(6), 0.0);
   EXPECT_FALSE(set.stays_below);
   EXPECT_EQ(set.units, std::vector<int>{1});
   EXPECT_DOUBLE_EQ(set.rise, 4.0);
 }
 
+// With C = 1 and a price of 20, each of the units with b^2 of 4, 9 and 16 lowers the criterion, but
+// a third of six units is two.
+TEST(DropSet, WithoutASetBelowTheLimitTheCriterionDecides) {
+  const Eigen::VectorXd b = (Eigen::VectorXd(6) << 3, 2, 5, 4, 6, 7).finished();
+  const DropSet set = largest_drop_set(b, Eigen::MatrixXd::Identity(6, 6), singles(6), 20.0);
+  EXPECT_FALSE(set.stays_below);
+  EXPECT_EQ(set.units, (std::vector<int>{1, 0}));
+  EXPECT_DOUBLE_EQ(set.rise, 13.0);
+}
+
 TEST(DropSet, AUnitOfSeveralCoefficientsMayRiseByTwoForEach) {
   const Eigen::VectorXd b = (Eigen::VectorXd(6) << 1.3, 1.3, 5, 4, 6, 7).finished();
   const DropSet set =
-      largest_drop_set(b, Eigen::MatrixXd::Identity(6, 6), {{0, 1}, {2}, {3}, {4, 5}});
+      largest_drop_set(b, Eigen::MatrixXd::Identity(6, 6), {{0, 1}, {2}, {3}, {4, 5}}, 0.0);
   EXPECT_TRUE(set.stays_below);
   EXPECT_EQ(set.units, std::vector<int>{0});
   EXPECT_NEAR(set.rise, 2.0 * 1.69, 1e-12);

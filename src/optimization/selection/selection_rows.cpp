@@ -27,8 +27,8 @@ SelectionRows::SelectionRows(const SelectionProblem& problem, const Linearizatio
     if (problem.recordings.empty() || problem.fitted.empty()) return true;
     int own = problem.recordings[static_cast<std::size_t>(row)];
     if (own < -1) own = -2 - own;
-    return own < 0 || std::find(problem.fitted.begin(), problem.fitted.end(), own) !=
-                          problem.fitted.end();
+    return own < 0 ||
+           std::find(problem.fitted.begin(), problem.fitted.end(), own) != problem.fitted.end();
   };
   for (Eigen::Index row = 0; row < start.r.size(); ++row)
     if (counts(row)) rows_.push_back(row);
@@ -53,6 +53,10 @@ SelectionRows::SelectionRows(const SelectionProblem& problem, const Linearizatio
                     {.solved = traits_.solved})
           .sigma();
   prior_scale_ = kOfARange * (problem.sigma ? 1.0 : spread);
+}
+
+double SelectionRows::variance() const {
+  return counted_.noise_known ? 1.0 : std::pow(prior_scale_ / kOfARange, 2);
 }
 
 bool SelectionRows::is_determined() const { return std::isfinite(prior_scale_); }
@@ -80,9 +84,8 @@ Linearization SelectionRows::take_noise(const Linearization& fit) {
 std::vector<int> SelectionRows::recordings() const {
   std::vector<int> own;
   for (const Eigen::Index row : rows_)
-    own.push_back(problem_.recordings.empty()
-                      ? 0
-                      : problem_.recordings[static_cast<std::size_t>(row)]);
+    own.push_back(problem_.recordings.empty() ? 0
+                                              : problem_.recordings[static_cast<std::size_t>(row)]);
   return own;
 }
 

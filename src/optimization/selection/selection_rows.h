@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of residuals that a selection of coefficients fits: those that count, whitened, and below
-// them one row of a weak prior for each candidate,
+// The rows of residuals that a selection of coefficients fits: those that count, whitened, and one
+// row of a weak prior for each candidate,
 //   s sqrt(12) (u_i - toward_i)
 // which counts a coefficient that no value depends on as known to its range and no better. Without
 // these rows the first fit, with all candidates, may have no unique solution.
 //
-// The noise is estimated once, at the fit with all candidates (residual_noise.h), and held from then
-// on, so that all models are rated by the same likelihood. Until then only the deviations of the
+// The noise is estimated once, at the fit with all candidates (residual_noise.h), and then held, so
+// that all models are rated by the same likelihood. Until then only the deviations of the
 // residuals are divided out.
 #pragma once
 
@@ -19,19 +19,19 @@
 
 namespace latsch {
 
-/// What is selected, and from which residuals.
+/// The candidates of a selection, and the residuals that decide.
 struct SelectionProblem {
   Eigen::VectorXd start;                // n: where the fits begin, in the unit cube
   Eigen::VectorXd toward;               // n: value of a dropped candidate; others are not read
   std::vector<std::vector<int>> units;  // candidates: variables that are dropped together
   std::vector<int> free = {};           // variables that may move, ascending; empty: all
   std::optional<double> sigma = {};     // deviation of a residual, if the noise is stated
-  ResidualTraits traits = {};           // of all residuals
+  ResidualTraits traits = {};           // traits of all residuals
   /// Recording of each residual; -1: a prior, which counts as no value; -2 - k: a prior that
   /// belongs to recording k. Empty: one recording.
   std::vector<int> recordings = {};
-  std::vector<int> fitted = {};   // recordings that are fitted; empty: all
-  Eigen::VectorXd restart = {};   // where the best models are fitted once more; empty: `start`
+  std::vector<int> fitted = {};  // recordings that are fitted; empty: all
+  Eigen::VectorXd restart = {};  // start of the last fits of the best models; empty: `start`
 };
 
 class SelectionRows {
@@ -59,6 +59,9 @@ class SelectionRows {
   /// Returns the number of rows without those of the prior.
   Eigen::Index size() const { return std::ssize(rows_); }
 
+  /// Returns the variance of a whitened residual: 1 if the noise is stated, else an estimate from
+  /// the fit of all candidates or, before it, from the slopes at the start.
+  double variance() const;
   const CountedValues& counted() const { return counted_; }
   /// Returns the ratio of the spread to the stated noise, if chance cannot explain that it is
   /// larger; 1 otherwise.
@@ -74,8 +77,8 @@ class SelectionRows {
 
   SelectionProblem problem_;
   std::vector<Eigen::Index> rows_;  // the residuals that count
-  ResidualTraits traits_;           // of these, divided by their deviations
-  Eigen::VectorXd deviations_;      // of these, in the unit of the residuals if the noise is stated
+  ResidualTraits traits_;           // traits of these, divided by their deviations
+  Eigen::VectorXd deviations_;      // their deviations, those of the noise if it is stated
   std::vector<int> candidates_;     // variables of all units
   double prior_scale_ = 0.0;        // s sqrt(12)
   std::optional<ResidualNoise> noise_;

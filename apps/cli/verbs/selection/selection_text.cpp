@@ -138,15 +138,15 @@ void print_candidates(const Study& study, const StudySelection& selected) {
     std::string verdict = verdict_of(selected, k);
     if (unit.variables.size() > 1) verdict += ", group " + unit.name;
     if (!kept && holding[k])
-      verdict += fmt::format("; {} once more would narrow it most, from {:.2g} to {:.2g} of its range",
-                             holding[k]->recording,
-                             holding[k]->before,
-                             holding[k]->after);
+      verdict +=
+          fmt::format("; {} once more would narrow it most, from {:.2g} to {:.2g} of its range",
+                      holding[k]->recording,
+                      holding[k]->before,
+                      holding[k]->after);
     if (!kept && fate.alike >= 0 && std::abs(fate.correlation) >= kActAlike)
-      verdict += fmt::format(
-          "; acts like {} (correlation {:.3f})",
-          selected.settings.units[static_cast<std::size_t>(fate.alike)].name,
-          fate.correlation);
+      verdict += fmt::format("; acts like {} (correlation {:.3f})",
+                             selected.settings.units[static_cast<std::size_t>(fate.alike)].name,
+                             fate.correlation);
     for (const int i : unit.variables) {
       const auto at = static_cast<std::size_t>(i);
       const Interval& interval = c.intervals[at];
@@ -157,9 +157,9 @@ void print_candidates(const Study& study, const StudySelection& selected) {
           study.space[i].name,
           width,
           value,
-          !kept                ? "held"
+          !kept                 ? "held"
           : std::isnan(c.sigma) ? "not known"
-                               : correlation::interval_text(study.space, i, interval),
+                                : correlation::interval_text(study.space, i, interval),
           rise_text(selected, k),
           verdict);
     }
@@ -174,7 +174,8 @@ void print_ground(const Study& study, const StudySelection& selected) {
         fmt::format("{}", fmt::join(selected.choosing, ", ")),
         fmt::format("{}", fmt::join(selected.refitted, ", ")));
   else
-    say("\nThe intervals of kept candidates know nothing of the choice, which the same values made: "
+    say("\nThe intervals of kept candidates know nothing of the choice, which the same values "
+        "made: "
         "they hold less often than 95 %. honest = true in [selection] determines them from other "
         "recordings than those that choose.\n");
   if (!study.selection)
@@ -207,6 +208,14 @@ void print_ground(const Study& study, const StudySelection& selected) {
                      open.size() == 1 ? "" : "s",
                      fmt::join(open, ", ")));
   const SelectedModel& reported = selected.reported();
+  constexpr double kWorthTelling = 1.0;  // fall of -2 ln L
+  const double promised =
+      selected.chosen().is_flat ? selected.intervals().left_to_gain / rows.variance() : 0.0;
+  if (promised > kWorthTelling)
+    warn(fmt::format(
+        "at the chosen model the slopes promise that -2 ln L falls by {:.1f}, but no step "
+        "brings it: the fit lies in a curved valley, or variables are hardly determined",
+        promised));
   if (selected.refit && !reported.converged)
     warn("the refit to the other half did not converge, so its values and intervals are not final");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `latsch select` says: the path of models, the fate of each candidate, and models that the
-// values do not tell apart.
+// Prints the results of `latsch select`: the path of models, the fate of each candidate, and models
+// that the values do not tell apart.
 #pragma once
 
 #include "correlation/selection/study_selection.h"
@@ -13,8 +13,7 @@ void print_path(const correlation::StudySelection& selected);
 
 /// Prints each candidate: kept or dropped in which round, its rise, value and interval, and the
 /// recording that would hold a dropped one.
-void print_candidates(const correlation::Study& study,
-                      const correlation::StudySelection& selected);
+void print_candidates(const correlation::Study& study, const correlation::StudySelection& selected);
 
 /// Prints and warns about what the choice rests on.
 void print_ground(const correlation::Study& study, const correlation::StudySelection& selected);

@@ -22,7 +22,8 @@ refits, and keeps the model with the least criterion. See [selection.md](selecti
                "Value of the candidate if it is dropped, inside its bounds.",
                "the initial value of the variable"},
               {"groups", "Table of candidates that are kept or dropped together."},
-              {"groups.*", "Names of the candidates of the group: `camber = [\"PKY6\", \"PVY3\"]`."},
+              {"groups.*",
+               "Names of the candidates of the group: `camber = [\"PKY6\", \"PVY3\"]`."},
               {"criterion",
                "Number that is least for the model that is kept: \"bic\" keeps few useless "
                "coefficients, \"aicc\" more; \"cross_validation\" leaves out one recording after "
