@@ -15,7 +15,7 @@ constexpr int kEvaluationsOfASelection = 40;
 // Tolerance of a fit in -2 log L. Differences of criteria are read to about one.
 constexpr double kToleranceOfASelection = 0.01;
 // Residuals of this size, relative to the data, are rounding errors and tell no noise.
-constexpr double kNoNoiseAtAll = 1e-9;
+constexpr double kNoNoiseAtAll = 1e-6;
 
 std::vector<int> counted_to(std::size_t n) {
   std::vector<int> all(n);
@@ -30,12 +30,31 @@ CoefficientSelection::CoefficientSelection(SelectionProblem problem,
     : problem_(std::move(problem)), options_(options), fates_(problem_.units.size()) {
   const Eigen::Index n = problem_.start.size();
   if (problem_.free.empty()) problem_.free = counted_to(static_cast<std::size_t>(n));
-  wanted_.push_back(problem_.start);
+  if (problem_.restart.size() == 0) problem_.restart = problem_.start;
+  ask_start();
+}
+
+void CoefficientSelection::ask_start() {
+  phase_ = Phase::start;
+  wanted_ = {problem_.start};
   for (const int i : problem_.free) {
     Eigen::VectorXd moved = problem_.start;
     moved[i] += moved[i] + kFirstDifference <= 1.0 ? kFirstDifference : -kFirstDifference;
     wanted_.push_back(moved);
   }
+}
+
+/// Forgets the path and begins anew at a better fit.
+void CoefficientSelection::begin_again(const Eigen::VectorXd& start) {
+  ++passes_;
+  earlier_refits_ = refits_;
+  problem_.start = start;
+  rows_.reset();
+  noise_taken_ = false;
+  path_.clear();
+  running_.clear();
+  fates_.assign(problem_.units.size(), {});
+  ask_start();
 }
 
 /// Returns the variables that may move if these units are kept.
@@ -161,6 +180,7 @@ void CoefficientSelection::ask() {
     }
     if (!wanted_.empty()) return;
     next();
+    if (phase_ == Phase::start) return;  // a new pass
   }
   wanted_.clear();
 }
@@ -192,11 +212,12 @@ void CoefficientSelection::next() {
 void CoefficientSelection::full_fit_done() {
   if (!noise_taken_) {
     const Linearization at = running_.front().fit.best();
-    if (at.r.head(rows_->size()).norm() <=
+    if (!problem_.sigma &&
+        at.r.head(rows_->size()).norm() <=
         kNoNoiseAtAll * std::sqrt(static_cast<double>(rows_->size()))) {
       status_ = Failure{
           "the model fits to rounding errors, which are no noise of a measurement: every "
-          "coefficient would count as carried"};
+          "coefficient would count as carried; state the noise of the experiments"};
       phase_ = Phase::done;
       return;
     }

@@ -14,8 +14,8 @@
 //      before candidates are dropped one by one, by a refit without each; the best is adopted if
 //      the criterion falls.
 //      A model that a smaller one overtakes was not at its minimum, and is fitted anew from there.
-//   4. The best three models are refitted from the start, too: a fit that ended in another minimum
-//      is replaced.
+//   4. The best three models are fitted once more, from the start. If that ends lower, the path has
+//      followed another minimum, and everything is repeated from the better fit, at most twice.
 //   5. With the criterion cross_validation, each recording is left out in turn from every model.
 //
 // The model with the least criterion is the choice, and models within 2 of it are rivals, which the
@@ -45,7 +45,7 @@ namespace latsch {
 
 struct SelectionOptions {
   SelectionCriterion criterion = SelectionCriterion::bic;
-  int refits = 20;  // most refits of the path, those of tests and of halved sets included
+  int refits = 20;  // most refits of a pass, those of tests and of halved sets included
 };
 
 /// One model of the path.
@@ -125,7 +125,10 @@ class CoefficientSelection {
   const std::vector<UnitFate>& fates() const { return fates_; }
   /// Returns the reason for which the path ended.
   SelectionEnd ending() const { return ending_; }
+  /// Returns the number of refits of all passes.
   int refits() const { return refits_; }
+  /// Returns how often the path was walked: more than once if fits from the start ended lower.
+  int passes() const { return passes_; }
   /// The rows of the fits, with the noise that was estimated.
   const SelectionRows& rows() const { return *rows_; }
   /// Returns the variables that a model fits, ascending.
@@ -165,6 +168,9 @@ class CoefficientSelection {
   void begin_restarts();
   void restart_points_observed(const std::vector<Result<Evaluated>>& evaluated);
   void restarts_done();
+  void ask_start();
+  void begin_again(const Eigen::VectorXd& start);
+  bool has_refits_left() const { return refits_ - earlier_refits_ < options_.refits; }
   void begin_leaving_out();
   void leaving_out_done();
   SelectedModel rated(const Running& running) const;
@@ -189,6 +195,8 @@ class CoefficientSelection {
   std::vector<UnitFate> fates_;
   SelectionEnd ending_ = SelectionEnd::nothing_left;
   int refits_ = 0;
+  int earlier_refits_ = 0;  // refits of earlier passes
+  int passes_ = 1;
 };
 
 }  // namespace latsch

@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t kFromStart = 3;
 // Fall of -2 log L by which a fit from the start has to be better: fits end within a tenth of it.
 constexpr double kBetterFromStart = 0.1;
+// Fall from which on the path counts as that of another minimum, and largest number of passes.
+constexpr double kOtherMinimum = 0.5;
+constexpr int kMostPasses = 3;
 
 }  // namespace
 
@@ -47,6 +50,16 @@ void CoefficientSelection::restart_points_observed(
 }
 
 void CoefficientSelection::restarts_done() {
+  double most = kOtherMinimum;
+  Eigen::VectorXd better;
+  for (const Running& running : running_) {
+    if (!running.fit.fitted() || passes_ >= kMostPasses) continue;
+    const double fall = path_[running.model].minus_two_log - rated(running).minus_two_log;
+    if (!(fall > most)) continue;
+    most = fall;
+    better = running.fit.best().u;
+  }
+  if (better.size() > 0) return begin_again(better);
   for (const Running& running : running_) {
     if (!running.fit.fitted()) continue;
     SelectedModel model = rated(running);

@@ -133,7 +133,7 @@ void CoefficientSelection::plan_round() {
 }
 
 void CoefficientSelection::begin_drop(const std::vector<int>& units, double expected_rise) {
-  if (refits_ >= options_.refits) {
+  if (!has_refits_left()) {
     ending_ = SelectionEnd::refits;
     return begin_restarts();
   }
@@ -178,7 +178,7 @@ void CoefficientSelection::drop_done() {
   const double rise =
       fitted ? rated(running).minus_two_log - path_.back().minus_two_log : kInfinity;
   const double expected = std::max(kRiseOfADrop * coefficients, running.expected_rise);
-  if (rise < -kOvertakes && refits_ < options_.refits) return mend(running.fit.best());
+  if (rise < -kOvertakes && has_refits_left()) return mend(running.fit.best());
   if (dropped.size() > 1 && rise > kTooMuch * expected) {
     const auto half = static_cast<std::ptrdiff_t>(dropped.size() / 2);
     return begin_drop({dropped.begin(), dropped.begin() + half}, running.expected_rise);
@@ -195,7 +195,7 @@ void CoefficientSelection::begin_tests(const std::vector<int>& units) {
   phase_ = Phase::testing;
   running_.clear();
   for (const int unit : units) {
-    if (refits_ >= options_.refits) break;
+    if (!has_refits_left()) break;
     ++refits_;
     fates_[static_cast<std::size_t>(unit)].tested = true;
     std::vector<int> kept = path_.back().units;

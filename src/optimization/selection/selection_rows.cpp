@@ -12,6 +12,10 @@ namespace {
 /// 1 / standard deviation of a number anywhere in its range.
 const double kOfARange = std::sqrt(12.0);
 
+// Spread of the rows below which they are rounding errors, in which no neighbors share noise: as a
+// share of stated noise, and relative to the data without it.
+constexpr double kNoNoiseBesideStated = 1e-3, kNoNoiseOfAnyLaboratory = 1e-5;
+
 /// Returns the columns of J that may move.
 Eigen::MatrixXd moving_columns(const Eigen::MatrixXd& J, const std::vector<int>& free) {
   if (free.empty()) return J;
@@ -63,7 +67,10 @@ bool SelectionRows::is_determined() const { return std::isfinite(prior_scale_); 
 
 Linearization SelectionRows::take_noise(const Linearization& fit) {
   const Linearization own_rows = without_prior(fit);
-  noise_.emplace(own_rows.r, moving_columns(own_rows.J, problem_.free), traits_);
+  noise_.emplace(own_rows.r,
+                 moving_columns(own_rows.J, problem_.free),
+                 traits_,
+                 problem_.sigma ? kNoNoiseBesideStated : kNoNoiseOfAnyLaboratory);
   const double nu = noise_->freedom(), seen = noise_->sigma();
   if (problem_.sigma && nu > 0.0 && seen * seen > rare_ratio(nu)) {
     excess_ = seen;

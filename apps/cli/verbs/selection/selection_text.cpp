@@ -168,6 +168,10 @@ void print_candidates(const Study& study, const StudySelection& selected) {
 
 void print_ground(const Study& study, const StudySelection& selected) {
   const SelectionRows& rows = selected.selection.rows();
+  if (selected.selection.passes() > 1)
+    say("\nFits from the initial values ended lower than the path, so it was walked again from there; "
+        "this is pass {}.\n",
+        selected.selection.passes());
   if (selected.refit)
     say("\n{} chose; values and intervals are those of {} alone, which took no part in the "
         "choice.\n",
@@ -268,6 +272,7 @@ void answer_selection(const Study& study,
   answer()["values"] = counted.values;
   answer()["independent_values"] = counted.independent;
   answer()["refits"] = selected.selection.refits();
+  answer()["passes"] = selected.selection.passes();
   answer()["trials"] = selected.trials;
   answer()["honest"] = selected.refit.has_value();
   answer()["choosing"] = selected.choosing;
