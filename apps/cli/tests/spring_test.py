@@ -149,7 +149,7 @@ class SpringAlone(unittest.TestCase):
     def test_a_variable_that_the_data_do_not_carry_is_dropped(self):
         self.write_twin()
         edit(self.study, ('measurement = "swiftly.csv"', 'measurement = "swiftly.csv"\nnoise = "2 %"'))
-        edit(self.study, ("[doe]", '[selection]\nof = ["damp*"]\ntoward = {damping = "301 N s/m"}\n[doe]'))
+        edit(self.study, (r"\[doe\]", '[selection]\nof = ["damp*"]\ntoward = {damping = "301 N s/m"}\n[doe]'))
         found = self.answer("select", self.study)
         # the data are those of 300 N s/m: 1 more changes forces by less than their noise
         [damping] = found["candidates"]
@@ -165,8 +165,8 @@ class SpringAlone(unittest.TestCase):
         # a damping of 400 N s/m is another model, which the data refuse
         edit(self.study, ("301 N s/m", "400 N s/m"))
         said = self.spring("select", self.study, "--workers", "1")
-        self.assertRegex(said, r"damping +300.* kept")
-        edit(self.study, ('of = ["damp*"]', 'of = ["damp*"]\nhonest = true'))
+        self.assertRegex(said, r"damping +30[01] N s/m +26. .. 33. N s/m +29.[0-9] +kept")
+        edit(self.study, (r"\[selection\]", "[selection]\nhonest = true"))
         self.assertIn("split it into several", self.spring("select", self.study, code=WRONG_INPUT))
         self.assertIn("not in the folder", self.spring("select", self.study, "-o", "/tmp/other.toml", code=WRONG_INPUT))
 

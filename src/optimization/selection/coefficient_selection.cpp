@@ -212,9 +212,8 @@ void CoefficientSelection::next() {
 void CoefficientSelection::full_fit_done() {
   if (!noise_taken_) {
     const Linearization at = running_.front().fit.best();
-    if (!problem_.sigma &&
-        at.r.head(rows_->size()).norm() <=
-        kNoNoiseAtAll * std::sqrt(static_cast<double>(rows_->size()))) {
+    if (!problem_.sigma && at.r.head(rows_->size()).norm() <=
+                               kNoNoiseAtAll * std::sqrt(static_cast<double>(rows_->size()))) {
       status_ = Failure{
           "the model fits to rounding errors, which are no noise of a measurement: every "
           "coefficient would count as carried; state the noise of the experiments"};

@@ -168,6 +168,13 @@ void CoefficientSelection::drop_done() {
   const std::vector<int>& dropped = running.dropped;
   if (running.mends) {
     path_.pop_back();
+    // the model before contains this one, so it cannot end higher
+    const bool overtakes =
+        !path_.empty() && rated(running).minus_two_log < path_.back().minus_two_log - kOvertakes;
+    if (overtakes && has_refits_left()) {
+      for (const int unit : dropped) fates_[static_cast<std::size_t>(unit)].round = 0;
+      return mend(running.fit.best());
+    }
     add_to_path(running);
     return plan_round();
   }

@@ -242,8 +242,8 @@ TEST(CoefficientSelection, LeavesOutWholeRecordings) {
   problem.recordings = recordings;
   const auto by_bic = answered_selection(problem, model);
   EXPECT_EQ(by_bic.path()[by_bic.best()].units, (std::vector<int>{0, 1}));
-  const auto by_recordings = answered_selection(
-      problem, model, true, {.criterion = SelectionCriterion::cross_validation});
+  const auto by_recordings =
+      answered_selection(problem, model, true, {.criterion = SelectionCriterion::cross_validation});
   // Least squares without each recording; the offset has no place without its own recording, and
   // the weak prior then holds it at 0.
   double left_out = 0.0;

@@ -158,7 +158,10 @@ int select(const std::string& file,
   print_candidates(study, selected);
   print_ground(study, selected);
   print_rivals(study, selected, predicted_names(study), errors);
-  say("\n{} refits, {} trials\n", selected.selection.refits(), selected.trials);
+  say("\n{} refit{}, {} trials\n",
+      selected.selection.refits(),
+      selected.selection.refits() == 1 ? "" : "s",
+      selected.trials);
   answer_selection(study, selected, predicted_names(study), errors);
   const auto table = correlation::selection_table_file(as_written);
   correlation::write_selection_table(study, selected, table);

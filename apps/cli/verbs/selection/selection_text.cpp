@@ -169,7 +169,8 @@ void print_candidates(const Study& study, const StudySelection& selected) {
 void print_ground(const Study& study, const StudySelection& selected) {
   const SelectionRows& rows = selected.selection.rows();
   if (selected.selection.passes() > 1)
-    say("\nFits from the initial values ended lower than the path, so it was walked again from there; "
+    say("\nFits from the initial values ended lower than the path, so it was walked again from "
+        "there; "
         "this is pass {}.\n",
         selected.selection.passes());
   if (selected.refit)
