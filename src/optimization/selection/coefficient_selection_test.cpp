@@ -168,6 +168,25 @@ TEST(CoefficientSelection, AGroupIsKeptOrDroppedAsOne) {
   EXPECT_EQ(selection.path()[selection.best()].units, std::vector<int>{0});
 }
 
+// Two columns that are the same but for a hundredth: no value tells which of the two is true.
+TEST(CoefficientSelection, OfTwoCandidatesThatActAlikeOneIsKeptAndTheOtherNamesIt) {
+  Eigen::MatrixXd X = orthogonal_columns(100, 3);
+  X.col(1) = X.col(0) + 0.01 * X.col(2);
+  X.col(2).setZero();
+  SelectionProblem problem = problem_from_the_middle(2);
+  problem.sigma = 1.0;
+  const auto selection = answered_selection(problem, [&](const Eigen::VectorXd& u) {
+    return Eigen::VectorXd(X.leftCols(2) * (2.0 * (u.array() - 0.5)).matrix() -
+                           0.6 * Eigen::VectorXd(X.col(0)));
+  });
+  ASSERT_TRUE(selection.status().ok());
+  const auto& kept = selection.path()[selection.best()].units;
+  ASSERT_EQ(kept.size(), 1u);
+  const UnitFate& dropped = selection.fates()[static_cast<std::size_t>(1 - kept[0])];
+  EXPECT_EQ(dropped.alike, kept[0]);
+  EXPECT_LT(dropped.correlation, -0.95);
+}
+
 TEST(CoefficientSelection, AModelThatFailsWithoutACandidateKeepsIt) {
   const Eigen::MatrixXd X = orthogonal_columns(100, 2);
   SelectionProblem problem = problem_from_the_middle(2);
