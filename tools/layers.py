@@ -35,11 +35,11 @@ ROOMS = {
                        "rolling", "passage", "slopes"],
     "models/ring_tire": ["description", "belt", "tread", "step", "ring"],
     "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
-                     "identifiability", "posterior"],
+                     "identifiability", "posterior", "selection"],
     "formats": ["text", "recorders", "tables", "tire", "car", "road", "deck", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
-    "correlation": ["laboratory", "observable", "nuisance", "study", "target", "doe", "analysis", "posterior", "search",
+    "correlation": ["laboratory", "observable", "nuisance", "study", "target", "doe", "analysis", "posterior", "selection", "search",
                     "study_report", "rig_data", "comparison", "validation"],
     "studio": ["http", "shelf", "views"],
 }

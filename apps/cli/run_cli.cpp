@@ -14,6 +14,7 @@
 #include "cli/console/console.h"
 #include "cli/console/version.h"
 #include "cli/verbs/posterior/sample.h"
+#include "cli/verbs/selection/select.h"
 #include "cli/verbs/verbs.h"
 #include "experiment/language/capabilities.h"
 
@@ -45,6 +46,7 @@ constexpr OfferedVerb kVerbs[] = {{add_new, experiment::IsPressed::kName},
                                   {add_run},
                                   {add_identify},
                                   {add_sample},
+                                  {add_select},
                                   {add_report},
                                   {add_serve},
                                   {add_pareto},

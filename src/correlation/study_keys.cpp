@@ -42,6 +42,7 @@ const KeySection& stage_keys();
 const KeySection& refined_keys();
 const KeySection& doe_keys();
 const KeySection& posterior_keys();
+const KeySection& selection_keys();
 const KeySection& run_keys();
 const KeySection& suite_keys();
 
@@ -243,6 +244,7 @@ std::vector<const KeySection*> sections_of(const Language& language) {
                               refined_keys,
                               doe_keys,
                               posterior_keys,
+                              selection_keys,
                               run_keys,
                               suite_keys})
     sections.push_back(&section());

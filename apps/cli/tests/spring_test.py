@@ -146,6 +146,30 @@ class SpringAlone(unittest.TestCase):
         self.assertEqual(samples.read_bytes(), before)
         self.assertEqual(trials_of(self.journal), trials)
 
+    def test_a_variable_that_the_data_do_not_carry_is_dropped(self):
+        self.write_twin()
+        edit(self.study, ('measurement = "swiftly.csv"', 'measurement = "swiftly.csv"\nnoise = "2 %"'))
+        edit(self.study, (r"\[doe\]", '[selection]\nof = ["damp*"]\ntoward = {damping = "301 N s/m"}\n[doe]'))
+        found = self.answer("select", self.study)
+        # the data are those of 300 N s/m: 1 more changes forces by less than their noise
+        [damping] = found["candidates"]
+        self.assertEqual([damping["name"], damping["kept"], damping["value"]], ["damping", False, 301])
+        self.assertLess(damping["rise"], 1.0)
+        self.assertEqual([model["variables"] for model in found["path"]], [2, 1])
+        self.assertLess(found["rivals"][0]["predicted_errors"]["last"], 0.01)
+        chosen = self.folder / "study.selected.toml"
+        self.assertIn('initial = "301 N s/m"', chosen.read_text())
+        self.assertRegex(self.spring("run", chosen), r"stiffness +(19|20).* N/mm")
+        table = (self.folder / "study.selection.csv").read_text()
+        self.assertIn("damping,damping,N s/m,0,1,", table)
+        # a damping of 400 N s/m is another model, which the data refuse
+        edit(self.study, ("301 N s/m", "400 N s/m"))
+        said = self.spring("select", self.study, "--workers", "1")
+        self.assertRegex(said, r"damping +30[01] N s/m +26. .. 33. N s/m +29.[0-9] +kept")
+        edit(self.study, (r"\[selection\]", "[selection]\nhonest = true"))
+        self.assertIn("split it into several", self.spring("select", self.study, code=WRONG_INPUT))
+        self.assertIn("not in the folder", self.spring("select", self.study, "-o", "/tmp/other.toml", code=WRONG_INPUT))
+
     def test_what_is_missed_is_told_with_what_would_mend_it(self):
         self.write_twin()
         edit(self.study, ('"220 N"', '"250 N"'))

@@ -374,6 +374,8 @@ Study read(const Document& document,
   if (const auto doe = root.find_table("doe")) study.doe = read_design(*doe, study.space);
   if (const auto posterior = root.find_table("posterior"))
     study.posterior = read_posterior(*posterior);
+  if (const auto selection = root.find_table("selection"))
+    study.selection = read_coefficient_selection(*selection, study.space);
   const auto run = root.find_table("run");
   study.run = read_run_settings(run ? &*run : nullptr, file);
   study.run.on_failure.space = study.space;
@@ -400,9 +402,10 @@ Study read(const Document& document,
         check_reach(root, study.refinement->tests, experiment, curve->measured(), " of [refined]");
   root.close();
   if (measurements == Measurements::required) refuse_doubtful(ledgers_of(study));
-  study.search_key = key_without({"run", "doe", "refined", "posterior", "title", "test"}, study);
-  study.target_key =
-      key_without({"run", "doe", "refined", "posterior", "title", "test", "optimizer"}, study);
+  study.search_key =
+      key_without({"run", "doe", "refined", "posterior", "selection", "title", "test"}, study);
+  study.target_key = key_without(
+      {"run", "doe", "refined", "posterior", "selection", "title", "test", "optimizer"}, study);
   return study;
 }
 

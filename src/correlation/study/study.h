@@ -15,6 +15,7 @@
 #include "correlation/study/channel_constraint.h"
 #include "correlation/study/run_settings.h"
 #include "correlation/study/settings/posterior_settings.h"
+#include "correlation/study/settings/selection_settings.h"
 #include "correlation/study/specimens.h"
 #include "correlation/study/study_design.h"
 #include "correlation/study/study_experiment.h"
@@ -80,9 +81,11 @@ struct Study {
   /// Constraints on channels; linear constraints belong to `space`.
   std::vector<ChannelConstraint> constraints = {};
 
-  Laboratory laboratory = {};                 // every [measurement.NAME], for their ledgers
-  StartSettings start = {};                   // start of the search
-  PosteriorSettings posterior = {};           // for latsch sample
+  Laboratory laboratory = {};        // every [measurement.NAME], for their ledgers
+  StartSettings start = {};          // start of the search
+  PosteriorSettings posterior = {};  // for latsch sample
+  /// for latsch select; nullopt: the study does not state it
+  std::optional<SelectionSettings> selection = {};
   std::vector<StageSettings> stages = {};     // empty: one run, as [optimizer] says
   std::optional<Refinement> refinement = {};  // none without [refined]
   std::string stage = {};                     // name of the stage that this study is; empty: none

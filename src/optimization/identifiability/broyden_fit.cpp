@@ -88,22 +88,39 @@ BroydenFit::BroydenFit(const Linearization& start,
   plan_step();
 }
 
+namespace {
+
+/// Returns u with another value of variable i.
+Eigen::VectorXd with_value(Eigen::VectorXd u, int i, double value) {
+  u[i] = value;
+  return u;
+}
+
+}  // namespace
+
 BroydenFit::BroydenFit(const Linearization& start,
                        std::vector<int> free,
                        const BroydenFitOptions& options,
                        int i,
                        double value)
+    : BroydenFit(start, std::move(free), options, with_value(start.u, i, value)) {}
+
+BroydenFit::BroydenFit(const Linearization& start,
+                       std::vector<int> free,
+                       const BroydenFitOptions& options,
+                       const Eigen::VectorXd& to)
     : best_(start), free_(std::move(free)), options_(options), moving_(true) {
-  const double shift = value - best_.u[i];
-  Eigen::VectorXd to = best_.u;
-  to[i] = value;
-  const auto d = step_from(to, best_.r + best_.J.col(i) * shift, 0.0);
-  if (d) wanted_ = to + *d;
+  Eigen::VectorXd moved = to;
+  moved(free_) = best_.u(free_);
+  const Eigen::VectorXd shift = moved - best_.u;
+  const auto d = step_from(moved, best_.r + best_.J * shift, 0.0);
+  if (d) wanted_ = moved + *d;
 }
 
 std::optional<Eigen::VectorXd> BroydenFit::step_from(const Eigen::VectorXd& u,
                                                      const Eigen::VectorXd& r,
                                                      double lambda) const {
+  if (free_.empty()) return Eigen::VectorXd::Zero(u.size());
   if (!is_constrained()) return bounded_step({u, r, best_.J}, free_, lambda);
   return constrained_step(best_.J, u, r, free_, lambda, *options_.region);
 }

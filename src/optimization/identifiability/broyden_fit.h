@@ -53,13 +53,21 @@ class BroydenFit {
              int i,
              double value);
 
+  /// First moves all variables that are not free to their values in `to`, and the free variables
+  /// with them as J predicts. If no point inside the constraints has these values, the fit requests
+  /// no evaluation.
+  BroydenFit(const Linearization& start,
+             std::vector<int> free,
+             const BroydenFitOptions& options,
+             const Eigen::VectorXd& to);
+
   /// Returns the next point of the unit cube to evaluate; nullopt when the fit is done.
   const std::optional<Eigen::VectorXd>& wanted() const { return wanted_; }
   /// Receives the outcome of the wanted point; nullopt if the evaluation failed.
   void observe(const std::optional<Evaluated>& evaluated);
 
-  /// False if the evaluation of the first point with the moved variable failed, so that there is no
-  /// fit at its value.
+  /// False if the evaluation of the first point with the moved variables failed, so that there is
+  /// no fit at their values.
   bool fitted() const { return !moving_; }
   /// True if no step predicts an improvement; false while the fit requests a point or if it ended
   /// without convergence.

@@ -17,7 +17,7 @@ namespace {
 constexpr double kBestJump = 2.38;       // ter Braak's gamma for a normal density, over sqrt(2 n)
 constexpr double kJitter = 0.1;          // c of (1): moves are no lattice
 constexpr double kStuck = 2.0;           // distances of the quartiles below the first one
-constexpr double kBeside = 0.3;          // share of a difference by which a copy is set apart
+constexpr double kCopyBeside = 0.3;      // share of a difference by which a copy is set apart
 constexpr int kTrialsBeside = 12;        // each half as far as the one before, to the other side
 constexpr long kLongJumpEvery = 10;      // steps
 constexpr std::size_t kMostKept = 2048;  // steps of a record; then every second one is dropped
@@ -117,7 +117,7 @@ void WalkerChains::set_beside(int walker, int model) {
   RandomStream& random = streams_[static_cast<std::size_t>(walker)];
   const auto count = static_cast<std::uint64_t>(walkers());
   const Eigen::VectorXd there = places_.col(model);
-  double share = kBeside;
+  double share = kCopyBeside;
   for (int trial = 0; trial < kTrialsBeside; ++trial, share *= -0.5) {
     const int a = static_cast<int>(random.below(count)), b = static_cast<int>(random.below(count));
     const Eigen::VectorXd beside = there + share * (places_.col(a) - places_.col(b));

@@ -35,6 +35,7 @@ experiments with their measurements, and the optimizer.
               {"refined", "Finer model that is evaluated once, at the values found."},
               {"doe", "Design of experiments."},
               {"posterior", "Samples of the posterior density, for `latsch sample`."},
+              {"selection", "Coefficients that may be dropped, for `latsch select`."},
               {"run", "Settings for running the trials."},
           },
       .samples =
@@ -75,6 +76,8 @@ model.tread.blocks = 20
 levels = 5
 [posterior]
 samples = 1000
+[selection]
+of = ["radial"]
 [run]
 workers = 2
 )toml",
