@@ -75,6 +75,14 @@ void write_samples(const std::filesystem::path& folder) {
   }
 }
 
+void print_sections() {
+  const auto keys = correlation::read_study_keys(experiment::language());
+  Json sections = study_keys_json(keys);
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    sections[i]["refused"] = keys.sections()[i].section->refused;
+  std::cout << sections.dump() << '\n';
+}
+
 }  // namespace
 }  // namespace latsch::cli
 
@@ -85,8 +93,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (option == "--sections") {
-    const auto keys = latsch::correlation::read_study_keys(latsch::experiment::language());
-    std::cout << latsch::cli::study_keys_json(keys).dump() << '\n';
+    latsch::cli::print_sections();
     return 0;
   }
   for (std::string line; std::getline(std::cin, line);)
