@@ -276,8 +276,8 @@ class Schemas:
             return [{"enum": form["choices"]}]
         if kind == "texts":
             return [{"type": "array", "items": {"type": "string"}}]
-        if kind == "text":
-            return [{"type": "string"}]
+        if kind == "text":  # a reader that analyzes the text further may take a plain number too
+            return [{"type": "string"}] + ([{"type": "number"}] if form.get("expected") else [])
         if kind in ("table", "tables"):
             return [{"type": "object"} if kind == "table" else {"type": ["object", "array"]}]
         return []
