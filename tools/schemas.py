@@ -206,7 +206,10 @@ class Schemas:
                     ways.append(way)
         if any(form.get("is_measurable") for form in forms):
             ways.append({"type": "object", "required": ["from"], "properties": {
-                "from": {"type": "string", "description": "Measurement that the values are taken from, measurement.NAME."}}})
+                "from": {"type": "string", "description": "Measurement that the values are taken from, measurement.NAME."},
+                "channel": {"type": "string", "description": "Channel of the measurement, if it has another name."},
+                "without": {"type": "array", "items": {"type": "string"},
+                            "description": "Conditions that are left out although a column looks like them."}}})
         enums = [way for way in ways if "enum" in way]
         if len(enums) > 1:
             ways = [way for way in ways if "enum" not in way]
@@ -504,15 +507,70 @@ def make(program):
     return texts, schemas
 
 
+GETTER = re.compile(r"(?:\.|->)(?:quantity|quantities|one_or_more|rows|integer|flag|text|choice|texts|table|find_table|"
+                    r"named_tables)\(\s*\"(\w+)\"")
+READERS = ("models", "measurement", "optimization", "formats", "experiment", "correlation")
+# Readers of numbers of a .tir or .inp, which are in no TOML file. Keys of such files have capital letters.
+NO_KEYS = {"src/experiment/kinds/inp_numbers.cpp", "src/experiment/kinds/tir_numbers.cpp"}
+
+
+def keys_in(schema):
+    """Returns the names of all properties of a schema, and of those that a choice of kinds adds."""
+    keys = set()
+    if isinstance(schema, dict):
+        keys |= set(schema["properties"]) if isinstance(schema.get("properties"), dict) else set()
+        for value in schema.values():
+            keys |= keys_in(value)
+    elif isinstance(schema, list):
+        for value in schema:
+            keys |= keys_in(value)
+    return keys
+
+
+def forgotten(texts, sections):
+    """Returns a sentence for each key of a reader or of the reference that is in no schema."""
+    of_kinds = {kind: keys_in(json.loads(text)) for kind, text in texts.items()}
+    everywhere = set().union(*of_kinds.values())
+    faults = []
+    for folder in READERS:
+        for file in sorted((schema_corpus.ROOT / "src" / folder).rglob("*.cpp")):
+            name = str(file.relative_to(schema_corpus.ROOT))
+            if re.search("_test(ing)?[.]cpp$", name) or name in NO_KEYS:
+                continue
+            text = file.read_text()
+            for found in GETTER.finditer(text):
+                if found[1] not in everywhere and not found[1].isupper():
+                    line = text.count("\n", 0, found.start()) + 1
+                    faults.append(f"{name}:{line}: the key {found[1]!r} is in no schema; state it in a file of "
+                                  "tools/schema_samples or in a sample of its section")
+    for section in sections:
+        known = of_kinds["suite"] if section["heading"].startswith("A suite") else of_kinds["study"] | of_kinds["road"]
+        for entry in section["keys"]:
+            key = entry["path"].replace(".*", "").split(".")[-1]
+            if key not in known and key != "*":
+                faults.append(f"{section['heading']}: the key {entry['path']!r} of the reference is in no schema")
+    return faults
+
+
 def main():
     program, *options = sys.argv[1:]
     texts, schemas = make(program)
+    faults = schemas.faults + forgotten(texts, schemas.sections)
     if options != ["--check"]:
         FOLDER.mkdir(parents=True, exist_ok=True)
         for kind, text in texts.items():
             (FOLDER / f"latsch-{kind}.json").write_text(text)
-        for fault in schemas.faults: print(fault)
-        for d in sorted(schemas.dropped): print("dropped", d)
+    else:
+        for kind, text in texts.items():
+            file = FOLDER / f"latsch-{kind}.json"
+            if not file.exists() or file.read_text() != text:
+                faults.append(f"{file.relative_to(schema_corpus.ROOT)} is not what the readers state: run tools/schemas.py "
+                              f"{program} and look at what changed")
+    for fault in faults:
+        print(fault)
+    print(f"{sum(len(keys_in(json.loads(text))) for text in texts.values())} names of keys in {len(texts)} schemas, "
+          f"{len(faults)} faults")
+    sys.exit(1 if faults else 0)
 
 
 if __name__ == "__main__":
