@@ -26,7 +26,7 @@ TITLES = {"study": "study", "suite": "suite of checks for latsch validate", "tes
 SHARED = {("study", "test.*"): "test", ("study", "refined.test.*"): "test", ("suite", "test.*"): "test",
           ("study", "measurement.*"): "measurement", ("suite", "measurement.*"): "measurement",
           ("comparison", "measurement.*"): "measurement", ("study", "refined.simulator"): "simulator",
-          ("study", "simulator"): "simulator"}
+          ("study", "simulator"): "simulator", ("car", "front"): "axle", ("car", "rear"): "axle"}
 # Joints of a suspension: all have the same keys.
 JOINTS = re.compile(r"bushing\.[^.]+$")
 # Tables that take the keys of another one: the samples of the other one state them.
@@ -84,31 +84,11 @@ def kind_in(declared, content):
     return content.get("kind") if declared.get("kind", {}).get("kind") == "choice" else None
 
 
-def split(path, content):
-    """Splits the path of a key at the dots that are no part of a key: `vary.road.heading` may be two keys."""
-    parts, rest = [], path.split(".")
-    while rest:
-        count = 1
-        if isinstance(content, dict):
-            for length in range(len(rest), 1, -1):
-                if ".".join(rest[:length]) in content:
-                    count = length
-                    break
-        key = ".".join(rest[:count])
-        parts.append(key)
-        if isinstance(content, list):
-            content = content[int(key)] if key.isdigit() and int(key) < len(content) else None
-        else:
-            content = content.get(key) if isinstance(content, dict) else None
-        rest = rest[count:]
-    return parts
-
-
-def tree_of(declared, content):
+def tree_of(declared):
     """Returns the declared keys as a tree: {key: (declaration or None, {...})}."""
     root = {}
     for path, what in declared.items():
-        here, parts = root, split(path, content)
+        here, parts = root, path.split(".")
         for part in parts[:-1]:
             here = here.setdefault(part, [None, {}])[1]
         here.setdefault(parts[-1], [None, {}])[0] = what
@@ -126,7 +106,7 @@ class Schemas:
             declared = recorder.keys(kind, file)
             if declared is not None:
                 content = schema_corpus.read(file)
-                self.add(self.root(kind), tree_of(declared, content), content, (kind, file), ())
+                self.add(self.root(kind), tree_of(declared), content, (kind, file), ())
 
     def root(self, name):
         return self.roots.setdefault(name, Table(name, ()))
@@ -331,7 +311,15 @@ class Schemas:
             path = ".".join(table.path + (key,))
             inner = table.below.get((key, variant)) or next(
                 (other.below[at] for other in self.like(table) for at in other.below if at[0] == key), None)
+            inner = inner or next((other.below[at] for other in self.alike(table)
+                                   for at in other.below if at[0] == key and key not in table.path), None)
+            if inner is None and shared_name(table.owner, table.path + (key,)):
+                inner = Table(table.owner, table.path + (key,))
             properties[key] = self.value(table, variant, key, forms)
+            if inner is None and key not in table.path and path not in FREE.get(table.owner, ()) and not any(form["is_measurable"] for form in forms) and (
+                    any(form["kind"] in ("table", "tables") for form in forms)):
+                self.faults.append(f"{table.owner}: no file of the corpus states what is in the table [{path}]"
+                                   + (f" with kind = \"{variant}\"" if variant else ""))
             if inner is not None and any(form["kind"] in ("table", "tables") for form in forms) or (inner and not forms):
                 is_named = any(form["kind"] == "tables" for form in forms)
                 free = path in FREE.get(table.owner, ())
