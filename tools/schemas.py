@@ -37,8 +37,10 @@ NAMES = {("comparison", "case"), ("comparison", "model"), ("test", "slopes_by"),
 # Numbers in the unit of another number: a variable may be dimensionless.
 UNIT_OF_ANOTHER = {"study": ("variable.*", "constraint.*", "linear_constraint.*", "tie.*"), "suite": ("check.*",)}
 # Tables whose keys are free, with values that the program knows from other files.
-FREE = {"study": ("stage.*.model", "refined.model", "nuisance_free"), "comparison": ("reference.noise", "specimen.noise",
-        "test.*.vary"), "rig": ("channels.units",), "measurement": ()}
+FREE = {"study": ("stage.*.model", "refined.model"), "comparison": ("reference.noise", "test.*.vary"),
+        "rig": ("channels.units",)}
+# Tables of tables whose names another table of the file defines.
+NAMED = {("rig", "truth.run")}
 # A number, then a blank or a character that is part of no number: "2.6 bar", "5%", "3 1/s".
 WITH_UNIT = r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?(\s+\S.*|[^0-9\s.].*)$"
 WITH_OR_WITHOUT_UNIT = r"^\s*[+-]?([0-9]|\.[0-9]).*$"
@@ -101,7 +103,7 @@ class Schemas:
         self.sections = recorder.sections()
         self.roots = {}
         self.faults = []
-        self.dropped = set()
+        self.names = {}
         for kind, file in recorder.files():
             declared = recorder.keys(kind, file)
             if declared is not None:
@@ -125,7 +127,7 @@ class Schemas:
             path = ".".join(table.path + (key,))
             if not isinstance(inner, (dict, list)) or path in FREE.get(table.owner, ()) or (what and what["is_measurable"]):
                 continue
-            if what and what["kind"] == "tables":
+            if what and (what["kind"] == "tables" or (table.owner, path) in NAMED):
                 named = table.child(key, variant)
                 entries = inner.items() if isinstance(inner, dict) else ((str(i), one) for i, one in enumerate(inner))
                 for name, one in entries:
@@ -271,7 +273,7 @@ class Schemas:
         """Returns the forms in which readers read a key, and whether a file states it."""
         forms, stated = [], False
         for table in tables:
-            for declared, content, *_ in table.seen:
+            for declared, content, (_, file), _ in table.seen:
                 what = declared.get(key)
                 if not what or (only and table.variant_of(declared, content) != variant):
                     continue
@@ -280,14 +282,16 @@ class Schemas:
                     continue
                 form = {name: what[name] for name in what if name not in ("is_there", "may_be_missing")}
                 if what["kind"] == "choice":
-                    form["are_names"] = bool(what["choices"]) and set(what["choices"]) <= names_in(self.content(table, content))
+                    form["are_names"] = bool(what["choices"]) and set(what["choices"]) <= self.names_in_file(file)
                 if form not in forms:
                     forms.append(form)
         return forms, stated
 
-    @staticmethod
-    def content(table, content):
-        return content
+    def names_in_file(self, file):
+        """Returns the names that a file defines: all its keys."""
+        if file not in self.names:
+            self.names[file] = names_in(schema_corpus.read(file))
+        return self.names[file]
 
     def object(self, table, variant):
         """Returns the schema of a table of one variant."""
@@ -303,7 +307,6 @@ class Schemas:
             if not forms and not self.is_refused(table, key):
                 forms, _ = self.forms_of(self.alike(table), key, variant, only=False)
             if (not forms and not stated) or (not stated and self.is_refused(table, key)):
-                self.dropped.add((table.owner, ".".join(table.path), key))
                 continue
             if key == "kind" and variant is not None:
                 properties[key] = {"const": variant}
@@ -321,7 +324,7 @@ class Schemas:
                 self.faults.append(f"{table.owner}: no file of the corpus states what is in the table [{path}]"
                                    + (f" with kind = \"{variant}\"" if variant else ""))
             if inner is not None and any(form["kind"] in ("table", "tables") for form in forms) or (inner and not forms):
-                is_named = any(form["kind"] == "tables" for form in forms)
+                is_named = any(form["kind"] == "tables" for form in forms) or (table.owner, path) in NAMED
                 free = path in FREE.get(table.owner, ())
                 described = {k: v for k, v in properties[key].items() if k == "description"}
                 others = [way for way in properties[key].get("anyOf", [properties[key]])
