@@ -13,7 +13,7 @@
 # Runs on the ranks of an MPI job need these; without them the program is built without MPI:
 # apt: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
-# apt: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev libxml2-utils
+# apt: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev libxml2-utils python3-jsonschema
 # The test oracle of mechanisms (verification/simbody), C++17 by itself; nothing else is linked with it:
 # apt: libsimbody-dev
 # ./bench.sh slurm starts a Slurm of one node with these (7 MB; no daemon of theirs has to run):

@@ -118,7 +118,7 @@ class Schemas:
         if shared:
             table.seen.append(({}, content, origin, place))  # only a mark that there is one
             return self.add(self.root(shared), tree, content, origin, place)
-        # What the reader finds there may come from another file, such as a table of hardpoints.
+        # A value that the reader finds may come from another file, such as a table of hardpoints.
         declared = {key: {**what, "is_there": key in content} for key, (what, _) in tree.items() if what}
         table.seen.append((declared, content, origin, place))
         variant = kind_in(declared, content)

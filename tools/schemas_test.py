@@ -3,8 +3,9 @@
 
    tools/schemas_test.py PATH/TO/recorded_keys [--every N]
 
-All TOML files of the repository have to be taken, and 27 of the 30 wrong files refused. Files that are changed at one
-place are given to the program: what it takes, the schema has to take. Every Nth change is tried, of each kind of file."""
+All TOML files of the repository and all samples of the reference have to be taken, and 27 of the 30 wrong files refused.
+Good files are changed at one place and given to the program: what it takes, the schema has to take. A random one in N
+of these changes is tried, the same ones in every run; without --every one in 400."""
 import copy
 import json
 import random
@@ -88,6 +89,10 @@ PROBES = [0, 1, 2, 0.5, -3, 1e6, "word", "2 mm", "0.5", "3 %", True, [], ["2 mm"
           {"unit": "mm", "values": [1, 2]}, {}, {"from": "measurement.a"}]
 
 
+# Values of a key that is added to a table: a table whose keys are free takes some of them.
+ADDED = [1, 0.5, "word", "2 mm", "3 %", "N", ["2 mm"], {}]
+
+
 def validators():
     schemas = {kind: json.loads((FOLDER / f"latsch-{kind}.json").read_text())
                for kind in (file.stem.removeprefix("latsch-") for file in FOLDER.glob("latsch-*.json"))}
@@ -111,6 +116,13 @@ def good_files(validators):
         if error:
             print(f"{file.relative_to(schema_corpus.ROOT)} is refused as a {kind}: {error}")
     return taken, len(files)
+
+
+def samples_taken(validators, recorder):
+    """Returns a sentence for each sample of the reference that a schema refuses."""
+    errors = [(kind, file, first_error(validators[kind], schema_corpus.read(file))) for kind, file in recorder.samples]
+    print(f"samples of the reference taken {sum(error is None for *_, error in errors)} of {len(errors)}")
+    return [f"the sample {file.read_text()!r} is refused as a {kind}: {error}" for kind, file, error in errors if error]
 
 
 def places(content, at=()):
@@ -159,10 +171,16 @@ def renamed(value, old, new):
 
 
 def changes(content):
-    """Yields a description and a content for each change: another value, no value, another name."""
+    """Yields a description and a content for each change: another value, no value, one more key, another name."""
     for place in places(content):
+        here = content
+        for part in place:
+            here = here[part]
         for value in [None, *PROBES]:
             yield f"{'.'.join(map(str, place))} = {value}", lambda: changed(content, place, value)
+        if isinstance(here, dict):
+            for value in ADDED:
+                yield f"{'.'.join(map(str, place))}.other = {value}", lambda: changed(content, (*place, "other"), value)
     for name in sorted(texts_in(content) & keys_of(content)):
         yield f"{name} is called other_name", lambda: renamed(content, name, "other_name")
 
@@ -226,7 +244,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         recorder = schema_corpus.Recorder(program, folder)
         refused, faults = wrong_files(every_kind, recorder)
-        faults += edges_taken(every_kind, recorder)
+        faults += samples_taken(every_kind, recorder) + edges_taken(every_kind, recorder)
         strict, tried = refused_although_taken(every_kind, recorder, every)
         recorder.close()
     taken, all_of_them = good_files(every_kind)

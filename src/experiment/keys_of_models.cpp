@@ -36,7 +36,7 @@ Keys keys_of_suspension(const std::filesystem::path& file) {
   suspension::read_corner(record.node());
   Keys keys = record.keys();
   for (auto& [path, key] : names_in_suspension(written)) {
-    // What the other files state is not written in this one.
+    // Keys that come from the other files are not written in this one.
     if (path == "hardpoints" && key.is_there)
       std::erase_if(keys, [](const auto& one) { return one.first.starts_with("hardpoint."); });
     const bool is_file = path.ends_with(".file") && key.is_there;
@@ -95,9 +95,10 @@ Keys keys_of_model(const std::filesystem::path& file) {
   } else if (kind == &ring_tire_kind()) {
     ring_tire::read_ring_tire(record.node());
   } else {
-    throw InputError({file.string(), 0},
-                     "is a " + kind->in_words() +
-                         ", expected a finite-element tire, a flexible ring, a suspension or a car");
+    throw InputError(
+        {file.string(), 0},
+        "is a " + kind->in_words() +
+            ", expected a finite-element tire, a flexible ring, a suspension or a car");
   }
   return record.keys();
 }

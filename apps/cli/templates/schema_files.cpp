@@ -37,8 +37,7 @@ std::vector<std::string> kinds_in(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with(kBefore) && name.ends_with(kEnding))
-      kinds.push_back(
-          name.substr(kBefore.size(), name.size() - kBefore.size() - kEnding.size()));
+      kinds.push_back(name.substr(kBefore.size(), name.size() - kBefore.size() - kEnding.size()));
   }
   std::sort(kinds.begin(), kinds.end());
   return kinds;

@@ -14,8 +14,8 @@ namespace latsch::cli {
 std::string schema_of(const std::string& kind);
 
 /// Returns the TOML text of a study, a model, a test, a road or a rig behind a line that names its
-/// schema: `#:schema file:///usr/share/latsch/schemas/latsch-study.json`. Returns the text unchanged
-/// if it is of another kind or if the program was copied without its schemas.
+/// schema: `#:schema file:///usr/share/latsch/schemas/latsch-study.json`. Returns the text
+/// unchanged if it is of another kind or if the program was copied without its schemas.
 std::string with_schema(const std::string& text, const experiment::Language& language);
 
 }  // namespace latsch::cli

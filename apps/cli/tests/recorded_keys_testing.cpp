@@ -2,11 +2,11 @@
 // A program that reads TOML files of any kind and prints what their readers request, for
 // tools/schemas.py.
 //
-//   recorded_keys --samples FOLDER    writes the samples of the reference into a folder and prints a
-//                                     line `KIND<tab>FILE` for each
-//   recorded_keys --sections          prints the sections of the reference as JSON
-//   recorded_keys                     reads such lines and answers each with a line of JSON: the
-//                                     keys of the file by their paths, or why it was refused
+//   recorded_keys --samples FOLDER   writes the samples of the reference into a folder and prints a
+//                                    line `KIND<tab>FILE` for each
+//   recorded_keys --sections         prints the sections of the reference as JSON
+//   recorded_keys                    reads such lines and answers each with a line of JSON: the
+//                                    keys of the file by their paths, or why it was refused
 #include <fmt/format.h>
 
 #include <cmath>

@@ -67,8 +67,7 @@ void help(const CommandLine& app,
           const std::string& part,
           const std::string& schema) {
   if (!schema.empty()) {
-    if (!topic.empty())
-      throw InputError("--schema " + schema + ": expected no topic beside it");
+    if (!topic.empty()) throw InputError("--schema " + schema + ": expected no topic beside it");
     return print_text(schema_of(schema));
   }
   if (!part.empty()) {

@@ -239,9 +239,9 @@ fs::path write_all(const fs::path& folder,
   fs::path study = new_study(folder);
   fs::create_directories(folder);
   for (const WrittenFile& file : files)
-    write(folder / file.name,
-          fs::path(file.name).extension() == ".toml" ? with_schema(file.text, language)
-                                                     : file.text);
+    write(
+        folder / file.name,
+        fs::path(file.name).extension() == ".toml" ? with_schema(file.text, language) : file.text);
   return study;
 }
 
