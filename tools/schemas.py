@@ -168,7 +168,9 @@ class Schemas:
                 if len(tail) != len(pattern) or any(a != b and b != "*" for a, b in zip(tail, pattern)):
                     continue
                 exact = sum(a == b for a, b in zip(tail, pattern))
-                score = 10 * exact + (2 if f'"{variant}"' in section["heading"] else 1)
+                # "[experiment.NAME] with kind = "curve"" is about this kind, "What of a curve is compared" too.
+                heading = section["heading"]
+                score = 10 * exact + (2 if f'"{variant}"' in heading else 1 if variant and variant in heading else 0.5)
                 if score > most:
                     best, most = entry, score
         return best
@@ -203,7 +205,8 @@ class Schemas:
     def words(self, forms, entry, loose):
         expected = []
         for form in forms:
-            for one in form.get("expected") or ([] if form["kind"] in ("presence", "text", "choice") else [form["words"]]):
+            silent = ("presence", "text", "choice") + (("table", "tables") if entry else ())
+            for one in form.get("expected") or ([] if form["kind"] in silent else [form["words"]]):
                 if loose and form["kind"] == "quantity" and not form.get("expected"):
                     one = "a quantity in the unit of the number it belongs to"
                 one = one.replace("`", "")
@@ -335,11 +338,12 @@ class Schemas:
                 properties[key] = {**described, **schema} if not others else {**described, "anyOf": others + [schema]}
             if self.is_required(table, variant, key):
                 required.append(key)
-        schema = {"type": "object", "properties": properties}
+        schema = {"type": "object", "properties": properties, "additionalProperties": False}
         if self.has_free_names(table):
-            schema["additionalProperties"] = True
-        else:
-            schema["additionalProperties"] = False
+            # The names of the corpus are no choices: what they have in common holds for every name.
+            free = [properties.pop(key) for key in list(properties)]
+            schema["additionalProperties"] = free[0] if free and all(one == free[0] for one in free) else {}
+            required = []
         if required:
             schema["required"] = sorted(required)
         return schema
