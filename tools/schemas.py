@@ -41,6 +41,9 @@ FREE = {"study": ("stage.*.model", "refined.model"), "comparison": ("reference.n
         "rig": ("channels.units",)}
 # Tables of tables whose names another table of the file defines.
 NAMED = {("rig", "truth.run")}
+# Keys that readers of models ask for only to refuse them. Sections of the reference name those of studies and tests.
+REFUSED = {("fe_tire", "kind"), ("fe_tire", "friction_pressure"), ("fe_tire", "friction_exponent"),
+           ("ring_tire", "belt.bending_lateral"), ("ring_tire", "belt.section_bending")}
 # A number, then a blank or a character that is part of no number: "2.6 bar", "5%", "3 1/s".
 WITH_UNIT = r"^\s*[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?(\s+\S.*|[^0-9\s.].*)$"
 WITH_OR_WITHOUT_UNIT = r"^\s*[+-]?([0-9]|\.[0-9]).*$"
@@ -309,7 +312,10 @@ class Schemas:
                 forms, _ = self.forms_of(self.like(table), key, None, only=False)
             if not forms and not self.is_refused(table, key):
                 forms, _ = self.forms_of(self.alike(table), key, variant, only=False)
-            if (not forms and not stated) or (not stated and self.is_refused(table, key)):
+            if not stated and self.is_refused(table, key):
+                continue
+            if not forms and not stated:
+                self.faults.append(f"{table.owner}: no file of the corpus states the key {'.'.join(table.path + (key,))!r}")
                 continue
             if key == "kind" and variant is not None:
                 properties[key] = {"const": variant}
@@ -379,6 +385,8 @@ class Schemas:
 
     def is_refused(self, table, key):
         """True if a reader asks for the key only to refuse it."""
+        if (table.owner, ".".join(table.path + (key,))) in REFUSED:
+            return True
         for section in self.sections:
             at = section["table"]
             for path in section["refused"]:
