@@ -107,6 +107,8 @@ class Schemas:
         self.roots = {}
         self.faults = []
         self.names = {}
+        self.said = schema_corpus.read(schema_corpus.ROOT / "tools" / "schema_words.toml")
+        self.used = set()  # owners and patterns of the sentences that a key has
         for kind, file in recorder.files():
             declared = recorder.keys(kind, file)
             if declared is not None:
@@ -142,6 +144,8 @@ class Schemas:
 
     def sentence(self, table, variant, key):
         """Returns the entry of the reference for a key; {} if there is none."""
+        if table.owner in self.said:
+            return self.said_of(table, key)
         path = list(table.path) + [key]
         best, most = {}, 0
         for section in self.sections:
@@ -177,6 +181,18 @@ class Schemas:
                 if score > most:
                     best, most = entry, score
         return best
+
+    def said_of(self, table, key):
+        """Returns the sentence of tools/schema_words.toml for a key as an entry of the reference."""
+        path, words = table.path + (key,), self.said[table.owner]
+        fitting = [pattern for pattern in words if len(parts := pattern.split(".")) == len(path)
+                   and all(part in ("*", name) for part, name in zip(parts, path))]
+        if not fitting:
+            self.faults.append(f"{table.owner}: the key {'.'.join(path)!r} has no sentence in tools/schema_words.toml")
+            return {}
+        best = min(fitting, key=lambda pattern: (pattern.count("*"), pattern))
+        self.used.add((table.owner, best))
+        return {"sentence": words[best]}
 
     # Values
 
@@ -507,6 +523,9 @@ def make(program):
         schemas = Schemas(recorder)
         texts = {kind: text_of(schemas.schema(kind)) for kind in TITLES}
         recorder.close()
+    schemas.faults += [f"tools/schema_words.toml: {owner}: the sentence on {pattern!r} belongs to no key"
+                       for owner, words in schemas.said.items() for pattern in words if (owner, pattern) not in schemas.used]
+    schemas.faults = list(dict.fromkeys(schemas.faults))
     return texts, schemas
 
 
