@@ -10,12 +10,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/file.h"
+#include "cli/console/console.h"
 #include "cli/templates/study_reference.h"
 #include "correlation/study_keys.h"
 
@@ -71,7 +73,7 @@ void write_samples(const std::filesystem::path& folder) {
   for (const auto& [kind, text] : correlation::sampled_files(experiment::language())) {
     const auto file = folder / fmt::format("sample_{:03}.toml", ++number);
     write_text_file(file, text);
-    fmt::print("{}\t{}\n", kind, file.string());
+    put(fmt::format("{}\t{}\n", kind, file.string()));
   }
 }
 
@@ -80,7 +82,7 @@ void print_sections() {
   Json sections = study_keys_json(keys);
   for (std::size_t i = 0; i < sections.size(); ++i)
     sections[i]["refused"] = keys.sections()[i].section->refused;
-  std::cout << sections.dump() << '\n';
+  put(sections.dump() + "\n");
 }
 
 }  // namespace
@@ -96,7 +98,9 @@ int main(int argc, char** argv) {
     latsch::cli::print_sections();
     return 0;
   }
-  for (std::string line; std::getline(std::cin, line);)
-    std::cout << latsch::cli::answer_on(line).dump() << std::endl;
+  for (std::string line; std::getline(std::cin, line);) {
+    latsch::cli::put(latsch::cli::answer_on(line).dump() + "\n");
+    std::fflush(stdout);  // the other program waits for the answer
+  }
   return 0;
 }
