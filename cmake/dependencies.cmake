@@ -20,7 +20,7 @@
 # Runs on the ranks of an MPI job:
 # apt mpi: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
-# apt test: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy python3-pandas libnlopt-dev libxml2-utils
+# apt test: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy python3-pandas libnlopt-dev libxml2-utils python3-jsonschema
 # The test oracle of mechanisms (verification/simbody), C++17 by itself; nothing else is linked with it:
 # apt test: libsimbody-dev
 # A file system in user space for the test of a journal on one:

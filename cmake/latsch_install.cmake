@@ -30,6 +30,9 @@ add_custom_target(latsch_manual ALL DEPENDS ${manual})
 install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${CMAKE_SOURCE_DIR}/cmake/package/latsch.bash DESTINATION share/bash-completion/completions RENAME latsch
         COMPONENT program)
+# The schemas of the program's files, for editors.
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/schemas/ DESTINATION share/latsch/schemas COMPONENT program
+        FILES_MATCHING PATTERN "latsch-*.json")
 include(cmake/latsch_packages.cmake)
 
 add_test(NAME public_headers COMMAND python3 ${CMAKE_SOURCE_DIR}/tools/public_headers.py)

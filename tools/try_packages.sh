@@ -28,6 +28,8 @@ latsch --version
 ldd /usr/bin/latsch | grep openblas-serial
 try latsch new my_tire --coarse
 try latsch check my_tire/study.toml
+head -n 1 my_tire/study.toml | grep -x '#:schema file:///usr/share/latsch/schemas/latsch-study.json'
+try latsch help --schema study
 try latsch run /packages/compliance/study.toml --workers 2
 tail -n 3 /tmp/said
 try latsch new my_car --car

@@ -12,11 +12,16 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "correlation/comparison/comparison_file.h"
+#include "correlation/comparison/model_comparison_file.h"
 #include "correlation/observable/compared_kinds.h"
+#include "correlation/rig_data/rig_file.h"
 #include "correlation/study/keys/declared_keys.h"
 #include "correlation/validation/suite.h"
+#include "experiment/keys_of_models.h"
 #include "experiment/keys_of_tests.h"
 #include "experiment/language/capabilities.h"
+#include "formats/tables/measurement_file.h"
 
 namespace latsch::correlation {
 
@@ -136,6 +141,45 @@ std::string steered() {
   return text;
 }
 
+}  // namespace
+
+void write_files_of_samples(const fs::path& folder) {
+  experiment::write_sample_files(folder);
+  for (const auto& [name, text] : std::vector<std::pair<const char*, std::string>>{
+           {"model.toml", kModel},
+           {"slow.toml", kSlow},
+           {"spring.txt", "stiffness {modulus}\n"},
+           {"beam.txt", "modulus {modulus}\n"},
+           {"old.latsch", ""},
+           {"force.csv", "deflection [mm],force [N]\n5,1000\n10,2100\n"},
+           {"two_runs.csv", "run1.Fz [N],run2.Fz [N]\n4000,4010\n3990,4005\n"},
+           {"logged.uff",
+            "    -1\n    58\nFz\nNONE\nNONE\nNONE\nNONE\n    1\n"
+            "         2         3         1  0.00000e+00  1.00000e-02\n"
+            "        17    0    0    0 time                 s\n"
+            "         9    0    0    0 force                N\n"
+            "         0    0    0    0 NONE                 NONE\n"
+            "         0    0    0    0 NONE                 NONE\n"
+            "  4.00000e+03  4.01000e+03  3.99000e+03\n    -1\n"},
+           {"lengths.csv", "length [mm]\n112\n139\n"},
+           {"modes.csv", "frequency [Hz],n,type\n54,0,torsional\n70,1,radial\n"},
+           {"mode_shapes.csv",
+            "mode,x [mm],y [mm],z [mm],ux,uy,uz\n1,0,50,310,0,0,1\n2,0,50,310,1,0,0\n"},
+           {"step.csv", swinging("time [s],z [mm]", 0.0, 10.0)},
+           {"slow_measured.csv", swinging("time [s],Fz [N]", 4000.0, 200.0)},
+           {"over_speed.csv",
+            "speed [km/h],Fz [N]\n10,4000\n20,4010\n30,4015\n40,4030\n50,4035\n60,4050\n"
+            "70,4052\n80,4070\n"},
+           {"frf.csv",
+            "frequency [Hz],re_hub_Fz [N/mm],im_hub_Fz "
+            "[N/mm],coherence\n20,210,12,0.99\n40,190,15,"
+            "0.95\n"},
+           {"cornering.csv", steered()}})
+    write_text_file(folder / name, text);
+}
+
+namespace {
+
 /// A temporary folder with the files that samples name, removed at the end.
 class SampleFolder {
  public:
@@ -145,38 +189,7 @@ class SampleFolder {
       throw InputError("no folder can be made in " + in_quotes(fs::temp_directory_path().string()) +
                        ", where samples are written; set TMPDIR to a folder that can be written");
     path_ = pattern;
-    experiment::write_sample_files(path_);
-    for (const auto& [name, text] : std::vector<std::pair<const char*, std::string>>{
-             {"model.toml", kModel},
-             {"slow.toml", kSlow},
-             {"spring.txt", "stiffness {modulus}\n"},
-             {"beam.txt", "modulus {modulus}\n"},
-             {"old.latsch", ""},
-             {"force.csv", "deflection [mm],force [N]\n5,1000\n10,2100\n"},
-             {"two_runs.csv", "run1.Fz [N],run2.Fz [N]\n4000,4010\n3990,4005\n"},
-             {"logged.uff",
-              "    -1\n    58\nFz\nNONE\nNONE\nNONE\nNONE\n    1\n"
-              "         2         3         1  0.00000e+00  1.00000e-02\n"
-              "        17    0    0    0 time                 s\n"
-              "         9    0    0    0 force                N\n"
-              "         0    0    0    0 NONE                 NONE\n"
-              "         0    0    0    0 NONE                 NONE\n"
-              "  4.00000e+03  4.01000e+03  3.99000e+03\n    -1\n"},
-             {"lengths.csv", "length [mm]\n112\n139\n"},
-             {"modes.csv", "frequency [Hz],n,type\n54,0,torsional\n70,1,radial\n"},
-             {"mode_shapes.csv",
-              "mode,x [mm],y [mm],z [mm],ux,uy,uz\n1,0,50,310,0,0,1\n2,0,50,310,1,0,0\n"},
-             {"step.csv", swinging("time [s],z [mm]", 0.0, 10.0)},
-             {"slow_measured.csv", swinging("time [s],Fz [N]", 4000.0, 200.0)},
-             {"over_speed.csv",
-              "speed [km/h],Fz [N]\n10,4000\n20,4010\n30,4015\n40,4030\n50,4035\n60,4050\n"
-              "70,4052\n80,4070\n"},
-             {"frf.csv",
-              "frequency [Hz],re_hub_Fz [N/mm],im_hub_Fz "
-              "[N/mm],coherence\n20,210,12,0.99\n40,190,15,"
-              "0.95\n"},
-             {"cornering.csv", steered()}})
-      write_text_file(path_ / name, text);
+    write_files_of_samples(path_);
   }
   ~SampleFolder() {
     std::error_code ignored;
@@ -251,7 +264,73 @@ std::vector<const KeySection*> sections_of(const Language& language) {
   return sections;
 }
 
+/// True for a section whose samples are studies or suites rather than tests or roads.
+bool has_studies(const KeySection& section) {
+  return !section.heading.starts_with("Test ") && !section.heading.starts_with("[kerb]");
+}
+
 }  // namespace
+
+std::vector<SampledFile> sampled_files(const Language& language) {
+  std::vector<SampledFile> files;
+  for (const KeySection* section : sections_of(language)) {
+    const bool is_road = section->heading.starts_with("[kerb]");
+    const char* const kind = section == &suite_keys() ? "suite"
+                             : is_road                ? "road"
+                             : has_studies(*section)  ? "study"
+                                                      : "test";
+    for (const std::string& sample : section->samples)
+      files.push_back({kind, kind == std::string("study") ? whole_study(sample) : sample});
+  }
+  return files;
+}
+
+const std::vector<std::string>& kinds_of_files() {
+  static const std::vector<std::string> kinds = {"study",
+                                                 "suite",
+                                                 "test",
+                                                 "road",
+                                                 "comparison",
+                                                 "rig",
+                                                 "modes",
+                                                 "fe_tire",
+                                                 "ring_tire",
+                                                 "suspension",
+                                                 "car"};
+  return kinds;
+}
+
+std::map<std::string, DeclaredKey> keys_of_file(const std::string& kind,
+                                                const fs::path& file,
+                                                const Language& language) {
+  const auto& kinds = kinds_of_files();
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    throw InputError("no kind of file is called " + in_quotes(kind) + ", expected " +
+                     list_of(kinds));
+  const AnyModel any(experiment::language());
+  const Language all = with_stand_in(language, any);
+  std::map<std::string, DeclaredKey> keys;
+  if (kind == "study") {
+    keys = keys_of_study(file, all);
+  } else if (kind == "suite") {
+    keys = keys_of_suite(file, any, all);
+  } else if (kind == "test") {
+    keys = experiment::keys_of_test_file(language, file);
+  } else if (kind == "road") {
+    keys = experiment::keys_of_road_file(file);
+  } else if (kind == "comparison") {
+    keys = compares_models(file) ? keys_of_model_comparison(file, language)
+                                 : keys_of_comparison(file, language);
+  } else if (kind == "rig") {
+    keys = keys_of_rig(file);
+  } else if (kind == "modes") {
+    keys = formats::keys_of_modes(file);
+  } else {
+    keys = experiment::keys_of_model(file);
+  }
+  leave_out_samples(all, language, keys);
+  return keys;
+}
 
 KeyTable read_study_keys(const Language& language) {
   const SampleFolder folder;
@@ -261,7 +340,7 @@ KeyTable read_study_keys(const Language& language) {
   experiment::add_keys_of_tests(language, folder.path(), table);
   for (const experiment::TabledSection& tabled : table.sections()) {
     const KeySection& section = *tabled.section;
-    if (section.heading.starts_with("Test ") || section.heading.starts_with("[kerb]")) continue;
+    if (!has_studies(section)) continue;
     for (const std::string& sample : section.samples) {
       const fs::path file = folder.path() / "study.toml";
       const bool is_suite = &section == &suite_keys();

@@ -54,6 +54,21 @@ std::map<std::string, DeclaredKey> keys_of_test(const Language& language,
   return keys;
 }
 
+std::map<std::string, DeclaredKey> keys_of_test_file(const Language& language,
+                                                     const std::filesystem::path& file) {
+  const Document document = Document::read(file);
+  const DocumentRecord record(document.root());
+  language.read_test(record.node(), source_of_samples(file.parent_path()));
+  return record.keys();
+}
+
+std::map<std::string, DeclaredKey> keys_of_road_file(const std::filesystem::path& file) {
+  const Document document = Document::read(file);
+  const DocumentRecord record(document.root());
+  road::read_road(record.node());
+  return record.keys();
+}
+
 void add_keys_of_tests(const Language& language,
                        const std::filesystem::path& folder,
                        KeyTable& table) {

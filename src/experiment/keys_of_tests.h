@@ -30,6 +30,15 @@ std::map<std::string, DeclaredKey> keys_of_test(const Language& language,
                                                 const std::string& sample,
                                                 const std::filesystem::path& folder);
 
+/// Reads a file of a test and returns every key that its readers request. Conditions from a
+/// measurement are those of a sample. Throws InputError for a wrong file.
+std::map<std::string, DeclaredKey> keys_of_test_file(const Language& language,
+                                                     const std::filesystem::path& file);
+
+/// Reads a road in a TOML file and returns every key that its reader requests. Throws InputError
+/// for a wrong file.
+std::map<std::string, DeclaredKey> keys_of_road_file(const std::filesystem::path& file);
+
 /// Adds the keys of all these tests and of roads to a table that contains their sections.
 void add_keys_of_tests(const Language& language,
                        const std::filesystem::path& folder,

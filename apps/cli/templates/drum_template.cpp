@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "cli/templates/ring_template.h"
+#include "cli/templates/schema_files.h"
 #include "correlation/laboratory/channel_names.h"
 #include "correlation/rig_data/rig_doubts.h"
 #include "correlation/rig_data/rig_processing.h"
@@ -532,7 +533,7 @@ DrumStudy drum_study(const DrumRecordings& recordings,
   DrumStudy written;
   written.rig = rig_text(
       recordings, columns, speeds_in(read, recordings, columns, diameter), diameter, folder);
-  write_text_file(folder / "rig.toml", written.rig);
+  write_text_file(folder / "rig.toml", with_schema(written.rig, language));
   const RigFile rig = correlation::read_rig_file(folder / "rig.toml");
   const auto results = correlation::process(rig, [](long, long, const std::string&) {});
   correlation::write_rig_tables(rig, results, folder / "rig_processed");

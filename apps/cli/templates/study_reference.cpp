@@ -254,6 +254,8 @@ Json key_json(const TabledKey& key) {
 
 }  // namespace
 
+std::string words_of(const KeyForm& form) { return form_words(form, /*has_one_unit=*/true, ""); }
+
 std::string study_reference(const KeyTable& keys) {
   std::string text = kReferenceHead;
   for (const auto& [section, of_section] : keys.sections())

@@ -29,4 +29,7 @@ std::vector<std::string> study_reference_words(const experiment::KeyTable& keys)
 /// chooses.
 Json study_keys_json(const experiment::KeyTable& keys);
 
+/// Returns what a form of a key accepts, in words: "a length such as `\"25 mm\"`, above 0".
+std::string words_of(const experiment::KeyForm& form);
+
 }  // namespace latsch::cli

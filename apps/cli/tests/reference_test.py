@@ -7,6 +7,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 from cli_testing import LATSCH
@@ -102,6 +103,34 @@ class Reference(unittest.TestCase):
         samples = [sample for section in sections().values() for sample in section["samples"]]
         page = PAGE.read_text()
         self.assertGreater(sum(sample in page for sample in samples), 35)
+
+    def test_the_schema_of_every_kind_of_file_is_printed(self):
+        files = sorted((TREE / "docs" / "schemas").glob("latsch-*.json"))
+        self.assertGreaterEqual(len(files), 11)
+        for file in files:
+            self.assertEqual(said("help", "--schema", file.stem.removeprefix("latsch-")), file.read_text())
+
+    def test_an_unknown_kind_of_file_is_answered_with_what_there_is(self):
+        done = subprocess.run([LATSCH, "help", "--schema", "studi"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('did you mean "study"', done.stderr)
+        self.assertIn("fe_tire", done.stderr)
+
+    def test_files_of_latsch_new_name_their_schemas(self):
+        """Tests every file that `latsch new` writes without a recording."""
+        kinds = {"study": "study", "tire": "fe_tire", "ring": "ring_tire", "corner": "suspension", "front": "suspension",
+                 "rear": "suspension", "car": "car", "kerb": "test"}
+        with tempfile.TemporaryDirectory() as folder:
+            written = {}
+            for number, options in enumerate((["--coarse"], ["--suspension"], ["--car"], ["--ring-data"])):
+                said("new", f"{folder}/{number}", *options)
+                for file in pathlib.Path(folder, str(number)).glob("*.toml"):
+                    first = file.read_text().splitlines()[0]
+                    self.assertTrue(first.startswith("#:schema file:///"), f"{file}: {first}")
+                    named = pathlib.Path(first.removeprefix("#:schema file://"))
+                    self.assertTrue(named.exists(), named)
+                    written[file.stem] = named.stem
+            self.assertEqual(written, {stem: f"latsch-{kind}" for stem, kind in kinds.items()})
 
     def test_help_of_a_verb_is_in_the_answer_for_programs(self):
         self.assertIn("latsch help", json.loads(said("help", "--json"))["result"]["text"])

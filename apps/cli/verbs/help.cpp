@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "cli/console/console.h"
+#include "cli/templates/schema_files.h"
 #include "cli/templates/study_reference.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/study_keys.h"
@@ -63,7 +64,12 @@ void help_on_part(const experiment::Language& language, const std::string& part)
 void help(const CommandLine& app,
           const experiment::Language& language,
           const std::string& topic,
-          const std::string& part) {
+          const std::string& part,
+          const std::string& schema) {
+  if (!schema.empty()) {
+    if (!topic.empty()) throw InputError("--schema " + schema + ": expected no topic beside it");
+    return print_text(schema_of(schema));
+  }
   if (!part.empty()) {
     if (topic != "study" && topic != "test")
       throw InputError(in_quotes(topic) + " has no part " + in_quotes(part) +
@@ -89,7 +95,9 @@ void add_help(CommandLine& app, Program& program) {
   verb.footer(
       "Examples:\n  latsch help run\n  latsch help study\n"
       "  # The keys of one table of a study, and those of one kind of test.\n"
-      "  latsch help study optimizer\n  latsch help test rolling");
+      "  latsch help study optimizer\n  latsch help test rolling\n"
+      "  # The JSON schema of a kind of file, for an editor.\n"
+      "  latsch help --schema study");
   auto topic = std::make_shared<std::string>();
   auto part = std::make_shared<std::string>();
   verb.add_option("topic", *topic, "A verb, or \"study\"; without it all verbs");
@@ -97,7 +105,14 @@ void add_help(CommandLine& app, Program& program) {
                   *part,
                   "After \"study\" or \"test\": a kind of test such as \"footprint\", or a "
                   "table such as \"variable\"");
-  verb.callback([&app, &program, topic, part] { help(app, program.language, *topic, *part); });
+  auto schema = std::make_shared<std::string>();
+  verb.add_option("--schema",
+                  *schema,
+                  "Prints the JSON schema (draft-07) of a kind of TOML file instead, such as "
+                  "\"study\" or \"car\"; docs/editors.md says how an editor uses it");
+  verb.callback([&app, &program, topic, part, schema] {
+    help(app, program.language, *topic, *part, *schema);
+  });
 }
 
 }  // namespace latsch::cli

@@ -18,6 +18,7 @@
 #include "cli/templates/drum_template.h"
 #include "cli/templates/magic_formula_template.h"
 #include "cli/templates/ring_template.h"
+#include "cli/templates/schema_files.h"
 #include "cli/templates/sized_tire.h"
 #include "cli/templates/study_template.h"
 #include "cli/verbs/verbs.h"
@@ -187,7 +188,7 @@ void start_magic_formula(const NewOptions& options, const experiment::Language& 
   Unfinished files(folder, {"tire.tir", "study.toml"});
   fs::create_directories(folder);
   write_text_file(folder / "tire.tir", written.tire);
-  write_text_file(study, written.study);
+  write_text_file(study, with_schema(written.study, language));
   const auto read = files.finish(study, language);
   for (const std::string& word : written.words) say("  {}\n", word);
   say_ledgers(correlation::ledgers_of(read), LinesTo::output, "Files");
@@ -219,8 +220,8 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
   }
   Unfinished files(folder, {"ring.toml", "study.toml"});
   fs::create_directories(folder);
-  write_text_file(folder / "ring.toml", written.ring);
-  write_text_file(study, written.study);
+  write_text_file(folder / "ring.toml", with_schema(written.ring, language));
+  write_text_file(study, with_schema(written.study, language));
   files.finish(study, language);
   say("\n{1}\n"
       "  latsch run {0}                          finds the numbers\n"
@@ -232,15 +233,20 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
   return kDone;
 }
 
-fs::path write_all(const fs::path& folder, const std::vector<WrittenFile>& files) {
+fs::path write_all(const fs::path& folder,
+                   const std::vector<WrittenFile>& files,
+                   const experiment::Language& language) {
   fs::path study = new_study(folder);
   fs::create_directories(folder);
-  for (const WrittenFile& file : files) write(folder / file.name, file.text);
+  for (const WrittenFile& file : files)
+    write(
+        folder / file.name,
+        fs::path(file.name).extension() == ".toml" ? with_schema(file.text, language) : file.text);
   return study;
 }
 
 void start_suspension(const NewOptions& options, const experiment::Language& language) {
-  const fs::path study = write_all(options.folder, suspension_study_files());
+  const fs::path study = write_all(options.folder, suspension_study_files(), language);
   correlation::read_study(study, language);
   say("\nPut your hardpoints into {1} and your values into the study, then\n"
       "  latsch run {0}                          finds the bushings\n"
@@ -253,7 +259,7 @@ void start_suspension(const NewOptions& options, const experiment::Language& lan
 }
 
 void start_car(const NewOptions& options, const experiment::Language& language) {
-  const fs::path folder = options.folder, study = write_all(folder, car_study_files()),
+  const fs::path folder = options.folder, study = write_all(folder, car_study_files(), language),
                  car = folder / "car.toml";
   write(folder / "sweep.csv", example_sweep(car.string(), language));
   correlation::read_study(study, language);
@@ -284,8 +290,8 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
                                        known,
                                        folder,
                                        language);
-  write_text_file(folder / "ring.toml", written.ring);
-  write_text_file(study, written.study);
+  write_text_file(folder / "ring.toml", with_schema(written.ring, language));
+  write_text_file(study, with_schema(written.study, language));
   const auto read = files.finish(study, language);
   for (const std::string& word : written.words) say("  {}\n", word);
   if (options.known.empty())
@@ -305,8 +311,8 @@ void start_study(const NewOptions& options, const experiment::Language& language
   fs::create_directories(folder);  // throws before the mesh is computed, which takes seconds
   const Document tire = Document::parse(meshed(shape, options), (folder / "tire.toml").string());
   const std::string text = study_template(tire);
-  write(folder / "tire.toml", tire.text());
-  write(study, text);
+  write(folder / "tire.toml", with_schema(tire.text(), language));
+  write(study, with_schema(text, language));
   write_example(study, language);
   if (!options.size.empty())
     say("\nAssumed: {}\n", inflated_size_in_words(tire, options.size, language));

@@ -83,13 +83,9 @@ ComparisonTest read_test(const Node& table,
   return one;
 }
 
-}  // namespace
-
-const char* unit_of(const std::string& channel) { return channel[0] == 'F' ? "N" : "N m"; }
-
-ComparisonFile read_comparison_file(const fs::path& file, const experiment::Language& language) {
-  const Document document = Document::read(file);
-  const Node root = document.root();
+ComparisonFile read_tables(const Node& root,
+                           const fs::path& file,
+                           const experiment::Language& language) {
   const fs::path folder = file.parent_path();
   ComparisonFile comparison;
   comparison.file = file;
@@ -148,6 +144,22 @@ ComparisonFile read_comparison_file(const fs::path& file, const experiment::Lang
   }
   root.close();
   return comparison;
+}
+
+}  // namespace
+
+const char* unit_of(const std::string& channel) { return channel[0] == 'F' ? "N" : "N m"; }
+
+ComparisonFile read_comparison_file(const fs::path& file, const experiment::Language& language) {
+  return read_tables(Document::read(file).root(), file, language);
+}
+
+std::map<std::string, DeclaredKey> keys_of_comparison(const fs::path& file,
+                                                      const experiment::Language& language) {
+  const Document document = Document::read(file);
+  const DocumentRecord record(document.root());
+  read_tables(record.node(), file, language);
+  return record.keys();
 }
 
 }  // namespace latsch::correlation

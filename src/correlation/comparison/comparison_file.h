@@ -39,7 +39,7 @@
 #include <string>
 #include <vector>
 
-#include "base/document.h"
+#include "base/document_record.h"
 #include "correlation/laboratory/measurement.h"
 #include "experiment/language.h"
 #include "experiment/rigs/drum_rig.h"
@@ -87,5 +87,9 @@ const char* unit_of(const std::string& channel);
 /// Throws InputError naming the place.
 ComparisonFile read_comparison_file(const std::filesystem::path& file,
                                     const experiment::Language& language);
+/// Reads a comparison and returns every key that its readers request, by its path. Throws
+/// InputError as read_comparison_file() does.
+std::map<std::string, DeclaredKey> keys_of_comparison(const std::filesystem::path& file,
+                                                      const experiment::Language& language);
 
 }  // namespace latsch::correlation

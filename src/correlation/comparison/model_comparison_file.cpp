@@ -228,23 +228,9 @@ void read_pictures(const Node& root, ModelComparisonFile& file) {
   file.pictures = {model, place(cases, table->choice("case", cases))};
 }
 
-}  // namespace
-
-std::size_t ModelComparisonFile::find_case(const std::string& name) const {
-  const auto found = std::find_if(
-      cases.begin(), cases.end(), [&](const ComparedCase& one) { return one.name == name; });
-  return static_cast<std::size_t>(found - cases.begin());
-}
-
-bool compares_models(const fs::path& file) {
-  const auto keys = Document::read(file).root().keys();
-  return std::find(keys.begin(), keys.end(), "model") != keys.end();
-}
-
-ModelComparisonFile read_model_comparison(const fs::path& path,
+ModelComparisonFile read_tables_of_models(const Node& root,
+                                          const fs::path& path,
                                           const experiment::Language& language) {
-  const Document document = Document::read(path);
-  const Node root = document.root();
   const fs::path folder = path.parent_path();
   ModelComparisonFile file;
   file.file = path;
@@ -282,6 +268,32 @@ ModelComparisonFile read_model_comparison(const fs::path& path,
   read_pictures(root, file);
   root.close();
   return file;
+}
+
+}  // namespace
+
+std::size_t ModelComparisonFile::find_case(const std::string& name) const {
+  const auto found = std::find_if(
+      cases.begin(), cases.end(), [&](const ComparedCase& one) { return one.name == name; });
+  return static_cast<std::size_t>(found - cases.begin());
+}
+
+bool compares_models(const fs::path& file) {
+  const auto keys = Document::read(file).root().keys();
+  return std::find(keys.begin(), keys.end(), "model") != keys.end();
+}
+
+ModelComparisonFile read_model_comparison(const fs::path& path,
+                                          const experiment::Language& language) {
+  return read_tables_of_models(Document::read(path).root(), path, language);
+}
+
+std::map<std::string, DeclaredKey> keys_of_model_comparison(const fs::path& path,
+                                                            const experiment::Language& language) {
+  const Document document = Document::read(path);
+  const DocumentRecord record(document.root());
+  read_tables_of_models(record.node(), path, language);
+  return record.keys();
 }
 
 }  // namespace latsch::correlation

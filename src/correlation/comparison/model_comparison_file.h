@@ -69,7 +69,7 @@
 #include <string>
 #include <vector>
 
-#include "base/document.h"
+#include "base/document_record.h"
 #include "correlation/comparison/fit_posterior.h"
 #include "experiment/language.h"
 #include "measurement/rig_response_fit.h"
@@ -152,5 +152,9 @@ bool compares_models(const std::filesystem::path& file);
 /// Throws InputError naming the place.
 ModelComparisonFile read_model_comparison(const std::filesystem::path& file,
                                           const experiment::Language& language);
+/// Reads a comparison of models and returns every key that its readers request, by its path. Throws
+/// InputError as read_model_comparison() does.
+std::map<std::string, DeclaredKey> keys_of_model_comparison(const std::filesystem::path& file,
+                                                            const experiment::Language& language);
 
 }  // namespace latsch::correlation

@@ -200,11 +200,7 @@ RigCompensation read_compensation(const Node& table, const RigFile& rig) {
   return c;
 }
 
-}  // namespace
-
-RigFile read_rig_file(const std::filesystem::path& file) {
-  const Document document = Document::read(file);
-  const Node root = document.root();
+RigFile read_rig_tables(const Node& root, const std::filesystem::path& file) {
   RigFile rig;
   rig.file = file;
   rig.title = root.text("title", file.stem().string());
@@ -233,6 +229,19 @@ RigFile read_rig_file(const std::filesystem::path& file) {
   }
   root.close();
   return rig;
+}
+
+}  // namespace
+
+RigFile read_rig_file(const std::filesystem::path& file) {
+  return read_rig_tables(Document::read(file).root(), file);
+}
+
+std::map<std::string, DeclaredKey> keys_of_rig(const std::filesystem::path& file) {
+  const Document document = Document::read(file);
+  const DocumentRecord record(document.root());
+  read_rig_tables(record.node(), file);
+  return record.keys();
 }
 
 }  // namespace latsch::correlation

@@ -55,7 +55,7 @@
 #include <string>
 #include <vector>
 
-#include "base/document.h"
+#include "base/document_record.h"
 #include "correlation/rig_data/synthetic_files.h"
 #include "measurement/hammer.h"
 #include "measurement/passages.h"
@@ -117,5 +117,8 @@ struct RigFile {
 
 /// Throws InputError naming file and line.
 RigFile read_rig_file(const std::filesystem::path& file);
+/// Reads the description of a rig and returns every key that its readers request, by its path.
+/// Throws InputError as read_rig_file() does.
+std::map<std::string, DeclaredKey> keys_of_rig(const std::filesystem::path& file);
 
 }  // namespace latsch::correlation

@@ -104,9 +104,7 @@ ModeTable read_mode_csv(const std::filesystem::path& file) {
   return table;
 }
 
-ModeTable read_mode_toml(const std::filesystem::path& file) {
-  const Document document = Document::read(file);
-  const Node root = document.root();
+ModeTable read_mode_tables(const Node& root) {
   ModeTable table;
   for (const Node& node : root.named_tables("mode")) {
     MeasuredMode mode;
@@ -119,6 +117,10 @@ ModeTable read_mode_toml(const std::filesystem::path& file) {
   root.close();
   if (const auto fault = find_fault(table)) throw InputError(root.place(), fault->message);
   return table;
+}
+
+ModeTable read_mode_toml(const std::filesystem::path& file) {
+  return read_mode_tables(Document::read(file).root());
 }
 
 std::string mode_csv(const ModeTable& table) {
@@ -258,6 +260,13 @@ void write_shapes(const std::filesystem::path& file,
       text += '\n';
     }
   write_text_file(file, text);
+}
+
+std::map<std::string, DeclaredKey> keys_of_modes(const std::filesystem::path& file) {
+  const Document document = Document::read(file);
+  const DocumentRecord record(document.root());
+  read_mode_tables(record.node());
+  return record.keys();
 }
 
 }  // namespace latsch::formats

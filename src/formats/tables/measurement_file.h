@@ -24,8 +24,10 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
+#include "base/document_record.h"
 #include "measurement/load_deflection.h"
 #include "measurement/mode_table.h"
 
@@ -39,6 +41,9 @@ bool is_load_deflection_table(const std::filesystem::path& file);
 
 /// Reads modes without shapes, from .toml or CSV.
 ModeTable read_modes(const std::filesystem::path& file);
+/// Reads modes from a .toml and returns every key that is requested, by its path. Throws InputError
+/// as read_modes() does.
+std::map<std::string, DeclaredKey> keys_of_modes(const std::filesystem::path& file);
 /// Reads mode shapes and sensor points and adds them to `table`.
 void read_shapes(const std::filesystem::path& file, ModeTable& table);
 
