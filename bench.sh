@@ -27,7 +27,7 @@ fi
 shift
 log=build/bench_build.log
 mkdir -p build
-tools/install_packages.sh
+tools/install_packages.sh complete
 if ! { cmake --preset release && cmake --build --preset release --target "bench_$name"; } >"$log" 2>&1; then
   tail -n 40 "$log" >&2
   exit 1

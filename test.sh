@@ -22,7 +22,7 @@ END
     exec tools/thorough.sh "$@"
     ;;
 esac
-tools/install_packages.sh
-cmake --preset release
+tools/install_packages.sh complete
+cmake --preset release -D LATSCH_TESTS=ON
 cmake --build --preset release
 exec ctest --preset release "$@"

@@ -1,35 +1,44 @@
-# Dependencies of Latsch: Debian 12 packages, which tools/install_packages.sh installs from these lines.
-# apt: g++ cmake ninja-build python3
-# apt: libfmt-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
-# apt: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmetis-dev
+# Dependencies of Latsch: Debian 12 packages. tools/install_packages.sh installs the sets that it is given; a set is all
+# lines of its name below. ./demo.sh needs the set `build` alone; what the other sets bring is left out, and named, where
+# they are not installed.
+# The compiler and the libraries of the program are the first set.
+# apt build: g++ cmake ninja-build python3
+# apt build: libfmt-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev
+# apt build: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmetis-dev
 # MAT files: version 5 needs zlib, version 7.3 is HDF5 and read by matio:
-# apt: zlib1g-dev libmatio-dev
+# apt build: zlib1g-dev libmatio-dev
 # Packages of co-simulation units (FMI) are ZIP files:
-# apt: libzip-dev
+# apt build: libzip-dev
 # The studio's server: Boost.Beast and Asio, headers alone:
-# apt: libboost-dev
-# The Python package needs these; without them the program is built without it:
-# apt: python3-dev pybind11-dev python3-numpy
-# Runs on the ranks of an MPI job need these; without them the program is built without MPI:
-# apt: libopenmpi-dev openmpi-bin
+# apt build: libboost-dev
+# The page of the studio is built by npm (apps/web). The packages are installed only if the commands are missing, because
+# another Node than Debian's has packages that exclude Debian's npm:
+# apt-command page: node nodejs
+# apt-command page: npm npm
+# The Python package:
+# apt python: python3-dev pybind11-dev python3-numpy
+# Runs on the ranks of an MPI job:
+# apt mpi: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
-# apt: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev libxml2-utils
+# apt test: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy libnlopt-dev libxml2-utils
 # The test oracle of mechanisms (verification/simbody), C++17 by itself; nothing else is linked with it:
-# apt: libsimbody-dev
-# ./bench.sh slurm starts a Slurm of one node with these (7 MB; no daemon of theirs has to run):
-# apt: slurmctld slurmd slurm-client munge
-# The page of the studio is built by npm (apps/web). They are installed only if the commands are missing, because another Node
-# than Debian's has packages that exclude Debian's npm. Without npm, Latsch is built without the page.
-# apt-command: node nodejs
-# apt-command: npm npm
-# The tests of the page run in this browser:
-# apt: chromium
-# tools/api_pages.sh makes the pages of the public headers with this program and installs it; nothing else needs it:
-# apt-for-api-pages: doxygen
-# ./test.sh --thorough runs these programs and installs them:
-# apt-for-thorough: clang-format clang-tidy
+# apt test: libsimbody-dev
 # A file system in user space for the test of a journal on one:
-# apt: bindfs
+# apt test: bindfs
+# The tests of the page run in this browser:
+# apt browser: chromium
+# ./bench.sh slurm starts a Slurm of one node with these; no daemon of theirs has to run:
+# apt slurm: slurmctld slurmd slurm-client munge
+# ./test.sh --thorough runs these programs:
+# apt thorough: clang-format clang-tidy
+# tools/api_pages.sh makes the pages of the public headers with this program:
+# apt api-pages: doxygen
+# tools/package.sh --try and tools/bare_demo.sh make a bare Debian with this program:
+# apt bare: mmdebstrap
+# tools/archive.sh makes the archive with these programs:
+# apt archive: patchelf xz-utils
+# What ./test.sh and ./bench.sh need, as one name:
+# apt-sets complete: build page python mpi test browser slurm
 find_package(fmt REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)
@@ -39,7 +48,13 @@ find_package(SQLiteCpp REQUIRED)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(Boost 1.74 REQUIRED)
-if(LATSCH_TESTS)
+if(LATSCH_TESTS STREQUAL "AUTO")
+  find_package(GTest QUIET)
+  set(LATSCH_TESTS ${GTest_FOUND})
+  if(NOT GTest_FOUND)
+    message(STATUS "No tests: GoogleTest is not installed; tools/install_packages.sh test installs it")
+  endif()
+elseif(LATSCH_TESTS)
   find_package(GTest REQUIRED)
 endif()
 

@@ -9,7 +9,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 include(GNUInstallDirs)
 include(GoogleTest)
 
-option(LATSCH_TESTS "Build the tests" ON)
+set(LATSCH_TESTS AUTO CACHE STRING "Build the tests: ON, OFF, or AUTO, which builds them if GoogleTest is installed")
 option(LATSCH_SANITIZE "Address and undefined-behavior sanitizers" OFF)
 option(LATSCH_WERROR "Warnings of the compiler are errors: for our own builds, not for other compilers" OFF)
 option(LATSCH_UNITY "Compile small files eight at a time; OFF finds files that lack an include of their own" ON)
@@ -105,7 +105,7 @@ endfunction()
 
 function(latsch_sources out folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_test(ing)?\\.cpp$|/mpi/")  # mpi.cmake makes its library
+  list(FILTER sources EXCLUDE REGEX "_test(ing)?\\.cpp$|/open_mpi\\.cpp$")  # mpi.cmake makes its library
   list(SORT sources COMPARE FILE_BASENAME)  # so a new room leaves the groups of files unchanged
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()

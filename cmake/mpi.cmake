@@ -1,19 +1,20 @@
-# If MPI is installed (Debian: libopenmpi-dev), the program also runs its trials on the ranks of an MPI job.
-# Only the program and latsch::cli: whoever links the other libraries needs no MPI.
+# If MPI is installed (Debian: libopenmpi-dev), a library is built that calls it, lib/latsch/latsch_mpi.so. The program loads
+# it where several tasks were started as one job, and needs no MPI otherwise.
 set(MPI_CXX_SKIP_MPICXX ON)
 find_package(MPI COMPONENTS CXX QUIET)
-if(MPI_CXX_FOUND)
-  add_library(latsch_mpi STATIC ${CMAKE_SOURCE_DIR}/src/evaluation/executors/mpi/mpi_executor.cpp)
-  target_link_libraries(latsch_mpi PUBLIC latsch::evaluation MPI::MPI_CXX)
-  set_target_properties(latsch_mpi PROPERTIES EXPORT_NAME mpi)
-  set_property(GLOBAL APPEND PROPERTY LATSCH_LIBRARIES latsch_mpi)
-  target_link_libraries(latsch_cli PUBLIC latsch_mpi)
-  foreach(source run/workers.cpp console/version.cpp)
-    set_property(SOURCE ${CMAKE_SOURCE_DIR}/apps/cli/${source} APPEND PROPERTY COMPILE_DEFINITIONS LATSCH_MPI)
-  endforeach()
+if(NOT MPI_CXX_FOUND)
+  message(STATUS "No runs on the ranks of an MPI job: MPI is not installed; tools/install_packages.sh mpi installs it")
+else()
+  add_library(latsch_mpi MODULE ${CMAKE_SOURCE_DIR}/src/evaluation/executors/mpi/open_mpi.cpp)
+  target_include_directories(latsch_mpi PRIVATE ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(latsch_mpi PRIVATE MPI::MPI_CXX)
+  set_target_properties(latsch_mpi PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/latsch)
+  add_dependencies(latsch latsch_mpi)
+  install(TARGETS latsch_mpi LIBRARY DESTINATION lib/latsch COMPONENT mpi)
   if(LATSCH_TESTS)
     add_executable(mpi_executor_test ${CMAKE_SOURCE_DIR}/src/evaluation/executors/mpi/mpi_executor_test.cpp)
-    target_link_libraries(mpi_executor_test PRIVATE latsch_mpi GTest::gtest)
+    target_link_libraries(mpi_executor_test PRIVATE latsch::evaluation GTest::gtest)
+    add_dependencies(mpi_executor_test latsch_mpi)
     latsch_optimize_little(mpi_executor_test)
     add_test(NAME mpi_executor COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --allow-run-as-root -n 3
                                        $<TARGET_FILE:mpi_executor_test>)

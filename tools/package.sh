@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# tools/package.sh          writes latsch_*.deb and python3-latsch_*.deb into build/packages
+# tools/package.sh          writes the Debian packages latsch, latsch-mpi and python3-latsch into build/packages
 # tools/package.sh --try    and installs them in a bare Debian 12 below build/packages (mmdebstrap, root), where new,
 #                           check, run, serve, export, the manual and the Python package have to work
 set -eu
 cd "$(dirname "$0")/.."
-tools/install_packages.sh
+tools/install_packages.sh build page python mpi
 packages=build/packages
 log=build/package_build.log
 mkdir -p "$packages"
@@ -18,7 +18,7 @@ rm -rf "$packages/_CPack_Packages"
 ls "$packages"/*.deb
 [ "${1:-}" = --try ] || exit 0
 
-command -v mmdebstrap >/dev/null || { echo "package.sh: --try needs mmdebstrap: apt-get install mmdebstrap" >&2; exit 1; }
+tools/install_packages.sh bare
 root=$packages/bare_debian
 trap 'rm -rf "$root"' EXIT
 rm -rf "$root"

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that every system header that the build has read belongs to a package that install_packages.sh installs, or
-to a dependency of one. Otherwise a machine on which more packages are installed would hide that a bare machine lacks
-one.
+"""Checks that every system header that the build has read belongs to a package, or to a dependency of one, of the sets
+that the target may need: the program reads headers of the set `build` alone, the Python package also of `python`, runs
+on ranks also of `mpi`, tests and benchmarks of all. Otherwise a machine on which more packages are installed would hide
+that a bare machine lacks one.
 
    tools/packages.py BUILD_FOLDER
 
@@ -23,9 +24,21 @@ def output(*command):
     return subprocess.run(command, capture_output=True, text=True, check=False).stdout
 
 
-def listed():
+def listed(sets):
     text = (ROOT / "cmake/dependencies.cmake").read_text()
-    return {name for line in re.findall(r"^# apt: (.*)$", text, re.M) for name in line.split()}
+    lines = [line for each in sets for line in re.findall(rf"^# apt {each}: (.*)$", text, re.M)]
+    return {name for line in lines for name in line.split()}
+
+
+def sets_of(target):
+    """Returns the sets that bring the packages of a target, which is the folder of its object files."""
+    if "latsch_mpi.dir" in target:
+        return ("build", "mpi")
+    if "latsch_python.dir" in target:
+        return ("build", "python")
+    if re.search(r"^(benchmarks|verification)/|_test\.dir|/spring\.dir|_testing", target):
+        return ("build", "python", "mpi", "test")
+    return ("build",)
 
 
 def closure(packages):
@@ -52,10 +65,16 @@ def closure(packages):
 
 
 def headers(build):
-    """Returns the paths of the system headers as the compiler saw them, and with symbolic links in /usr resolved, as
-    packages list them."""
-    read = set(re.findall(r"^    (/usr/.*)$", output("ninja", "-C", build, "-t", "deps"), re.M))
-    return {os.path.realpath(path) for path in read} | {os.path.normpath(path) for path in read}
+    """Returns for each combination of sets the paths of the system headers that its targets read: as the compiler saw
+    them, and with symbolic links in /usr resolved, as packages list them."""
+    read, sets = {}, ()
+    for line in output("ninja", "-C", build, "-t", "deps").splitlines():
+        if line.startswith("    /usr/"):
+            path = line.strip()
+            read.setdefault(sets, set()).update((os.path.realpath(path), os.path.normpath(path)))
+        elif line and not line.startswith(" "):
+            sets = sets_of(line.split(": #deps")[0])
+    return read
 
 
 def owners(paths):
@@ -73,17 +92,21 @@ def main(build):
     if not shutil.which("ninja") or not shutil.which("dpkg"):
         print("no ninja or no dpkg here: not checked")
         return SKIPPED
-    used = owners(headers(build))
-    if not used:
+    read = headers(build)
+    if not read:
         print(f"{build} knows no system headers: is it built with Ninja?")
         return SKIPPED
-    installed = closure(listed())
-    missing = {name: path for name, path in used.items() if name not in installed}
-    for name, path in sorted(missing.items()):
-        print(f"{path} is of {name}, which no '# apt:' line of cmake/dependencies.cmake brings: add "
-              "it there", file=sys.stderr)
-    print(f"{len(used)} packages have headers that are used")
-    return 1 if missing else 0
+    failed = False
+    for sets, paths in sorted(read.items()):
+        used = owners(paths)
+        installed = closure(listed(sets))
+        for name, path in sorted(used.items()):
+            if name not in installed:
+                failed = True
+                print(f"{path} is of {name}, which no line '# apt {sets[-1]}:' of cmake/dependencies.cmake "
+                      "brings: add it there", file=sys.stderr)
+        print(f"{', '.join(sets)}: {len(used)} packages have headers that are used")
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":

@@ -77,7 +77,7 @@ def torn_line(block):
     wrapped again."""
     for at, (line, after) in enumerate(zip(block, block[1:])):
         words = after.split()
-        if not words or re.match(r"\s{2,}", line) or re.match(r"\s{2,}|\s*[-*|(\d\[#`=]", after):
+        if not words or re.match(r"\s{2,}", line) or re.match(r"\s{2,}|\s*(?:[-*|(\d\[#`=]|apt [a-z-]+:)", after):
             continue
         room = len(line) + 1 + len(words[0]) < NARROW and not re.search(r"[.:;,!?)\]=|]$", line)
         if room and re.match(r"[a-z]+[,.]?$", words[0]) and max(map(len, block)) > WIDE and len(line.split()) > 2:

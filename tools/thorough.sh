@@ -108,7 +108,7 @@ for word in "$@"; do
   esac
 done
 mkdir -p "$logs"
-tools/install_packages.sh && tools/install_packages.sh thorough || exit
+tools/install_packages.sh complete thorough || exit
 failed=""
 began=$(date +%s)
 [ $# -gt 0 ] || eval "set -- $steps"

@@ -1,18 +1,29 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Run by package.sh in a bare Debian 12 that has the packages in /packages: installs them and uses what they bring.
+# Run by package.sh in a bare Debian 12 that has the packages in /packages: installs the program, measures how long a new
+# user waits for the first report, then installs the other packages and uses what they bring.
 set -eu
 export DEBIAN_FRONTEND=noninteractive HOME=/root
 apt-get update -qq
-apt-get install -y -qq --no-install-recommends /packages/*.deb >/packages/install.log 2>&1 || {
-  cat /packages/install.log
-  exit 1
+install() {
+  LC_ALL=C apt-get install --assume-no --no-install-recommends "$@" 2>/dev/null | grep -e 'newly installed' -e '^Need to get' -e '^After this' || true
+  apt-get install -y -qq --no-install-recommends "$@" >/packages/install.log 2>&1 || { cat /packages/install.log; exit 1; }
 }
 cd "$(mktemp -d)"
 try() {
   echo "== $*"
   "$@" >/tmp/said 2>&1 || { cat /tmp/said; exit 1; }
 }
+began=$(date +%s)
+install /packages/latsch_*.deb
+installed=$(date +%s)
+try latsch new first_tire
+try latsch run first_tire/study.toml --workers 2
+test -s first_tire/study.html
+ended=$(date +%s)
+echo "from the package to a program: $((installed - began)) s; from there to the first report: $((ended - installed)) s"
+latsch --version | grep 'MPI  *no'
+install /packages/*.deb
 latsch --version
 ldd /usr/bin/latsch | grep openblas-serial
 try latsch new my_tire --coarse

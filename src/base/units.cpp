@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -122,9 +123,19 @@ class Database {
   };
   using UnitPointer = std::unique_ptr<ut_unit, FreeUnit>;
 
+  /// Path of the database in an archive of latsch, which has its own. UDUNITS2_XML_PATH prevails.
+  static std::string database_beside_the_program() {
+    const char* chosen = std::getenv("UDUNITS2_XML_PATH");
+    if (chosen != nullptr) return chosen;
+    std::error_code no_link;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", no_link);
+    return (program.parent_path().parent_path() / "share/xml/udunits/udunits2.xml").string();
+  }
+
   Database() {
     ut_set_error_message_handler(ut_ignore);  // the default handler would write to standard error
-    system_ = ut_read_xml(nullptr);
+    system_ = ut_read_xml(database_beside_the_program().c_str());
+    if (!system_) system_ = ut_read_xml(nullptr);
     if (!system_)
       throw InputError(
           "the unit database of UDUNITS-2 cannot be read (UDUNITS2_XML_PATH or the package "

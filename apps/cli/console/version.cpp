@@ -12,6 +12,7 @@
 #include <boost/version.hpp>
 #include <vector>
 
+#include "evaluation/executors/mpi/message_passing.h"
 #include "numerics/kernels/kernel_set.h"
 #include "web/web_assets.h"
 
@@ -24,12 +25,6 @@ namespace {
 constexpr const char* kCompiler = "Clang";
 #else
 constexpr const char* kCompiler = "GCC";
-#endif
-
-#ifdef LATSCH_MPI
-constexpr bool kMpi = true;
-#else
-constexpr bool kMpi = false;
 #endif
 
 std::string kernels() {
@@ -76,7 +71,7 @@ std::string version_text() {
       zip_libzip_version(),
       zlibVersion(),
       openblas_get_config(),
-      kMpi ? "yes" : "no",
+      has_message_passing() ? "yes" : "no: latsch_mpi.so is not installed",
       !studio::web_assets().empty() ? "latsch serve shows it"
                                     : "none: latsch serve answers only programs");
 }

@@ -8,22 +8,13 @@
 #include "cli/run/trials.h"
 #include "correlation/study/study_stages.h"
 #include "evaluation/executors/launch.h"
+#include "evaluation/executors/mpi/mpi_executor.h"
 #include "evaluation/executors/process_executor.h"
 #include "evaluation/trial/encoding.h"
-
-#ifdef LATSCH_MPI
-#include "evaluation/executors/mpi/mpi_executor.h"
-#endif
 
 namespace latsch::cli {
 
 namespace {
-
-#ifdef LATSCH_MPI
-constexpr bool kBuiltWithMpi = true;
-#else
-constexpr bool kBuiltWithMpi = false;
-#endif
 
 /// Refuses to run. Only the first of several tasks reports the error: returns true if another task
 /// does.
@@ -35,17 +26,25 @@ bool refuse(const Launch& launch, const std::string& why) {
 
 }  // namespace
 
-#ifdef LATSCH_MPI
-
-struct Workers::Job : MpiJob {};
+struct Workers::Job : MpiJob {
+  using MpiJob::MpiJob;
+};
 
 Workers::Workers(const correlation::Study& study) {
   const Launch started = launch();
   if (started.tasks == 1) return;
-  if (started.is_job) job_ = std::make_unique<Job>();
+  std::string without_mpi;
+  if (started.is_job) {
+    auto ranks = start_message_passing();
+    if (ranks) {
+      job_ = std::make_unique<Job>(*std::move(ranks));
+    } else {
+      without_mpi = ranks.failure().reason;
+    }
+  }
   if (!job_ || job_->size() != started.tasks) {
     job_.reset();
-    refused_ = refuse(started, not_one_job(started, study.file.string(), kBuiltWithMpi));
+    refused_ = refuse(started, not_one_job(started, study.file.string(), without_mpi));
   } else if (!job_->agrees(hash(identity_key(study)))) {
     job_.reset();
     refused_ = refuse(started,
@@ -86,30 +85,6 @@ Workers::~Workers() {
   if (!job_ || job_->rank() != 0) return;
   for (; started_ < expected_; ++started_) MpiExecutor{*job_};  // the destructor ends the ranks
 }
-
-#else
-
-struct Workers::Job {};
-
-Workers::Workers(const correlation::Study& study) {
-  const Launch started = launch();
-  if (started.tasks == 1) return;
-  refused_ = refuse(started, not_one_job(started, study.file.string(), kBuiltWithMpi));
-}
-
-bool Workers::served(const correlation::Study&, bool) { return refused_; }
-
-Executor& Workers::start(const correlation::Study& study) {
-  end();
-  executor_ = std::make_unique<ProcessExecutor>(worker_processes(study));
-  return *executor_;
-}
-
-void Workers::end() { executor_.reset(); }
-
-Workers::~Workers() = default;
-
-#endif
 
 TrialsRun::TrialsRun(Workers& workers, const correlation::Study& study)
     : workers_(workers), study_(study) {

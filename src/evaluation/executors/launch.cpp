@@ -43,16 +43,18 @@ Launch launch() {
                    ::isatty(STDIN_FILENO) == 1);
 }
 
-std::string not_one_job(const Launch& launch, const std::string& study, bool with_mpi) {
+std::string not_one_job(const Launch& launch,
+                        const std::string& study,
+                        const std::string& without_mpi) {
   const std::string began = fmt::format("{} tasks were started by {}, ", launch.tasks, launch.by);
   const std::string alone = fmt::format(
       "one process alone, with workers of its own: latsch run {}; one study per task: an array "
       "of jobs "
       "(sbatch --array). No journal was touched",
       study);
-  if (!with_mpi) {
-    return began + "and this program was built without MPI, which would make one job of them. " +
-           "What works: " + alone;
+  if (!without_mpi.empty()) {
+    return began + "and MPI, which would make one job of them, cannot be used, because " +
+           without_mpi + ". What works: " + alone;
   }
   return began + fmt::format(
                      "and nothing makes one job of them: Open MPI needs PMIx for that. What works: "

@@ -32,8 +32,10 @@ Launch launch_of(const std::function<const char*(const char*)>& value, bool at_t
 Launch launch();
 
 /// Returns a message that says why these tasks cannot share a run and which commands work. `study`
-/// is the name of the study file as the user typed it; `with_mpi` is true if the program supports
-/// MPI.
-std::string not_one_job(const Launch& launch, const std::string& study, bool with_mpi);
+/// is the name of the study file as the user typed it; `without_mpi` says why MPI cannot be used,
+/// and is empty if it can.
+std::string not_one_job(const Launch& launch,
+                        const std::string& study,
+                        const std::string& without_mpi);
 
 }  // namespace latsch

@@ -77,10 +77,12 @@ TEST(Launch, AnotherMpiMakesNoJobOfThem) {
 
 TEST(Launch, WhatWorksIsNamed) {
   const Launch launch{3, 0, "srun", false};
-  const std::string text = not_one_job(launch, "s.toml", true);
+  const std::string text = not_one_job(launch, "s.toml", "");
   EXPECT_NE(text.find("3 tasks were started by srun"), std::string::npos);
   EXPECT_NE(text.find("srun --mpi=pmix latsch run s.toml"), std::string::npos);
-  EXPECT_EQ(not_one_job(launch, "s.toml", false).find("pmix"), std::string::npos);
+  const std::string without = not_one_job(launch, "s.toml", "it is not there");
+  EXPECT_EQ(without.find("pmix"), std::string::npos);
+  EXPECT_NE(without.find("because it is not there"), std::string::npos);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/executors/mpi/mpi_executor.h"
 
-#include <mpi.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,7 +8,6 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <list>
 #include <string>
 #include <thread>
 #include <utility>
@@ -32,23 +30,9 @@ std::chrono::duration<double> seconds(double s) { return std::chrono::duration<d
 
 }  // namespace
 
-struct MpiJob::Outbox {
-  struct Letter {
-    std::string bytes;
-    MPI_Request request;
-  };
-  std::list<Letter> letters;  // sent messages whose bytes MPI may still need
-};
-
-MpiJob::MpiJob(const MpiPatience& patience)
-    : patience_(patience), outbox_(std::make_unique<Outbox>()) {
-  int threads = MPI_THREAD_SINGLE;  // one call at a time, from any thread
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &threads);
-  MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
-  MPI_Comm_size(MPI_COMM_WORLD, &size_);
-  if (threads < MPI_THREAD_SERIALIZED) throw InputError("this MPI supports no threads");
-  if (rank_ == 0 && size_ > 1) heart_ = std::thread([this] { beat(); });
+MpiJob::MpiJob(std::unique_ptr<MessagePassing> ranks, const MpiPatience& patience)
+    : patience_(patience), ranks_(std::move(ranks)) {
+  if (rank() == 0 && size() > 1) heart_ = std::thread([this] { beat(); });
 }
 
 namespace {
@@ -77,26 +61,23 @@ MpiJob::~MpiJob() {
   }
   end_.notify_one();
   if (heart_.joinable()) heart_.join();
-  // MPI_Finalize waits for every rank, including lost ones.
+  // The end of MPI waits for every rank, including lost ones.
   if (ends_alone_) return;
   const LongestWait wait(patience_.master_silence);
-  for (Outbox::Letter& letter : outbox_->letters) MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
-  MPI_Finalize();
+  ranks_->finish();
 }
 
 bool MpiJob::agrees(std::uint64_t value) {
   const std::lock_guard lock(mutex_);
   const LongestWait wait(patience_.master_silence);
-  const std::array<std::uint64_t, 2> mine{value, ~value};
-  std::array<std::uint64_t, 2> least{};
-  MPI_Allreduce(mine.data(), least.data(), 2, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+  const std::array<std::uint64_t, 2> least = ranks_->least_of_all({value, ~value});
   return least[0] == ~least[1];  // all values are equal if the least equals the greatest
 }
 
 void MpiJob::beat() {
   std::unique_lock lock(mutex_);
   while (!end_.wait_for(lock, seconds(patience_.heartbeat), [&] { return ending_; })) {
-    for (int rank = 1; rank < size_; ++rank) say(rank, kAlive, {});
+    for (int rank = 1; rank < size(); ++rank) say(rank, kAlive, {});
   }
 }
 
@@ -111,40 +92,12 @@ void MpiJob::lose(int rank) {
 }
 
 void MpiJob::say(int rank, int tag, std::string bytes) {
-  if (lost_.contains(rank)) return;
-  std::erase_if(outbox_->letters, [](Outbox::Letter& letter) {
-    int done = 0;
-    MPI_Test(&letter.request, &done, MPI_STATUS_IGNORE);
-    return done != 0;
-  });
-  Outbox::Letter& letter =
-      outbox_->letters.emplace_back(Outbox::Letter{std::move(bytes), MPI_Request{}});
-  MPI_Isend(letter.bytes.data(),
-            static_cast<int>(letter.bytes.size()),
-            MPI_BYTE,
-            rank,
-            tag,
-            MPI_COMM_WORLD,
-            &letter.request);
+  if (!lost_.contains(rank)) ranks_->send(rank, tag, std::move(bytes));
 }
 
 std::optional<MpiMessage> MpiJob::poll() {
   const std::lock_guard lock(mutex_);
-  int there = 0;
-  MPI_Status status;
-  MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
-  if (!there) return std::nullopt;
-  int size = 0;
-  MPI_Get_count(&status, MPI_BYTE, &size);
-  MpiMessage message{status.MPI_SOURCE, status.MPI_TAG, std::string(size, '\0')};
-  MPI_Recv(message.bytes.data(),
-           size,
-           MPI_BYTE,
-           message.rank,
-           message.tag,
-           MPI_COMM_WORLD,
-           MPI_STATUS_IGNORE);
-  return message;
+  return ranks_->poll();
 }
 
 namespace {
@@ -207,7 +160,7 @@ void serve_rank(MpiJob& job, ProcessOptions options) {
   try {
     serve(job, std::move(options));
   } catch (...) {
-    job.ends_alone();  // the other ranks continue, and MPI_Finalize would wait for them
+    job.ends_alone();  // the other ranks continue, and the end of MPI would wait for them
     throw;
   }
 }
@@ -218,8 +171,8 @@ MpiExecutor::MpiExecutor(MpiJob& job) : job_(job), ranks_(job.size() - 1) {
   for (Rank& rank : ranks_) rank.heard = listened_;
 }
 
-// If a rank was lost unnoticed, all other ranks would wait for it in MPI_Finalize. Therefore every
-// rank first reports that it has ended its work.
+// If a rank was lost unnoticed, all other ranks would wait for it at the end of MPI. Therefore
+// every rank first reports that it has ended its work.
 MpiExecutor::~MpiExecutor() {
   tell_all(kEnd, {});
   for (Rank& rank : ranks_) rank.heard = now();  // rank 0 may not have listened for a long time

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "evaluation/executors/executor.h"
+#include "evaluation/executors/mpi/message_passing.h"
 #include "evaluation/executors/process_executor.h"
 
 namespace latsch {
@@ -36,24 +37,17 @@ struct MpiPatience {
   double master_silence = 20.0;  // silence of rank 0 after which a rank ends by itself
 };
 
-/// A message that was received from another rank.
-struct MpiMessage {
-  int rank;
-  int tag;
-  std::string bytes;
-};
-
 /// The MPI job that this process belongs to. It lives until the process ends.
 class MpiJob {
  public:
-  explicit MpiJob(const MpiPatience& patience = {});
+  explicit MpiJob(std::unique_ptr<MessagePassing> ranks, const MpiPatience& patience = {});
   /// Ends MPI without waiting for lost ranks.
   ~MpiJob();
   MpiJob(const MpiJob&) = delete;
   MpiJob& operator=(const MpiJob&) = delete;
 
-  int rank() const { return rank_; }
-  int size() const { return size_; }
+  int rank() const { return ranks_->rank(); }
+  int size() const { return ranks_->size(); }
   const MpiPatience& patience() const { return patience_; }
   /// Returns true if all ranks pass the same value. Every rank must call this function.
   bool agrees(std::uint64_t value);
@@ -73,12 +67,9 @@ class MpiJob {
   void say(int rank, int tag, std::string bytes);
 
   MpiPatience patience_;
-  int rank_ = 0;
-  int size_ = 1;
   bool ends_alone_ = false;
   std::mutex mutex_;  // guards every call of MPI and the members below
-  struct Outbox;
-  std::unique_ptr<Outbox> outbox_;
+  std::unique_ptr<MessagePassing> ranks_;
   std::set<int> lost_;
   bool ending_ = false;
   std::condition_variable end_;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
@@ -67,7 +68,12 @@ int main(int argc, char** argv) {
   using namespace latsch;
   if (argc > 1 && std::strcmp(argv[1], "worker") == 0) return serve(square);
   testing::InitGoogleTest(&argc, argv);
-  MpiJob job(kLittle);
+  auto ranks = start_message_passing();
+  if (!ranks) {
+    std::fputs((ranks.failure().reason + "\n").c_str(), stderr);
+    return 1;
+  }
+  MpiJob job(*std::move(ranks), kLittle);
   if (job.rank() > 0) {
     ProcessOptions options;
     options.arguments = {std::filesystem::read_symlink("/proc/self/exe").string(), "worker"};
