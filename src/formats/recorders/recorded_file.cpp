@@ -11,6 +11,9 @@
 #include "base/mapped_file.h"
 #include "base/text.h"
 #include "formats/recorders/mdf_file.h"
+#include "formats/recorders/motec_file.h"
+#include "formats/recorders/rpc_file.h"
+#include "formats/recorders/tdms_file.h"
 #include "formats/recorders/uff_file.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
@@ -25,12 +28,19 @@ constexpr std::size_t kMostNameBytes = 4096;                    // longer names 
 using RecorderReader = RecordedFile (*)(std::string_view, std::string);
 
 const std::vector<std::pair<std::string, RecorderReader>>& recorder_readers() {
-  static const std::vector<std::pair<std::string, RecorderReader>> readers = {{".uff", parse_uff},
-                                                                              {".unv", parse_uff},
-                                                                              {".uf", parse_uff},
-                                                                              {".bunv", parse_uff},
-                                                                              {".mf4", parse_mdf},
-                                                                              {".mdf", parse_mdf}};
+  static const std::vector<std::pair<std::string, RecorderReader>> readers = {
+      {".uff", parse_uff},
+      {".unv", parse_uff},
+      {".uf", parse_uff},
+      {".bunv", parse_uff},
+      {".mf4", parse_mdf},
+      {".mdf", parse_mdf},
+      {".tdms", parse_tdms},
+      {".rsp", parse_rpc},
+      {".drv", parse_rpc},
+      {".tim", parse_rpc},
+      {".rpc", parse_rpc},
+      {".ld", parse_motec}};
   return readers;
 }
 

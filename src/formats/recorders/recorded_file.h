@@ -32,7 +32,7 @@ struct RecordedGroup {
 
 struct RecordedFile {
   std::string file;
-  std::string kind;  // "Universal file 58", "MDF 4.10"
+  std::string kind;  // "Universal file 58", "MDF 4.10", "TDMS"
   std::vector<RecordedGroup> groups;
   std::map<std::string, std::string> left_out;  // name -> why, to follow the name
   std::vector<std::string> facts;               // header texts
