@@ -28,19 +28,18 @@ constexpr std::size_t kMostNameBytes = 4096;                    // longer names 
 using RecorderReader = RecordedFile (*)(std::string_view, std::string);
 
 const std::vector<std::pair<std::string, RecorderReader>>& recorder_readers() {
-  static const std::vector<std::pair<std::string, RecorderReader>> readers = {
-      {".uff", parse_uff},
-      {".unv", parse_uff},
-      {".uf", parse_uff},
-      {".bunv", parse_uff},
-      {".mf4", parse_mdf},
-      {".mdf", parse_mdf},
-      {".tdms", parse_tdms},
-      {".rsp", parse_rpc},
-      {".drv", parse_rpc},
-      {".tim", parse_rpc},
-      {".rpc", parse_rpc},
-      {".ld", parse_motec}};
+  static const std::vector<std::pair<std::string, RecorderReader>> readers = {{".uff", parse_uff},
+                                                                              {".unv", parse_uff},
+                                                                              {".uf", parse_uff},
+                                                                              {".bunv", parse_uff},
+                                                                              {".mf4", parse_mdf},
+                                                                              {".mdf", parse_mdf},
+                                                                              {".tdms", parse_tdms},
+                                                                              {".rsp", parse_rpc},
+                                                                              {".drv", parse_rpc},
+                                                                              {".tim", parse_rpc},
+                                                                              {".rpc", parse_rpc},
+                                                                              {".ld", parse_motec}};
   return readers;
 }
 
@@ -98,6 +97,13 @@ std::string recorded_text(std::string_view bytes, const std::string& file) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   const std::string text = utf8_text(std::move(plain), file);
   return std::string(trimmed(text));
+}
+
+std::string shown_bytes(std::string_view bytes) {
+  constexpr std::size_t kMostShown = 20;
+  std::string shown = "\"";
+  for (const char c : bytes.substr(0, kMostShown)) shown += c >= 0x20 && c < 0x7f ? c : '.';
+  return shown + (bytes.size() > kMostShown ? "...\"" : "\"");
 }
 
 void tell_equal_names_apart(RecordedGroup& group) {
