@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "formats/tables/recording.h"
 #include "measurement/bootstrap.h"

@@ -130,7 +130,10 @@ void check_recorded(RecordedFile& file) {
     throw InputError({file.file, 0},
                      in_quotes(file.left_out.begin()->first) + " " + file.left_out.begin()->second +
                          ", and no other channel is left");
-  if (file.groups.empty()) throw InputError({file.file, 0}, "has no channel of numbers");
+  if (file.groups.empty())
+    throw InputError(
+        {file.file, 0},
+        "has no channel of numbers" + (file.doubts.empty() ? "" : ": " + file.doubts.front()));
   std::set<std::string> names;
   std::map<std::string, int> counts;
   for (RecordedGroup& group : file.groups) {

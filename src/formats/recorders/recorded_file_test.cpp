@@ -263,6 +263,7 @@ TEST_F(WrittenRecordings, OfTdmsWithWrongLengthsAreRefusedInWords) {
               HasSubstr("states 9223372036854775808 values of \"Fz\""));
   EXPECT_THAT(refusal_of(plain.substr(second), parse_tdms),
               HasSubstr("but no channel with values"));
+  EXPECT_THAT(refusal_of("", parse_tdms), HasSubstr("is empty"));
 }
 
 TEST(TdmsPath, HasQuotesWrittenTwice) {

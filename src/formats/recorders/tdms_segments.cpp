@@ -116,6 +116,7 @@ std::optional<std::vector<std::string>> tdms_names(std::string_view path) {
 
 TdmsSegments::TdmsSegments(std::string_view bytes, RecordedFile& file)
     : bytes_(bytes), file_(file), budget_(file.file, bytes.size()) {
+  if (bytes.empty()) throw InputError({file.file, 0}, "is empty, expected a TDMS file");
   walk();
   is_counting_ = false;
   for (TdmsObject& object : objects_) {

@@ -143,6 +143,9 @@ Recording recording_of(LabTable table) {
                                      "without gaps",
                                      channel.name,
                                      i + 1));
+  // the reasons of recorders' files follow the name of the channel
+  for (auto& [name, why] : table.left_out)
+    if (why.find(name) == std::string::npos) why = in_quotes(name) + " " + why;
   const int units = table.columns.empty() ? 0 : table.columns.front().unit_line;
   return {std::move(table.channels),
           std::move(table.columns),
