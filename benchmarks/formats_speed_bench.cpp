@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Measures how fast recordings of recorders are read on one core: MDF 4 raw, deflated and
-// transposed, and universal files as text and binary, from memory to numbers.
+// transposed, universal files as text and binary, TDMS channel by channel and interleaved, RPC III,
+// and MoTeC logs, from memory to numbers.
 //
 //   ./bench.sh formats_speed
 #include <fmt/format.h>
@@ -13,6 +14,9 @@
 
 #include "cpu_time.h"
 #include "formats/recorders/mdf_file.h"
+#include "formats/recorders/motec_file.h"
+#include "formats/recorders/rpc_file.h"
+#include "formats/recorders/tdms_file.h"
 #include "formats/recorders/uff_file.h"
 #include "table.h"
 
@@ -154,6 +158,86 @@ std::string uff_file(std::size_t count, bool is_text) {
   return file + numbers + (is_text ? "" : "\n") + "    -1\n";
 }
 
+/// Returns a TDMS file of one segment with channels of 32-bit numbers.
+std::string tdms_file(std::size_t count, bool is_interleaved) {
+  std::string objects;
+  const auto put_text = [&](const std::string& text) {
+    put(objects, static_cast<std::uint32_t>(text.size()));
+    objects += text;
+  };
+  put(objects, static_cast<std::uint32_t>(kChannels));
+  for (std::size_t k = 0; k < kChannels; ++k) {
+    put_text(fmt::format("/'rig'/'channel_{}'", k));
+    for (const std::uint32_t word : {20u, 9u, 1u}) put(objects, word);
+    put<std::uint64_t>(objects, count);
+    put<std::uint32_t>(objects, 1);
+    put_text("wf_increment");
+    put<std::uint32_t>(objects, 10);
+    put(objects, 5e-4);
+  }
+  std::string numbers;
+  for (std::size_t i = 0; i < count * kChannels; ++i)
+    put(numbers,
+        static_cast<float>(is_interleaved ? signal(i / kChannels, i % kChannels)
+                                          : signal(i % count, i / count)));
+  std::string file = "TDSm";
+  put<std::uint32_t>(file, is_interleaved ? 2 + 4 + 8 + 32 : 2 + 4 + 8);
+  put<std::uint32_t>(file, 4713);
+  put<std::uint64_t>(file, objects.size() + numbers.size());
+  put<std::uint64_t>(file, objects.size());
+  return file + objects + numbers;
+}
+
+/// Returns an RPC III time history of 16-bit integers with groups of `group` samples.
+std::string rpc_file(std::size_t groups, std::size_t group) {
+  std::string header;
+  const auto put_record = [&](const std::string& key, const std::string& value) {
+    header +=
+        key + std::string(32 - key.size(), '\0') + value + std::string(96 - value.size(), '\0');
+  };
+  const std::size_t records = 10 + kChannels, blocks = (records + 3) / 4;
+  put_record("FORMAT", "BINARY");
+  put_record("NUM_HEADER_BLOCKS", std::to_string(blocks));
+  put_record("NUM_PARAMS", std::to_string(records));
+  put_record("FILE_TYPE", "TIME_HISTORY");
+  put_record("DATA_TYPE", "SHORT_INTEGER");
+  put_record("DELTA_T", "5.000000E-04");
+  put_record("CHANNELS", std::to_string(kChannels));
+  put_record("PTS_PER_FRAME", std::to_string(group));
+  put_record("PTS_PER_GROUP", std::to_string(group));
+  put_record("FRAMES", std::to_string(groups));
+  for (std::size_t k = 0; k < kChannels; ++k)
+    put_record(fmt::format("SCALE.CHAN_{}", k + 1), "0.25");
+  header.resize(512 * blocks, '\0');
+  for (std::size_t i = 0; i < groups; ++i)
+    for (std::size_t k = 0; k < kChannels; ++k)
+      for (std::size_t j = 0; j < group; ++j)
+        put(header, static_cast<std::int16_t>(4.0 * signal(i * group + j, k)));
+  return header;
+}
+
+/// Returns a MoTeC log with channels of 32-bit numbers.
+std::string motec_file(std::size_t count) {
+  constexpr std::size_t kHead = 2048, kBlock = 124;
+  std::string file(kHead, '\0');
+  file[0] = 0x40;
+  const std::uint32_t first = kHead;
+  std::memcpy(file.data() + 8, &first, sizeof(first));
+  std::string numbers;
+  for (std::size_t k = 0; k < kChannels; ++k) {
+    const std::size_t begin = file.size();
+    put<std::uint32_t>(file, 0);
+    put<std::uint32_t>(file, k + 1 < kChannels ? static_cast<std::uint32_t>(begin + kBlock) : 0);
+    put(file, static_cast<std::uint32_t>(kHead + kBlock * kChannels + numbers.size()));
+    put(file, static_cast<std::uint32_t>(count));
+    for (const int word : {0, 7, 4, 2000, 0, 1, 1, 0}) put(file, static_cast<std::int16_t>(word));
+    file += fmt::format("channel_{}", k);
+    file.resize(begin + kBlock, '\0');
+    for (std::size_t i = 0; i < count; ++i) put(numbers, static_cast<float>(signal(i, k)));
+  }
+  return file + numbers;
+}
+
 using RecordedReader = formats::RecordedFile (*)(std::string_view, std::string);
 
 /// Adds a row with the megabytes of `bytes` read a second: the best of three times.
@@ -202,6 +286,21 @@ int formats_speed(const Options& options) {
   const std::string text = uff_file(count, true), binary = uff_file(count, false);
   measure("universal file, text", text, text.size(), count, 15.0, formats::parse_uff, table);
   measure("universal file, binary", binary, binary.size(), count, 100.0, formats::parse_uff, table);
+  for (const bool is_interleaved : {false, true}) {
+    const std::string tdms = tdms_file(count, is_interleaved);
+    measure(is_interleaved ? "TDMS, interleaved" : "TDMS, channel by channel",
+            tdms,
+            tdms.size(),
+            count,
+            100.0,
+            formats::parse_tdms,
+            table);
+  }
+  constexpr std::size_t kGroup = 1024;
+  const std::size_t groups = (count + kGroup - 1) / kGroup;
+  const std::string rpc = rpc_file(groups, kGroup), log = motec_file(count);
+  measure("RPC III", rpc, rpc.size(), groups * kGroup, 100.0, formats::parse_rpc, table);
+  measure("MoTeC", log, log.size(), count, 100.0, formats::parse_motec, table);
   return table.exit_code();
 }
 

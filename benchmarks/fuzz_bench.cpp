@@ -40,6 +40,9 @@
 #include "formats/deck/inp_deck.h"
 #include "formats/mesh/inp_tire.h"
 #include "formats/recorders/mdf_file.h"
+#include "formats/recorders/motec_file.h"
+#include "formats/recorders/rpc_file.h"
+#include "formats/recorders/tdms_file.h"
 #include "formats/recorders/uff_file.h"
 #include "formats/road/open_crg.h"
 #include "formats/road/road_file.h"
@@ -324,6 +327,53 @@ Reader mdf_reader() {
           [](const std::string& bytes) { use_recorded(formats::parse_mdf(bytes, "spoiled")); }};
 }
 
+Reader tdms_reader() {
+  return {"TDMS",
+          written_recordings({"segments_little.tdms",
+                              "segments_big.tdms",
+                              "interleaved_little.tdms",
+                              "kinds_big.tdms",
+                              "groups.tdms",
+                              "open.tdms"}),
+          with_numbers({"TDSm",
+                        "/'hub'",
+                        "'",
+                        std::string(4, '\xff'),
+                        bytes_of<std::uint64_t>({std::uint64_t{1} << 63}),
+                        bytes_of<std::uint64_t>({~std::uint64_t{0}}),
+                        bytes_of<std::uint32_t>({0x20}),
+                        bytes_of<std::uint32_t>({0x0b}),
+                        bytes_of<double>({NAN, INFINITY})}),
+          [](const std::string& bytes) { use_recorded(formats::parse_tdms(bytes, "spoiled")); }};
+}
+
+Reader rpc_reader() {
+  return {"RPC III",
+          written_recordings({"integers.rsp", "integers.tim", "reals_rsp.rsp", "short_group.rsp"}),
+          with_numbers({"FORMAT",
+                        "CHANNELS",
+                        "PTS_PER_GROUP",
+                        "SAMPLES",
+                        "SCALE.CHAN_1",
+                        "BINARY_IEEE_BIG_END",
+                        "FLOATING_POINT",
+                        "9999999999",
+                        std::string(4, '\0'),
+                        bytes_of<float>({NAN, INFINITY})}),
+          [](const std::string& bytes) { use_recorded(formats::parse_rpc(bytes, "spoiled")); }};
+}
+
+Reader motec_reader() {
+  return {"MoTeC",
+          written_recordings({"log.ld"}),
+          with_numbers({bytes_of<std::uint32_t>({0x40}),
+                        bytes_of<std::uint32_t>({0x722}),
+                        bytes_of<std::uint32_t>({~std::uint32_t{0}}),
+                        std::string(2, '\0'),
+                        bytes_of<float>({NAN, INFINITY})}),
+          [](const std::string& bytes) { use_recorded(formats::parse_motec(bytes, "spoiled")); }};
+}
+
 Reader rdf_reader() {
   const std::string units =
       "[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\nANGLE = 'degree'\nMASS = 'kg'\nTIME = "
@@ -549,6 +599,9 @@ int fuzz(const Options& options) {
                                mat_reader(),
                                uff_reader(),
                                mdf_reader(),
+                               tdms_reader(),
+                               rpc_reader(),
+                               motec_reader(),
                                inp_reader(),
                                toml_reader()}) {
     if (only.empty() || only == reader.name) run(reader, first, inputs, table);

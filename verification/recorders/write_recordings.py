@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes recorders' files (universal file 58, MDF 4) from their formats' texts, independently of Latsch's readers.
+"""Writes recorders' files (universal file 58, MDF 4; TDMS, RPC III and MoTeC by the modules beside this one) from
+their formats' texts, independently of Latsch's readers.
 
    write_recordings.py FOLDER
 
@@ -10,6 +11,11 @@ import pathlib
 import struct
 import sys
 import zlib
+
+sys.dont_write_bytecode = True  # the modules lie beside the sources
+import motec_files  # noqa: E402
+import rpc_files  # noqa: E402
+import tdms_files  # noqa: E402
 
 FOLDER = pathlib.Path(sys.argv[1])
 FOLDER.mkdir(parents=True, exist_ok=True)
@@ -293,3 +299,6 @@ for name in ("Fx", "Fz"):
     mdf.data_group(group, mdf.block(b"LD", [0] + part, struct.pack("<IIQ", 1, 2, 72)))
 write("columns.mf4", mdf.end(), [("columns", "time", "ms", TIME)]
       + [("columns", name, "N", [2 * t for t in TIME]) for name in ("Fx", "Fz")])
+
+for kind in (tdms_files, rpc_files, motec_files):
+    kind.write_all(write)

@@ -6,22 +6,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
+
+#include "formats/recorders/recorded_numbers.h"
 
 namespace latsch::formats {
 namespace {
 
 constexpr unsigned kByte = 8;  // bits
-
-/// Returns the value of a half-precision number [IEEE 754-2008, binary16].
-double half(std::uint64_t bits) {
-  const double sign = bits & 0x8000 ? -1.0 : 1.0;
-  const int exponent = static_cast<int>(bits >> 10 & 0x1f);
-  const double fraction = static_cast<double>(bits & 0x3ff);
-  if (exponent == 0x1f) return fraction == 0.0 ? sign * INFINITY : std::nan("");
-  if (exponent == 0) return sign * std::ldexp(fraction, -24);
-  return sign * std::ldexp(1024.0 + fraction, exponent - 25);
-}
 
 /// Returns the bits of the field in a record as an unsigned integer.
 std::uint64_t bits_of(const char* record, const MdfField& field) {
@@ -44,24 +35,11 @@ double value_of(std::uint64_t bits, const MdfField& field) {
     if (field.bits == 64) return std::bit_cast<double>(bits);
     if (field.bits == 32)
       return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-    return half(bits);
+    return half_precision(bits);
   }
   if (!field.is_signed) return static_cast<double>(bits);
   const unsigned unused = 64 - field.bits;
   return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
-}
-
-/// Reads numbers whose bytes are exactly those of `Number`, in little-endian order.
-template <class Number>
-void read_plain(const char* at,
-                std::size_t record,
-                std::size_t count,
-                std::vector<double>& values) {
-  for (std::size_t i = 0; i < count; ++i) {
-    Number number;
-    std::memcpy(&number, at + i * record, sizeof(Number));
-    values.push_back(static_cast<double>(number));
-  }
 }
 
 /// Returns the value of the table at x: between two keys by interpolation, or that of the nearest
@@ -103,17 +81,13 @@ std::vector<double> mdf_numbers(std::string_view records,
                                 const MdfField& field) {
   std::vector<double> values;
   values.reserve(count);
-  const char* at = records.data() + field.byte;
-  if (!field.is_big_endian && field.bit == 0) {
-    if (field.is_real && field.bits == 64) read_plain<double>(at, record, count, values);
-    if (field.is_real && field.bits == 32) read_plain<float>(at, record, count, values);
-    if (!field.is_real && field.bits == 16)
-      field.is_signed ? read_plain<std::int16_t>(at, record, count, values)
-                      : read_plain<std::uint16_t>(at, record, count, values);
-    if (!field.is_real && field.bits == 32)
-      field.is_signed ? read_plain<std::int32_t>(at, record, count, values)
-                      : read_plain<std::uint32_t>(at, record, count, values);
-    if (values.size() == count) return values;
+  if (field.bit == 0 && field.bits % kByte == 0) {
+    append_recorded(records.data() + field.byte,
+                    record,
+                    count,
+                    {field.bits / kByte, field.is_real, field.is_signed, field.is_big_endian},
+                    values);
+    return values;
   }
   for (std::size_t i = 0; i < count; ++i)
     values.push_back(value_of(bits_of(records.data() + i * record, field), field));

@@ -17,6 +17,10 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "formats/recorders/mdf_file.h"
+#include "formats/recorders/motec_file.h"
+#include "formats/recorders/rpc_file.h"
+#include "formats/recorders/tdms_file.h"
+#include "formats/recorders/tdms_segments.h"
 #include "formats/recorders/uff_file.h"
 #include "formats/tables/lab_table.h"
 
@@ -94,7 +98,7 @@ TEST_F(WrittenRecordings, AreReadBackToTheLastBit) {
     for (const RecordedGroup& group : file.groups)
       EXPECT_EQ(taken[group.name], group.channels.size()) << group.name;
   }
-  EXPECT_EQ(files, 42);
+  EXPECT_EQ(files, 66);
 }
 
 TEST_F(WrittenRecordings, SayWhatIsLeftOut) {
@@ -108,6 +112,15 @@ TEST_F(WrittenRecordings, SayWhatIsLeftOut) {
   const RecordedFile functions = parse_uff(bytes("functions.uff"), "functions");
   ASSERT_EQ(functions.left_out.size(), 1u);
   EXPECT_EQ(functions.left_out.begin()->second, "is of type 9, expected 1, 2, 3, 4, 6 or 12");
+  const RecordedFile groups = parse_tdms(bytes("groups.tdms"), "groups");
+  EXPECT_EQ(groups.left_out.at("note"), "has texts");
+  EXPECT_EQ(groups.left_out.at("clock"), "has time stamps");
+  EXPECT_EQ(groups.left_out.at("vector"), "has complex numbers");
+  EXPECT_EQ(groups.left_out.at("counts"),
+            "has the numbers of a converter, whose scale (NI_Scale) is not applied");
+  const RecordedFile log = parse_motec(bytes("log.ld"), "log");
+  EXPECT_EQ(log.left_out.at("Strange"), "has numbers of kind 9, expected 0, 3, 5 or 7");
+  EXPECT_EQ(log.left_out.at("No Scale"), "has a scale of 0");
 }
 
 TEST_F(WrittenRecordings, SayThatTheyWereStillBeingWrittenOrAreCut) {
@@ -117,6 +130,28 @@ TEST_F(WrittenRecordings, SayThatTheyWereStillBeingWrittenOrAreCut) {
   const RecordedFile cut = parse_mdf(bytes("unsorted_2.mf4"), "cut");
   ASSERT_EQ(cut.doubts.size(), 1u);
   EXPECT_EQ(cut.doubts[0], "the last record of group \"fast\" is cut off and is not read");
+  const RecordedFile open = parse_tdms(bytes("open.tdms"), "open");
+  ASSERT_EQ(open.doubts.size(), 2u);
+  EXPECT_THAT(open.doubts[0], HasSubstr("was not closed"));
+  EXPECT_EQ(open.doubts[1],
+            "the last 9 bytes of the segment at byte 0 are no whole record and are not read");
+  const RecordedFile short_tdms = parse_tdms(bytes("cut.tdms"), "cut");
+  ASSERT_EQ(short_tdms.doubts.size(), 2u);
+  EXPECT_THAT(short_tdms.doubts[0], HasSubstr("states 334 bytes and has 329"));
+  const RecordedFile described = parse_tdms(bytes("cut_description.tdms"), "cut");
+  ASSERT_EQ(described.doubts.size(), 2u);
+  EXPECT_THAT(described.doubts[1], HasSubstr("within the description of its last segment"));
+  const RecordedFile history = parse_rpc(bytes("cut.rsp"), "cut");
+  ASSERT_EQ(history.doubts.size(), 1u);
+  EXPECT_THAT(history.doubts[0], HasSubstr("it has 2 of 3 groups of 16 samples"));
+}
+
+TEST_F(WrittenRecordings, OfRigsSayWhatFillsUpTheLastGroup) {
+  const RecordedFile filled = parse_rpc(bytes("integers.rsp"), "filled");
+  ASSERT_EQ(filled.doubts.size(), 1u);
+  EXPECT_THAT(filled.doubts[0], HasSubstr("0 in the last 3 samples"));
+  EXPECT_TRUE(parse_rpc(bytes("no_filling.rsp"), "whole").doubts.empty());
+  EXPECT_TRUE(parse_rpc(bytes("stated_samples.rsp"), "stated").doubts.empty());
 }
 
 TEST_F(WrittenRecordings, AreTablesInSiByGroupAndResampled) {
@@ -138,10 +173,12 @@ TEST_F(WrittenRecordings, AreTablesInSiByGroupAndResampled) {
   }
 }
 
+using RecordedParser = RecordedFile (*)(std::string_view, std::string);
+
 /// Returns the message for bytes that must be refused.
-std::string refusal_of(const std::string& bytes, bool is_mdf) {
+std::string refusal_of(const std::string& bytes, RecordedParser parse) {
   try {
-    is_mdf ? parse_mdf(bytes, "spoiled") : parse_uff(bytes, "spoiled");
+    parse(bytes, "spoiled");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -159,22 +196,22 @@ TEST_F(WrittenRecordings, WithWrongLengthsAndLinksAreRefusedInWords) {
   const std::size_t data = plain.find("##DT"), group = plain.find("##DG"),
                     channels = plain.find("##CG");
   const std::size_t channel = plain.find("##CN"), rule = bytes("rules.mf4").find("##CC");
-  EXPECT_THAT(refusal_of(with_number(plain, data + 8, std::uint64_t{1} << 63), true),
+  EXPECT_THAT(refusal_of(with_number(plain, data + 8, std::uint64_t{1} << 63), parse_mdf),
               HasSubstr("states a length of 9223372036854775808 bytes"));
-  EXPECT_THAT(refusal_of(with_number(plain, group + 24, group), true),
+  EXPECT_THAT(refusal_of(with_number(plain, group + 24, group), parse_mdf),
               HasSubstr("is linked twice"));
-  EXPECT_THAT(refusal_of(with_number(plain, channel + 24, channel), true),
+  EXPECT_THAT(refusal_of(with_number(plain, channel + 24, channel), parse_mdf),
               HasSubstr("is linked twice"));
-  EXPECT_THAT(refusal_of(with_number(plain, channels + 72 + 8, std::uint64_t{1} << 63), true),
+  EXPECT_THAT(refusal_of(with_number(plain, channels + 72 + 8, std::uint64_t{1} << 63), parse_mdf),
               HasSubstr("expected 9223372036854775808: is the file cut off?"));
-  EXPECT_THAT(refusal_of(with_number(plain, channels + 72 + 24, 0), true),
+  EXPECT_THAT(refusal_of(with_number(plain, channels + 72 + 24, 0), parse_mdf),
               HasSubstr("has group \"rig\" with a record size of 0"));
-  EXPECT_THAT(refusal_of(with_number(bytes("rules.mf4"), rule + 8, 1), true),
+  EXPECT_THAT(refusal_of(with_number(bytes("rules.mf4"), rule + 8, 1), parse_mdf),
               HasSubstr("states a length of 1 bytes"));
-  EXPECT_THAT(refusal_of(plain.substr(0, data + 100), true), HasSubstr("links to byte"));
+  EXPECT_THAT(refusal_of(plain.substr(0, data + 100), parse_mdf), HasSubstr("links to byte"));
   std::string old = plain;
   old[28] = 'J', old[29] = 1;  // 330
-  EXPECT_EQ(refusal_of(old, true),
+  EXPECT_EQ(refusal_of(old, parse_mdf),
             "spoiled: is MDF 3.30, expected 4.0 to 4.2: convert it with the program that recorded "
             "it");
 }
@@ -182,11 +219,11 @@ TEST_F(WrittenRecordings, WithWrongLengthsAndLinksAreRefusedInWords) {
 TEST_F(WrittenRecordings, ThatUnpackToMoreThanTheyStateAreRefused) {
   const std::string deflated = bytes("deflated.mdf");
   const std::size_t block = deflated.find("##DZ") + 24;
-  EXPECT_THAT(refusal_of(with_number(deflated, block + 8, 100), true),
+  EXPECT_THAT(refusal_of(with_number(deflated, block + 8, 100), parse_mdf),
               HasSubstr("expected 100 and no more"));
-  EXPECT_THAT(refusal_of(with_number(deflated, block + 8, std::uint64_t{1} << 40), true),
+  EXPECT_THAT(refusal_of(with_number(deflated, block + 8, std::uint64_t{1} << 40), parse_mdf),
               HasSubstr("larger than 1 GiB when unpacked"));
-  EXPECT_THAT(refusal_of(with_number(deflated, block + 16, std::uint64_t{1} << 40), true),
+  EXPECT_THAT(refusal_of(with_number(deflated, block + 16, std::uint64_t{1} << 40), parse_mdf),
               HasSubstr("packed bytes where"));
 }
 
@@ -194,13 +231,85 @@ TEST_F(WrittenRecordings, OfBrokenTextAreRefusedWithTheLine) {
   std::string text = bytes("text_2_even.uff");
   const std::size_t number = text.rfind("-1.75000e+00");
   text.replace(number, 5, "abcde");
-  EXPECT_THAT(refusal_of(text, false), HasSubstr("spoiled:34: is "));
+  EXPECT_THAT(refusal_of(text, parse_uff), HasSubstr("spoiled:34: is "));
   const std::string binary = bytes("binary_4_even_1.uff");
-  EXPECT_THAT(refusal_of(binary.substr(0, binary.size() - 30), false), HasSubstr("cut off"));
+  EXPECT_THAT(refusal_of(binary.substr(0, binary.size() - 30), parse_uff), HasSubstr("cut off"));
   // The head ends with the file, without a line end, and states no sample.
   std::string head = binary.substr(0, binary.find("a line more") - 1);
   head.replace(head.find("         4         7"), 19, "         4         0");
-  EXPECT_THAT(refusal_of(head, false), HasSubstr("spoiled:"));
+  EXPECT_THAT(refusal_of(head, parse_uff), HasSubstr("spoiled:"));
+}
+
+TEST_F(WrittenRecordings, OfTdmsWithWrongLengthsAreRefusedInWords) {
+  const std::string plain = bytes("segments_little.tdms");
+  const std::size_t second = plain.find("TDSm", 4);
+  EXPECT_THAT(refusal_of(with_number(plain, 12, std::uint64_t{1} << 63), parse_tdms),
+              HasSubstr("states a length of 9223372036854775808 bytes where"));
+  EXPECT_THAT(refusal_of(with_number(plain, 20, std::uint64_t{1} << 63), parse_tdms),
+              HasSubstr("segment at byte 0 has raw data behind its end"));
+  EXPECT_THAT(refusal_of(with_number(plain, second + 12, 3), parse_tdms),
+              HasSubstr("expected \"TDSm\""));
+  std::string other = plain;
+  other[4] = static_cast<char>(other[4] | 0x80);
+  EXPECT_THAT(refusal_of(other, parse_tdms), HasSubstr("has raw data of DAQmx"));
+  other = plain;
+  other[3] = 'h';
+  EXPECT_THAT(refusal_of(other, parse_tdms), HasSubstr("this is an index without numbers"));
+  other = plain;
+  other[8] = 1;
+  EXPECT_THAT(refusal_of(other, parse_tdms), HasSubstr("is of version"));
+  const std::size_t count = plain.find("/'hub'/'Fz'") + 11 + 12;
+  EXPECT_THAT(refusal_of(with_number(plain, count, std::uint64_t{1} << 63), parse_tdms),
+              HasSubstr("states 9223372036854775808 values of \"Fz\""));
+  EXPECT_THAT(refusal_of(plain.substr(second), parse_tdms),
+              HasSubstr("but no channel with values"));
+  EXPECT_THAT(refusal_of("", parse_tdms), HasSubstr("is empty"));
+}
+
+TEST(TdmsPath, HasQuotesWrittenTwice) {
+  EXPECT_EQ(tdms_names("/'Dr. T''s'/'a/b'"), (std::vector<std::string>{"Dr. T's", "a/b"}));
+  EXPECT_EQ(tdms_names("/"), std::vector<std::string>{});
+  EXPECT_EQ(tdms_names("/'open"), std::nullopt);
+  EXPECT_EQ(tdms_names("/'a'/'b'/'c'"), std::nullopt);
+}
+
+/// Returns the bytes with the value of a keyword of an RPC III header replaced.
+std::string with_value(std::string bytes, const std::string& keyword, const std::string& value) {
+  const std::size_t at = bytes.find(keyword + std::string(1, '\0'));
+  return bytes.replace(at + 32, 96, value + std::string(96 - value.size(), '\0'));
+}
+
+TEST_F(WrittenRecordings, OfRpcThatAreNoPlainHistoryAreRefusedByName) {
+  const std::string plain = bytes("integers.rsp");
+  const auto refusal = [&](const char* keyword, const char* value) {
+    return refusal_of(with_value(plain, keyword, value), parse_rpc);
+  };
+  EXPECT_THAT(refusal("FORMAT", "ASCII"), HasSubstr("has FORMAT = \"ASCII\", expected BINARY"));
+  EXPECT_THAT(refusal("FILE_TYPE", "MATRIX"), HasSubstr("expected TIME_HISTORY"));
+  EXPECT_THAT(refusal("TIME_TYPE", "MULT_DRIVE"), HasSubstr("expected DRIVE or RESPONSE"));
+  EXPECT_THAT(refusal("HALF_FRAMES", "1"), HasSubstr("write the history without half frames"));
+  EXPECT_THAT(refusal("DATA_TYPE", "LONG"), HasSubstr("expected SHORT_INTEGER or FLOATING_POINT"));
+  EXPECT_THAT(refusal("DELTA_T", "0"), HasSubstr("expected a time above 0 s"));
+  EXPECT_THAT(refusal("PTS_PER_GROUP", "9"), HasSubstr("expected a multiple of a frame's 4"));
+  EXPECT_THAT(refusal("PTS_PER_FRAME", "0"), HasSubstr("PTS_PER_FRAME = \"0\", expected a number"));
+  EXPECT_THAT(refusal("NUM_HEADER_BLOCKS", "1000"), HasSubstr("states 1000 header blocks"));
+  EXPECT_THAT(refusal("SCALE.CHAN_2", "much"), HasSubstr("has SCALE.CHAN_2 = \"much\""));
+  EXPECT_THAT(refusal("CHANNELS", "9e18"), HasSubstr("has CHANNELS = \"9e18\""));
+  EXPECT_THAT(refusal_of("FORMAL", parse_rpc), HasSubstr("expected a header block of 512"));
+}
+
+TEST_F(WrittenRecordings, OfMotecWhoseChainReturnsAreRefused) {
+  const std::string plain = bytes("log.ld");
+  std::uint32_t first = 0;
+  std::memcpy(&first, plain.data() + 8, sizeof(first));
+  std::string looped = plain;
+  std::memcpy(looped.data() + first + 4, &first, sizeof(first));
+  EXPECT_THAT(refusal_of(looped, parse_motec), HasSubstr("is linked twice"));
+  EXPECT_THAT(refusal_of(plain.substr(0, first + 20), parse_motec),
+              HasSubstr("is behind the end of the file"));
+  EXPECT_THAT(refusal_of(plain.substr(8), parse_motec),
+              HasSubstr("expected the header of a MoTeC"));
+  EXPECT_THAT(parse_motec(plain, "log").doubts.back(), HasSubstr("has no public text"));
 }
 
 TEST(RecordedText, EndsAtAZeroByteAndTakesLatin1) {
