@@ -25,6 +25,10 @@ constexpr double kNoDensity = -std::numeric_limits<double>::infinity();
 /// Logarithm of a density at a point of the unit cube; kNoDensity where the density is 0.
 using LogDensityAt = std::function<double(const Eigen::VectorXd& u)>;
 
+/// Information of a density at a point of the unit cube: the negative second derivatives of its
+/// logarithm, or a positive definite matrix near them; n x n.
+using InformationAt = std::function<Eigen::MatrixXd(const Eigen::VectorXd& u)>;
+
 struct PosteriorDensity {
   std::optional<double> s = 1.0;  // deviation of a whitened residual; nullopt: unknown
   Eigen::Index values = 0;        // m, without the rows of priors
@@ -32,6 +36,9 @@ struct PosteriorDensity {
   /// Empty: uniform.
   LogDensityAt log_prior = {};
 
+  /// Returns the factor of J'J in the information of the residuals for the sum of squares S:
+  /// 1/s^2, or m/S.
+  double weight(double S) const;
   /// Returns the logarithm of the density for the sum of squares S at u.
   double at(double S, const Eigen::VectorXd& u) const;
 };

@@ -31,6 +31,8 @@
 
 namespace latsch {
 
+constexpr double kInsideCube = 12.0;  // information of a uniform density in the unit cube
+
 /// Coordinates around a fit: u = center + T y, with a lower triangular T.
 struct WhitenedFrame {
   Eigen::VectorXd center;  // n, in the unit cube
@@ -66,6 +68,12 @@ class ResidualSurrogate {
   double sum_of_squares(const Eigen::VectorXd& y) const;
   /// Returns the residuals r(y) by (3).
   Eigen::VectorXd residuals(const Eigen::VectorXd& y) const;
+  /// The normal equations of the slopes J = dr/dy by (3).
+  struct Normal {
+    Eigen::MatrixXd JJ;  // J'J, n x n
+    Eigen::VectorXd Jr;  // J'r, n
+  };
+  Normal normal_equations(const Eigen::VectorXd& y) const;
   /// Returns the relative variance v by (4).
   double variance(const Eigen::VectorXd& y) const;
   /// Returns the covariance of the residuals at these points, one in each row, with (4) on its
@@ -74,6 +82,7 @@ class ResidualSurrogate {
 
  private:
   double kernel(double g) const;
+  double kernel_slope(double g) const;
   Eigen::VectorXd weights(const Eigen::VectorXd& y) const;  // (1, y, k(y))
 
   Eigen::MatrixXd Y_;

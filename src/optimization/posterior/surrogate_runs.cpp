@@ -11,12 +11,21 @@ namespace latsch {
 namespace {
 
 constexpr double kFarthest = 6.0;  // linear deviations within which earlier trials are used
+// Linear deviations from the fit below which a trial is not used if the slopes are exact. It would
+// tell the curvature alone, from a difference that is as small as the rounding errors of the model:
+// at this distance an error of 1e-6 deviations of the noise is one of 0.005 two deviations away.
+// The last steps of a search are nearer, and one of them made a surrogate wild everywhere.
+constexpr double kNearest = 0.04;
 constexpr int kPlainDraws = 3, kSpreadDraws = 3, kBatch = kPlainDraws + kSpreadDraws;
 constexpr Eigen::Index kCandidates = 40;  // draws among which those of large variance are chosen
 constexpr double kGoodBatch = 0.3;        // root mean square error of the log density, plain draws
 constexpr double kGoodSpread = 1.0;       // limit for the draws with the largest variance
 constexpr int kGoodInARow = 2;
 constexpr int kCheckDraws = 10;
+// Climbs of walkers that a new surrogate leaves without a noticeable density: damping of the normal
+// equations relative to their mean diagonal, its change, and the number of steps.
+constexpr double kFirstDamping = 1e-3, kMostDamping = 1e6, kMoreDamping = 4.0;
+constexpr int kUphillSteps = 60;
 constexpr double kStands = 0.3, kRefused = 1.0, kOneTooFar = 3.0;
 // Steps of the chains between batches; the first three quarters of them are the way to the new
 // density, the last quarter is the way from the candidates to the plain draws.
@@ -90,6 +99,43 @@ struct SurrogateRuns::Model {
     }
     return fit->density.at(surrogate.sum_of_squares(y), u);
   }
+
+  Eigen::MatrixXd information_at(const Eigen::VectorXd& u) const {
+    const Eigen::VectorXd y = fit->frame.whitened(u);
+    const auto T = fit->frame.T.triangularView<Eigen::Lower>();
+    const double weight = fit->density.weight(surrogate.sum_of_squares(y));
+    const Eigen::MatrixXd half = T.adjoint().solve(surrogate.normal_equations(y).JJ);
+    Eigen::MatrixXd G = weight * T.adjoint().solve(half.transpose());
+    G.diagonal().array() += kInsideCube;
+    if (fit->prior_information.size() > 0) G += fit->prior_information;
+    return G;
+  }
+
+  /// Returns a place of larger density, by damped steps of least squares on the surrogate that are
+  /// cut off at the bounds.
+  Eigen::VectorXd uphill(Eigen::VectorXd u) const {
+    double value = at(u), damping = kFirstDamping;
+    for (int step = 0; step < kUphillSteps; ++step) {
+      const Eigen::VectorXd y = fit->frame.whitened(u);
+      auto [JJ, Jr] = surrogate.normal_equations(y);
+      const double length = JJ.trace() / static_cast<double>(y.size());
+      for (; damping < kMostDamping; damping *= kMoreDamping) {
+        Eigen::MatrixXd A = JJ;
+        A.diagonal().array() += damping * length;
+        const numerics::Cholesky factor(A);
+        if (!factor.is_positive_definite()) continue;
+        const Eigen::VectorXd tried =
+            fit->frame.place(y - factor.solve(Jr)).cwiseMax(0.0).cwiseMin(1.0);
+        const double there = at(tried);
+        if (!(there > value)) continue;
+        u = tried;
+        value = there;
+        damping /= kMoreDamping * kMoreDamping;
+        break;
+      }
+    }
+    return u;
+  }
 };
 
 SurrogateRuns::SurrogateRuns(FittedDensity fit, const SurrogateRunOptions& options)
@@ -103,8 +149,9 @@ void SurrogateRuns::learn() {
   const Eigen::Index n = fit_.frame.center.size();
   std::vector<const KnownSample*> good, bad;
   for (const KnownSample& sample : fit_.known) {
-    // the fit itself is known by r_c
-    if (sample.r && sample.u != fit_.frame.center) good.push_back(&sample);
+    const bool is_apart = fit_.slopes_exact ? fit_.frame.deviations(sample.u) >= kNearest
+                                            : sample.u != fit_.frame.center;  // known by r_c
+    if (sample.r && is_apart) good.push_back(&sample);
     if (!sample.r) bad.push_back(&sample);
   }
   SurrogateSamples samples{Eigen::MatrixXd(std::ssize(good), n),
@@ -126,7 +173,8 @@ void SurrogateRuns::learn() {
     FittedDensity fit;
     Model model;
   };
-  FittedDensity plain{fit_.frame, fit_.r_c, fit_.J, fit_.slopes_exact, fit_.density, {}};
+  FittedDensity plain = fit_;
+  plain.known.clear();
   auto owned = std::make_shared<Owned>(
       Owned{std::move(plain),
             Model{nullptr, ResidualSurrogate(samples), samples.Y.transpose(), std::move(failed)}});
@@ -138,18 +186,23 @@ LogDensityAt SurrogateRuns::log_density() const {
   return [model = model_](const Eigen::VectorXd& u) { return model->at(u); };
 }
 
+InformationAt SurrogateRuns::information() const {
+  return [model = model_](const Eigen::VectorXd& u) { return model->information_at(u); };
+}
+
 void SurrogateRuns::ask() {
   wanted_.clear();
   expected_.clear();
   const LogDensityAt density = log_density();
-  if (!chains_ || !chains_->change_density(density)) {
+  if (!chains_ || !chains_->change_density(density, information())) {
     const auto starts = walker_starts(fit_.frame, {}, density, options_.seed);
     if (!starts) {  // the fit itself has no density: its constraints exclude it
       phase_ = Phase::done;
       return;
     }
-    chains_.emplace(density, *starts, options_.seed);
+    chains_.emplace(density, *starts, options_.seed, information());
   }
+  chains_->raise([this](const Eigen::VectorXd& u) { return model_->uphill(u); });
   if (phase_ == Phase::batches && trials_ + kBatch + kCheckDraws > options_.runs)
     phase_ = Phase::check;
   if (phase_ == Phase::batches) {

@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "numerics/dense/cholesky.h"
 #include "optimization/posterior/chain_diagnostics.h"
 
 namespace latsch {
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double kBestJump = 2.38;       // ter Braak's gamma for a normal density, over sqrt(2 n)
 constexpr double kJitter = 0.1;          // c of (1): moves are no lattice
+constexpr double kNegligible = 30.0, kNegligibleOfVariable = 3.0;  // see raise()
+constexpr double kFrozen = 0.1;                  // share of accepted moves (1) below which (2) are made
+constexpr double kShortest = 2.0;        // decades by which the steps (2) vary
 constexpr double kStuck = 2.0;           // distances of the quartiles below the first one
 constexpr double kBeside = 0.3;          // share of a difference by which a copy is set apart
 constexpr int kTrialsBeside = 12;        // each half as far as the one before, to the other side
@@ -33,18 +37,73 @@ Eigen::VectorXd reflected_into_cube(Eigen::VectorXd u) {
   return u;
 }
 
-WalkerChains::WalkerChains(LogDensityAt density, Eigen::MatrixXd starts, std::uint64_t seed)
-    : density_(std::move(density)), places_(std::move(starts)), values_(places_.cols()) {
+WalkerChains::WalkerChains(LogDensityAt density,
+                           Eigen::MatrixXd starts,
+                           std::uint64_t seed,
+                           InformationAt information)
+    : density_(std::move(density)),
+      places_(std::move(starts)),
+      values_(places_.cols()),
+      information_(std::move(information)) {
   assert(walkers() >= 6 && walkers() % 2 == 0);
   for (int walker = 0; walker < walkers(); ++walker) {
     values_[walker] = density_(places_.col(walker));
     assert(std::isfinite(values_[walker]));
     streams_.emplace_back(seed, static_cast<std::uint64_t>(walker));
   }
-  moved_.assign(static_cast<std::size_t>(walkers()), 0);
+  const auto count = static_cast<std::size_t>(walkers());
+  moved_.assign(count, 0);
+  tried_together_.assign(count, 0);
+  moved_together_.assign(count, 0);
+  locals_.resize(count);
 }
 
 void WalkerChains::move(int walker, long step) {
+  // steps in pairs, so that every tenth one of moves (1) is a long one all the same
+  if (!moves_locally_)
+    move_along_others(walker, step);
+  else if (step % 2 == 0)
+    move_along_others(walker, step / 2);
+  else
+    move_along_valley(walker);
+}
+
+std::optional<WalkerChains::Local> WalkerChains::local(const Eigen::VectorXd& u) const {
+  const numerics::Cholesky factor(information_(u));
+  if (!factor.is_positive_definite()) return std::nullopt;
+  return Local{u, factor.L(), 0.5 * factor.log_determinant()};
+}
+
+void WalkerChains::move_along_valley(int walker) {
+  const auto at = static_cast<std::size_t>(walker);
+  RandomStream& random = streams_[at];
+  const auto n = places_.rows();
+  const double h = kBestJump / std::sqrt(static_cast<double>(n)) *
+                   std::pow(10.0, -kShortest * random.uniform());
+  Eigen::VectorXd e(n);
+  for (double& value : e) value = random.normal();
+  const double chance = random.uniform();
+  const Eigen::VectorXd from = places_.col(walker);
+  if (!locals_[at] || locals_[at]->at != from) locals_[at] = local(from);
+  if (!locals_[at]) return;
+  const Local& here = *locals_[at];
+  const Eigen::VectorXd tried = from + h * here.L.triangularView<Eigen::Lower>().adjoint().solve(e);
+  if ((tried.array() < 0.0).any() || (tried.array() > 1.0).any()) return;
+  const double value = density_(tried);
+  if (!(value > kNoDensity)) return;
+  std::optional<Local> there = local(tried);
+  if (!there) return;
+  const Eigen::VectorXd back = there->L.transpose() * (from - tried) / h;
+  const double balance = there->log_determinant - here.log_determinant -
+                         0.5 * (back.squaredNorm() - e.squaredNorm());  // ln q(u|u*) / q(u*|u)
+  if (!(std::log(1.0 - chance) < value - values_[walker] + balance)) return;
+  places_.col(walker) = tried;
+  values_[walker] = value;
+  locals_[at] = std::move(there);
+  ++moved_[at];
+}
+
+void WalkerChains::move_along_others(int walker, long step) {
   const int half = walkers() / 2;
   const int others = walker < half ? half : 0;  // first walker of the half that rests
   RandomStream& random = streams_[static_cast<std::size_t>(walker)];
@@ -56,6 +115,7 @@ void WalkerChains::move(int walker, long step) {
   const double chance = random.uniform();
   const bool is_long = step % kLongJumpEvery == kLongJumpEvery - 1;
   const double gamma = is_long ? 1.0 : kBestJump / std::sqrt(2.0 * n) * jitter;
+  ++tried_together_[static_cast<std::size_t>(walker)];
   const Eigen::VectorXd tried =
       places_.col(walker) + gamma * (places_.col(others + a) - places_.col(others + b));  // (1)
   if ((tried.array() < 0.0).any() || (tried.array() > 1.0).any()) return;
@@ -64,6 +124,7 @@ void WalkerChains::move(int walker, long step) {
   places_.col(walker) = tried;
   values_[walker] = value;
   ++moved_[static_cast<std::size_t>(walker)];
+  ++moved_together_[static_cast<std::size_t>(walker)];
 }
 
 void WalkerChains::advance(long steps, int threads) {
@@ -134,6 +195,12 @@ void WalkerChains::set_beside(int walker, int model) {
 
 int WalkerChains::release_stuck() {
   if (record_.values.empty()) return 0;
+  const long tried = std::accumulate(tried_together_.begin(), tried_together_.end(), 0L);
+  const long accepted = std::accumulate(moved_together_.begin(), moved_together_.end(), 0L);
+  moves_locally_ =
+      information_ && static_cast<double>(accepted) < kFrozen * static_cast<double>(tried);
+  std::fill(tried_together_.begin(), tried_together_.end(), 0);
+  std::fill(moved_together_.begin(), moved_together_.end(), 0);
   Eigen::VectorXd means = Eigen::VectorXd::Zero(walkers());
   for (const Eigen::VectorXd& values : record_.values) means += values;
   means /= static_cast<double>(record_.values.size());
@@ -153,8 +220,11 @@ int WalkerChains::release_stuck() {
   return moved;
 }
 
-bool WalkerChains::change_density(LogDensityAt density) {
+bool WalkerChains::change_density(LogDensityAt density, InformationAt information) {
   density_ = std::move(density);
+  information_ = std::move(information);
+  moves_locally_ = moves_locally_ && information_;
+  std::fill(locals_.begin(), locals_.end(), std::nullopt);
   for (int walker = 0; walker < walkers(); ++walker)
     values_[walker] = density_(places_.col(walker));
   const int half = walkers() / 2;
@@ -170,6 +240,26 @@ bool WalkerChains::change_density(LogDensityAt density) {
     }
   }
   return true;
+}
+
+bool WalkerChains::begin_local_moves() {
+  if (moves_locally_ || !information_) return false;
+  moves_locally_ = true;
+  forget();
+  return true;
+}
+
+void WalkerChains::raise(const std::function<Eigen::VectorXd(const Eigen::VectorXd& u)>& uphill) {
+  const double least = values_.maxCoeff() - kNegligible -
+                       kNegligibleOfVariable * static_cast<double>(places_.rows());
+  for (int walker = 0; walker < walkers(); ++walker) {
+    if (values_[walker] >= least) continue;
+    const Eigen::VectorXd above = uphill(places_.col(walker));
+    const double value = density_(above);
+    if (!(value > values_[walker])) continue;
+    places_.col(walker) = above;
+    values_[walker] = value;
+  }
 }
 
 double WalkerChains::accepted() const {

@@ -15,6 +15,17 @@
 // longer symmetric where the differences of two coordinates are correlated. For two springs in
 // series it moved a median by 0.17 deviations.
 //
+// Where the density is a narrow curved valley, almost all moves (1) leave it. If fewer than 10 % of
+// them were accepted before the first step that counts, and the information G(u) of the density is
+// known, every second step is one of the walker alone along the valley where it stands:
+//
+//   u* = u + h L^-T e,   G(u) = L L',   e normal                                               (2)
+//   h = 2.38/sqrt(n) 10^-c,   c uniform in 0 .. 2
+//
+// It is accepted with probability min(1, p(u*) q(u|u*) / (p(u) q(u*|u))), where q is the normal
+// density of (2), whose determinant and length change with the place [Girolami, Calderhead, J. R.
+// Stat. Soc. B 73 (2011) 123, sec. 5, without its drift].
+//
 // Every walker has a random stream of its own, and no decision depends on another walker of the
 // same half, so the chains have the same bits for any number of threads.
 //
@@ -24,6 +35,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/random.h"
@@ -40,8 +53,11 @@ Eigen::VectorXd reflected_into_cube(Eigen::VectorXd u);
 class WalkerChains {
  public:
   /// Begins at the columns of `starts`, n x walkers, an even number of at least 6. The density
-  /// must not be 0 at any of them.
-  WalkerChains(LogDensityAt density, Eigen::MatrixXd starts, std::uint64_t seed);
+  /// must not be 0 at any of them. Without `information` there are no moves (2).
+  WalkerChains(LogDensityAt density,
+               Eigen::MatrixXd starts,
+               std::uint64_t seed,
+               InformationAt information = {});
 
   /// Moves every walker `steps` times. `density` is called by several threads if threads > 1.
   void advance(long steps, int threads = 1);
@@ -52,19 +68,30 @@ class WalkerChains {
   /// walker of their half, and forgets the record. A walker is stuck if the mean of its recorded
   /// log densities lies below the first quartile of all walkers by more than twice the distance of
   /// the quartiles [Vrugt et al., Int. J. Nonlinear Sci. Numer. Simul. 10 (2009) 273]. One of 40
-  /// walkers would else be 2.5 % of all samples. Only for steps that are left out later: the move
-  /// is not reversible. Returns the number of walkers moved.
+  /// walkers would else be 2.5 % of all samples. Decides by the moves since the last decision
+  /// whether moves (2) are made. Only for steps that are left out later: neither is reversible.
+  /// Returns the number of walkers moved.
   int release_stuck();
   /// Continues with another density from the present places. A walker whose density is 0 under it
   /// is placed where a walker of the same half is whose density is not; returns false if there is
   /// none in one of the halves.
-  bool change_density(LogDensityAt density);
+  bool change_density(LogDensityAt density, InformationAt information = {});
+
+  /// Moves each walker whose density is negligible beside that of the likeliest one, by a factor of
+  /// exp(30 + 3 n), to uphill(place) if that place is likelier. Only for steps that are left out
+  /// later.
+  void raise(const std::function<Eigen::VectorXd(const Eigen::VectorXd& u)>& uphill);
 
   const Eigen::MatrixXd& places() const { return places_; }         // n x walkers
   const Eigen::VectorXd& log_densities() const { return values_; }  // one for each walker
   int walkers() const { return static_cast<int>(places_.cols()); }
   /// Share of the moves that were accepted since the beginning.
   double accepted() const;
+  /// True if every second step is a move (2).
+  bool moves_locally() const { return moves_locally_; }
+  /// Makes every second step a move (2), and forgets the record. Returns false if they are made
+  /// already, or if the information is not known.
+  bool begin_local_moves();
 
   /// The recorded steps. Not every step is recorded: `stride` doubles when there are too many.
   struct Record {
@@ -75,7 +102,16 @@ class WalkerChains {
   const Record& record() const { return record_; }
 
  private:
+  /// The factor L of the information at a walker's place.
+  struct Local {
+    Eigen::VectorXd at;
+    Eigen::MatrixXd L;
+    double log_determinant = 0.0;  // ln det L
+  };
   void move(int walker, long step);
+  void move_along_others(int walker, long step);
+  void move_along_valley(int walker);
+  std::optional<Local> local(const Eigen::VectorXd& u) const;
   void keep(long step);
   /// Moves the walker beside another one, by a share of the difference of two walkers, or onto it
   /// if no such place has density.
@@ -85,7 +121,12 @@ class WalkerChains {
   Eigen::MatrixXd places_;
   Eigen::VectorXd values_;
   std::vector<RandomStream> streams_;
-  std::vector<long> moved_;  // accepted moves of each walker
+  InformationAt information_;
+  bool moves_locally_ = false;
+  std::vector<std::optional<Local>> locals_;  // of each walker, at its place or a former one
+  std::vector<long> moved_;                   // accepted moves of each walker
+  // moves (1) of each walker since the last decision about moves (2), and those accepted
+  std::vector<long> tried_together_, moved_together_;
   long steps_ = 0;
   Record record_;
 };
