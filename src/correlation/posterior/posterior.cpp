@@ -125,10 +125,7 @@ class FitFrame {
           "how uncertain the estimate is.");
     fit.density.values = r_.size();
     fit.density.log_prior = log_prior();
-    const Eigen::MatrixXd rows = with_priors(J_ / s);
-    fit.frame = whitened_frame(center(), rows);
-    const Eigen::MatrixXd of_priors = rows.bottomRows(rows.rows() - J_.rows());
-    if (of_priors.rows() > 0) fit.prior_information = of_priors.transpose() * of_priors;
+    fit.frame = whitened_frame(center(), with_priors(J_ / s));
     fit.known = known_samples(journal);
     return fit;
   }

@@ -5,10 +5,6 @@
 
 namespace latsch {
 
-double PosteriorDensity::weight(double S) const {
-  return s ? 1.0 / (*s * *s) : static_cast<double>(values) / S;
-}
-
 double PosteriorDensity::at(double S, const Eigen::VectorXd& u) const {
   const double prior = log_prior ? log_prior(u) : 0.0;
   if (!std::isfinite(prior) || !std::isfinite(S)) return kNoDensity;

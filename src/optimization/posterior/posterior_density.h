@@ -25,9 +25,14 @@ constexpr double kNoDensity = -std::numeric_limits<double>::infinity();
 /// Logarithm of a density at a point of the unit cube; kNoDensity where the density is 0.
 using LogDensityAt = std::function<double(const Eigen::VectorXd& u)>;
 
-/// Information of a density at a point of the unit cube: the negative second derivatives of its
-/// logarithm, or a positive definite matrix near them; n x n.
-using InformationAt = std::function<Eigen::MatrixXd(const Eigen::VectorXd& u)>;
+/// Coordinates q(u), as many as variables, in which a curved valley of a density is straight. Empty
+/// functions: there are none.
+struct Straightening {
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& u)> coordinates;  // q, n
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd& u)> slopes;       // dq/du, n x n
+
+  explicit operator bool() const { return coordinates && slopes; }
+};
 
 struct PosteriorDensity {
   std::optional<double> s = 1.0;  // deviation of a whitened residual; nullopt: unknown
@@ -36,9 +41,6 @@ struct PosteriorDensity {
   /// Empty: uniform.
   LogDensityAt log_prior = {};
 
-  /// Returns the factor of J'J in the information of the residuals for the sum of squares S:
-  /// 1/s^2, or m/S.
-  double weight(double S) const;
   /// Returns the logarithm of the density for the sum of squares S at u.
   double at(double S, const Eigen::VectorXd& u) const;
 };

@@ -109,7 +109,7 @@ PosteriorSamples draw_samples(WalkerChains chains, const SampleOptions& options)
     chains.release_stuck();
   }
   PosteriorSamples samples = lengthened(chains, first, options.threads);
-  if (!samples.unmixed.empty() && chains.begin_local_moves()) {
+  if (!samples.unmixed.empty() && chains.straighten()) {
     chains.advance(first, options.threads);
     chains.forget();
     samples = lengthened(chains, first, options.threads);

@@ -84,17 +84,20 @@ Eigen::VectorXd ResidualSurrogate::residuals(const Eigen::VectorXd& y) const {
   return basis_ * weights(y);
 }
 
-ResidualSurrogate::Normal ResidualSurrogate::normal_equations(const Eigen::VectorXd& y) const {
+Eigen::VectorXd ResidualSurrogate::reduced_residuals(const Eigen::VectorXd& y) const {
+  return reduced_ * weights(y);
+}
+
+Eigen::MatrixXd ResidualSurrogate::reduced_slopes(const Eigen::VectorXd& y) const {
   const Eigen::Index N = Y_.rows(), n = y.size();
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(1 + n + N, n);  // of the weights (1, y, k(y))
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(1 + n + N, n);  // slopes of (1, y, k(y))
   slopes.middleRows(1, n).setIdentity();
   if (N > 0) {
     Eigen::VectorXd slope = Y_ * y;
     for (double& g : slope) g = kernel_slope(g);
     slopes.bottomRows(N) = slope.asDiagonal() * Y_;
   }
-  const Eigen::MatrixXd J = reduced_ * slopes;
-  return {J.transpose() * J, J.transpose() * (reduced_ * weights(y))};
+  return reduced_ * slopes;
 }
 
 double ResidualSurrogate::variance(const Eigen::VectorXd& y) const {

@@ -68,12 +68,11 @@ class ResidualSurrogate {
   double sum_of_squares(const Eigen::VectorXd& y) const;
   /// Returns the residuals r(y) by (3).
   Eigen::VectorXd residuals(const Eigen::VectorXd& y) const;
-  /// The normal equations of the slopes J = dr/dy by (3).
-  struct Normal {
-    Eigen::MatrixXd JJ;  // J'J, n x n
-    Eigen::VectorXd Jr;  // J'r, n
-  };
-  Normal normal_equations(const Eigen::VectorXd& y) const;
+  /// Returns residuals with the same sums of squares and products as those of (3), at most as many
+  /// as there are samples and variables and one.
+  Eigen::VectorXd reduced_residuals(const Eigen::VectorXd& y) const;
+  /// Returns the slopes of the reduced residuals, one column for each component of y.
+  Eigen::MatrixXd reduced_slopes(const Eigen::VectorXd& y) const;
   /// Returns the relative variance v by (4).
   double variance(const Eigen::VectorXd& y) const;
   /// Returns the covariance of the residuals at these points, one in each row, with (4) on its

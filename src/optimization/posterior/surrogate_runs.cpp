@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "numerics/dense/self_adjoint_eigen.h"
+
 namespace latsch {
 namespace {
 
@@ -26,6 +28,7 @@ constexpr int kCheckDraws = 10;
 // equations relative to their mean diagonal, its change, and the number of steps.
 constexpr double kFirstDamping = 1e-3, kMostDamping = 1e6, kMoreDamping = 4.0;
 constexpr int kUphillSteps = 60;
+constexpr double kHeld = 1.0;  // eigenvalue above which data hold a direction; see straighten()
 constexpr double kStands = 0.3, kRefused = 1.0, kOneTooFar = 3.0;
 // Steps of the chains between batches; the first three quarters of them are the way to the new
 // density, the last quarter is the way from the candidates to the plain draws.
@@ -100,15 +103,39 @@ struct SurrogateRuns::Model {
     return fit->density.at(surrogate.sum_of_squares(y), u);
   }
 
-  Eigen::MatrixXd information_at(const Eigen::VectorXd& u) const {
+  // Coordinates in which a valley is straight. With the eigenvectors v of w J'J at the fit,
+  // w the information of a residual, those with an eigenvalue above 1 (data that hold the direction
+  // twice as well as the cube does) stand for products of residuals, q = (J v)' r(y); the others
+  // for themselves, q = v' y.
+  Eigen::MatrixXd of_residuals, of_place;
+
+  void straighten() {
+    const Eigen::VectorXd center = Eigen::VectorXd::Zero(fit->frame.center.size());
+    const Eigen::MatrixXd J = surrogate.reduced_slopes(center);
+    const double S = fit->r_c.squaredNorm();
+    const double weight =
+        fit->density.s ? std::pow(*fit->density.s, -2) : static_cast<double>(fit->r_c.size()) / S;
+    const Eigen::MatrixXd information = weight * J.transpose() * J;
+    const auto eigen = numerics::self_adjoint_eigen(information);
+    const Eigen::Index held = (eigen.values.array() > kHeld).count(), free = center.size() - held;
+    of_residuals = (J * eigen.vectors.rightCols(held) *
+                    (weight * eigen.values.tail(held).cwiseInverse()).cwiseSqrt().asDiagonal())
+                       .transpose();
+    of_place = eigen.vectors.leftCols(free).transpose();
+  }
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& u) const {
     const Eigen::VectorXd y = fit->frame.whitened(u);
-    const auto T = fit->frame.T.triangularView<Eigen::Lower>();
-    const double weight = fit->density.weight(surrogate.sum_of_squares(y));
-    const Eigen::MatrixXd half = T.adjoint().solve(surrogate.normal_equations(y).JJ);
-    Eigen::MatrixXd G = weight * T.adjoint().solve(half.transpose());
-    G.diagonal().array() += kInsideCube;
-    if (fit->prior_information.size() > 0) G += fit->prior_information;
-    return G;
+    Eigen::VectorXd q(y.size());
+    q << of_residuals * surrogate.reduced_residuals(y), of_place * y;
+    return q;
+  }
+  Eigen::MatrixXd slopes(const Eigen::VectorXd& u) const {
+    const Eigen::VectorXd y = fit->frame.whitened(u);
+    Eigen::MatrixXd slopes(y.size(), y.size());  // dq/dy
+    slopes << of_residuals * surrogate.reduced_slopes(y), of_place;
+    const Eigen::MatrixXd of_y = slopes.transpose();
+    const Eigen::MatrixXd of_u = fit->frame.T.triangularView<Eigen::Lower>().adjoint().solve(of_y);
+    return of_u.transpose();
   }
 
   /// Returns a place of larger density, by damped steps of least squares on the surrogate that are
@@ -117,7 +144,9 @@ struct SurrogateRuns::Model {
     double value = at(u), damping = kFirstDamping;
     for (int step = 0; step < kUphillSteps; ++step) {
       const Eigen::VectorXd y = fit->frame.whitened(u);
-      auto [JJ, Jr] = surrogate.normal_equations(y);
+      const Eigen::MatrixXd J = surrogate.reduced_slopes(y);
+      const Eigen::MatrixXd JJ = J.transpose() * J;
+      const Eigen::VectorXd Jr = J.transpose() * surrogate.reduced_residuals(y);
       const double length = JJ.trace() / static_cast<double>(y.size());
       for (; damping < kMostDamping; damping *= kMoreDamping) {
         Eigen::MatrixXd A = JJ;
@@ -179,6 +208,7 @@ void SurrogateRuns::learn() {
       Owned{std::move(plain),
             Model{nullptr, ResidualSurrogate(samples), samples.Y.transpose(), std::move(failed)}});
   owned->model.fit = &owned->fit;
+  owned->model.straighten();
   model_ = std::shared_ptr<const Model>(owned, &owned->model);
 }
 
@@ -186,21 +216,22 @@ LogDensityAt SurrogateRuns::log_density() const {
   return [model = model_](const Eigen::VectorXd& u) { return model->at(u); };
 }
 
-InformationAt SurrogateRuns::information() const {
-  return [model = model_](const Eigen::VectorXd& u) { return model->information_at(u); };
+Straightening SurrogateRuns::straightening() const {
+  return {[model = model_](const Eigen::VectorXd& u) { return model->coordinates(u); },
+          [model = model_](const Eigen::VectorXd& u) { return model->slopes(u); }};
 }
 
 void SurrogateRuns::ask() {
   wanted_.clear();
   expected_.clear();
   const LogDensityAt density = log_density();
-  if (!chains_ || !chains_->change_density(density, information())) {
+  if (!chains_ || !chains_->change_density(density, straightening())) {
     const auto starts = walker_starts(fit_.frame, {}, density, options_.seed);
     if (!starts) {  // the fit itself has no density: its constraints exclude it
       phase_ = Phase::done;
       return;
     }
-    chains_.emplace(density, *starts, options_.seed, information());
+    chains_.emplace(density, *starts, options_.seed, straightening());
   }
   chains_->raise([this](const Eigen::VectorXd& u) { return model_->uphill(u); });
   if (phase_ == Phase::batches && trials_ + kBatch + kCheckDraws > options_.runs)

@@ -48,7 +48,6 @@ struct FittedDensity {
   Eigen::MatrixXd J;          // dr/du there
   bool slopes_exact = false;  // true if J was computed by the model
   PosteriorDensity density;
-  Eigen::MatrixXd prior_information = {};  // n x n: of ln p(u) at the center; empty: none
   std::vector<KnownSample> known;  // earlier trials; those too far away are not used
 };
 
@@ -96,8 +95,8 @@ class SurrogateRuns {
 
   /// Returns the logarithm of the density by the surrogate.
   LogDensityAt log_density() const;
-  /// Returns the information of that density by the slopes of the surrogate.
-  InformationAt information() const;
+  /// Returns coordinates in which curved valleys of that density are straight.
+  Straightening straightening() const;
   /// False if the density is 0 at the fit itself; there are then no chains.
   bool has_density() const { return chains_.has_value(); }
   /// Returns chains on the surrogate, at their present places.

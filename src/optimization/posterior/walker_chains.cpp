@@ -15,15 +15,17 @@
 namespace latsch {
 namespace {
 
-constexpr double kBestJump = 2.38;       // ter Braak's gamma for a normal density, over sqrt(2 n)
-constexpr double kJitter = 0.1;          // c of (1): moves are no lattice
+constexpr double kBestJump = 2.38;  // ter Braak's gamma for a normal density, over sqrt(2 n)
+constexpr double kJitter = 0.1;     // c of (1): moves are no lattice
 constexpr double kNegligible = 30.0, kNegligibleOfVariable = 3.0;  // see raise()
-constexpr double kFrozen = 0.1;                  // share of accepted moves (1) below which (2) are made
-constexpr double kShortest = 2.0;        // decades by which the steps (2) vary
-constexpr double kStuck = 2.0;           // distances of the quartiles below the first one
-constexpr double kBeside = 0.3;          // share of a difference by which a copy is set apart
-constexpr int kTrialsBeside = 12;        // each half as far as the one before, to the other side
-constexpr long kLongJumpEvery = 10;      // steps
+constexpr double kFrozen = 0.1;      // share of accepted moves (1) below which (2) are made
+constexpr int kNewtonSteps = 15;     // Newton steps for (2)
+constexpr double kSolved = 1e-10;    // last step of (2), in the unit cube
+constexpr double kBack = 1e-7;       // largest distance of the way back of (2), in the unit cube
+constexpr double kStuck = 2.0;       // distances of the quartiles below the first one
+constexpr double kBeside = 0.3;      // share of a difference by which a copy is set apart
+constexpr int kTrialsBeside = 12;    // each half as far as the one before, to the other side
+constexpr long kLongJumpEvery = 10;  // steps
 constexpr std::size_t kMostKept = 2048;  // steps of a record; then every second one is dropped
 
 }  // namespace
@@ -40,11 +42,11 @@ Eigen::VectorXd reflected_into_cube(Eigen::VectorXd u) {
 WalkerChains::WalkerChains(LogDensityAt density,
                            Eigen::MatrixXd starts,
                            std::uint64_t seed,
-                           InformationAt information)
+                           Straightening straight)
     : density_(std::move(density)),
       places_(std::move(starts)),
       values_(places_.cols()),
-      information_(std::move(information)) {
+      straight_(std::move(straight)) {
   assert(walkers() >= 6 && walkers() % 2 == 0);
   for (int walker = 0; walker < walkers(); ++walker) {
     values_[walker] = density_(places_.col(walker));
@@ -55,55 +57,19 @@ WalkerChains::WalkerChains(LogDensityAt density,
   moved_.assign(count, 0);
   tried_together_.assign(count, 0);
   moved_together_.assign(count, 0);
-  locals_.resize(count);
 }
 
 void WalkerChains::move(int walker, long step) {
-  // steps in pairs, so that every tenth one of moves (1) is a long one all the same
-  if (!moves_locally_)
+  // steps in pairs, so that every tenth move of each kind is a long one
+  if (!is_straightened_)
     move_along_others(walker, step);
   else if (step % 2 == 0)
     move_along_others(walker, step / 2);
   else
-    move_along_valley(walker);
+    move_along_valley(walker, step / 2);
 }
 
-std::optional<WalkerChains::Local> WalkerChains::local(const Eigen::VectorXd& u) const {
-  const numerics::Cholesky factor(information_(u));
-  if (!factor.is_positive_definite()) return std::nullopt;
-  return Local{u, factor.L(), 0.5 * factor.log_determinant()};
-}
-
-void WalkerChains::move_along_valley(int walker) {
-  const auto at = static_cast<std::size_t>(walker);
-  RandomStream& random = streams_[at];
-  const auto n = places_.rows();
-  const double h = kBestJump / std::sqrt(static_cast<double>(n)) *
-                   std::pow(10.0, -kShortest * random.uniform());
-  Eigen::VectorXd e(n);
-  for (double& value : e) value = random.normal();
-  const double chance = random.uniform();
-  const Eigen::VectorXd from = places_.col(walker);
-  if (!locals_[at] || locals_[at]->at != from) locals_[at] = local(from);
-  if (!locals_[at]) return;
-  const Local& here = *locals_[at];
-  const Eigen::VectorXd tried = from + h * here.L.triangularView<Eigen::Lower>().adjoint().solve(e);
-  if ((tried.array() < 0.0).any() || (tried.array() > 1.0).any()) return;
-  const double value = density_(tried);
-  if (!(value > kNoDensity)) return;
-  std::optional<Local> there = local(tried);
-  if (!there) return;
-  const Eigen::VectorXd back = there->L.transpose() * (from - tried) / h;
-  const double balance = there->log_determinant - here.log_determinant -
-                         0.5 * (back.squaredNorm() - e.squaredNorm());  // ln q(u|u*) / q(u*|u)
-  if (!(std::log(1.0 - chance) < value - values_[walker] + balance)) return;
-  places_.col(walker) = tried;
-  values_[walker] = value;
-  locals_[at] = std::move(there);
-  ++moved_[at];
-}
-
-void WalkerChains::move_along_others(int walker, long step) {
+WalkerChains::Difference WalkerChains::drawn_difference(int walker, long step) {
   const int half = walkers() / 2;
   const int others = walker < half ? half : 0;  // first walker of the half that rests
   RandomStream& random = streams_[static_cast<std::size_t>(walker)];
@@ -115,12 +81,57 @@ void WalkerChains::move_along_others(int walker, long step) {
   const double chance = random.uniform();
   const bool is_long = step % kLongJumpEvery == kLongJumpEvery - 1;
   const double gamma = is_long ? 1.0 : kBestJump / std::sqrt(2.0 * n) * jitter;
+  return {others + a, others + b, gamma, chance};
+}
+
+std::optional<Eigen::VectorXd> WalkerChains::place_of(const Eigen::VectorXd& q,
+                                                      const Eigen::VectorXd& start) const {
+  Eigen::VectorXd u = start;
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const Eigen::MatrixXd slopes = straight_.slopes(u);
+    const numerics::Cholesky factor(slopes.transpose() * slopes);
+    if (!factor.is_positive_definite()) return std::nullopt;
+    const Eigen::VectorXd way =
+        factor.solve(Eigen::VectorXd(slopes.transpose() * (q - straight_.coordinates(u))));
+    if (!(way.norm() < 10.0)) return std::nullopt;  // ten widths of the cube
+    u += way;
+    if (way.norm() < kSolved) return u;
+  }
+  return std::nullopt;
+}
+
+void WalkerChains::move_along_valley(int walker, long step) {
+  const Difference d = drawn_difference(walker, step);
+  const Eigen::VectorXd from = places_.col(walker);
+  const Eigen::VectorXd q = straight_.coordinates(from);
+  const auto tried = place_of(q + d.gamma * (straight_.coordinates(places_.col(d.a)) -
+                                             straight_.coordinates(places_.col(d.b))),  // (2)
+                              from);
+  if (!tried || (tried->array() < 0.0).any() || (tried->array() > 1.0).any()) return;
+  const double value = density_(*tried);
+  if (!(value > kNoDensity)) return;
+  const auto log_determinant = [this](const Eigen::VectorXd& u) {
+    const Eigen::MatrixXd slopes = straight_.slopes(u);
+    const numerics::Cholesky factor(slopes.transpose() * slopes);
+    return factor.is_positive_definite() ? 0.5 * factor.log_determinant() : kNoDensity;
+  };
+  const double balance = log_determinant(from) - log_determinant(*tried);
+  if (!(std::log(1.0 - d.chance) < value - values_[walker] + balance)) return;
+  const auto back = place_of(q, *tried);
+  if (!back || (*back - from).norm() > kBack) return;
+  places_.col(walker) = *tried;
+  values_[walker] = value;
+  ++moved_[static_cast<std::size_t>(walker)];
+}
+
+void WalkerChains::move_along_others(int walker, long step) {
+  const Difference d = drawn_difference(walker, step);
   ++tried_together_[static_cast<std::size_t>(walker)];
   const Eigen::VectorXd tried =
-      places_.col(walker) + gamma * (places_.col(others + a) - places_.col(others + b));  // (1)
+      places_.col(walker) + d.gamma * (places_.col(d.a) - places_.col(d.b));  // (1)
   if ((tried.array() < 0.0).any() || (tried.array() > 1.0).any()) return;
   const double value = density_(tried);
-  if (!(value > kNoDensity) || !(std::log(1.0 - chance) < value - values_[walker])) return;
+  if (!(value > kNoDensity) || !(std::log(1.0 - d.chance) < value - values_[walker])) return;
   places_.col(walker) = tried;
   values_[walker] = value;
   ++moved_[static_cast<std::size_t>(walker)];
@@ -197,8 +208,8 @@ int WalkerChains::release_stuck() {
   if (record_.values.empty()) return 0;
   const long tried = std::accumulate(tried_together_.begin(), tried_together_.end(), 0L);
   const long accepted = std::accumulate(moved_together_.begin(), moved_together_.end(), 0L);
-  moves_locally_ =
-      information_ && static_cast<double>(accepted) < kFrozen * static_cast<double>(tried);
+  is_straightened_ =
+      straight_ && static_cast<double>(accepted) < kFrozen * static_cast<double>(tried);
   std::fill(tried_together_.begin(), tried_together_.end(), 0);
   std::fill(moved_together_.begin(), moved_together_.end(), 0);
   Eigen::VectorXd means = Eigen::VectorXd::Zero(walkers());
@@ -220,11 +231,10 @@ int WalkerChains::release_stuck() {
   return moved;
 }
 
-bool WalkerChains::change_density(LogDensityAt density, InformationAt information) {
+bool WalkerChains::change_density(LogDensityAt density, Straightening straight) {
   density_ = std::move(density);
-  information_ = std::move(information);
-  moves_locally_ = moves_locally_ && information_;
-  std::fill(locals_.begin(), locals_.end(), std::nullopt);
+  straight_ = std::move(straight);
+  is_straightened_ = is_straightened_ && straight_;
   for (int walker = 0; walker < walkers(); ++walker)
     values_[walker] = density_(places_.col(walker));
   const int half = walkers() / 2;
@@ -242,9 +252,9 @@ bool WalkerChains::change_density(LogDensityAt density, InformationAt informatio
   return true;
 }
 
-bool WalkerChains::begin_local_moves() {
-  if (moves_locally_ || !information_) return false;
-  moves_locally_ = true;
+bool WalkerChains::straighten() {
+  if (is_straightened_ || !straight_) return false;
+  is_straightened_ = true;
   forget();
   return true;
 }

@@ -16,15 +16,15 @@
 // series it moved a median by 0.17 deviations.
 //
 // Where the density is a narrow curved valley, almost all moves (1) leave it. If fewer than 10 % of
-// them were accepted before the first step that counts, and the information G(u) of the density is
-// known, every second step is one of the walker alone along the valley where it stands:
+// them were accepted before the first step that counts, or if the chains do not mix without it, and
+// coordinates q(u) are known in which the valley is straight, every second step is
 //
-//   u* = u + h L^-T e,   G(u) = L L',   e normal                                               (2)
-//   h = 2.38/sqrt(n) 10^-c,   c uniform in 0 .. 2
+//   q(u*) = q(u) + gamma (q(u_a) - q(u_b))                                                     (2)
 //
-// It is accepted with probability min(1, p(u*) q(u|u*) / (p(u) q(u*|u))), where q is the normal
-// density of (2), whose determinant and length change with the place [Girolami, Calderhead, J. R.
-// Stat. Soc. B 73 (2011) 123, sec. 5, without its drift].
+// It is solved for u* by Newton's method from u, and is refused if the way back from u* does not
+// end at u [a check of Zappa, Holmes-Cerfon, Goodman, Commun. Pure Appl. Math. 71 (2018) 2609, for
+// moves on surfaces]. The density of q is p(u) / |det dq/du|, so it is accepted with
+// probability min(1, p(u*) |det dq/du(u)| / (p(u) |det dq/du(u*)|)).
 //
 // Every walker has a random stream of its own, and no decision depends on another walker of the
 // same half, so the chains have the same bits for any number of threads.
@@ -53,11 +53,11 @@ Eigen::VectorXd reflected_into_cube(Eigen::VectorXd u);
 class WalkerChains {
  public:
   /// Begins at the columns of `starts`, n x walkers, an even number of at least 6. The density
-  /// must not be 0 at any of them. Without `information` there are no moves (2).
+  /// must not be 0 at any of them. Without `straight` there are no moves (2).
   WalkerChains(LogDensityAt density,
                Eigen::MatrixXd starts,
                std::uint64_t seed,
-               InformationAt information = {});
+               Straightening straight = {});
 
   /// Moves every walker `steps` times. `density` is called by several threads if threads > 1.
   void advance(long steps, int threads = 1);
@@ -75,7 +75,7 @@ class WalkerChains {
   /// Continues with another density from the present places. A walker whose density is 0 under it
   /// is placed where a walker of the same half is whose density is not; returns false if there is
   /// none in one of the halves.
-  bool change_density(LogDensityAt density, InformationAt information = {});
+  bool change_density(LogDensityAt density, Straightening straight = {});
 
   /// Moves each walker whose density is negligible beside that of the likeliest one, by a factor of
   /// exp(30 + 3 n), to uphill(place) if that place is likelier. Only for steps that are left out
@@ -88,10 +88,10 @@ class WalkerChains {
   /// Share of the moves that were accepted since the beginning.
   double accepted() const;
   /// True if every second step is a move (2).
-  bool moves_locally() const { return moves_locally_; }
+  bool is_straightened() const { return is_straightened_; }
   /// Makes every second step a move (2), and forgets the record. Returns false if they are made
-  /// already, or if the information is not known.
-  bool begin_local_moves();
+  /// already, or if the coordinates are not known.
+  bool straighten();
 
   /// The recorded steps. Not every step is recorded: `stride` doubles when there are too many.
   struct Record {
@@ -102,16 +102,18 @@ class WalkerChains {
   const Record& record() const { return record_; }
 
  private:
-  /// The factor L of the information at a walker's place.
-  struct Local {
-    Eigen::VectorXd at;
-    Eigen::MatrixXd L;
-    double log_determinant = 0.0;  // ln det L
-  };
   void move(int walker, long step);
+  /// Draws a and b of a walker, and gamma.
+  struct Difference {
+    int a = 0, b = 0;
+    double gamma = 0.0, chance = 0.0;
+  };
+  Difference drawn_difference(int walker, long step);
   void move_along_others(int walker, long step);
-  void move_along_valley(int walker);
-  std::optional<Local> local(const Eigen::VectorXd& u) const;
+  void move_along_valley(int walker, long step);
+  /// Returns u with q(u) = q, by Newton's method from `start`; nullopt if it does not converge.
+  std::optional<Eigen::VectorXd> place_of(const Eigen::VectorXd& q,
+                                          const Eigen::VectorXd& start) const;
   void keep(long step);
   /// Moves the walker beside another one, by a share of the difference of two walkers, or onto it
   /// if no such place has density.
@@ -121,10 +123,9 @@ class WalkerChains {
   Eigen::MatrixXd places_;
   Eigen::VectorXd values_;
   std::vector<RandomStream> streams_;
-  InformationAt information_;
-  bool moves_locally_ = false;
-  std::vector<std::optional<Local>> locals_;  // of each walker, at its place or a former one
-  std::vector<long> moved_;                   // accepted moves of each walker
+  Straightening straight_;
+  bool is_straightened_ = false;
+  std::vector<long> moved_;  // accepted moves of each walker
   // moves (1) of each walker since the last decision about moves (2), and those accepted
   std::vector<long> tried_together_, moved_together_;
   long steps_ = 0;

@@ -201,8 +201,8 @@ TEST(WalkerChains, StandApartWhereADensityEndedMostOfThem) {
   }
 }
 
-// Two springs in series whose compliances add up to a known one, in logarithms over a factor of 200:
-// a valley a hundred times as long as it is wide, which turns by a right angle. Three further
+// Two springs in series whose compliances add up to a known one, in logarithms over a factor of
+// 200: a valley a hundred times as long as it is wide, which turns by a right angle. Three further
 // variables are normal around a place that moves along the valley, so the marginal of the first is
 // that of the two.
 struct SpringsInSeries {
@@ -228,13 +228,20 @@ struct SpringsInSeries {
     }
     return J;
   }
-  static InformationAt information() {
-    return [](const Eigen::VectorXd& u) {
-      const Eigen::MatrixXd J = slopes(u);
-      Eigen::MatrixXd G = J.transpose() * J;
-      G.diagonal().array() += kInsideCube;
-      return G;
-    };
+  /// The place along the valley and the residuals.
+  static Straightening straight() {
+    return {[](const Eigen::VectorXd& u) {
+              Eigen::VectorXd q(5);
+              q << residuals(u), u[0] - u[1];
+              return q;
+            },
+            [](const Eigen::VectorXd& u) {
+              Eigen::MatrixXd slopes_of_q = Eigen::MatrixXd::Zero(5, 5);
+              slopes_of_q.topRows(4) = slopes(u);
+              slopes_of_q(4, 0) = 1.0;
+              slopes_of_q(4, 1) = -1.0;
+              return slopes_of_q;
+            }};
   }
   /// Returns the probability of each of 400 cells of the first variable.
   static Eigen::VectorXd marginal() {
@@ -242,20 +249,19 @@ struct SpringsInSeries {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(kCells);
     for (int i = 0; i < kCells; ++i)
       for (int j = 0; j < kFine; ++j)
-        sums[i] +=
-            std::exp(-0.5 * std::pow(misfit((i + 0.5) / kCells, (j + 0.5) / kFine), 2));
+        sums[i] += std::exp(-0.5 * std::pow(misfit((i + 0.5) / kCells, (j + 0.5) / kFine), 2));
     return sums / sums.sum();
   }
-  static PosteriorSamples samples(const InformationAt& information) {
+  static PosteriorSamples samples(const Straightening& straight) {
     const Eigen::VectorXd center = Eigen::VectorXd::Constant(5, 0.5);
     const WhitenedFrame frame = whitened_frame(center, slopes(center));
     const auto starts = walker_starts(frame, {}, density(), 7);
-    return draw_samples(WalkerChains(density(), *starts, 7, information), {.samples = 20'000});
+    return draw_samples(WalkerChains(density(), *starts, 7, straight), {.samples = 20'000});
   }
 };
 
-TEST(WalkerChains, FillANarrowCurvedValleyWithMovesAlongIt) {
-  const PosteriorSamples s = SpringsInSeries::samples(SpringsInSeries::information());
+TEST(WalkerChains, FillANarrowCurvedValleyInStraightCoordinates) {
+  const PosteriorSamples s = SpringsInSeries::samples(SpringsInSeries::straight());
   EXPECT_TRUE(s.unmixed.empty());
   const Eigen::VectorXd x = s.u.row(0).transpose();
   const Eigen::VectorXd marginal = SpringsInSeries::marginal();
@@ -269,8 +275,8 @@ TEST(WalkerChains, FillANarrowCurvedValleyWithMovesAlongIt) {
   }
 }
 
-TEST(WalkerChains, NameAllVariablesOfANarrowValleyWithoutItsInformation) {
-  EXPECT_FALSE(SpringsInSeries::samples({}).unmixed.empty());
+TEST(WalkerChains, NameVariablesOfANarrowValleyWithoutThem) {
+  EXPECT_FALSE(SpringsInSeries::samples(Straightening{}).unmixed.empty());
 }
 
 TEST(WalkerChains, MoveAlongAValleyWithTheSameBitsForAnyNumberOfThreads) {
@@ -278,9 +284,9 @@ TEST(WalkerChains, MoveAlongAValleyWithTheSameBitsForAnyNumberOfThreads) {
   const WhitenedFrame frame = whitened_frame(center, SpringsInSeries::slopes(center));
   const auto starts = walker_starts(frame, {}, SpringsInSeries::density(), 3);
   const auto places = [&](int threads) {
-    WalkerChains chains(SpringsInSeries::density(), *starts, 3, SpringsInSeries::information());
+    WalkerChains chains(SpringsInSeries::density(), *starts, 3, SpringsInSeries::straight());
     chains.advance(100, threads);
-    EXPECT_TRUE(chains.begin_local_moves());
+    EXPECT_TRUE(chains.straighten());
     chains.advance(100, threads);
     return chains.places();
   };

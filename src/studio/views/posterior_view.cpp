@@ -13,8 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Eigen::Index kDrawsShown = 400;   // draws of a variable that the page receives
-constexpr std::size_t kVariablesDrawn = 12;  // variables with draws: those least like the linear one
+constexpr Eigen::Index kDrawsShown = 400;  // draws of a variable that the page receives
+/// Number of variables with draws: those that are least like their linear intervals.
+constexpr std::size_t kVariablesDrawn = 12;
 
 /// Returns, for each sampled variable, true if it is among those that differ most from their linear
 /// intervals.
@@ -63,9 +64,9 @@ Json variable_of(const correlation::Study& study,
           {"interval", {shown(shape.lower), shown(shape.upper)}},
           {"linear", {shown(linear.lower), shown(linear.upper)}},
           {"distance", finite(shape.distance)},
-          {"shape", posterior.is_mixed()
-                        ? in_words(shape, correlation::axis_names(study, posterior))
-                        : std::string("not mixed")},
+          {"shape",
+           posterior.is_mixed() ? in_words(shape, correlation::axis_names(study, posterior))
+                                : std::string("not mixed")},
           {"rhat", finite(d.rhat)},
           {"effective", finite(std::min(d.bulk, d.tail))},
           {"draws", is_drawn ? draws_of(study, posterior, axis) : Json::array()}};
