@@ -107,7 +107,7 @@ struct SurrogateRuns::Model {
   // w the information of a residual, those with an eigenvalue above 1 (data that hold the direction
   // twice as well as the cube does) stand for products of residuals, q = (J v)' r(y); the others
   // for themselves, q = v' y.
-  Eigen::MatrixXd of_residuals, of_place;
+  Eigen::MatrixXd of_residuals = {}, of_place = {};
 
   void straighten() {
     const Eigen::VectorXd center = Eigen::VectorXd::Zero(fit->frame.center.size());

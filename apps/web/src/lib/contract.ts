@@ -334,7 +334,7 @@ export interface SampledVariable {
   median: Value;
   interval: [Value, Value];
   linear: [Value, Value]; // null: an open end, or one beyond the bound
-  distance: Value; // from the ends of the linear interval, in deviations
+  distance: Value; // deviations by which the ends differ from those of the linear interval
   shape: string;
   rhat: Value;
   effective: Value;
