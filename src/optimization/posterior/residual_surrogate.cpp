@@ -84,20 +84,16 @@ Eigen::VectorXd ResidualSurrogate::residuals(const Eigen::VectorXd& y) const {
   return basis_ * weights(y);
 }
 
-Eigen::VectorXd ResidualSurrogate::reduced_residuals(const Eigen::VectorXd& y) const {
-  return reduced_ * weights(y);
-}
-
-Eigen::MatrixXd ResidualSurrogate::reduced_slopes(const Eigen::VectorXd& y) const {
+Eigen::MatrixXd ResidualSurrogate::weight_slopes(const Eigen::VectorXd& y) const {
   const Eigen::Index N = Y_.rows(), n = y.size();
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(1 + n + N, n);  // slopes of (1, y, k(y))
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(1 + n + N, n);
   slopes.middleRows(1, n).setIdentity();
   if (N > 0) {
     Eigen::VectorXd slope = Y_ * y;
     for (double& g : slope) g = kernel_slope(g);
     slopes.bottomRows(N) = slope.asDiagonal() * Y_;
   }
-  return reduced_ * slopes;
+  return slopes;
 }
 
 double ResidualSurrogate::variance(const Eigen::VectorXd& y) const {

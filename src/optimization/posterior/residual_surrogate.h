@@ -68,11 +68,12 @@ class ResidualSurrogate {
   double sum_of_squares(const Eigen::VectorXd& y) const;
   /// Returns the residuals r(y) by (3).
   Eigen::VectorXd residuals(const Eigen::VectorXd& y) const;
-  /// Returns residuals with the same sums of squares and products as those of (3), at most as many
-  /// as there are samples and variables and one.
-  Eigen::VectorXd reduced_residuals(const Eigen::VectorXd& y) const;
-  /// Returns the slopes of the reduced residuals, one column for each component of y.
-  Eigen::MatrixXd reduced_slopes(const Eigen::VectorXd& y) const;
+  /// Returns the weights w(y) = (1, y, k(y)) and their slopes, one column for each component of y.
+  Eigen::VectorXd weights(const Eigen::VectorXd& y) const;
+  Eigen::MatrixXd weight_slopes(const Eigen::VectorXd& y) const;
+  /// Returns R, where R w(y) are residuals with the same sums of squares and products as those of
+  /// (3), at most as many as there are weights.
+  const Eigen::MatrixXd& reduced() const { return reduced_; }
   /// Returns the relative variance v by (4).
   double variance(const Eigen::VectorXd& y) const;
   /// Returns the covariance of the residuals at these points, one in each row, with (4) on its
@@ -82,7 +83,6 @@ class ResidualSurrogate {
  private:
   double kernel(double g) const;
   double kernel_slope(double g) const;
-  Eigen::VectorXd weights(const Eigen::VectorXd& y) const;  // (1, y, k(y))
 
   Eigen::MatrixXd Y_;
   double slope_prior_;     // 1000, or 0 if the slopes are exact

@@ -107,32 +107,33 @@ struct SurrogateRuns::Model {
   // w the information of a residual, those with an eigenvalue above 1 (data that hold the direction
   // twice as well as the cube does) stand for products of residuals, q = (J v)' r(y); the others
   // for themselves, q = v' y.
-  Eigen::MatrixXd of_residuals = {}, of_place = {};
+  Eigen::MatrixXd of_weights = {}, of_place = {};
 
   void straighten() {
     const Eigen::VectorXd center = Eigen::VectorXd::Zero(fit->frame.center.size());
-    const Eigen::MatrixXd J = surrogate.reduced_slopes(center);
+    const Eigen::MatrixXd J = surrogate.reduced() * surrogate.weight_slopes(center);
     const double S = fit->r_c.squaredNorm();
     const double weight =
         fit->density.s ? std::pow(*fit->density.s, -2) : static_cast<double>(fit->r_c.size()) / S;
     const Eigen::MatrixXd information = weight * J.transpose() * J;
     const auto eigen = numerics::self_adjoint_eigen(information);
     const Eigen::Index held = (eigen.values.array() > kHeld).count(), free = center.size() - held;
-    of_residuals = (J * eigen.vectors.rightCols(held) *
-                    (weight * eigen.values.tail(held).cwiseInverse()).cwiseSqrt().asDiagonal())
-                       .transpose();
+    const Eigen::VectorXd lengths = (eigen.values.tail(held) / weight).cwiseSqrt();
+    const Eigen::MatrixXd products =
+        lengths.cwiseInverse().asDiagonal() * (J * eigen.vectors.rightCols(held)).transpose();
+    of_weights = products * surrogate.reduced();
     of_place = eigen.vectors.leftCols(free).transpose();
   }
   Eigen::VectorXd coordinates(const Eigen::VectorXd& u) const {
     const Eigen::VectorXd y = fit->frame.whitened(u);
     Eigen::VectorXd q(y.size());
-    q << of_residuals * surrogate.reduced_residuals(y), of_place * y;
+    q << of_weights * surrogate.weights(y), of_place * y;
     return q;
   }
   Eigen::MatrixXd slopes(const Eigen::VectorXd& u) const {
     const Eigen::VectorXd y = fit->frame.whitened(u);
     Eigen::MatrixXd slopes(y.size(), y.size());  // dq/dy
-    slopes << of_residuals * surrogate.reduced_slopes(y), of_place;
+    slopes << of_weights * surrogate.weight_slopes(y), of_place;
     const Eigen::MatrixXd of_y = slopes.transpose();
     const Eigen::MatrixXd of_u = fit->frame.T.triangularView<Eigen::Lower>().adjoint().solve(of_y);
     return of_u.transpose();
@@ -144,9 +145,9 @@ struct SurrogateRuns::Model {
     double value = at(u), damping = kFirstDamping;
     for (int step = 0; step < kUphillSteps; ++step) {
       const Eigen::VectorXd y = fit->frame.whitened(u);
-      const Eigen::MatrixXd J = surrogate.reduced_slopes(y);
+      const Eigen::MatrixXd J = surrogate.reduced() * surrogate.weight_slopes(y);
       const Eigen::MatrixXd JJ = J.transpose() * J;
-      const Eigen::VectorXd Jr = J.transpose() * surrogate.reduced_residuals(y);
+      const Eigen::VectorXd Jr = J.transpose() * (surrogate.reduced() * surrogate.weights(y));
       const double length = JJ.trace() / static_cast<double>(y.size());
       for (; damping < kMostDamping; damping *= kMoreDamping) {
         Eigen::MatrixXd A = JJ;

@@ -239,10 +239,10 @@ TEST(ResidualSurrogate, HasTheSlopesOfItsResiduals) {
       J.col(i) = (surrogate.residuals(y + step) - surrogate.residuals(y - step)) / (2.0 * kStep);
     }
     const Eigen::MatrixXd expected = J.transpose() * J;
-    const Eigen::MatrixXd reduced = surrogate.reduced_slopes(y);
+    const Eigen::MatrixXd reduced = surrogate.reduced() * surrogate.weight_slopes(y);
     EXPECT_LT((reduced.transpose() * reduced - expected).norm(), 1e-7 * expected.norm());
     const Eigen::VectorXd product = J.transpose() * surrogate.residuals(y);
-    const Eigen::VectorXd same = reduced.transpose() * surrogate.reduced_residuals(y);
+    const Eigen::VectorXd same = reduced.transpose() * (surrogate.reduced() * surrogate.weights(y));
     EXPECT_LT((same - product).norm(), 1e-7 * product.norm()) << is_exact;
   }
 }
