@@ -106,6 +106,7 @@ PosteriorSamples draw_samples(WalkerChains chains, const SampleOptions& options)
   chains.forget();
   for (int k = 0; k < kReleases; ++k) {
     chains.advance(first / 4, options.threads);
+    chains.straighten_if_frozen();
     chains.release_stuck();
   }
   PosteriorSamples samples = lengthened(chains, first, options.threads);

@@ -29,6 +29,9 @@ constexpr int kCheckDraws = 10;
 constexpr double kFirstDamping = 1e-3, kMostDamping = 1e6, kMoreDamping = 4.0;
 constexpr int kUphillSteps = 60;
 constexpr double kHeld = 1.0;  // eigenvalue above which data hold a direction; see straighten()
+// Number of variables above which no coordinates are straightened: a move in them costs some n^3
+// operations, and there are 4 n walkers.
+constexpr Eigen::Index kMostStraightened = 12;
 constexpr double kStands = 0.3, kRefused = 1.0, kOneTooFar = 3.0;
 // Steps of the chains between batches; the first three quarters of them are the way to the new
 // density, the last quarter is the way from the candidates to the plain draws.
@@ -218,6 +221,7 @@ LogDensityAt SurrogateRuns::log_density() const {
 }
 
 Straightening SurrogateRuns::straightening() const {
+  if (fit_.frame.center.size() > kMostStraightened) return {};
   return {[model = model_](const Eigen::VectorXd& u) { return model->coordinates(u); },
           [model = model_](const Eigen::VectorXd& u) { return model->slopes(u); }};
 }

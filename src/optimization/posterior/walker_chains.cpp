@@ -204,14 +204,17 @@ void WalkerChains::set_beside(int walker, int model) {
   values_[walker] = values_[model];
 }
 
-int WalkerChains::release_stuck() {
-  if (record_.values.empty()) return 0;
+void WalkerChains::straighten_if_frozen() {
   const long tried = std::accumulate(tried_together_.begin(), tried_together_.end(), 0L);
   const long accepted = std::accumulate(moved_together_.begin(), moved_together_.end(), 0L);
   is_straightened_ =
       straight_ && static_cast<double>(accepted) < kFrozen * static_cast<double>(tried);
   std::fill(tried_together_.begin(), tried_together_.end(), 0);
   std::fill(moved_together_.begin(), moved_together_.end(), 0);
+}
+
+int WalkerChains::release_stuck() {
+  if (record_.values.empty()) return 0;
   Eigen::VectorXd means = Eigen::VectorXd::Zero(walkers());
   for (const Eigen::VectorXd& values : record_.values) means += values;
   means /= static_cast<double>(record_.values.size());

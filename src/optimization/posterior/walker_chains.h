@@ -68,10 +68,12 @@ class WalkerChains {
   /// walker of their half, and forgets the record. A walker is stuck if the mean of its recorded
   /// log densities lies below the first quartile of all walkers by more than twice the distance of
   /// the quartiles [Vrugt et al., Int. J. Nonlinear Sci. Numer. Simul. 10 (2009) 273]. One of 40
-  /// walkers would else be 2.5 % of all samples. Decides by the moves since the last decision
-  /// whether moves (2) are made. Only for steps that are left out later: neither is reversible.
-  /// Returns the number of walkers moved.
+  /// walkers would else be 2.5 % of all samples. Only for steps that are left out later: the move
+  /// is not reversible. Returns the number of walkers moved.
   int release_stuck();
+  /// Decides by the moves (1) since the last decision whether moves (2) are made. Only before steps
+  /// that are left out later.
+  void straighten_if_frozen();
   /// Continues with another density from the present places. A walker whose density is 0 under it
   /// is placed where a walker of the same half is whose density is not; returns false if there is
   /// none in one of the halves.
