@@ -13,6 +13,7 @@ export default defineConfig({
     outDir: process.env.LATSCH_WEB_OUT ?? 'dist',
     emptyOutDir: true,
     target: 'es2022',
+    rollupOptions: { output: { experimentalMinChunkSize: 12000 } }, // bytes: smaller scripts go with one that needs them
     cssCodeSplit: false,
     modulePreload: { polyfill: false },
     assetsInlineLimit: 0, // the policy allows no data: addresses

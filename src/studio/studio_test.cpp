@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "base/file.h"
+#include "correlation/posterior/posterior.h"
 #include "correlation/search/study_reuse_testing.h"
 #include "correlation/target/best_trial.h"
 #include "evaluation/journal/journal_lock.h"
@@ -202,6 +203,42 @@ TEST_F(Asked, MeasuredAndSimulatedStandBesideEachOther) {
   EXPECT_EQ(both["studies"][1]["no_intervals"], get("/api/identifiability")["why_not"]);
   EXPECT_EQ(view["no_bands"], both["studies"][0]["no_intervals"]);
   EXPECT_EQ(both["variables"][0]["missing"], Json({"", ""}));
+}
+
+TEST_F(Asked, SamplesOfThePosteriorAreThoseOfTheJournal) {
+  const auto study = read("noise = \"200 N\"\n");
+  fit_all(study);
+  std::optional<correlation::Posterior> drawn;
+  {
+    Journal journal = Journal::open(study.run.journal, identity(study));
+    const auto best = correlation::best_trial(study, journal);
+    InlineExecutor executor(evaluator(study));
+    const auto found =
+        correlation::sample_posterior(study, best->point, executor, journal, {.max_steps = 100});
+    ASSERT_TRUE(found && *found);
+    drawn = **found;
+  }
+  begin();
+  ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] == "ended"; }));
+  const Json view = get("/api/identifiability")["posterior"];
+  ASSERT_FALSE(view.is_null());
+  EXPECT_EQ(view["verdict"], "stands");
+  EXPECT_EQ(view["trials"], drawn->trials);
+  ASSERT_EQ(view["variables"].size(), 2u);
+  for (std::size_t a = 0; a < 2; ++a) {
+    const Json& variable = view["variables"][a];
+    EXPECT_EQ(variable["name"], study.space[drawn->axes[a]].name);
+    const double median = drawn->value_at(study.space, a, drawn->shapes[a].median);
+    EXPECT_NEAR(variable["median"], median, 1e-6 * std::abs(median));
+    ASSERT_EQ(variable["draws"].size(), 400u);
+    const double first = drawn->point(study.space, 0).values[a];
+    EXPECT_NEAR(variable["draws"][0], first, 1e-6 * std::abs(first));
+    // the noise is stated and the data are exact: both intervals hold the truth and are alike
+    const double truth = a == 0 ? 1.3 : -22.0;
+    EXPECT_LT(variable["interval"][0], truth);
+    EXPECT_GT(variable["interval"][1], truth);
+    EXPECT_FALSE(variable["linear"][0].is_null());
+  }
 }
 
 TEST_F(Asked, TheFileIsChangedWhereThePageHasSeenIt) {

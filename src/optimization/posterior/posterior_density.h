@@ -25,6 +25,15 @@ constexpr double kNoDensity = -std::numeric_limits<double>::infinity();
 /// Logarithm of a density at a point of the unit cube; kNoDensity where the density is 0.
 using LogDensityAt = std::function<double(const Eigen::VectorXd& u)>;
 
+/// Coordinates q(u), as many as variables, in which a curved valley of a density is straight. Empty
+/// functions: there are none.
+struct Straightening {
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& u)> coordinates;  // q, n
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd& u)> slopes;       // dq/du, n x n
+
+  explicit operator bool() const { return coordinates && slopes; }
+};
+
 struct PosteriorDensity {
   std::optional<double> s = 1.0;  // deviation of a whitened residual; nullopt: unknown
   Eigen::Index values = 0;        // m, without the rows of priors

@@ -37,6 +37,18 @@ void diagnose(const WalkerChains& chains, PosteriorSamples& samples) {
   }
 }
 
+/// Runs the chains until their diagnostics are good, at most to ten times the first length.
+PosteriorSamples lengthened(WalkerChains& chains, long first, int threads) {
+  PosteriorSamples samples;
+  for (const int length : kLengths) {
+    chains.advance(first * length - samples.steps, threads);
+    samples.steps = first * length;
+    diagnose(chains, samples);
+    if (samples.unmixed.empty()) break;
+  }
+  return samples;
+}
+
 /// Takes the places of all walkers at steps of even distance in the second half of the record.
 void take_evenly(const WalkerChains& chains, int count, PosteriorSamples& samples) {
   const WalkerChains::Record& record = chains.record();
@@ -94,14 +106,14 @@ PosteriorSamples draw_samples(WalkerChains chains, const SampleOptions& options)
   chains.forget();
   for (int k = 0; k < kReleases; ++k) {
     chains.advance(first / 4, options.threads);
+    chains.straighten_if_frozen();
     chains.release_stuck();
   }
-  PosteriorSamples samples;
-  for (const int length : kLengths) {
-    chains.advance(first * length - samples.steps, options.threads);
-    samples.steps = first * length;
-    diagnose(chains, samples);
-    if (samples.unmixed.empty()) break;
+  PosteriorSamples samples = lengthened(chains, first, options.threads);
+  if (!samples.unmixed.empty() && chains.straighten()) {
+    chains.advance(first, options.threads);
+    chains.forget();
+    samples = lengthened(chains, first, options.threads);
   }
   take_evenly(chains, options.samples, samples);
   samples.accepted = chains.accepted();

@@ -5,7 +5,9 @@
 // Walkers start from the linear density around a fit, or around several. Stuck walkers are released
 // three times; later, the first half of all steps is left out. The chains run until every variable
 // has R-hat <= 1.01 and effective numbers of draws >= 400 [Vehtari et al. 2021], at most to ten
-// times their first length. What does not converge is named, not hidden: `unmixed`.
+// times their first length. Chains that have not converged then begin anew in the coordinates in
+// which a valley is straight (walker_chains.h), if they are known and did not serve before. What
+// does not converge is named, not hidden: `unmixed`.
 #pragma once
 
 #include <Eigen/Core>

@@ -13,7 +13,6 @@ constexpr double kSlopeTerm = 1000.0;  // first coefficient of (1)
 // Relative increase of the diagonal of K that keeps it positive definite in spite of rounding.
 constexpr double kSurrogateRounding = 1e-11;
 constexpr double kLeastPivot = 1e-30;  // pivot of a sample at the fit itself, whose kernel may be 0
-constexpr double kInsideCube = 12.0;   // information of a uniform density in the unit cube
 
 }  // namespace
 
@@ -35,6 +34,11 @@ WhitenedFrame whitened_frame(const Eigen::VectorXd& center, const Eigen::MatrixX
 double ResidualSurrogate::kernel(double g) const {
   const double bent = g * g * (0.5 + g * (1.0 / 60.0 + g / 1200.0));
   return slope_prior_ == 0.0 ? bent : slope_prior_ * (1.0 + g) + bent;  // (1)
+}
+
+double ResidualSurrogate::kernel_slope(double g) const {
+  const double bent = g * (1.0 + g * (1.0 / 20.0 + g / 300.0));
+  return slope_prior_ + bent;
 }
 
 ResidualSurrogate::ResidualSurrogate(const SurrogateSamples& samples)
@@ -78,6 +82,18 @@ double ResidualSurrogate::sum_of_squares(const Eigen::VectorXd& y) const {
 
 Eigen::VectorXd ResidualSurrogate::residuals(const Eigen::VectorXd& y) const {
   return basis_ * weights(y);
+}
+
+Eigen::MatrixXd ResidualSurrogate::weight_slopes(const Eigen::VectorXd& y) const {
+  const Eigen::Index N = Y_.rows(), n = y.size();
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(1 + n + N, n);
+  slopes.middleRows(1, n).setIdentity();
+  if (N > 0) {
+    Eigen::VectorXd slope = Y_ * y;
+    for (double& g : slope) g = kernel_slope(g);
+    slopes.bottomRows(N) = slope.asDiagonal() * Y_;
+  }
+  return slopes;
 }
 
 double ResidualSurrogate::variance(const Eigen::VectorXd& y) const {

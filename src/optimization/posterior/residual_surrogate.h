@@ -31,6 +31,8 @@
 
 namespace latsch {
 
+constexpr double kInsideCube = 12.0;  // information of a uniform density in the unit cube
+
 /// Coordinates around a fit: u = center + T y, with a lower triangular T.
 struct WhitenedFrame {
   Eigen::VectorXd center;  // n, in the unit cube
@@ -66,6 +68,12 @@ class ResidualSurrogate {
   double sum_of_squares(const Eigen::VectorXd& y) const;
   /// Returns the residuals r(y) by (3).
   Eigen::VectorXd residuals(const Eigen::VectorXd& y) const;
+  /// Returns the weights w(y) = (1, y, k(y)) and their slopes, one column for each component of y.
+  Eigen::VectorXd weights(const Eigen::VectorXd& y) const;
+  Eigen::MatrixXd weight_slopes(const Eigen::VectorXd& y) const;
+  /// Returns R, where R w(y) are residuals with the same sums of squares and products as those of
+  /// (3), at most as many as there are weights.
+  const Eigen::MatrixXd& reduced() const { return reduced_; }
   /// Returns the relative variance v by (4).
   double variance(const Eigen::VectorXd& y) const;
   /// Returns the covariance of the residuals at these points, one in each row, with (4) on its
@@ -74,7 +82,7 @@ class ResidualSurrogate {
 
  private:
   double kernel(double g) const;
-  Eigen::VectorXd weights(const Eigen::VectorXd& y) const;  // (1, y, k(y))
+  double kernel_slope(double g) const;
 
   Eigen::MatrixXd Y_;
   double slope_prior_;     // 1000, or 0 if the slopes are exact

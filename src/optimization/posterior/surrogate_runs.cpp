@@ -7,16 +7,31 @@
 #include <numeric>
 #include <utility>
 
+#include "numerics/dense/self_adjoint_eigen.h"
+
 namespace latsch {
 namespace {
 
 constexpr double kFarthest = 6.0;  // linear deviations within which earlier trials are used
+// Linear deviations from the fit below which a trial is not used if the slopes are exact. It would
+// tell the curvature alone, from a difference that is as small as the rounding errors of the model:
+// at this distance an error of 1e-6 deviations of the noise is one of 0.005 two deviations away.
+// The last steps of a search are nearer, and one of them made a surrogate wild everywhere.
+constexpr double kNearest = 0.04;
 constexpr int kPlainDraws = 3, kSpreadDraws = 3, kBatch = kPlainDraws + kSpreadDraws;
 constexpr Eigen::Index kCandidates = 40;  // draws among which those of large variance are chosen
 constexpr double kGoodBatch = 0.3;        // root mean square error of the log density, plain draws
 constexpr double kGoodSpread = 1.0;       // limit for the draws with the largest variance
 constexpr int kGoodInARow = 2;
 constexpr int kCheckDraws = 10;
+// Climbs of walkers that a new surrogate leaves without a noticeable density: damping of the normal
+// equations relative to their mean diagonal, its change, and the number of steps.
+constexpr double kFirstDamping = 1e-3, kMostDamping = 1e6, kMoreDamping = 4.0;
+constexpr int kUphillSteps = 60;
+constexpr double kHeld = 1.0;  // eigenvalue above which data hold a direction; see straighten()
+// Number of variables above which no coordinates are straightened: a move in them costs some n^3
+// operations, and there are 4 n walkers.
+constexpr Eigen::Index kMostStraightened = 12;
 constexpr double kStands = 0.3, kRefused = 1.0, kOneTooFar = 3.0;
 // Steps of the chains between batches; the first three quarters of them are the way to the new
 // density, the last quarter is the way from the candidates to the plain draws.
@@ -90,6 +105,70 @@ struct SurrogateRuns::Model {
     }
     return fit->density.at(surrogate.sum_of_squares(y), u);
   }
+
+  // Coordinates in which a valley is straight. With the eigenvectors v of w J'J at the fit,
+  // w the information of a residual, those with an eigenvalue above 1 (data that hold the direction
+  // twice as well as the cube does) stand for products of residuals, q = (J v)' r(y); the others
+  // for themselves, q = v' y.
+  Eigen::MatrixXd of_weights = {}, of_place = {};
+
+  void straighten() {
+    const Eigen::VectorXd center = Eigen::VectorXd::Zero(fit->frame.center.size());
+    const Eigen::MatrixXd J = surrogate.reduced() * surrogate.weight_slopes(center);
+    const double S = fit->r_c.squaredNorm();
+    const double weight =
+        fit->density.s ? std::pow(*fit->density.s, -2) : static_cast<double>(fit->r_c.size()) / S;
+    const Eigen::MatrixXd information = weight * J.transpose() * J;
+    const auto eigen = numerics::self_adjoint_eigen(information);
+    const Eigen::Index held = (eigen.values.array() > kHeld).count(), free = center.size() - held;
+    const Eigen::VectorXd lengths = (eigen.values.tail(held) / weight).cwiseSqrt();
+    const Eigen::MatrixXd products =
+        lengths.cwiseInverse().asDiagonal() * (J * eigen.vectors.rightCols(held)).transpose();
+    of_weights = products * surrogate.reduced();
+    of_place = eigen.vectors.leftCols(free).transpose();
+  }
+  Eigen::VectorXd coordinates(const Eigen::VectorXd& u) const {
+    const Eigen::VectorXd y = fit->frame.whitened(u);
+    Eigen::VectorXd q(y.size());
+    q << of_weights * surrogate.weights(y), of_place * y;
+    return q;
+  }
+  Eigen::MatrixXd slopes(const Eigen::VectorXd& u) const {
+    const Eigen::VectorXd y = fit->frame.whitened(u);
+    Eigen::MatrixXd slopes(y.size(), y.size());  // dq/dy
+    slopes << of_weights * surrogate.weight_slopes(y), of_place;
+    const Eigen::MatrixXd of_y = slopes.transpose();
+    const Eigen::MatrixXd of_u = fit->frame.T.triangularView<Eigen::Lower>().adjoint().solve(of_y);
+    return of_u.transpose();
+  }
+
+  /// Returns a place of larger density, by damped steps of least squares on the surrogate that are
+  /// cut off at the bounds.
+  Eigen::VectorXd uphill(Eigen::VectorXd u) const {
+    double value = at(u), damping = kFirstDamping;
+    for (int step = 0; step < kUphillSteps; ++step) {
+      const Eigen::VectorXd y = fit->frame.whitened(u);
+      const Eigen::MatrixXd J = surrogate.reduced() * surrogate.weight_slopes(y);
+      const Eigen::MatrixXd JJ = J.transpose() * J;
+      const Eigen::VectorXd Jr = J.transpose() * (surrogate.reduced() * surrogate.weights(y));
+      const double length = JJ.trace() / static_cast<double>(y.size());
+      for (; damping < kMostDamping; damping *= kMoreDamping) {
+        Eigen::MatrixXd A = JJ;
+        A.diagonal().array() += damping * length;
+        const numerics::Cholesky factor(A);
+        if (!factor.is_positive_definite()) continue;
+        const Eigen::VectorXd tried =
+            fit->frame.place(y - factor.solve(Jr)).cwiseMax(0.0).cwiseMin(1.0);
+        const double there = at(tried);
+        if (!(there > value)) continue;
+        u = tried;
+        value = there;
+        damping /= kMoreDamping * kMoreDamping;
+        break;
+      }
+    }
+    return u;
+  }
 };
 
 SurrogateRuns::SurrogateRuns(FittedDensity fit, const SurrogateRunOptions& options)
@@ -103,8 +182,9 @@ void SurrogateRuns::learn() {
   const Eigen::Index n = fit_.frame.center.size();
   std::vector<const KnownSample*> good, bad;
   for (const KnownSample& sample : fit_.known) {
-    // the fit itself is known by r_c
-    if (sample.r && sample.u != fit_.frame.center) good.push_back(&sample);
+    const bool is_apart = fit_.slopes_exact ? fit_.frame.deviations(sample.u) >= kNearest
+                                            : sample.u != fit_.frame.center;  // known by r_c
+    if (sample.r && is_apart) good.push_back(&sample);
     if (!sample.r) bad.push_back(&sample);
   }
   SurrogateSamples samples{Eigen::MatrixXd(std::ssize(good), n),
@@ -126,11 +206,13 @@ void SurrogateRuns::learn() {
     FittedDensity fit;
     Model model;
   };
-  FittedDensity plain{fit_.frame, fit_.r_c, fit_.J, fit_.slopes_exact, fit_.density, {}};
+  FittedDensity plain = fit_;
+  plain.known.clear();
   auto owned = std::make_shared<Owned>(
       Owned{std::move(plain),
             Model{nullptr, ResidualSurrogate(samples), samples.Y.transpose(), std::move(failed)}});
   owned->model.fit = &owned->fit;
+  owned->model.straighten();
   model_ = std::shared_ptr<const Model>(owned, &owned->model);
 }
 
@@ -138,18 +220,25 @@ LogDensityAt SurrogateRuns::log_density() const {
   return [model = model_](const Eigen::VectorXd& u) { return model->at(u); };
 }
 
+Straightening SurrogateRuns::straightening() const {
+  if (fit_.frame.center.size() > kMostStraightened) return {};
+  return {[model = model_](const Eigen::VectorXd& u) { return model->coordinates(u); },
+          [model = model_](const Eigen::VectorXd& u) { return model->slopes(u); }};
+}
+
 void SurrogateRuns::ask() {
   wanted_.clear();
   expected_.clear();
   const LogDensityAt density = log_density();
-  if (!chains_ || !chains_->change_density(density)) {
+  if (!chains_ || !chains_->change_density(density, straightening())) {
     const auto starts = walker_starts(fit_.frame, {}, density, options_.seed);
     if (!starts) {  // the fit itself has no density: its constraints exclude it
       phase_ = Phase::done;
       return;
     }
-    chains_.emplace(density, *starts, options_.seed);
+    chains_.emplace(density, *starts, options_.seed, straightening());
   }
+  chains_->raise([this](const Eigen::VectorXd& u) { return model_->uphill(u); });
   if (phase_ == Phase::batches && trials_ + kBatch + kCheckDraws > options_.runs)
     phase_ = Phase::check;
   if (phase_ == Phase::batches) {

@@ -95,6 +95,9 @@ class SurrogateRuns {
 
   /// Returns the logarithm of the density by the surrogate.
   LogDensityAt log_density() const;
+  /// Returns coordinates in which curved valleys of that density are straight; none for more than
+  /// 12 variables.
+  Straightening straightening() const;
   /// False if the density is 0 at the fit itself; there are then no chains.
   bool has_density() const { return chains_.has_value(); }
   /// Returns chains on the surrogate, at their present places.

@@ -164,6 +164,34 @@ TEST(SurrogateRuns, GivesNoDensityToFailures) {
     EXPECT_TRUE(sample.r || runs.log_density()(sample.u) == kNoDensity);
 }
 
+// The last steps of a search lie so close to the fit that their residuals differ from the linear
+// ones by rounding errors alone.
+TEST(SurrogateRuns, LearnsNoCurvatureFromRoundingErrorsBesideTheFit) {
+  const Eigen::MatrixXd A = 20.0 * slopes_at_random(12, 3);
+  const Eigen::VectorXd center = Eigen::VectorXd::Constant(3, 0.5);
+  FittedDensity fit = fitted_density(
+      [&](const Eigen::VectorXd& u) { return Eigen::VectorXd(A * (u - center)); }, center);
+  fit.J = A;
+  fit.slopes_exact = true;
+  RandomStream random(9, 0);
+  for (int k = 0; k < 6; ++k) {
+    Eigen::VectorXd u = center, r;
+    for (double& value : u) value += 1e-7 * random.normal();
+    r = A * (u - center);
+    for (double& value : r) value += 1e-9 * random.normal();
+    fit.known.push_back({u, r});
+  }
+  const SurrogateRuns runs(fit, {.runs = 0});
+  const LogDensityAt density = runs.log_density();
+  for (int k = 0; k < 20; ++k) {
+    Eigen::VectorXd y(3);
+    for (double& value : y) value = random.normal();
+    const Eigen::VectorXd u = fit.frame.place(y);
+    const double exact = -0.5 * (A * (u - center)).squaredNorm();
+    EXPECT_NEAR(density(u), exact, 0.01) << k;
+  }
+}
+
 TEST(SurrogateRuns, SayThatNothingWasCheckedWithoutRuns) {
   const Eigen::VectorXd center = to_vector({0.5, 0.3});
   const SurrogateRuns runs(fitted_density(banana_residuals, center), {.runs = 0});
@@ -188,6 +216,34 @@ TEST(ResidualSurrogate, RepeatsAPolynomialOfTheFourthDegree) {
       EXPECT_NEAR((surrogate.residuals(y) - quartic(at)).norm(), 0.0, 2e-3) << at;
       EXPECT_NEAR(surrogate.sum_of_squares(y), surrogate.residuals(y).squaredNorm(), 1e-8) << at;
     }
+  }
+}
+
+TEST(ResidualSurrogate, HasTheSlopesOfItsResiduals) {
+  constexpr Eigen::Index kVariables = 3, kValues = 20;
+  for (const bool is_exact : {false, true}) {
+    RandomStream random(5, 0);
+    SurrogateSamples samples{Eigen::MatrixXd(9, kVariables),
+                             Eigen::MatrixXd(9, kValues),
+                             Eigen::VectorXd::Constant(kValues, 0.3),
+                             slopes_at_random(kValues, kVariables),
+                             is_exact};
+    for (double& y : samples.Y.reshaped()) y = random.normal();
+    for (double& r : samples.R.reshaped()) r = random.normal();
+    const ResidualSurrogate surrogate(samples);
+    const Eigen::VectorXd y = Eigen::Vector3d(0.4, -0.7, 0.2);
+    constexpr double kStep = 1e-5;
+    Eigen::MatrixXd J(kValues, kVariables);
+    for (Eigen::Index i = 0; i < kVariables; ++i) {
+      const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(kVariables, i);
+      J.col(i) = (surrogate.residuals(y + step) - surrogate.residuals(y - step)) / (2.0 * kStep);
+    }
+    const Eigen::MatrixXd expected = J.transpose() * J;
+    const Eigen::MatrixXd reduced = surrogate.reduced() * surrogate.weight_slopes(y);
+    EXPECT_LT((reduced.transpose() * reduced - expected).norm(), 1e-7 * expected.norm());
+    const Eigen::VectorXd product = J.transpose() * surrogate.residuals(y);
+    const Eigen::VectorXd same = reduced.transpose() * (surrogate.reduced() * surrogate.weights(y));
+    EXPECT_LT((same - product).norm(), 1e-7 * product.norm()) << is_exact;
   }
 }
 

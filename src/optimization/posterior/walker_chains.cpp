@@ -9,17 +9,23 @@
 #include <thread>
 #include <utility>
 
+#include "numerics/dense/cholesky.h"
 #include "optimization/posterior/chain_diagnostics.h"
 
 namespace latsch {
 namespace {
 
-constexpr double kBestJump = 2.38;       // ter Braak's gamma for a normal density, over sqrt(2 n)
-constexpr double kJitter = 0.1;          // c of (1): moves are no lattice
-constexpr double kStuck = 2.0;           // distances of the quartiles below the first one
-constexpr double kCopyBeside = 0.3;      // share of a difference by which a copy is set apart
-constexpr int kTrialsBeside = 12;        // each half as far as the one before, to the other side
-constexpr long kLongJumpEvery = 10;      // steps
+constexpr double kBestJump = 2.38;  // ter Braak's gamma for a normal density, over sqrt(2 n)
+constexpr double kJitter = 0.1;     // c of (1): moves are no lattice
+constexpr double kNegligible = 30.0, kNegligibleOfVariable = 3.0;  // see raise()
+constexpr double kFrozen = 0.1;      // share of accepted moves (1) below which (2) are made
+constexpr int kNewtonSteps = 15;     // Newton steps for (2)
+constexpr double kSolved = 1e-10;    // last step of (2), in the unit cube
+constexpr double kBack = 1e-7;       // largest distance of the way back of (2), in the unit cube
+constexpr double kStuck = 2.0;       // distances of the quartiles below the first one
+constexpr double kCopyBeside = 0.3;  // share of a difference by which a copy is set apart
+constexpr int kTrialsBeside = 12;    // each half as far as the one before, to the other side
+constexpr long kLongJumpEvery = 10;  // steps
 constexpr std::size_t kMostKept = 2048;  // steps of a record; then every second one is dropped
 
 }  // namespace
@@ -33,18 +39,37 @@ Eigen::VectorXd reflected_into_cube(Eigen::VectorXd u) {
   return u;
 }
 
-WalkerChains::WalkerChains(LogDensityAt density, Eigen::MatrixXd starts, std::uint64_t seed)
-    : density_(std::move(density)), places_(std::move(starts)), values_(places_.cols()) {
+WalkerChains::WalkerChains(LogDensityAt density,
+                           Eigen::MatrixXd starts,
+                           std::uint64_t seed,
+                           Straightening straight)
+    : density_(std::move(density)),
+      places_(std::move(starts)),
+      values_(places_.cols()),
+      straight_(std::move(straight)) {
   assert(walkers() >= 6 && walkers() % 2 == 0);
   for (int walker = 0; walker < walkers(); ++walker) {
     values_[walker] = density_(places_.col(walker));
     assert(std::isfinite(values_[walker]));
     streams_.emplace_back(seed, static_cast<std::uint64_t>(walker));
   }
-  moved_.assign(static_cast<std::size_t>(walkers()), 0);
+  const auto count = static_cast<std::size_t>(walkers());
+  moved_.assign(count, 0);
+  tried_together_.assign(count, 0);
+  moved_together_.assign(count, 0);
 }
 
 void WalkerChains::move(int walker, long step) {
+  // steps in pairs, so that every tenth move of each kind is a long one
+  if (!is_straightened_)
+    move_along_others(walker, step);
+  else if (step % 2 == 0)
+    move_along_others(walker, step / 2);
+  else
+    move_along_valley(walker, step / 2);
+}
+
+WalkerChains::Difference WalkerChains::drawn_difference(int walker, long step) {
   const int half = walkers() / 2;
   const int others = walker < half ? half : 0;  // first walker of the half that rests
   RandomStream& random = streams_[static_cast<std::size_t>(walker)];
@@ -56,14 +81,61 @@ void WalkerChains::move(int walker, long step) {
   const double chance = random.uniform();
   const bool is_long = step % kLongJumpEvery == kLongJumpEvery - 1;
   const double gamma = is_long ? 1.0 : kBestJump / std::sqrt(2.0 * n) * jitter;
+  return {others + a, others + b, gamma, chance};
+}
+
+std::optional<Eigen::VectorXd> WalkerChains::place_of(const Eigen::VectorXd& q,
+                                                      const Eigen::VectorXd& start) const {
+  Eigen::VectorXd u = start;
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const Eigen::MatrixXd slopes = straight_.slopes(u);
+    const numerics::Cholesky factor(slopes.transpose() * slopes);
+    if (!factor.is_positive_definite()) return std::nullopt;
+    const Eigen::VectorXd way =
+        factor.solve(Eigen::VectorXd(slopes.transpose() * (q - straight_.coordinates(u))));
+    if (!(way.norm() < 10.0)) return std::nullopt;  // ten widths of the cube
+    u += way;
+    if (way.norm() < kSolved) return u;
+  }
+  return std::nullopt;
+}
+
+void WalkerChains::move_along_valley(int walker, long step) {
+  const Difference d = drawn_difference(walker, step);
+  const Eigen::VectorXd from = places_.col(walker);
+  const Eigen::VectorXd q = straight_.coordinates(from);
+  const auto tried = place_of(q + d.gamma * (straight_.coordinates(places_.col(d.a)) -
+                                             straight_.coordinates(places_.col(d.b))),  // (2)
+                              from);
+  if (!tried || (tried->array() < 0.0).any() || (tried->array() > 1.0).any()) return;
+  const double value = density_(*tried);
+  if (!(value > kNoDensity)) return;
+  const auto log_determinant = [this](const Eigen::VectorXd& u) {
+    const Eigen::MatrixXd slopes = straight_.slopes(u);
+    const numerics::Cholesky factor(slopes.transpose() * slopes);
+    return factor.is_positive_definite() ? 0.5 * factor.log_determinant() : kNoDensity;
+  };
+  const double balance = log_determinant(from) - log_determinant(*tried);
+  if (!(std::log(1.0 - d.chance) < value - values_[walker] + balance)) return;
+  const auto back = place_of(q, *tried);
+  if (!back || (*back - from).norm() > kBack) return;
+  places_.col(walker) = *tried;
+  values_[walker] = value;
+  ++moved_[static_cast<std::size_t>(walker)];
+}
+
+void WalkerChains::move_along_others(int walker, long step) {
+  const Difference d = drawn_difference(walker, step);
+  ++tried_together_[static_cast<std::size_t>(walker)];
   const Eigen::VectorXd tried =
-      places_.col(walker) + gamma * (places_.col(others + a) - places_.col(others + b));  // (1)
+      places_.col(walker) + d.gamma * (places_.col(d.a) - places_.col(d.b));  // (1)
   if ((tried.array() < 0.0).any() || (tried.array() > 1.0).any()) return;
   const double value = density_(tried);
-  if (!(value > kNoDensity) || !(std::log(1.0 - chance) < value - values_[walker])) return;
+  if (!(value > kNoDensity) || !(std::log(1.0 - d.chance) < value - values_[walker])) return;
   places_.col(walker) = tried;
   values_[walker] = value;
   ++moved_[static_cast<std::size_t>(walker)];
+  ++moved_together_[static_cast<std::size_t>(walker)];
 }
 
 void WalkerChains::advance(long steps, int threads) {
@@ -132,6 +204,15 @@ void WalkerChains::set_beside(int walker, int model) {
   values_[walker] = values_[model];
 }
 
+void WalkerChains::straighten_if_frozen() {
+  const long tried = std::accumulate(tried_together_.begin(), tried_together_.end(), 0L);
+  const long accepted = std::accumulate(moved_together_.begin(), moved_together_.end(), 0L);
+  is_straightened_ =
+      straight_ && static_cast<double>(accepted) < kFrozen * static_cast<double>(tried);
+  std::fill(tried_together_.begin(), tried_together_.end(), 0);
+  std::fill(moved_together_.begin(), moved_together_.end(), 0);
+}
+
 int WalkerChains::release_stuck() {
   if (record_.values.empty()) return 0;
   Eigen::VectorXd means = Eigen::VectorXd::Zero(walkers());
@@ -153,8 +234,10 @@ int WalkerChains::release_stuck() {
   return moved;
 }
 
-bool WalkerChains::change_density(LogDensityAt density) {
+bool WalkerChains::change_density(LogDensityAt density, Straightening straight) {
   density_ = std::move(density);
+  straight_ = std::move(straight);
+  is_straightened_ = is_straightened_ && straight_;
   for (int walker = 0; walker < walkers(); ++walker)
     values_[walker] = density_(places_.col(walker));
   const int half = walkers() / 2;
@@ -170,6 +253,26 @@ bool WalkerChains::change_density(LogDensityAt density) {
     }
   }
   return true;
+}
+
+bool WalkerChains::straighten() {
+  if (is_straightened_ || !straight_) return false;
+  is_straightened_ = true;
+  forget();
+  return true;
+}
+
+void WalkerChains::raise(const std::function<Eigen::VectorXd(const Eigen::VectorXd& u)>& uphill) {
+  const double least = values_.maxCoeff() - kNegligible -
+                       kNegligibleOfVariable * static_cast<double>(places_.rows());
+  for (int walker = 0; walker < walkers(); ++walker) {
+    if (values_[walker] >= least) continue;
+    const Eigen::VectorXd above = uphill(places_.col(walker));
+    const double value = density_(above);
+    if (!(value > values_[walker])) continue;
+    places_.col(walker) = above;
+    values_[walker] = value;
+  }
 }
 
 double WalkerChains::accepted() const {

@@ -201,6 +201,99 @@ TEST(WalkerChains, StandApartWhereADensityEndedMostOfThem) {
   }
 }
 
+// Two springs in series whose compliances add up to a known one, in logarithms over a factor of
+// 200: a valley a hundred times as long as it is wide, which turns by a right angle. Three further
+// variables are normal around a place that moves along the valley, so the marginal of the first is
+// that of the two.
+struct SpringsInSeries {
+  static constexpr double kWidth = 0.01, kOthers = 0.01;
+  static double misfit(double a, double b) {
+    const auto soft = [](double u) { return std::pow(200.0, 0.5 - u); };
+    return std::log(0.5 * (soft(a) + soft(b))) / kWidth;
+  }
+  static Eigen::VectorXd residuals(const Eigen::VectorXd& u) {
+    Eigen::VectorXd r(4);
+    r << misfit(u[0], u[1]), (u.tail(3).array() - 0.5 - 0.2 * (u[0] - 0.5)) / kOthers;
+    return r;
+  }
+  static LogDensityAt density() {
+    return [](const Eigen::VectorXd& u) { return -0.5 * residuals(u).squaredNorm(); };
+  }
+  static Eigen::MatrixXd slopes(const Eigen::VectorXd& u) {
+    constexpr double kStep = 1e-6;
+    Eigen::MatrixXd J(4, u.size());
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+      const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(u.size(), i);
+      J.col(i) = (residuals(u + step) - residuals(u - step)) / (2.0 * kStep);
+    }
+    return J;
+  }
+  /// The place along the valley and the residuals.
+  static Straightening straight() {
+    return {[](const Eigen::VectorXd& u) {
+              Eigen::VectorXd q(5);
+              q << residuals(u), u[0] - u[1];
+              return q;
+            },
+            [](const Eigen::VectorXd& u) {
+              Eigen::MatrixXd slopes_of_q = Eigen::MatrixXd::Zero(5, 5);
+              slopes_of_q.topRows(4) = slopes(u);
+              slopes_of_q(4, 0) = 1.0;
+              slopes_of_q(4, 1) = -1.0;
+              return slopes_of_q;
+            }};
+  }
+  /// Returns the probability of each of 400 cells of the first variable.
+  static Eigen::VectorXd marginal() {
+    constexpr int kCells = 400, kFine = 20'000;
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(kCells);
+    for (int i = 0; i < kCells; ++i)
+      for (int j = 0; j < kFine; ++j)
+        sums[i] += std::exp(-0.5 * std::pow(misfit((i + 0.5) / kCells, (j + 0.5) / kFine), 2));
+    return sums / sums.sum();
+  }
+  static PosteriorSamples samples(const Straightening& straight) {
+    const Eigen::VectorXd center = Eigen::VectorXd::Constant(5, 0.5);
+    const WhitenedFrame frame = whitened_frame(center, slopes(center));
+    const auto starts = walker_starts(frame, {}, density(), 7);
+    return draw_samples(WalkerChains(density(), *starts, 7, straight), {.samples = 20'000});
+  }
+};
+
+TEST(WalkerChains, FillANarrowCurvedValleyInStraightCoordinates) {
+  const PosteriorSamples s = SpringsInSeries::samples(SpringsInSeries::straight());
+  EXPECT_TRUE(s.unmixed.empty());
+  const Eigen::VectorXd x = s.u.row(0).transpose();
+  const Eigen::VectorXd marginal = SpringsInSeries::marginal();
+  double below = 0.0;
+  for (Eigen::Index i = 0; i < marginal.size(); ++i) {
+    below += marginal[i];
+    if (i % 20 != 19) continue;
+    // 20,000 draws are worth some 2000: three deviations of a share are 0.033
+    const double edge = static_cast<double>(i + 1) / static_cast<double>(marginal.size());
+    EXPECT_NEAR((x.array() < edge).cast<double>().mean(), below, 0.033) << i;
+  }
+}
+
+TEST(WalkerChains, NameVariablesOfANarrowValleyWithoutThem) {
+  EXPECT_FALSE(SpringsInSeries::samples(Straightening{}).unmixed.empty());
+}
+
+TEST(WalkerChains, MoveAlongAValleyWithTheSameBitsForAnyNumberOfThreads) {
+  const Eigen::VectorXd center = Eigen::VectorXd::Constant(5, 0.5);
+  const WhitenedFrame frame = whitened_frame(center, SpringsInSeries::slopes(center));
+  const auto starts = walker_starts(frame, {}, SpringsInSeries::density(), 3);
+  const auto places = [&](int threads) {
+    WalkerChains chains(SpringsInSeries::density(), *starts, 3, SpringsInSeries::straight());
+    chains.advance(100, threads);
+    EXPECT_TRUE(chains.straighten());
+    chains.advance(100, threads);
+    return chains.places();
+  };
+  const Eigen::MatrixXd alone = places(1);
+  for (const int threads : {2, 7}) EXPECT_EQ(places(threads), alone) << threads;
+}
+
 TEST(WalkerChains, ReflectAtTheFacesOfTheCube) {
   const Eigen::VectorXd u = to_vector({-0.25, 1.25, 2.25, 0.5});
   const Eigen::VectorXd expected = to_vector({0.25, 0.75, 0.25, 0.5});

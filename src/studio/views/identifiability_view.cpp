@@ -6,6 +6,7 @@
 #include "studio/views/json_values.h"
 #include "studio/views/kept_answers.h"
 #include "studio/views/kept_identifiability.h"
+#include "studio/views/posterior_view.h"
 #include "studio/views/views.h"
 
 namespace latsch::studio {
@@ -68,6 +69,7 @@ Json of_page(const report::IdentifiabilityPage& page, const std::string& why_not
   view["missed"] = page.missed;
   view["residuals"] = page.residuals;
   view["priors"] = page.priors;
+  view["posterior"] = nullptr;
   return view;
 }
 
@@ -76,17 +78,19 @@ Json of_page(const report::IdentifiabilityPage& page, const std::string& why_not
 Json identifiability_view(const ShelvedStudy& shelved) {
   const KeptIdentifiability kept = kept_identifiability(shelved);
   if (!kept.what) return of_page({}, kept.why_not);
-  // Uncertainty bands and information gains need the whole journal and trials of the predicted
-  // experiments, so the last answers are kept.
+  // Uncertainty bands, information gains and samples of the posterior need the whole journal, and
+  // bands also trials of the predicted experiments, so the last answers are kept.
   using Question = std::pair<std::shared_ptr<const correlation::Identifiability>, std::string>;
   static KeptAnswers<Question, Json> pages(kPagesKept);
   return *pages.get({kept.what, state_of_predictions(*kept.study)}, [&] {
     const Journal journal = Journal::read(kept.study->run.journal);
-    return of_page(correlation::identifiability_page(
-                       *kept.study,
-                       *kept.what,
-                       correlation::prediction_bands(*kept.study, *kept.what, journal)),
-                   "");
+    Json view = of_page(correlation::identifiability_page(
+                            *kept.study,
+                            *kept.what,
+                            correlation::prediction_bands(*kept.study, *kept.what, journal)),
+                        "");
+    view["posterior"] = posterior_of(*kept.study, journal);
+    return view;
   });
 }
 

@@ -325,6 +325,33 @@ export interface Profile {
   interval: Told;
 }
 
+/** A variable of the posterior's samples. */
+export interface SampledVariable {
+  name: string;
+  unit: string;
+  scale: Scale;
+  found: Value;
+  median: Value;
+  interval: [Value, Value];
+  linear: [Value, Value]; // null: an open end, or one beyond the bound
+  distance: Value; // deviations by which the ends differ from those of the linear interval
+  shape: string;
+  rhat: Value;
+  effective: Value;
+  draws: Value[]; // empty if others differ more from their linear intervals
+}
+
+export interface Posterior {
+  verdict: 'stands' | 'doubtful' | 'refused' | 'unchecked';
+  mixed: boolean;
+  words: string;
+  remarks: string[];
+  samples: number;
+  trials: number;
+  failed: number;
+  variables: SampledVariable[];
+}
+
 export interface Identifiability {
   known: boolean;
   why_not: string | null;
@@ -340,6 +367,7 @@ export interface Identifiability {
   missed: string[];
   residuals: Value;
   priors: Value;
+  posterior: Posterior | null; // samples that were drawn around the fit
 }
 
 export interface ModelNumber {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples of a study's posterior density for the page: marginals beside the linear intervals, and
+// draws for a plot of pairs.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "correlation/posterior/posterior.h"
+
+namespace latsch::studio {
+
+/// Returns the samples that the journal determines; null if none were drawn, or if trials are
+/// missing. Takes the time of the chains, up to some seconds.
+nlohmann::ordered_json posterior_of(const correlation::Study& study, const Journal& journal);
+
+}  // namespace latsch::studio
