@@ -12,8 +12,11 @@ import random
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 from cli_testing import DONE, LATSCH, WRONG_INPUT, edit
 

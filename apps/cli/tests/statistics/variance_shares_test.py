@@ -3,8 +3,12 @@
 
    variance_shares_test.py PATH/TO/latsch"""
 import json
+import pathlib
 import subprocess
+import sys
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 from cli_testing import DONE, LATSCH, WRONG_INPUT, Outside
 

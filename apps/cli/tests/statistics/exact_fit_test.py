@@ -8,8 +8,11 @@ import math
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 from cli_testing import DONE, LATSCH
 
