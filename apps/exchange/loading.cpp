@@ -5,7 +5,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "exchange/unit_folder.h"
+#include "exchange/own_arithmetic.h"
+#include "exchange/unit/unit_reading.h"
 
 namespace latsch::exchange {
 namespace {
@@ -57,8 +58,9 @@ std::string folder_of_uri(const std::string& uri) {
 std::unique_ptr<Instance> load_instance(const std::string& folder,
                                         const std::string& token,
                                         const Instance::Log& log) {
+  const OwnArithmetic own;
   try {
-    UnitFromFolder found = read_unit(folder_of_uri(folder), experiment::language());
+    UnitFromFolder found = read_unit(folder_of_uri(folder), models_of_library());
     if (found.token != token)
       throw InputError("the unit in " + in_quotes(folder) + " is " + found.token + ", expected " +
                        in_quotes(token) + ": resources and description are not of one package");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "exchange/instance.h"
+#include "exchange/unit/unit_models.h"
 
 namespace latsch::exchange {
 
@@ -13,6 +14,10 @@ namespace latsch::exchange {
 /// RFC 8089]; a path is returned unchanged. Throws InputError for another scheme or another
 /// machine.
 std::string folder_of_uri(const std::string& uri);
+
+/// Returns the models of which this library makes units: all of them (full_models.cpp), or those of
+/// a slim library (slim/slim_models.cpp).
+const UnitModels& models_of_library();
 
 /// Creates the instance from the folder. Returns nullptr, with the reason in the log, if the folder
 /// contains no unit or one with another token.
