@@ -28,6 +28,8 @@
 # apt-for-api-pages: doxygen
 # ./test.sh --thorough runs these programs and installs them:
 # apt-for-thorough: clang-format clang-tidy
+# The preset units-windows builds exported units for Windows with this compiler, and their tests run under wine:
+# apt-for-windows: g++-mingw-w64-x86-64-posix wine64
 # A file system in user space for the test of a journal on one:
 # apt: bindfs
 find_package(fmt REQUIRED)

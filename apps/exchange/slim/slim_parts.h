@@ -7,4 +7,6 @@
 //   inner_fmt.cpp      fmt and toml++, compiled into the library from their headers
 //   inner_toml.cpp
 //   slim_models.cpp    the models that need neither METIS nor BLAS
+//   plain_files.cpp    on Windows alone: files in the place of base/file.cpp and mapped_file.cpp,
+//                      which are written for POSIX
 #pragma once

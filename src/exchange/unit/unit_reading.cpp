@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/utf8.h"
 #include "exchange/unit/car_unit.h"
 #include "exchange/unit/tire_unit.h"
 #include "formats/road/road_file.h"
@@ -24,7 +25,7 @@ namespace {
 /// Returns the file that a key names. Throws InputError if it is not in the unit's folder, because
 /// a package has to be complete.
 fs::path file_inside(const fs::path& folder, const Node& keys, const char* key) {
-  const fs::path name = fs::path(keys.text(key)).lexically_normal();
+  const fs::path name = path_of_utf8(keys.text(key)).lexically_normal();
   if (name.empty() || name.has_root_path() || *name.begin() == "..")
     keys.reject(key,
                 "is " + in_quotes(keys.text(key)) + ", expected a file in the folder of unit.toml");
