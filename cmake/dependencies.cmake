@@ -37,6 +37,8 @@
 # apt bare: mmdebstrap
 # tools/archive.sh makes the archive with these programs:
 # apt archive: patchelf xz-utils
+# The preset units-windows builds exported units for Windows with this compiler, and their tests run under wine:
+# apt windows: g++-mingw-w64-x86-64-posix wine64
 # What ./test.sh and ./bench.sh need, as one name:
 # apt-sets complete: build page python mpi test browser slurm
 find_package(fmt REQUIRED)

@@ -160,6 +160,14 @@ function(latsch_position_independent)
   endforeach()
 endfunction()
 
+# Gives every function and every table of these modules a section of its own, so that the linker leaves out of a slim library
+# (apps/exchange) whatever the library does not call, although the same objects serve the program.
+function(latsch_in_sections)
+  foreach(name ${ARGN})
+    target_compile_options(latsch_${name} PRIVATE -ffunction-sections -fdata-sections)
+  endforeach()
+endfunction()
+
 # latsch_program(apps/cli latsch LINK ...) makes bin/latsch from apps/cli/main.cpp and a library latsch_cli of all else,
 # which is installed so that others can ship the program with models of their own (run_cli.h).
 function(latsch_program folder program)

@@ -10,6 +10,8 @@
 
 #include <cstddef>
 
+#include "exchange/exported.h"
+
 namespace latsch::exchange::fmi2 {
 
 enum Status : int { ok, warning, discard, error, fatal, pending };
@@ -30,7 +32,7 @@ struct Callbacks {
 };
 
 extern "C" {
-#define LATSCH_C [[gnu::visibility("default")]]
+#define LATSCH_C LATSCH_EXPORTED
 LATSCH_C Text fmi2GetTypesPlatform();
 LATSCH_C Text fmi2GetVersion();
 LATSCH_C Status fmi2SetDebugLogging(Component, int on, std::size_t count, const Text categories[]);

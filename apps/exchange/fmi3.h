@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "exchange/exported.h"
+
 namespace latsch::exchange::fmi3 {
 
 enum Status : int { ok, warning, discard, error, fatal };
@@ -35,7 +37,7 @@ using IntermediateUpdate = void (*)(Environment,
                                     double* return_time);
 
 extern "C" {
-#define LATSCH_C [[gnu::visibility("default")]]
+#define LATSCH_C LATSCH_EXPORTED
 LATSCH_C Text fmi3GetVersion();
 LATSCH_C Status fmi3SetDebugLogging(Handle, bool on, std::size_t count, const Text categories[]);
 

@@ -7,6 +7,8 @@
 #include <exception>
 #include <utility>
 
+#include "exchange/own_arithmetic.h"
+
 namespace latsch::exchange {
 namespace {
 
@@ -32,6 +34,7 @@ CallStatus Instance::say(CallStatus status, const std::string& message) {
 CallStatus Instance::refuse(const std::string& what) { return say(CallStatus::error, what); }
 
 CallStatus Instance::guarded(const std::function<CallStatus()>& work) {
+  const OwnArithmetic own;
   try {
     return work();
   } catch (const std::exception& error) {

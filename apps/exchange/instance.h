@@ -16,8 +16,8 @@
 #include <optional>
 #include <string>
 
-#include "exchange/model_description.h"
-#include "exchange/unit.h"
+#include "exchange/unit/model_description.h"
+#include "exchange/unit/unit.h"
 
 namespace latsch::exchange {
 

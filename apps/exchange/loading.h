@@ -6,13 +6,18 @@
 #include <string>
 
 #include "exchange/instance.h"
+#include "exchange/unit/unit_models.h"
 
 namespace latsch::exchange {
 
-/// Returns the folder of the resource URI of FMI 2.0: "file:///tmp/a%20b" is "/tmp/a b" [RFC 3986;
-/// RFC 8089]; a path is returned unchanged. Throws InputError for another scheme or another
-/// machine.
+/// Returns the folder of the resource URI of FMI 2.0: "file:///tmp/a%20b" is "/tmp/a b", and
+/// "file:///C:/a" is "C:/a" [RFC 3986; RFC 8089]. A path is returned unchanged, also one of Windows
+/// with a drive or a server. Throws InputError for another scheme or another machine.
 std::string folder_of_uri(const std::string& uri);
+
+/// Returns the models of which this library makes units: all of them (full_models.cpp), or those of
+/// a slim library (slim/slim_models.cpp).
+const UnitModels& models_of_library();
 
 /// Creates the instance from the folder. Returns nullptr, with the reason in the log, if the folder
 /// contains no unit or one with another token.

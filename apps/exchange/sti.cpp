@@ -15,9 +15,11 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "exchange/stepped_tire.h"
-#include "exchange/tire_unit.h"
+#include "exchange/own_arithmetic.h"
+#include "exchange/unit/stepped_tire.h"
+#include "exchange/unit/tire_unit.h"
 #include "experiment/language.h"
+#include "experiment/language/capabilities.h"
 #include "formats/road/road_file.h"
 
 namespace latsch::exchange::sti {
@@ -60,7 +62,7 @@ void load(Seat& seat, const std::string& file, const std::string& road) {
   const experiment::SpecimenKind& kind = experiment::language().kind_of_file(file);
   const Document numbers = kind.read(file);
   const auto specimen = kind.build(numbers);
-  const auto* rolls = specimen->find<experiment::Rolls>();
+  const auto* rolls = specimen->find<Rolls>();
   if (!rolls) throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
   seat.tire = std::make_unique<SteppedTire>(rolls->tire());
   seat.description = "Latsch: " + kind.describe(numbers);
@@ -192,6 +194,7 @@ void dtyre_(const int*,
             int[],
             int* ierr) {
   *ierr = kGood;
+  const OwnArithmetic own;
   try {
     const std::shared_ptr<Seat> mine = seat(*idtyre);
     const std::lock_guard lock(mine->busy);

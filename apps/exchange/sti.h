@@ -12,8 +12,9 @@
 //           99     forgets the tire
 //   IERR    0 good, 1 warning, 2 no result, 3 the program should stop
 //
-// The state of the tire stays here, by IDTYRE: DEQVAR is empty, and src/exchange/stepped_tire.h
-// says how a call becomes a step. If ROAD is a null pointer the road is read from CHRDST(1:NCHRDS).
+// The state of the tire stays here, by IDTYRE: DEQVAR is empty, and
+// src/exchange/unit/stepped_tire.h says how a call becomes a step. If ROAD is a null pointer the
+// road is read from CHRDST(1:NCHRDS).
 //   TYPARR(7)      m, unloaded radius
 //   VARINF(10)     m, deflection: unloaded minus loaded radius
 //   VARINF(12)     m, loaded radius
@@ -21,7 +22,7 @@
 // All other elements are zero: that solver reads these positions. TYRMOD has 256 characters.
 #pragma once
 
-#include "exchange/called_road.h"
+#include "exchange/unit/called_road.h"
 
 namespace latsch::exchange::sti {
 

@@ -194,7 +194,7 @@ double error_of_wheel_rate() {
 }
 
 /// A full car as a specimen that driving tests can use.
-class LinearCarSpecimen : public experiment::Specimen, public experiment::Drives {
+class LinearCarSpecimen : public experiment::Specimen, public Drives {
  public:
   explicit LinearCarSpecimen(TiresOfCar tires) : tires_(tires) {}
   Result<std::unique_ptr<Car>> car(const car::CarInputs&) const override {

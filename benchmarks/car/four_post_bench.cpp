@@ -36,7 +36,7 @@ void time_of(
   const std::filesystem::path path = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies" / file;
   const auto& kind = experiment::language().kind_of_file(path);
   const auto specimen = kind.build(kind.read(path));
-  auto car = specimen->find<experiment::Drives>()->car({});
+  auto car = specimen->find<Drives>()->car({});
   if (!car) throw std::runtime_error(car.failure().reason);
   const double before = benchmarks::cpu_time();
   const auto record = experiment::run(**car, sweep(step, duration));

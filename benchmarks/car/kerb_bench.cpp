@@ -32,7 +32,7 @@ const std::filesystem::path kStudy = std::filesystem::path(LATSCH_SOURCE_DIR) / 
 std::unique_ptr<Car> car_of(const std::string& name) {
   const auto* kind = experiment::language().find_kind("car");
   const auto specimen = kind->build(kind->read(kStudy / name));
-  auto car = specimen->find<experiment::Drives>()->car({});
+  auto car = specimen->find<Drives>()->car({});
   if (!car) throw std::runtime_error(car.failure().reason);
   return std::move(*car);
 }

@@ -70,4 +70,8 @@ std::string replaced_where_no_utf8(std::string_view bytes) {
   return text;
 }
 
+std::filesystem::path path_of_utf8(std::string_view text) {
+  return std::filesystem::path(std::u8string(text.begin(), text.end()));
+}
+
 }  // namespace latsch

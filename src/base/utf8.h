@@ -3,12 +3,17 @@
 // U+10FFFF. Recognizes UTF-16, which no reader takes.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace latsch {
 
 bool is_utf8(std::string_view bytes);
+
+/// Returns the path that a text in UTF-8 names. On Windows a path made of plain characters would be
+/// read in another encoding.
+std::filesystem::path path_of_utf8(std::string_view text);
 
 /// Throws InputError if the bytes of this file are UTF-16: if they begin with its byte order mark,
 /// or if every other one of the first four bytes is zero, as in its ASCII letters.

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "base/file.h"
-#include "exchange/car_unit.h"
+#include "exchange/unit/car_unit.h"
 #include "fmu_testing.h"
 #include "formats/road/road_file.h"
 
@@ -92,7 +92,7 @@ TEST_P(CarOf, AnswersOverACleatAsTheCarDrivenDirectlyToTheLastBit) {
   const std::filesystem::path file = std::filesystem::path(LATSCH_SOURCE_DIR) / "studies" / kCar;
   const auto& kind = experiment::language().kind_of_file(file);
   const auto specimen = kind.build(kind.read(file));
-  const auto car = specimen->find<experiment::Drives>()->car({});
+  const auto car = specimen->find<Drives>()->car({});
   ASSERT_TRUE(car);
   const auto road = formats::read_road_file(package.file("resources/road.toml")).road;
   const auto expect_same = [&](const car::CarState& state, const car::CarInputs& inputs) {

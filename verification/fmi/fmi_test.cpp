@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "base/file.h"
-#include "exchange/tire_unit.h"
+#include "exchange/unit/tire_unit.h"
 #include "fmu_testing.h"
 #include "formats/road/road_file.h"
 
@@ -103,7 +103,7 @@ struct Direct {
           const auto& kind = experiment::language().kind_of_file(file);
           return kind.build(kind.read(file));
         }()),
-        tire(specimen->find<experiment::Rolls>()->tire()) {
+        tire(specimen->find<Rolls>()->tire()) {
     ScratchFolder folder;
     write_text_file(folder / "road.toml", kCleat);
     road = formats::read_road_file(folder / "road.toml").road;
@@ -243,10 +243,10 @@ TEST_P(EveryVersion, RefusesAnotherTokenAndAFolderWithoutAUnit) {
 
 TEST_P(EveryVersion, RefusesAMissingResource) {
   const Package package(GetParam(), kMagicFormula, "");
-  fs::remove(package.file("resources") / "model.tir");
+  fs::remove(package.file("resources") / "model.toml");
   const auto slave = instantiate(package);
   EXPECT_FALSE(slave->there());
-  expect_logged(*slave, CallStatus::error, "model.tir");
+  expect_logged(*slave, CallStatus::error, "model.toml");
 }
 
 TEST_P(EveryVersion, RefusesWhatIsWrongAndGoesOn) {
@@ -373,9 +373,10 @@ TEST_P(EveryVersion, ShowsTheFunctionsOfItsStandardAndNothingOfTheLibrary) {
   ASSERT_NE(version, nullptr);
   EXPECT_STREQ(version(), two ? "2.0" : "3.0");
   EXPECT_EQ(package.binary->find(two ? "fmi3GetVersion" : "fmi2GetVersion"), nullptr);
-  EXPECT_EQ(package.binary->find("_ZN6latsch8exchange9read_unitERKNSt10filesystem7__cxx114pathERKNS"
-                                 "_10experiment8LanguageE"),
-            nullptr);
+  EXPECT_EQ(
+      package.binary->find("_ZN6latsch8exchange9read_unitERKNSt10filesystem7__cxx114pathERKNS0"
+                           "_10UnitModelsE"),
+      nullptr);
 }
 
 TEST(Uri, IsAFolderOfThisMachine) {

@@ -42,7 +42,10 @@ Binary::Binary(const fs::path& file) : handle_(::dlopen(file.c_str(), RTLD_NOW |
 Binary::~Binary() { ::dlclose(handle_); }
 void* Binary::find(const std::string& name) const { return ::dlsym(handle_, name.c_str()); }
 
-Package::Package(FmiVersion version, const std::string& model, const std::string& road)
+Package::Package(FmiVersion version,
+                 const std::string& model,
+                 const std::string& road,
+                 const fs::path& library)
     : version(version) {
   const fs::path file = fs::path(LATSCH_SOURCE_DIR) / "studies" / model, made = folder / "made";
   const auto& kind = experiment::language().kind_of_file(file);
@@ -51,11 +54,15 @@ Package::Package(FmiVersion version, const std::string& model, const std::string
   const UnitFiles files =
       unit_files(kind, kind.read(file), road.empty() ? fs::path() : made / "road.toml");
   for (const auto& [name, bytes] : files) write_text_file(made / name, bytes);
-  variables = read_unit(made, experiment::language()).unit->variables();
+  variables = read_unit(made, SpecimenModels(experiment::language())).unit->variables();
   token = token_of(files);
   const bool two = version == FmiVersion::fmi2;
   const UnitTitle title{"a tire & 1", "<for a test>", token};
-  unpack(fmu_package(version, title, variables, two ? LATSCH_FMI2 : LATSCH_FMI3, files),
+  unpack(fmu_package(version,
+                     title,
+                     variables,
+                     {{library.empty() ? fs::path(two ? LATSCH_FMI2 : LATSCH_FMI3) : library}},
+                     files),
          folder.path());
   binary = std::make_unique<Binary>(
       folder / (two ? "binaries/linux64/a_tire___1.so" : "binaries/x86_64-linux/a_tire___1.so"));

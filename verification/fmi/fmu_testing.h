@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/scratch_folder_testing.h"
-#include "exchange/fmu_package.h"
 #include "exchange/instance.h"
+#include "exchange/package/fmu_package.h"
 
 namespace latsch::exchange {
 
@@ -42,8 +42,12 @@ class Binary {
 /// A package whose files have been unpacked.
 struct Package {
   /// Makes and unpacks the package of a model's file in `studies`. `road` is the text of a road's
-  /// .toml; empty: the package has no road.
-  Package(FmiVersion version, const std::string& model, const std::string& road);
+  /// .toml; empty: the package has no road. `library` is the binary; empty: the slim library of the
+  /// version.
+  Package(FmiVersion version,
+          const std::string& model,
+          const std::string& road,
+          const std::filesystem::path& library = {});
 
   std::filesystem::path file(const std::string& name) const { return folder / name; }
   unsigned reference(const std::string& variable) const;

@@ -194,7 +194,7 @@ struct Direct {
           const auto& kind = experiment::language().kind_of_file(path_of(model));
           return kind.build(kind.read(path_of(model)));
         }()),
-        tire(specimen->find<experiment::Rolls>()->tire()),
+        tire(specimen->find<Rolls>()->tire()),
         height(tire->free_radius() - 0.005) {}
 
   Answer at(double time, double step) {

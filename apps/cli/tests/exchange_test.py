@@ -9,19 +9,27 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 import zipfile
 
 from cli_testing import DONE, LATSCH, WRONG_INPUT
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "tools"))
+import check_fmu
+
 STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
 RING = STUDIES / "ring_tires/passenger_205_55R16.toml"
 CAR = STUDIES / "kerb/baseline.toml"
+RIGID_RING = STUDIES / "tire_model_comparison/rigid_ring.tir"
+MAGIC_FORMULA = STUDIES / "tire_model_comparison/magic_formula.tir"
 FE_TIRE = STUDIES / "tires/passenger_225_50R16.toml"
 SUSPENSION = STUDIES / "kerb/front_rigid.toml"
 XMLLINT = shutil.which("xmllint")
 SCHEMAS = os.environ.get("LATSCH_FMI_SCHEMAS")
+# the road '"10 mm"' high and '"25 mm"' long, as a package holds it
+ROAD_IN_SI = 'kind = "cleat"\nheight = "0.01 m"\nlength = "0.025 m"\n'
 VERSIONS = {"2.0": ("guid", "binaries/linux64/tire.so", "canGetAndSetFMUstate"),
             "3.0": ("instantiationToken", "binaries/x86_64-linux/tire.so", "canGetAndSetFMUState")}
 
@@ -58,11 +66,31 @@ class Exchange(unittest.TestCase):
                 self.assertEqual(sorted(package.namelist()),
                                  sorted(["modelDescription.xml", library, "resources/unit.toml",
                                          "resources/model.toml", "resources/road.toml",
-                                         "documentation/externalDependencies.txt"]))
+                                         "documentation/externalDependencies.txt",
+                                         "documentation/licenses/licenses.txt"]))
                 for entry in package.infolist():
                     self.assertIn(entry.compress_type, (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED))
                     self.assertLessEqual(entry.extract_version, 20)
                 self.assertTrue(package.read(library).startswith(b"\x7fELF"))
+
+    def test_a_unit_of_finite_elements_has_the_library_that_can_make_it(self):
+        for version in VERSIONS:
+            file = self.folder / "fe.fmu"
+            code, said = latsch(FE_TIRE, "--fmu", version, "-o", file)
+            self.assertEqual(code, DONE, said)
+            with zipfile.ZipFile(file) as package:
+                self.assertNotIn("format = 2", package.read("resources/unit.toml").decode())
+                self.assertIn(b"libmetis", package.read("documentation/externalDependencies.txt"))
+            self.assertEqual(check_fmu.faults_of(file, any_libraries=True)[1], [])
+            self.assertTrue(any("libmetis" in fault for fault in check_fmu.faults_of(file)[1]))
+
+    def test_importers_find_no_fault_in_any_kind_of_unit(self):
+        for version in VERSIONS:
+            for model in (RING, RIGID_RING, MAGIC_FORMULA, CAR):
+                file = self.folder / "any.fmu"
+                code, said = latsch(model, "--fmu", version, "-o", file)
+                self.assertEqual(code, DONE, said)
+                self.assertEqual(check_fmu.faults_of(file)[1], [], model)
 
     def test_a_car_is_a_unit_with_its_suspensions_and_tires_in_one_file(self):
         road = self.folder / "kerb.toml"
@@ -74,9 +102,9 @@ class Exchange(unittest.TestCase):
             with zipfile.ZipFile(file) as package:
                 model = package.read("resources/model.toml").decode()
                 self.assertIn('kind = "car"', package.read("resources/unit.toml").decode())
-                self.assertEqual(package.read("resources/kerb.toml"), road.read_bytes())
+                self.assertEqual(package.read("resources/kerb.toml").decode(), ROAD_IN_SI)
                 description = package.read("modelDescription.xml").decode()
-            for table in ("[front_suspension]", "[rear_suspension]", "[front_tire]", "[rear_tire]"):
+            for table in ("front_suspension.", "rear_suspension.", "front_tire.", "rear_tire."):
                 self.assertIn(table, model)
             self.assertNotIn("slick.tir", model)
             self.assertEqual(description.count('causality="parameter"'), 7)
@@ -106,7 +134,7 @@ class Exchange(unittest.TestCase):
                 self.assertRegex(token_of(one), r"^\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}$")
                 self.assertNotEqual(token_of(one), token_of(other))
                 self.assertIn(token_of(one), one.read("resources/unit.toml").decode())
-                self.assertEqual(other.read("resources/kerb.toml"), road.read_bytes())
+                self.assertEqual(other.read("resources/kerb.toml").decode(), ROAD_IN_SI)
         first = (self.folder / "tire.fmu").read_bytes()
         self.package("3.0")
         self.assertEqual((self.folder / "tire.fmu").read_bytes(), first)
@@ -129,7 +157,7 @@ class Exchange(unittest.TestCase):
             self.assertEqual(ask(f"count({variables}[@causality='independent'])"), "1")
             outputs = int(ask(f"count({variables}[@causality='output'])"))
             self.assertGreaterEqual(outputs, 13)
-            self.assertEqual(ask(f"count({variables}[@causality='input'])"), "14")
+            self.assertEqual(ask(f"count({variables}[@causality='input'])"), "16")
             # Every input has a start, no output has one; every unit that is used is defined.
             value = "Real/" if version == "2.0" else ""
             self.assertEqual(ask(f"count({variables}[@causality='input'][not({value}@start)])"), "0")
@@ -138,6 +166,9 @@ class Exchange(unittest.TestCase):
                 ask(f"count({variables}[{value}@unit][not({value}@unit = {head}/UnitDefinitions/Unit/@name)])"), "0")
             references = re.findall('valueReference="([0-9]+)"', ask(f"{variables}/@valueReference"))
             self.assertEqual([int(one) for one in references], list(range(len(references))))
+            # variables that are younger have the numbers behind those of the older ones
+            self.assertEqual(ask(f"string({variables}[@name='contact.area']/@valueReference)"), "32")
+            self.assertEqual(ask(f"string({variables}[@name='spin.is_free']/@valueReference)"), "33")
             # The section ModelStructure lists the outputs and nothing else.
             if version == "2.0":
                 listed = re.findall('index="([0-9]+)"', ask(f"{head}/ModelStructure/Outputs/Unknown/@index"))
@@ -154,7 +185,7 @@ class Exchange(unittest.TestCase):
     def test_a_description_is_one_by_the_schemas_of_the_standard(self):
         for version in VERSIONS:
             schema = pathlib.Path(SCHEMAS) / f"fmi{version[0]}ModelDescription.xsd"
-            for model in (RING, CAR):
+            for model in (RING, RIGID_RING, MAGIC_FORMULA, FE_TIRE, CAR):
                 run = subprocess.run([XMLLINT, "--noout", "--schema", schema, self.description(version, model)],
                                      capture_output=True, text=True)
                 self.assertEqual(run.returncode, 0, run.stderr)

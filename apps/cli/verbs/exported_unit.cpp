@@ -13,8 +13,8 @@
 #include "cli/run/model_source.h"
 #include "correlation/study/ledgers/file_ledgers.h"
 #include "correlation/study_report/fitted_model.h"
-#include "exchange/fmu_package.h"
-#include "exchange/unit_folder.h"
+#include "exchange/package/fmu_package.h"
+#include "exchange/package/unit_folder.h"
 #include "experiment/language/capabilities.h"
 
 namespace latsch::cli {
@@ -30,6 +30,12 @@ fs::path library(const std::string& name) {
   if (!fs::exists(file))
     throw InputError({file.string(), 0}, "is not there: it is built and installed with latsch");
   return file;
+}
+
+/// Returns the libraries for a version of FMI: slim ones if they can make the unit.
+std::vector<exchange::UnitLibrary> libraries(const std::string& version, bool is_slim) {
+  const std::string name = version == "2.0" ? "latsch_fmi2" : "latsch_fmi3";
+  return {{library(name + (is_slim ? ".so" : "_all.so")), is_slim}};
 }
 
 }  // namespace
@@ -63,14 +69,14 @@ void write_fmu(const std::string& file,
       exchange::fmu_package(fmi,
                             title,
                             exchange::unit_of(*source.kind, source.numbers, road)->variables(),
-                            library(version == "2.0" ? "latsch_fmi2.so" : "latsch_fmi3.so"),
+                            libraries(version, exchange::is_slim(*source.kind, source.numbers)),
                             files));
   say_written(output);
 }
 
 void say_sti(const std::string& file, const experiment::Language& language) {
   const experiment::SpecimenKind& kind = language.kind_of_file(file);
-  if (!experiment::can(kind, {experiment::Rolls::kName}))
+  if (!experiment::can(kind, {Rolls::kName}))
     throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
   const Document numbers = kind.read(file);
   kind.check(numbers);

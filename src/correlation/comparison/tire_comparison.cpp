@@ -102,8 +102,7 @@ Result<Channels> run_on_drum(experiment::Specimen& specimen,
         drum.pressure.has_value(),
         {});
   experiment::refuse_high_cleat(specimen, drum.cleat);
-  return experiment::run(*watched(specimen.find<experiment::Rolls>()->tire(drum.pressure), lifts),
-                         drum);
+  return experiment::run(*watched(specimen.find<Rolls>()->tire(drum.pressure), lifts), drum);
 }
 
 /// Runs a tire through a test; returns the recorded channels. Sets `limits`, unless it is null, to

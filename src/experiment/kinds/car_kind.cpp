@@ -18,52 +18,30 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
 #include "experiment/language/specimen.h"
+#include "experiment/language/specimen_models.h"
 #include "formats/text/letter_case.h"
 #include "models/car/car_reader.h"
+#include "models/car/rolling_car.h"
 #include "models/suspension/suspension_reader.h"
-#include "models/tire/mirrored_tire.h"
 #include "report/report.h"
 
 namespace latsch::experiment {
 
 namespace {
 
-constexpr std::array<const char*, 2> kAxles = {"front", "rear"};
+using car::is_elements;
+using car::kAxles;
+using car::tire_key;
 
-/// Endings of the keys for a car's tires. Those of the right side are needed only if the right tire
-/// is not the mirror image of the left.
-constexpr std::array<const char*, 2> kOfSides = {"_tire", "_tire_right"};
-
-std::string tire_key(std::size_t axle, std::size_t side) {
-  return std::string(kAxles[axle]) + kOfSides[side];
+/// Returns the kind of rolling tire of this name (car::tire_kind_name).
+const SpecimenKind& named_kind(const std::string& name) {
+  for (const SpecimenKind* kind : {&ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind()})
+    if (kind->name() == name) return *kind;
+  return fe_tire_kind();
 }
 
-/// Returns true if a tire that states no kind is described by a section, as a finite-element tire.
-bool is_elements(const Document& tire) { return tire.root().has("section"); }
-
-/// Returns the kind of rolling tire that its numbers state; for a .tir, which states none, the
-/// car's file decides.
 const SpecimenKind& tire_kind(const Node& car, const Document& tire, const std::string& part) {
-  const std::vector<const SpecimenKind*> kinds = {
-      &ring_tire_kind(), &rigid_ring_kind(), &magic_formula_kind(), &fe_tire_kind()};
-  const std::string key = part.substr(0, part.find('_')) + "_tire_kind";
-  if (!tire.root().has("kind") && is_elements(tire)) {
-    if (car.has(key)) car.reject(key, "is for a .tir, but " + part + " is a finite-element tire");
-    return fe_tire_kind();
-  }
-  if (!tire.root().has("kind"))
-    return car.choice(key, {"magic_formula", "rigid_ring"}, "magic_formula") == "rigid_ring"
-               ? rigid_ring_kind()
-               : magic_formula_kind();
-  const std::string name = tire.root().text("kind");
-  if (car.has(key) && name != car.text(key))
-    car.reject(key, "is for a .tir, but " + part + " states that it is a " + name);
-  for (const SpecimenKind* kind : kinds)
-    if (kind->name() == name) return *kind;
-  throw InputError({tire.file(), 0},
-                   part + " is of kind " + in_quotes(name) +
-                       ", which does not roll: expected a flexible ring, a rigid ring, a "
-                       "finite-element tire or a .tir");
+  return named_kind(car::tire_kind_name(car, tire, part));
 }
 
 /// Reads the file of a tire of any kind that a car's file names.
@@ -85,108 +63,20 @@ Document read_named_tire(const Node& car,
   return tire;
 }
 
-/// Returns the side for which a tire was measured; the left if the tire states no side.
-TireSide side_of(const Document& tire) {
-  const Node root = tire.root();
-  return root.has("side") && root.text("side") == "right" ? TireSide::right : TireSide::left;
-}
-
-/// Throws InputError for a table that no reader reads: its name is probably misspelled, and the
-/// table would be ignored.
-void refuse_unknown(const Node& car) {
-  std::set<std::string> known = {"kind", "title", "gravity", "chassis", "aero", "driver"};
-  for (const char* axle : kAxles)
-    for (const char* of : {"", "_suspension", "_tire", "_tire_right", "_tire_kind"})
-      known.insert(std::string(axle) + of);
-  for (const std::string& key : car.keys())
-    if (!known.contains(key))
-      car.reject(key,
-                 fmt::format("is no key of a car, expected one of: {}", fmt::join(known, ", ")));
-}
-
 class CarSpecimen : public Specimen, public Drives, public HasAxles, public KnowsLimits {
  public:
   explicit CarSpecimen(const Document& numbers)
-      : numbers_(numbers), file_(car::read_car(numbers.root())) {
-    const std::array<const std::optional<car::SpringTireParameters>*, 2> springs = {
-        &file_.front_spring_tire, &file_.rear_spring_tire};
-    for (std::size_t axle = 0; axle < 2; ++axle) {
-      const std::string part = tire_key(axle, 0), right = tire_key(axle, 1);
-      if (!numbers.root().has(part)) {
-        for (const std::string& key : {right, part + "_kind"})
-          if (numbers.root().has(key))
-            numbers.root().reject(key, "is given without " + part + ", the tire of the left side");
-        if (!*springs[axle])
-          throw InputError({numbers.file(), 0},
-                           part + " is missing, expected the file of a tire, or a table [" +
-                               kAxles[axle] + ".spring_tire]");
-        for (std::size_t side = 0; side < 2; ++side)
-          tires_[2 * axle + side] = std::make_unique<car::SpringTire>(**springs[axle]);
-        continue;
-      }
-      for (std::size_t side = 0; side < 2; ++side) {
-        const std::string key = side == 1 && numbers.root().has(right) ? right : part;
-        const Document tire = part_of(numbers, key);
-        auto specimen = tire_kind(numbers.root(), tire, key).build(tire);
-        if (const auto* knows = specimen->find<KnowsLimits>())
-          if (const auto height = knows->section_height())
-            section_ = std::min(section_.value_or(*height), *height);
-        if (const auto* knows = specimen->find<KnowsLimits>()) {
-          felt_ = std::min(felt_.value_or(knows->felt_half_width()), knows->felt_half_width());
-          if (const auto half = knows->tread_half_width())
-            tread_ = std::max(tread_.value_or(*half), *half);
-        }
-        if (const auto* knows = specimen->find<KnowsLimits>(); knows && (side == 0 || key == right))
-          for (const std::string& limit : knows->limits_across())
-            limits_across_.push_back(key + ": " + limit);
-        const auto* rolls = specimen->find<Rolls>();
-        if (const auto felt = rolls->felt()) {
-          section_ = std::min(section_.value_or(felt->section), felt->section);
-          felt_ = std::min(felt_.value_or(felt->half_width), felt->half_width);
-          tread_ = std::max(tread_.value_or(felt->half_width), felt->half_width);
-        }
-        tires_[2 * axle + side] =
-            mounted(rolls->tire(), side_of(tire), side == 0 ? TireSide::left : TireSide::right);
-        built_from_.emplace_back(fmt::format("{}, {}", key, side == 0 ? "left" : "right"),
-                                 std::move(specimen));
-      }
-    }
-    refuse_unknown(numbers.root());
-  }
+      : numbers_(numbers),
+        car_(numbers,
+             [this](const std::string& kind,
+                    const Document& tire,
+                    const std::string& key,
+                    bool is_own) { return add_tire(named_kind(kind).build(tire), key, is_own); }) {}
 
-  /// Throws InputError if a tire does not fit under its wheel center.
-  void check_tires() const {
-    const auto wrong = car::Car::misfit(car::build(file_.parameters).parts, tires_);
-    if (!wrong) return;
-    const std::size_t axle = car::is_front(wrong->corner) ? 0 : 1,
-                      side = car::is_left(wrong->corner) ? 0 : 1;
-    std::string key = tire_key(axle, side);
-    if (!numbers_.root().has(key)) key = tire_key(axle, 0);
-    if (!numbers_.root().has(key)) key = kAxles[axle];
-    throw InputError({numbers_.file(), 0},
-                     key + ": " + wrong->why +
-                         ": expected another tire, or wheel_center and contact "
-                         "of its suspension as this tire stands");
-  }
-
-  /// Returns the limits that its tires have met, each with the tire's key and side.
-  std::vector<std::string> limits_met() const override {
-    std::vector<std::string> all;
-    for (const auto& [name, specimen] : built_from_) {
-      for (const std::string& limit : experiment::limits_met(*specimen))
-        all.push_back(name + ": " + limit);
-      for (const std::string& assumed : specimen->find<Rolls>()->assumed_in_time())
-        all.push_back(name + ": " + assumed);
-    }
-    return all;
-  }
-
+  void check_tires() const { car_.check_tires(); }
+  std::vector<std::string> limits_met() const override { return car_.limits_met(); }
   Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const override {
-    auto car = car::Car::make(file_.parameters, tires_, at_rest);
-    if (!car) return car;
-    (*car)->guide.y = file_.driver_line;
-    (*car)->guide.drives = file_.drives;
-    return car;
+    return car_.car(at_rest);
   }
 
   /// Returns no limits, because no car rolls over a single cleat.
@@ -197,7 +87,7 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   /// Returns the smallest value of the tires; 0 if any tire is a spring, which touches the road
   /// along one line.
   double felt_half_width() const override {
-    return built_from_.size() < tires_.size() ? 0.0 : felt_.value_or(0.0);
+    return rolling_ < car::kCorners ? 0.0 : felt_.value_or(0.0);
   }
   /// Returns the largest value of the tires.
   std::optional<double> tread_half_width() const override { return tread_; }
@@ -219,10 +109,32 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   }
 
  private:
+  /// Takes a tire into account and returns it as a model that rolls.
+  RollingModel add_tire(std::shared_ptr<Specimen> specimen, const std::string& key, bool is_own) {
+    ++rolling_;
+    const auto* knows = specimen->find<KnowsLimits>();
+    if (knows) {
+      if (const auto height = knows->section_height())
+        section_ = std::min(section_.value_or(*height), *height);
+      felt_ = std::min(felt_.value_or(knows->felt_half_width()), knows->felt_half_width());
+      if (const auto half = knows->tread_half_width())
+        tread_ = std::max(tread_.value_or(*half), *half);
+      if (is_own)
+        for (const std::string& limit : knows->limits_across())
+          limits_across_.push_back(key + ": " + limit);
+    }
+    RollingModel model = rolling_model(specimen);
+    if (const auto felt = model.rolls->felt()) {
+      section_ = std::min(section_.value_or(felt->section), felt->section);
+      felt_ = std::min(felt_.value_or(felt->half_width), felt->half_width);
+      tread_ = std::max(tread_.value_or(felt->half_width), felt->half_width);
+    }
+    return model;
+  }
   /// Returns the mechanism of the car on the rig. Its springs have the preloads that carry the
   /// weight if pads are below the wheels; without pads the rig needs no preloads.
   Result<car::CarMechanism> on_rig(const AxleKcTest& test) const {
-    if (!test.travel) return car::build(file_.parameters);
+    if (!test.travel) return car::build(car_.file().parameters);
     const auto stands = car({});
     if (!stands) return stands.failure();
     return car::CarMechanism{(*stands)->mechanism(), (*stands)->parts()};
@@ -234,7 +146,7 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
                       const std::string& path) const {
     const std::string suspension = std::string(kAxles[test.front ? 0 : 1]) + "_suspension";
     if (!path.starts_with(suspension + ".")) return {};
-    const car::Axle& axle = test.front ? file_.parameters.front : file_.parameters.rear;
+    const car::Axle& axle = test.front ? car_.file().parameters.front : car_.file().parameters.rear;
     Stiffnesses found;
     for (const auto& [joint, axis] : suspension::stiffnesses_at(part_of(numbers_, suspension),
                                                                 path.substr(suspension.size() + 1),
@@ -246,12 +158,10 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   }
 
   Document numbers_;
-  car::CarFile file_;
-  car::Tires tires_;
-  // built tires by their key in the file and their side
-  std::vector<std::pair<std::string, std::unique_ptr<Specimen>>> built_from_;
   std::vector<std::string> limits_across_;
   std::optional<double> section_, felt_, tread_;  // m; felt_ and tread_ are half widths
+  int rolling_ = 0;                               // tires that are no springs
+  car::RollingCar car_;  // adds its tires to the members above, so it is the last one
 };
 
 /// Says if the floor of the car as drawn lies outside of the heights of its map of air forces.
@@ -363,10 +273,10 @@ class CarKind : public SpecimenKind {
         const Document right = part_of(numbers, tire_key(axle, 1));
         words += fmt::format(", right one from a file of its own, {}{}",
                              side_in_words(right),
-                             side_of(right) == TireSide::left ? ", mirrored" : "");
+                             car::side_of(right) == TireSide::left ? ", mirrored" : "");
       } else {
-        words +=
-            side_of(left) == TireSide::left ? ", mirrored on the right" : ", mirrored on the left";
+        words += car::side_of(left) == TireSide::left ? ", mirrored on the right"
+                                                      : ", mirrored on the left";
       }
     }
     return words;

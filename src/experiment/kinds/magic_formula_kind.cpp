@@ -17,6 +17,7 @@
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/limits/file_ranges.h"
 #include "models/magic_formula/magic_formula_tire.h"
+#include "models/magic_formula/tree/rolling_formula.h"
 #include "report/report.h"
 
 namespace latsch::experiment {
@@ -47,26 +48,19 @@ class MagicFormulaSpecimen : public RollingSpecimen,
                              public KnowsLimits {
  public:
   explicit MagicFormulaSpecimen(const Document& numbers)
-      : parameters_(parameters_of(numbers)), file_(numbers.file()) {}
+      : rolling_(numbers), parameters_(rolling_.parameters()) {}
 
   std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
-    magic_formula::MagicFormulaTireSettings settings;
-    settings.pressure = pressure.value_or(settings.pressure);
-    settings.log = log_;
-    if (pressure) asked_pressure_ = pressure;
-    refuse_soft_pressure(parameters_, pressure.value_or(parameters_.INFLPRES), {file_, 0});
-    return std::make_unique<magic_formula::MagicFormulaTire>(parameters_, settings);
+    return rolling_.tire(pressure);
   }
-  std::vector<std::string> limits_met() const override {
-    return limits_met_by(parameters_, *log_, asked_pressure_);
-  }
+  std::vector<std::string> limits_met() const override { return rolling_.limits_met(); }
   std::vector<std::string> limits_when_driven(const DrivenWheel& driven) const override {
     return limits_when_driven_of(parameters_, driven);
   }
   bool is_limit(const std::string& path) const override {
     return magic_formula::is_end_of_range(path);
   }
-  void stood_under(double load) override { log_->add_standing(load); }
+  void stood_under(double load) override { rolling_.stood_under(load); }
   std::string no_stiffness(const std::string& direction) const override {
     return no_stiffness_of(parameters_, direction);
   }
@@ -118,7 +112,7 @@ class MagicFormulaSpecimen : public RollingSpecimen,
     if (const std::string assumed = assumed_states(table, parameters_); !assumed.empty())
       notes.push_back(table.file() + ": " + assumed);
     if (!values_of(table, "p").empty() && !magic_formula::pressure_acts(parameters_))
-      notes.push_back("column p has no effect: " + no_pressure_in_words());
+      notes.push_back("column p has no effect: " + magic_formula::no_pressure_in_words());
     if (std::string none = no_turn_slip_in(tire, conditions.conventions); !none.empty())
       notes.push_back(std::move(none));
     return notes;
@@ -165,14 +159,13 @@ class MagicFormulaSpecimen : public RollingSpecimen,
   void refuse_soft_pressures(const formats::CsvTable& table) const {
     const std::vector<double> pressures = values_of(table, "p");
     for (std::size_t row = 0; row < pressures.size(); ++row)
-      refuse_soft_pressure(parameters_, pressures[row], table.place(static_cast<int>(row)));
-    if (pressures.empty()) refuse_soft_pressure(parameters_, parameters_.INFLPRES, {file_, 0});
+      rolling_.refuse_soft_pressure(pressures[row], table.place(static_cast<int>(row)));
+    if (pressures.empty())
+      rolling_.refuse_soft_pressure(parameters_.INFLPRES, {rolling_.file(), 0});
   }
 
+  magic_formula::RollingFormula rolling_;
   magic_formula::Parameters parameters_;
-  std::string file_;
-  std::shared_ptr<magic_formula::RangeLog> log_ = std::make_shared<magic_formula::RangeLog>();
-  mutable Inflation asked_pressure_;  // the pressure that a test stated last
 };
 
 class MagicFormulaKind : public SpecimenKind {

@@ -11,8 +11,8 @@
 #include "experiment/language/known_limits.h"
 #include "formats/tire/tir_file.h"
 #include "models/magic_formula/limits/file_ranges.h"
-#include "models/rigid_ring/rigid_ring_tire.h"
 #include "models/rigid_ring/ring_doubts.h"
+#include "models/rigid_ring/rolling_rigid_ring.h"
 
 namespace latsch::experiment {
 namespace {
@@ -20,28 +20,19 @@ namespace {
 class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
  public:
   explicit RigidRingSpecimen(const Document& numbers)
-      : parameters_(parameters_of(numbers)), file_(numbers.file()) {}
+      : rolling_(numbers), parameters_(rolling_.parameters()) {}
 
   std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
-    magic_formula::MagicFormulaTireSettings settings;
-    settings.pressure = pressure.value_or(settings.pressure);
-    settings.log = log_;
-    if (pressure) asked_pressure_ = pressure;
-    refuse_soft_pressure(parameters_, pressure.value_or(parameters_.INFLPRES), {file_, 0});
-    auto tire = rigid_ring::RigidRingTire::make(parameters_, settings);
-    if (!tire) throw InputError({file_, 0}, "makes no rigid ring: " + tire.failure().reason);
-    return std::move(*tire);
+    return rolling_.tire(pressure);
   }
-  std::vector<std::string> limits_met() const override {
-    return limits_met_by(parameters_, *log_, asked_pressure_);
-  }
+  std::vector<std::string> limits_met() const override { return rolling_.limits_met(); }
   std::vector<std::string> limits_when_driven(const DrivenWheel& driven) const override {
     return limits_when_driven_of(parameters_, driven);
   }
   bool is_limit(const std::string& path) const override {
     return magic_formula::is_end_of_range(path);
   }
-  void stood_under(double load) override { log_->add_standing(load); }
+  void stood_under(double load) override { rolling_.stood_under(load); }
   std::string no_stiffness(const std::string& direction) const override {
     return no_stiffness_of(parameters_, direction);
   }
@@ -83,10 +74,8 @@ class RigidRingSpecimen : public RollingSpecimen, public KnowsLimits {
   }
 
  private:
+  rigid_ring::RollingRigidRing rolling_;
   magic_formula::Parameters parameters_;
-  std::string file_;
-  std::shared_ptr<magic_formula::RangeLog> log_ = std::make_shared<magic_formula::RangeLog>();
-  mutable Inflation asked_pressure_;  // the last one that a test stated
 };
 
 class RigidRingKind : public SpecimenKind {

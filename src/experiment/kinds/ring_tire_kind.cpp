@@ -14,6 +14,7 @@
 #include "experiment/rigs/vibration_rig.h"
 #include "models/ring_tire/description/ring_reader.h"
 #include "models/ring_tire/ring/ring_tire.h"
+#include "models/ring_tire/rolling_ring.h"
 #include "report/report.h"
 
 namespace latsch::experiment {
@@ -22,13 +23,13 @@ namespace {
 class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits {
  public:
   explicit RingSpecimen(const Document& numbers)
-      : numbers_(numbers), parameters_(ring_tire::read_ring_tire(numbers.root())) {}
+      : ring_(numbers), parameters_(ring_.parameters()) {}
 
   std::unique_ptr<Tire> tire(const Inflation& pressure) const override {
-    return std::make_unique<ring_tire::RingTire>(parameters_at(pressure));
+    return ring_.tire(pressure);
   }
   Result<Channels> vibrate(const ModalTest& test, const Asked&) override {
-    ring_tire::RingTire tire(parameters_at(test.pressure));
+    ring_tire::RingTire tire(ring_.parameters_at(test.pressure));
     return experiment::run(tire, test);
   }
   /// Returns the limits of this tire model on a cleat: a rigid cross section rests on the highest
@@ -97,15 +98,8 @@ class RingSpecimen : public RollingSpecimen, public Vibrates, public KnowsLimits
           std::ceil(2.0 * tread.width / across));
     return "";
   }
-  /// Returns the parameters of the tire at this inflation pressure.
-  ring_tire::RingParameters parameters_at(const Inflation& pressure) const {
-    if (!pressure) return parameters_;
-    Document numbers = numbers_;
-    numbers.set("pressure", *pressure);
-    return ring_tire::read_ring_tire(numbers.root());
-  }
 
-  Document numbers_;
+  ring_tire::RollingRing ring_;
   ring_tire::RingParameters parameters_;
 };
 

@@ -11,8 +11,8 @@
 #include "experiment/language/known_limits.h"
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/inflation.h"
-#include "models/magic_formula/limits/range_log.h"
 #include "models/magic_formula/parameters.h"
+#include "models/magic_formula/tree/parameter_tree.h"
 
 namespace latsch::experiment {
 
@@ -26,8 +26,7 @@ std::vector<std::string> tir_notes(const std::filesystem::path& file);
 /// image: "of the left side".
 std::string side_in_words(const Document& numbers);
 
-/// Throws InputError if a number that the tire needs is not positive.
-magic_formula::Parameters parameters_of(const Document& numbers);
+using magic_formula::parameters_of;
 
 /// Returns a sentence for every range of the file that a wheel driven like this leaves; the forces
 /// of the test are those at the end of the range wherever it does.
@@ -40,20 +39,6 @@ std::optional<double> section_height_of(const magic_formula::Parameters& paramet
 std::optional<double> tread_half_width_of(const magic_formula::Parameters& parameters);
 /// Returns the free radius and the height of the section; nullopt without RIM_RADIUS.
 std::optional<SpecimenKind::Size> tir_size(const Document& numbers);
-/// Returns a sentence on why a pressure has no effect on the tire.
-std::string no_pressure_in_words();
-/// Returns a sentence for each range of the file that a tire has left, and one if the pressure that
-/// a test stated has no effect.
-std::vector<std::string> limits_met_by(const magic_formula::Parameters& parameters,
-                                       const magic_formula::RangeLog& log,
-                                       const Inflation& asked_pressure);
-
-/// Throws InputError at `place` if a tire has no vertical stiffness at this inflation pressure, Pa:
-/// the factor 1 + PFZ1 dpi of its stiffness is then 0 or negative.
-void refuse_soft_pressure(const magic_formula::Parameters& parameters,
-                          double pressure,
-                          const Place& place);
-
 /// Returns a sentence on why a tire that stands still has no stiffness in a direction
 /// (KnowsLimits::no_stiffness), and on the value assumed for it.
 std::string no_stiffness_of(const magic_formula::Parameters& parameters,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Capabilities are interfaces of physics that a specimen may implement; they know no test. A class
-// of tests can drive every specimen with the capabilities that it needs.
+// of tests can drive every specimen with the capabilities that it needs. Rolls and Drives, which
+// exported units use as well, are in models/tire and models/car.
 //
 // If a test does not state a condition (pressure, friction), the specimen's own value applies.
 // Every specimen applies a pressure that the test states; other conditions can be stated only for
@@ -25,8 +26,8 @@
 #include "experiment/rigs/suspension/kinematics_rig.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/channels.h"
-#include "models/car/car.h"
-#include "models/tire/tire.h"
+#include "models/car/drives.h"
+#include "models/tire/rolls.h"
 
 namespace latsch::experiment {
 
@@ -86,23 +87,6 @@ struct HasTreadElements {
   virtual ~HasTreadElements() = default;
 };
 
-/// The specimen rolls on a road in time steps.
-struct Rolls {
-  static constexpr const char* kName = "rolls";  // in messages
-  virtual ~Rolls() = default;
-  /// Returns a new tire at rest under this pressure. Throws InputError if the pressure does not
-  /// suit this tire.
-  virtual std::unique_ptr<Tire> tire(const Inflation& pressure = {}) const = 0;
-  /// Returns a sentence for everything that such a tire assumes, which its file does not say.
-  virtual std::vector<std::string> assumed_in_time() const { return {}; }
-  /// Half of the width over which the tire follows the road, and the height of its section, m.
-  struct Felt {
-    double half_width = 0.0, section = 0.0;
-  };
-  /// Returns nullopt if this is asked of KnowsLimits (known_limits.h).
-  virtual std::optional<Felt> felt() const { return std::nullopt; }
-};
-
 /// The specimen has forces in states of steady rolling, each independent of the others.
 struct HasSteadyStates {
   static constexpr const char* kName = "has steady states";  // in messages
@@ -154,14 +138,6 @@ struct IsLoaded {
   virtual Result<Channels> watch(const KcTest& test, const RigWatcher& watcher) = 0;
   /// Returns its compliance matrices in the states of the test (rigs/suspension/kc_compliance.h).
   virtual Result<Channels> compliance(const KcTest& test) = 0;
-};
-
-/// A car that can be driven.
-struct Drives {
-  static constexpr const char* kName = "drives";  // in messages
-  virtual ~Drives() = default;
-  /// Returns a new car whose springs carry it in its drawn position under these loads.
-  virtual Result<std::unique_ptr<car::Car>> car(const car::CarInputs& at_rest) const = 0;
 };
 
 /// The specimen has axles to which a K&C rig can apply loads while it holds the chassis fixed.

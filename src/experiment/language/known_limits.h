@@ -11,6 +11,7 @@
 
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/cleat.h"
+#include "models/tire/rolls.h"
 
 namespace latsch::experiment {
 
@@ -20,8 +21,7 @@ namespace latsch::experiment {
 using DrivenWheel = std::map<std::string, std::pair<double, double>>;
 
 /// A specimen that knows limits of its model.
-struct KnowsLimits {
-  virtual ~KnowsLimits() = default;
+struct KnowsLimits : MeetsLimits {
   /// Returns a sentence for every limit that matters on this cleat; empty if none does.
   virtual std::vector<std::string> limits_on(const Cleat&) const { return {}; }
   /// Returns a sentence for every limit that matters on a road whose height differs across the
@@ -33,9 +33,6 @@ struct KnowsLimits {
   /// Returns a sentence for every limit of the specimen that matters if the wheel is cambered,
   /// while it rolls (argument true) or stands (false).
   virtual std::vector<std::string> limits_at_camber(bool /*rolls*/) const { return {}; }
-  /// Returns a sentence for every limit that the specimen has met since it was built: validity
-  /// ranges of its file that it left, conditions that have no effect on it.
-  virtual std::vector<std::string> limits_met() const { return {}; }
   /// Returns half of the width, m, over which the tire model follows the road; 0: it follows a
   /// single line.
   virtual double felt_half_width() const { return 0.0; }

@@ -210,16 +210,6 @@ double reach_of_cleat(const DrumTest& test, double free_radius, double half_widt
   return chord + half_width * slope + 0.5 * test.cleat->length / std::cos(test.cleat->angle);
 }
 
-Status check_depth(const Tire& tire, double deflection) {
-  constexpr double kDeepest = 0.6;  // share of the radius
-  if (!(deflection > kDeepest * tire.free_radius())) return {};
-  return Failure{
-      fmt::format("a deflection of {:.4g} mm is more than the section of a tire with a radius of "
-                  "{:.4g} mm: its rim would be in the road",
-                  1e3 * deflection,
-                  1e3 * tire.free_radius())};
-}
-
 void check_step(const Node& test, double speed, double step) {
   if (speed * step <= kFarthestStep * (1.0 + 1e-9)) return;
   test.reject("step",

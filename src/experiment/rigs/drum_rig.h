@@ -52,13 +52,6 @@ Result<Channels> run(Tire& tire, const DrumTest& test);
 /// deeply as its load may require.
 double reach_of_cleat(const DrumTest& test, double free_radius, double half_width);
 
-/// Returns a Failure if a deflection, m, exceeds the section height of any tire of this radius. If
-/// the tire's file states its rim radius, the limit is lower.
-Status check_depth(const Tire& tire, double deflection);
-
-/// Largest distance, m, that a tire may move in one time step: a block of its tread makes and loses
-/// contact within a few steps.
-constexpr double kFarthestStep = 0.02;
 /// Throws InputError if a step moves the tire farther at this speed.
 void check_step(const Node& test, double speed, double step);
 

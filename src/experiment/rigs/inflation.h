@@ -4,15 +4,13 @@
 // The keys are in experiment/tests/keys/pressure_keys.cpp.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "base/document.h"
 #include "experiment/rigs/measured_conditions.h"
+#include "models/tire/rolls.h"
 
 namespace latsch::experiment {
-
-using Inflation = std::optional<double>;  // Pa, gauge; none: the tire's own
 
 /// Reads the key. Throws InputError.
 Inflation read_pressure(const Node& test, const MeasuredConditions& measured = {});

@@ -17,7 +17,6 @@
 #include "base/error.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
-#include "experiment/rigs/car/air_watch.h"
 #include "experiment/rigs/car/car_record.h"
 #include "experiment/rigs/car/kerb_rig.h"
 #include "experiment/rigs/car/kerb_way.h"
@@ -28,6 +27,7 @@
 #include "experiment/tests/pictures/kerb_pictures.h"
 #include "experiment/tests/test_kinds.h"
 #include "formats/road/road_file.h"
+#include "models/car/air_watch.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::experiment {
@@ -129,7 +129,7 @@ class KerbRunTest : public Test, public TellsLimits {
     const KerbWay way = way_of(test_, **car, width_of(specimen));
     if (const std::string why = too_high(way, section_of(specimen)); !why.empty())
       throw InputError(why);
-    AirWatch air;
+    car::AirWatch air;
     auto record = experiment::run(
         **car,
         test_,

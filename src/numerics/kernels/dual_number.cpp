@@ -2,7 +2,6 @@
 #include "numerics/kernels/dual_number.h"
 
 #include <cassert>
-#include <new>
 
 namespace latsch {
 namespace {
@@ -15,9 +14,8 @@ static_assert(kChunk >= sizeof(SlopeBlock) + SlopeArena::kDirections * 8 * sizeo
 
 void SlopeArena::next_chunk() {
   if (chunk_ == chunks_.size()) {
-    char* made = static_cast<char*>(std::aligned_alloc(alignof(SlopeBlock), kChunk));
-    if (made == nullptr) throw std::bad_alloc();
-    chunks_.emplace_back(made);
+    chunks_.emplace_back(
+        static_cast<char*>(::operator new (kChunk, std::align_val_t{alignof(SlopeBlock)})));
   }
   next_ = chunks_[chunk_++].get();
   end_ = next_ + kChunk;

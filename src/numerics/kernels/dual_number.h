@@ -17,8 +17,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
+#include <new>
 #include <vector>
 
 namespace latsch {
@@ -66,7 +66,7 @@ class SlopeArena {
   void next_chunk();
 
   struct Free {
-    void operator()(char* p) const { std::free(p); }
+    void operator()(char* p) const { ::operator delete (p, std::align_val_t{alignof(SlopeBlock)}); }
   };
   std::vector<std::unique_ptr<char, Free>> chunks_;
   std::size_t chunk_ = 0;  // number of chunks in use; chunks_[chunk_ - 1] is filled now

@@ -131,9 +131,11 @@ class FittedTire(unittest.TestCase):
             inside = [name for name in package.namelist() if name.endswith(".tir")]
             self.assertEqual(len(inside), 1, package.namelist())
             text = package.read(inside[0]).decode()
+            numbers = package.read("resources/model.toml").decode()
         self.assertEqual(text, tir.read_text())
         self.assertRegex(text, r"(?m)^FZMAX *= *1200 ")
         self.assertIn("from the data", text)
+        self.assertIn('FZMAX = "1200 N"', numbers)
 
 
 if __name__ == "__main__":
