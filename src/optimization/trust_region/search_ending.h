@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace latsch {
 
@@ -19,6 +20,8 @@ enum class Ending {
   hopeless    // no point has ever succeeded
 };
 
-std::string in_words(Ending ending);
+/// Returns the ending as the end of a sentence. `open` names variables that are not determined
+/// although nothing is left of the residuals.
+std::string in_words(Ending ending, const std::vector<std::string>& open = {});
 
 }  // namespace latsch

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "optimization/trust_region/flat_directions.h"
+#include "optimization/trust_region/open_variables.h"
 
 namespace latsch {
 namespace {
@@ -106,6 +107,9 @@ void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
   }
   const bool is_known = f_first_ < std::numeric_limits<double>::infinity();
   if (restarts_.count() == 0 && (tried.kind == Kind::start || !is_known)) f_first_ = sample.f;
+  if (tried.kind == Kind::probe && box_.has_center() && !box_.knows_slopes()) {
+    box_.learn_from_first_probe(change_of(sample));
+  }
   const bool is_best = box_.take(std::move(sample));
   if (is_best) explored_ = 0;
   if (tried.kind != Kind::step) return;
@@ -187,7 +191,7 @@ std::optional<Wanted> TrustRegionRun::look_around() {
 bool TrustRegionRun::begin_verification() {
   if (box_.memory[box_.center()].J.size() > 0 || box_.f() >= f_verified_) return false;
   if (box_.f() < nothing_left()) {
-    ending_ = Ending::explained;
+    take_ending(Ending::explained);
     return false;
   }
   const double shortest = tuning_.verification.shortest * options_.step_tolerance;
@@ -197,10 +201,18 @@ bool TrustRegionRun::begin_verification() {
                                              .f_least = nothing_left(),
                                              .f_first = f_first_});
   if (!verification_->has_axes()) {
-    ending_ = Ending::verified;
+    take_ending(Ending::verified);
     verification_.reset();
   }
   return verification_.has_value();
+}
+
+void TrustRegionRun::take_ending(Ending ending) {
+  ending_ = ending;
+  open_.clear();
+  if (ending == Ending::explained) {
+    open_ = latsch::open_variables(box_.space, box_.c(), box_.slopes(), std::sqrt(box_.f()));
+  }
 }
 
 /// Returns the next point of the verification, or a restart if no gain above noise is predicted.
@@ -209,14 +221,14 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
   if (!wanted_.empty()) return look_around();
   f_verified_ =
       std::max(box_.f() - verification_->deviation(), tuning_.verification.beyond_noise * box_.f());
-  if (box_.center() == box_.best()) ending_ = verification_->ending();
+  if (box_.center() == box_.best()) take_ending(verification_->ending());
   verification_.reset();
   return restart();
 }
 
 /// Starts a new search in a box if a step of the verification improved the value by a large amount.
 void TrustRegionRun::judge_verifying_step(double gain, double promise) {
-  verification_->observe_step(radius_.is_bad(gain), promise);
+  verification_->observe_step(gain, radius_.is_bad(gain), promise);
   if (verification_->is_sharp() || !radius_.is_good(gain)) return;
   if (box_.f() < tuning_.verification.worth_a_search * verification_->f_begin()) {
     radius_.begin(box_, settled_radius());
