@@ -143,8 +143,10 @@ std::optional<Wanted> FreshSlopes::check(const ResidualKriging& m, TrustBox& box
 /// Compares the residuals of the check with the model. A failed trial says nothing about the model.
 void FreshSlopes::judge_check(const TrustBox& box) {
   const Check check = *std::exchange(check_, std::nullopt);
-  const ResidualSample& found = box.memory[box.memory.size() - 1];
-  if (found.u != check.u) return;
+  int i = box.memory.size() - 1;
+  while (i >= 0 && box.memory[i].u != check.u) --i;
+  if (i < 0) return;
+  const ResidualSample& found = box.memory[i];
   const double change = (found.r - check.r_center).norm();
   is_unlike_model_ = (found.r - check.r_expected).norm() > kChecked * change;
 }

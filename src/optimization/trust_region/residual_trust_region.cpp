@@ -83,7 +83,7 @@ void ResidualTrustRegion::observe(const DesignPoint& point, const Result<Score>&
 
 std::string ResidualTrustRegion::ending() const {
   if (!converged()) return {};
-  std::string words = in_words(search_->run().ending(), search_->run().open_variables());
+  std::string words = in_words(search_->run().ending());
   if (search_->run().is_down_to_noise()) {
     words += "; the remaining error is no larger than the stated noise explains";
   }

@@ -3,22 +3,7 @@
 
 namespace latsch {
 
-namespace {
-
-/// Returns "but "a" and "b" are not determined" for the names a and b.
-std::string not_determined(const std::vector<std::string>& names) {
-  std::string words = ", but ";
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) words += i + 1 < names.size() ? ", " : " and ";
-    words += '"' + names[i] + '"';
-  }
-  return words + (names.size() > 1 ? " are" : " is") +
-         " not determined: within 5 % of the value, the residuals hardly change";
-}
-
-}  // namespace
-
-std::string in_words(Ending ending, const std::vector<std::string>& open) {
+std::string in_words(Ending ending) {
   switch (ending) {
     case Ending::none:
       return "";
@@ -44,8 +29,7 @@ std::string in_words(Ending ending, const std::vector<std::string>& open) {
     case Ending::known:
       return "at a minimum: the slopes that the model returns predict no improvement";
     case Ending::explained:
-      return "with nothing left: less than a ten-thousandth of the first residuals" +
-             (open.empty() ? "" : not_determined(open));
+      return "with nothing left: less than a ten-thousandth of the first residuals";
     case Ending::hopeless:
       return "without a result: every trial failed";
   }

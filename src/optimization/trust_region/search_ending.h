@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace latsch {
 
@@ -20,8 +19,6 @@ enum class Ending {
   hopeless    // no point has ever succeeded
 };
 
-/// Returns the ending as the end of a sentence. `open` names variables that are not determined
-/// although nothing is left of the residuals.
-std::string in_words(Ending ending, const std::vector<std::string>& open = {});
+std::string in_words(Ending ending);
 
 }  // namespace latsch

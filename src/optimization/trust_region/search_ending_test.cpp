@@ -14,7 +14,6 @@
 namespace latsch {
 namespace {
 
-using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
@@ -70,25 +69,6 @@ TEST(SearchEnding, OfRippledResidualsIsNotAtAMinimum) {
                                  return r;
                                }),
               Not(StartsWith("at a minimum")));
-}
-
-TEST(SearchEnding, WithNothingLeftNamesAVariableWithoutEffect) {
-  std::vector<DesignVariable> variables = decay_space().variables();
-  variables.push_back({.name = "idle", .lower = 0.0, .upper = 1.0, .initial = 0.4});
-  const std::string words = ending_of_search(DesignSpace(variables), decay);
-  EXPECT_THAT(words, StartsWith("with nothing left"));
-  EXPECT_THAT(words, HasSubstr("but \"idle\" is not determined"));
-}
-
-TEST(SearchEnding, WithNothingLeftNamesNoVariableThatTheDataHold) {
-  const std::string words = ending_of_search(decay_space(), decay);
-  EXPECT_THAT(words, StartsWith("with nothing left"));
-  EXPECT_THAT(words, Not(HasSubstr("not determined")));
-}
-
-TEST(SearchEnding, ListsSeveralVariablesInOneSentence) {
-  EXPECT_THAT(in_words(Ending::explained, {"a", "b", "c"}),
-              HasSubstr("but \"a\", \"b\" and \"c\" are not determined"));
 }
 
 }  // namespace

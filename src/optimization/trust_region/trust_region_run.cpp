@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "optimization/trust_region/flat_directions.h"
-#include "optimization/trust_region/open_variables.h"
 
 namespace latsch {
 namespace {
@@ -191,7 +190,7 @@ std::optional<Wanted> TrustRegionRun::look_around() {
 bool TrustRegionRun::begin_verification() {
   if (box_.memory[box_.center()].J.size() > 0 || box_.f() >= f_verified_) return false;
   if (box_.f() < nothing_left()) {
-    take_ending(Ending::explained);
+    ending_ = Ending::explained;
     return false;
   }
   const double shortest = tuning_.verification.shortest * options_.step_tolerance;
@@ -201,18 +200,10 @@ bool TrustRegionRun::begin_verification() {
                                              .f_least = nothing_left(),
                                              .f_first = f_first_});
   if (!verification_->has_axes()) {
-    take_ending(Ending::verified);
+    ending_ = Ending::verified;
     verification_.reset();
   }
   return verification_.has_value();
-}
-
-void TrustRegionRun::take_ending(Ending ending) {
-  ending_ = ending;
-  open_.clear();
-  if (ending == Ending::explained) {
-    open_ = latsch::open_variables(box_.space, box_.c(), box_.slopes(), std::sqrt(box_.f()));
-  }
 }
 
 /// Returns the next point of the verification, or a restart if no gain above noise is predicted.
@@ -221,7 +212,7 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
   if (!wanted_.empty()) return look_around();
   f_verified_ =
       std::max(box_.f() - verification_->deviation(), tuning_.verification.beyond_noise * box_.f());
-  if (box_.center() == box_.best()) take_ending(verification_->ending());
+  if (box_.center() == box_.best()) ending_ = verification_->ending();
   verification_.reset();
   return restart();
 }

@@ -6,8 +6,6 @@
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "optimization/trust_region/fresh_slopes.h"
 #include "optimization/trust_region/residual_trust_region.h"
@@ -39,9 +37,6 @@ class TrustRegionRun {
   bool has_settled() const { return state_ == State::settled; }
   /// Returns the ending of the search that led to the best point.
   Ending ending() const { return is_hopeless() ? Ending::hopeless : ending_; }
-  /// Returns the names of the variables that are not determined although nothing is left of the
-  /// residuals (open_variables.h); empty for any other ending.
-  const std::vector<std::string>& open_variables() const { return open_; }
   /// True if the noise of the measured values is known and explains the whole remaining error.
   bool is_down_to_noise() const { return box_.is_down_to(options_.noise_alone); }
   int restarts_left() const { return options_.restarts - restarts_.count(); }
@@ -82,7 +77,6 @@ class TrustRegionRun {
   std::optional<Wanted> another_step(const ResidualKriging& m);
   std::optional<Wanted> look_around();
   bool begin_verification();
-  void take_ending(Ending ending);
   std::optional<Wanted> next_to_verify();
   std::optional<Wanted> restart();
   void start_again(const Eigen::VectorXd& failed);
@@ -100,7 +94,6 @@ class TrustRegionRun {
   std::optional<FreshSlopes> verification_;  // set at the end of a search
   State state_ = State::searching;
   Ending ending_ = Ending::known;
-  std::vector<std::string> open_;  // see open_variables()
   /// The value at the start or, if the start failed, at the first success.
   double f_first_ = std::numeric_limits<double>::infinity();
   /// Values below this one are verified.
