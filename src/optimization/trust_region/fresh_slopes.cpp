@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/trust_region/fresh_slopes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace latsch {
 namespace {
@@ -10,6 +14,23 @@ namespace {
 constexpr double kSlopeReach = 2.0;
 // Factor by which the longest step is shortened after a disappointing step.
 constexpr double kShorterSlope = 0.3;
+/// Error of the value predicted for a bad step, as a share of the target, from which on slopes are
+/// not believed, whatever the last model predicts: a model that passes through a ripple finds a
+/// minimum of the ripple. A larger share would call such a point a minimum, a smaller one would
+/// doubt minima of curved simulations.
+constexpr double kContradiction = 1e-3;
+// A bad step is outweighed by a later one that promises at least this share of its error, and whose
+// gain is at most this factor off the promise.
+constexpr double kSimilar = 0.5;
+constexpr double kMatch = 2.0;
+/// Lengths of the trials that check the last model, in units of the axes. The second one follows if
+/// the first one differs from the model, because curvature matters less over a shorter move, and
+/// noise and ripple matter more.
+constexpr std::array kCheckLengths{0.3, 0.1};
+/// Largest error of the residuals that the model predicts for a check, as a share of their change.
+/// A larger share would call a minimum of a ripple a minimum, a smaller one would doubt minima of
+/// curved simulations.
+constexpr double kChecked = 0.1;
 constexpr int kMostMisses = 3;  // number of steps in a row without success that end a round
 // Factor by which moves are lengthened if the residuals are at noise level.
 constexpr double kFarther = 3.0;
@@ -49,6 +70,8 @@ void FreshSlopes::begin_round(const TrustBox& box, const Eigen::MatrixXd& J) {
   is_blind_ = false;
   steps_ = 0;
   sharpened_ = 0;
+  checks_ = 0;
+  is_unlike_model_ = false;
   reach_ = kSlopeReach;
   f_begin_ = box.f();
   ++rounds_;
@@ -62,9 +85,11 @@ std::optional<Wanted> FreshSlopes::next(TrustBox& box, const PendingPoints<Wante
       is_blind_ |= box.memory.failures() > 0 && !box.has_moved_along(axis, frame_);
     }
     if (!wanted.empty()) return std::nullopt;
+    if (check_) judge_check(box);
     double noise = 0.0;
     const ResidualKriging m = box.natural_model(frame_, noise);
     deviation_ = m.target_deviation();
+    has_seen_noise_ |= noise > 0.0;
     const Wanted step = box.natural_step(m, frame_, reach_, wanted);
     const bool is_promising = step.length > 0.0;
     const bool crawls = steps_ >= kMostStepsOfARound;
@@ -75,17 +100,55 @@ std::optional<Wanted> FreshSlopes::next(TrustBox& box, const PendingPoints<Wante
     if (sharpen(box)) continue;
     const bool goes_farther = !pays_another_round(box) && noise > 0.0 && change_ < kFarther;
     if (!pays_another_round(box) && !goes_farther) {
+      if (!(is_blind_ || is_promising || noise > 0.0 || is_contradicted())) {
+        if (auto point = check(m, box)) return point;
+      }
       ending_ = is_blind_ && box.f() <= options_.f_least ? Ending::explained
                 : is_blind_                              ? Ending::blind
                 : is_promising && has_failed_            ? Ending::edge
-                : noise > 0.0  ? (is_wide(box) ? Ending::wide : Ending::noise)
-                : is_promising ? Ending::rough
-                               : Ending::verified;
+                : noise > 0.0 || (is_doubtful() && has_seen_noise_)
+                    ? (is_wide(box) ? Ending::wide : Ending::noise)
+                : is_promising || is_doubtful() ? Ending::rough
+                                                : Ending::verified;
       return std::nullopt;
     }
     if (goes_farther) change_ = kFarther;
     begin_round(box, m.jacobian(Eigen::VectorXd::Zero(frame_.axes())) * frame_.inverse);
   }
+}
+
+/// True if a step showed that slopes around the best point are wrong, and none showed later that
+/// they are right.
+bool FreshSlopes::is_contradicted() const { return contradiction_ > kContradiction; }
+
+/// True unless the last model and its slopes have proved right.
+bool FreshSlopes::is_doubtful() const { return is_contradicted() || is_unlike_model_; }
+
+/// Returns a trial away from the axes of the frame, whose residuals show whether the model is
+/// right; nullopt if it is known already or if there is no room.
+std::optional<Wanted> FreshSlopes::check(const ResidualKriging& m, TrustBox& box) {
+  const bool is_needed = checks_ == 0 || is_unlike_model_;
+  if (!is_needed || checks_ >= std::ssize(kCheckLengths)) return std::nullopt;
+  const double length = kCheckLengths[checks_++] / std::sqrt(frame_.axes());
+  Eigen::VectorXd y(frame_.axes());
+  const Eigen::VectorXd drawn = box.draw();
+  for (int k = 0; k < frame_.axes(); ++k) y[k] = drawn[k] < 0.0 ? -length : length;
+  const auto point = box.probe_by(frame_.T * y, {});
+  if (!point) return std::nullopt;
+  check_ = Check{
+      point->u, box.memory[box.center()].r, m.residuals(frame_.inverse * (point->u - box.c()))};
+  return point;
+}
+
+/// Compares the residuals of the check with the model. A failed trial says nothing about the model.
+void FreshSlopes::judge_check(const TrustBox& box) {
+  const Check check = *std::exchange(check_, std::nullopt);
+  int i = box.memory.size() - 1;
+  while (i >= 0 && box.memory[i].u != check.u) --i;
+  if (i < 0) return;
+  const ResidualSample& found = box.memory[i];
+  const double change = (found.r - check.r_center).norm();
+  is_unlike_model_ = (found.r - check.r_expected).norm() > kChecked * change;
 }
 
 /// True if residuals that scatter around their model need not be noisy: a move by a tiny share of
@@ -137,7 +200,11 @@ void FreshSlopes::observe_failed_step() {
   has_failed_ = true;
 }
 
-void FreshSlopes::observe_step(bool is_bad, double promise) {
+void FreshSlopes::observe_step(double gain, bool is_bad, double promise) {
+  const double promised = promise / f_begin_;
+  if (is_bad) contradiction_ = std::max(contradiction_, std::abs(1.0 - gain) * promised);
+  const bool matches = gain > 1.0 / kMatch && gain < kMatch;
+  if (matches && promised >= kSimilar * contradiction_) contradiction_ = 0.0;
   misses_ = is_bad ? misses_ + 1 : 0;
   has_failed_ = false;
   if (!is_bad) return;

@@ -11,6 +11,12 @@
 // then shortened until the residuals change by about their size, and probed again. If an axis has
 // no usable probe, the search cannot confirm that it ended at a minimum: Ending::blind. Residuals
 // that scatter because an axis is a small share of the ranges are not called noisy: Ending::wide.
+//
+// A model that passes through a ripple of the simulations finds a minimum of the ripple, at which it
+// predicts no gain. The search therefore remembers bad steps until a step of similar promise gains
+// what was predicted, and compares the residuals of one or two trials between the axes with the
+// last model. If either shows that the slopes are wrong, the ending is Ending::noise or, if no
+// model was noisy, Ending::rough.
 #pragma once
 
 #include <Eigen/Core>
@@ -42,9 +48,9 @@ class FreshSlopes {
   /// Processes a failed probe. `change` is the change of the residuals relative to their size, if
   /// the probe has residuals.
   void observe_failed_probe(double change);
-  /// Processes a step. `is_bad` is true if it achieved almost nothing of the gain `promise` that
-  /// was predicted.
-  void observe_step(bool is_bad, double promise);
+  /// Processes a step. `gain` is the share that it achieved of the gain `promise` that was
+  /// predicted; `is_bad` is true if that is almost nothing.
+  void observe_step(double gain, bool is_bad, double promise);
 
   /// Returns the value of the target at the beginning of this round.
   double f_begin() const { return f_begin_; }
@@ -58,10 +64,19 @@ class FreshSlopes {
 
  private:
   void begin_round(const TrustBox& box, const Eigen::MatrixXd& J);
+  bool is_contradicted() const;
+  bool is_doubtful() const;
+  std::optional<Wanted> check(const ResidualKriging& m, TrustBox& box);
+  void judge_check(const TrustBox& box);
   bool is_wide(const TrustBox& box) const;
   bool pays_another_round(const TrustBox& box) const;
   void shorten(int axis, double factor);
   bool sharpen(const TrustBox& box);
+
+  /// A trial that shows whether the model is right.
+  struct Check {
+    Eigen::VectorXd u, r_center, r_expected;
+  };
 
   Options options_;
   NaturalFrame frame_;
@@ -78,6 +93,13 @@ class FreshSlopes {
   bool has_failed_ = false;  // true if the last step failed
   /// A step of this round gained less than predicted, by more than noise explains.
   bool has_disappointed_ = false;
+  /// Largest error of the value predicted for a bad step, as a share of the target, that no later
+  /// step of similar promise has outweighed by gaining what was predicted.
+  double contradiction_ = 0.0;
+  std::optional<Check> check_;    // the check whose outcome is awaited
+  int checks_ = 0;                // number of checks in this round
+  bool is_unlike_model_ = false;  // true if the last check differed from the model
+  bool has_seen_noise_ = false;   // true if a model of any round was noisy
   double deviation_ = 0.0;
   double f_begin_ = 0.0;
   Ending ending_ = Ending::none;

@@ -22,6 +22,9 @@
 //             repeated over three times the distance, which reduces the weight of noise to a third.
 //             If a restart later improves the value, it is verified again only if the improvement
 //             exceeds the effect of noise on the target, or a tenth of the target.
+//             A minimum is claimed only if the slopes have proved right: no step gained far less
+//             than promised unless a later one gained what it promised, and a trial away from the
+//             axes has the residuals that the model predicts (fresh_slopes.h).
 //   end       The search ends if these steps predict no gain. ending() reports the reason. Restarts
 //             follow as long as the residuals exceed what noise explains, if noise is known, or
 //             what can be gained.

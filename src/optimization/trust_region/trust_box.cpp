@@ -20,6 +20,10 @@ constexpr double kProbe = 0.03;
 // Length of the probes of the first model, likewise a share of the radius. Nothing is known of
 // noise and ripple then, and the next model mends what curvature makes of long probes.
 constexpr double kFirstProbe = 1.0;
+// Change of the residuals over a first probe, as a multiple of their size, above which the slope is
+// mostly curvature: the next first probes are shorter in proportion, and longer again if they
+// change the residuals by less.
+constexpr double kFirstChange = 1.0;
 // Length of a probe beside an awaited step, as a share of the step.
 constexpr double kBeside = 0.25;
 // Smallest share of a probe's length that bounds and failed regions must leave.
@@ -64,6 +68,7 @@ TrustBox::TrustBox(const DesignSpace& s, double first_radius, std::uint64_t seed
       start_(to_vector(s.to_unit(s.initial()))),
       scale_(ordinary_widths(s, s.initial(), first_radius)),
       first_radius_(first_radius),
+      first_probe_(kFirstProbe),
       seed_(seed) {}
 
 double TrustBox::f() const { return has_center() ? memory[center_].f : kInfinity; }
@@ -81,6 +86,12 @@ bool TrustBox::take(ResidualSample sample) {
   if (is_better) center_ = memory.size() - 1;
   if (is_best) best_ = memory.size() - 1;
   return is_better;
+}
+
+void TrustBox::learn_from_first_probe(double change) {
+  const bool is_known = change >= 0.0;
+  if (!is_known || (change <= kFirstChange && first_probe_ == kFirstProbe)) return;
+  first_probe_ = std::clamp(first_probe_ * kFirstChange / change, kProbe, kFirstProbe);
 }
 
 bool TrustBox::leaps(const ResidualSample& sample) const {
@@ -180,7 +191,7 @@ std::optional<Wanted> TrustBox::probe(Eigen::VectorXd direction,
   const auto end = [&](double length) {
     return region.nearest(c() + length * scale_.widths().cwiseProduct(direction));
   };
-  double length = (knows_slopes() ? kProbe : kFirstProbe) * radius;
+  double length = (knows_slopes() ? kProbe : first_probe_) * radius;
   if (scale_.norm(end(-length) - c()) > 1.01 * scale_.norm(end(length) - c())) {
     direction = -direction;
   }

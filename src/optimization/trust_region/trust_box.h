@@ -71,6 +71,9 @@ class TrustBox {
 
   /// True unless the first samples are still too few for the slopes of all variables.
   bool knows_slopes() const { return memory.size() > n(); }
+  /// Adapts the length of the next probes of the first model to the change of the residuals,
+  /// relative to their size, over one of them.
+  void learn_from_first_probe(double change);
   /// Moves the box to u, which is not evaluated yet, and starts again.
   void move_to(const Eigen::VectorXd& u);
   /// True if residuals jump: the sample is worse than the center and has more stand-ins for missing
@@ -168,6 +171,7 @@ class TrustBox {
 
   VariableScale scale_;
   double first_radius_;
+  double first_probe_;  // length of the next probe of the first model, as a share of the radius
   /// Edges of failed regions around the center, in units of the widths.
   mutable std::vector<Edge> edges_;
   /// Center and numbers of samples and failures that edges_ was computed for.

@@ -106,6 +106,9 @@ void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
   }
   const bool is_known = f_first_ < std::numeric_limits<double>::infinity();
   if (restarts_.count() == 0 && (tried.kind == Kind::start || !is_known)) f_first_ = sample.f;
+  if (tried.kind == Kind::probe && box_.has_center() && !box_.knows_slopes()) {
+    box_.learn_from_first_probe(change_of(sample));
+  }
   const bool is_best = box_.take(std::move(sample));
   if (is_best) explored_ = 0;
   if (tried.kind != Kind::step) return;
@@ -216,7 +219,7 @@ std::optional<Wanted> TrustRegionRun::next_to_verify() {
 
 /// Starts a new search in a box if a step of the verification improved the value by a large amount.
 void TrustRegionRun::judge_verifying_step(double gain, double promise) {
-  verification_->observe_step(radius_.is_bad(gain), promise);
+  verification_->observe_step(gain, radius_.is_bad(gain), promise);
   if (verification_->is_sharp() || !radius_.is_good(gain)) return;
   if (box_.f() < tuning_.verification.worth_a_search * verification_->f_begin()) {
     radius_.begin(box_, settled_radius());
