@@ -12,10 +12,10 @@
 // no usable probe, the search cannot confirm that it ended at a minimum: Ending::blind. Residuals
 // that scatter because an axis is a small share of the ranges are not called noisy: Ending::wide.
 //
-// A model that passes through a ripple of the simulations finds a minimum of the ripple, at which it
-// predicts no gain. The search therefore remembers bad steps until a step of similar promise gains
-// what was predicted, and compares the residuals of one or two trials between the axes with the
-// last model. If either shows that the slopes are wrong, the ending is Ending::noise or, if no
+// A model that passes through a ripple of the simulations finds a minimum of the ripple, at which
+// it predicts no gain. The search therefore remembers bad steps until a step of similar promise
+// gains what was predicted, and compares the residuals of one or two trials between the axes with
+// the last model. If either shows that the slopes are wrong, the ending is Ending::noise or, if no
 // model was noisy, Ending::rough.
 #pragma once
 
