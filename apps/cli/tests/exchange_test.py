@@ -196,6 +196,8 @@ class Exchange(unittest.TestCase):
                                 ((RING, "--fmu", "3.0"), "-o"),
                                 ((RING, "--fmu", "3.0", "-o", fmu, "--road", self.folder / "none.crg"), "none.crg"),
                                 ((SUSPENSION, "--fmu", "3.0", "-o", fmu), "does not roll"),
+                                ((RING, "--fmu", "3.0", "-o", fmu, "--platforms", "linux,mac"), '"mac"'),
+                                ((FE_TIRE, "--fmu", "3.0", "-o", fmu, "--platforms", "windows"), "for Linux alone"),
                                 ((SUSPENSION, "--sti"), "does not roll"),
                                 ((RING, "-o", fmu), "--fmu"),
                                 ((RING,), "--fmu")]:
@@ -203,6 +205,18 @@ class Exchange(unittest.TestCase):
             self.assertEqual(code, WRONG_INPUT, said)
             self.assertIn(part, said)
             self.assertFalse(fmu.exists())
+
+    def test_a_missing_library_is_named_where_it_is_demanded(self):
+        fmu = self.folder / "tire.fmu"
+        if (pathlib.Path(LATSCH).resolve().parents[1] / "lib/latsch/latsch_fmi3.dll").exists():
+            self.skipTest("the libraries for Windows are there")
+        code, said = latsch(RING, "--fmu", "3.0", "-o", fmu, "--platforms", "linux,windows")
+        self.assertEqual(code, WRONG_INPUT, said)
+        self.assertIn("latsch_fmi3.dll", said)
+        self.assertFalse(fmu.exists())
+        code, said = latsch(RING, "--fmu", "3.0", "-o", fmu)
+        self.assertEqual(code, DONE, said)
+        self.assertIn("runs on Linux", said)
 
     def test_sti_names_a_library_that_is_there(self):
         for tire in (RING, FE_TIRE):

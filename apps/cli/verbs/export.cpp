@@ -37,7 +37,8 @@ using fe_tire::TireDescription;
 constexpr int kLoadSteps = 5;
 
 struct ExportOptions {
-  std::string file, vtu, ccx, model, pressure, deflection, rolling, fmu, road, output, bus;
+  std::string file, vtu, ccx, model, pressure, deflection, rolling, fmu, road, platforms, output,
+      bus;
   int modes = 0;
   bool measurements = false, sti = false;
 };
@@ -218,7 +219,8 @@ void export_files(const ExportOptions& options, const experiment::Language& lang
   if (options.measurements) return write_measurements(options.file, language);
   if (options.sti) say_sti(options.file, language);
   if (!options.fmu.empty())
-    write_fmu(options.file, options.fmu, options.road, options.output, language);
+    write_fmu({options.file, options.fmu, options.road, options.platforms, options.output},
+              language);
   if (!options.bus.empty()) write_bushings(options.file, options.bus, language);
   if (!options.rolling.empty()) return write_rolling(options, language);
   const bool mesh = !options.vtu.empty() || !options.ccx.empty();
@@ -289,6 +291,10 @@ void add_export(CommandLine& app, Program& program) {
                   options->road,
                   "Road of the unit, a file as for latsch road; flat "
                   "unless given");
+  verb.add_option("--platforms",
+                  options->platforms,
+                  "Systems whose libraries the unit must hold, \"linux,windows\"; unless given, "
+                  "all that are installed");
   verb.add_option("-o,--output", options->output, "Package of the unit to write");
   verb.add_option("--bus", options->bus, "Folder for the bushings of a suspension, a .bus a joint");
   verb.add_flag("--sti", options->sti, "Prints how to use it by the Standard Tyre Interface");
@@ -305,7 +311,7 @@ void add_export(CommandLine& app, Program& program) {
        {"writes a model file as it is", {"--model"}, {}, alone},
        {"writes a unit, which starts at the pressure of the model",
         {"--fmu"},
-        {"--road", "--output"},
+        {"--road", "--platforms", "--output"},
         alone},
        {"writes bushings", {"--bus"}, {}, alone},
        {"prints how to use the Standard Tyre Interface", {"--sti"}, {}, alone},

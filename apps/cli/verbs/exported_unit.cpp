@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/verbs/exported_unit.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/text.h"
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
@@ -24,27 +27,72 @@ namespace fs = std::filesystem;
 
 /// Returns the path of a library of the program, ../lib/latsch/`name` relative to the program, in a
 /// build folder as well as in an installation.
-fs::path library(const std::string& name) {
+fs::path library_path(const std::string& name) {
   const fs::path program = fs::read_symlink("/proc/self/exe");
-  const fs::path file = program.parent_path().parent_path() / "lib" / "latsch" / name;
+  return program.parent_path().parent_path() / "lib" / "latsch" / name;
+}
+
+/// Returns the path of a library that has to be there.
+fs::path library(const std::string& name) {
+  const fs::path file = library_path(name);
   if (!fs::exists(file))
     throw InputError({file.string(), 0}, "is not there: it is built and installed with latsch");
   return file;
 }
 
-/// Returns the libraries for a version of FMI: slim ones if they can make the unit.
-std::vector<exchange::UnitLibrary> libraries(const std::string& version, bool is_slim) {
-  const std::string name = version == "2.0" ? "latsch_fmi2" : "latsch_fmi3";
-  return {{library(name + (is_slim ? ".so" : "_all.so")), is_slim}};
+constexpr const char* kLinux = "linux";
+constexpr const char* kWindows = "windows";
+
+/// Returns the systems of a list such as "linux,windows". Throws InputError for another one.
+std::vector<std::string> systems_of(const std::string& list) {
+  std::vector<std::string> systems;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string name(trimmed(std::string_view(list).substr(begin, end - begin)));
+    if (name != kLinux && name != kWindows)
+      throw InputError("export --platforms: " + in_quotes(name) +
+                       " is none, expected \"linux\", \"windows\" or \"linux,windows\"");
+    if (std::ranges::find(systems, name) == systems.end()) systems.push_back(name);
+    begin = end + 1;
+  }
+  return systems;
+}
+
+/// Returns the libraries of a unit: slim ones if they can make it. A system that was not asked for
+/// and has no library here is left out.
+std::vector<exchange::UnitLibrary> libraries(const FmuRequest& request, bool is_slim) {
+  const std::string name = request.version == "2.0" ? "latsch_fmi2" : "latsch_fmi3";
+  if (request.platforms.empty()) {
+    std::vector<exchange::UnitLibrary> found = {
+        {library(name + (is_slim ? ".so" : "_all.so")), is_slim}};
+    if (const fs::path dll = library_path(name + ".dll"); is_slim && fs::exists(dll))
+      found.push_back({dll, true});
+    return found;
+  }
+  std::vector<exchange::UnitLibrary> found;
+  for (const std::string& system : systems_of(request.platforms)) {
+    if (system == kLinux) {
+      found.push_back({library(name + (is_slim ? ".so" : "_all.so")), is_slim});
+      continue;
+    }
+    if (!is_slim)
+      throw InputError({request.file, 0},
+                       "has finite elements, whose library exists for Linux alone: expected "
+                       "--platforms linux");
+    if (!fs::exists(library_path(name + ".dll")))
+      throw InputError({library_path(name + ".dll").string(), 0},
+                       "is not there: libraries for Windows are built by cmake --preset "
+                       "units-windows and put beside those for Linux (docs/exchange.md)");
+    found.push_back({library_path(name + ".dll"), true});
+  }
+  return found;
 }
 
 }  // namespace
 
-void write_fmu(const std::string& file,
-               const std::string& version,
-               const std::string& road,
-               const std::string& output,
-               const experiment::Language& language) {
+void write_fmu(const FmuRequest& request, const experiment::Language& language) {
+  const std::string &file = request.file, &version = request.version, &road = request.road,
+                    &output = request.output;
   if (output.empty()) throw InputError("export --fmu: expected the package to write, -o FILE.fmu");
   const ModelSource source = model_source(file, language);
   // The exported text of the model holds the parameters and, for a tire, the ranges of its inputs
@@ -59,6 +107,7 @@ void write_fmu(const std::string& file,
   warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
   if (!road.empty()) warn_of_doubts(correlation::ledgers_of_file(road, "the road"));
   const auto files = exchange::unit_files(*source.kind, source.numbers, road, text);
+  const auto binaries = libraries(request, exchange::is_slim(*source.kind, source.numbers));
   const auto fmi = version == "2.0" ? exchange::FmiVersion::fmi2 : exchange::FmiVersion::fmi3;
   exchange::UnitTitle title;
   title.name = fs::path(output).stem().string();
@@ -69,9 +118,14 @@ void write_fmu(const std::string& file,
       exchange::fmu_package(fmi,
                             title,
                             exchange::unit_of(*source.kind, source.numbers, road)->variables(),
-                            libraries(version, exchange::is_slim(*source.kind, source.numbers)),
+                            binaries,
                             files));
   say_written(output);
+  std::string systems;
+  for (const exchange::UnitLibrary& binary : binaries)
+    systems += std::string(systems.empty() ? "" : " and ") +
+               (binary.file.extension() == ".dll" ? "Windows" : "Linux");
+  say("It runs on {}, x86-64\n", systems);
 }
 
 void say_sti(const std::string& file, const experiment::Language& language) {

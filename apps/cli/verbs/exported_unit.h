@@ -9,13 +9,18 @@
 
 namespace latsch::cli {
 
-/// Writes the FMI package, version "2.0" or "3.0", of a rolling tire or of a car, on the road of
-/// the file `road` (empty: a flat road). Throws InputError.
-void write_fmu(const std::string& file,
-               const std::string& version,
-               const std::string& road,
-               const std::string& output,
-               const experiment::Language& language);
+/// A call of `latsch export --fmu`.
+struct FmuRequest {
+  std::string file;       // the model: a rolling tire, a car, or a study of one
+  std::string version;    // "2.0" or "3.0"
+  std::string road;       // its file; empty: a flat road
+  std::string platforms;  // "linux,windows"; empty: those whose libraries are installed
+  std::string output;     // the package
+};
+
+/// Writes the FMI package and says for which systems it has a library. Throws InputError, also if
+/// the library of a system that was asked for is not installed.
+void write_fmu(const FmuRequest& request, const experiment::Language& language);
 
 /// Prints which library and which file a program that uses the Standard Tyre Interface needs.
 /// Throws InputError if the library would not accept the file.

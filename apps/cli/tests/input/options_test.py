@@ -57,6 +57,7 @@ class Options(unittest.TestCase):
         for arguments in (["--pressure", "3 bar", "--model", "y.tir"], ["--modes", "5", "--model", "y.tir"],
                           ["--deflection", "9 mm", "--model", "y.tir"],
                           ["--pressure", "3 bar", "--fmu", "2.0", "-o", "x.fmu"], ["--road", "r.toml", "--model", "y.tir"],
+                          ["--platforms", "linux", "--model", "y.tir"],
                           ["--output", "x.tir", "--model", "y.tir"], ["--pressure", "3 bar", "--sti"]):
             with self.subTest(arguments):
                 self.refused(arguments[0], "export", TIR, *arguments, says=["has no effect here"])
