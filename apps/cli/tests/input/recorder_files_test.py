@@ -155,6 +155,8 @@ class Recorders(unittest.TestCase):
         said, _ = self.average("two_rates.tdms", 'group = "hub"', code=WRONG_INPUT)
         self.assertIn("speed", said)
         said, _ = self.average("two_rates.tdms", 'resample = "1 ns"', code=WRONG_INPUT)
+        self.assertIn('(unit "ns", which is not known; with capitals, "Ns", it is N s)', said)
+        said, _ = self.average("two_rates.tdms", 'resample = "0.001 us"', code=WRONG_INPUT)
         self.assertIn('expected a larger step, such as 0.0005 s, the one of group "hub"', said)
         whole = (self.folder / "drum.tdms").read_bytes()
         (self.folder / "cut.tdms").write_bytes(whole[:-1000])  # its only chunk is cut
