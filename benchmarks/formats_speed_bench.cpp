@@ -192,7 +192,8 @@ std::string tdms_file(std::size_t count, bool is_interleaved) {
 std::string rpc_file(std::size_t groups, std::size_t group) {
   std::string header;
   const auto put_record = [&](const std::string& key, const std::string& value) {
-    header += key + std::string(32 - key.size(), '\0') + value + std::string(96 - value.size(), '\0');
+    header +=
+        key + std::string(32 - key.size(), '\0') + value + std::string(96 - value.size(), '\0');
   };
   const std::size_t records = 10 + kChannels, blocks = (records + 3) / 4;
   put_record("FORMAT", "BINARY");

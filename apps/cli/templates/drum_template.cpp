@@ -19,7 +19,9 @@
 #include "correlation/rig_data/rig_doubts.h"
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_tables.h"
+#include "formats/recorders/recorded_file.h"
 #include "formats/tables/recording.h"
+#include "formats/text/letter_case.h"
 #include "measurement/meaning/channel_words.h"
 #include "measurement/pulse_speed.h"
 #include "models/ring_tire/description/ring_reader.h"
@@ -124,6 +126,17 @@ std::string unit_of_name(const Channel& channel) {
   return known && channel.unit == "1" ? known->unit : "";
 }
 
+/// Returns what to do if the channels of a drum are in several groups of a recorder's file.
+std::string hint_of_groups(const fs::path& file) {
+  const auto endings = formats::recorder_endings();
+  const bool has_groups =
+      std::find(endings.begin(), endings.end(), formats::lower(file.extension().string())) !=
+      endings.end();
+  return has_groups ? ". One group of the file was read: if latsch show lists the channel in "
+                      "another one, write a rig file with resample in [channels] for latsch process"
+                    : "";
+}
+
 /// Finds the columns of one recording by their names.
 std::vector<Column> columns_of(const Channels& record,
                                const DrumRecordings& recordings,
@@ -169,12 +182,13 @@ std::vector<Column> columns_of(const Channels& record,
           {file.string(), 0},
           fmt::format(
               "has no column that is {} of a drum ({}); it has {}. Name it: "
-              "--column \"{} = NAME\"{}",
+              "--column \"{} = NAME\"{}{}",
               column.ours,
               fmt::join(column.usual, ", "),
               list_of(there),
               column.ours,
-              column.ours == "speed" ? ", or --teeth N if a toothed wheel was recorded" : ""));
+              column.ours == "speed" ? ", or --teeth N if a toothed wheel was recorded" : "",
+              hint_of_groups(file)));
   return columns;
 }
 

@@ -359,7 +359,8 @@ void add_tire_options(Verb& verb, NewOptions* options) {
 void add_recording_options(Verb& verb, NewOptions* options) {
   verb.add_option("--magic-formula",
                   options->recordings,
-                  "Recordings of a tire test: CSV, consortium .dat or .mat, TYDEX");
+                  "Recordings of a tire test: CSV, consortium .dat or .mat, TYDEX, MDF 4 "
+                  "(.mf4), universal file (.uff), TDMS, RPC III (.rsp)");
   verb.add_option("--axes",
                   options->axes,
                   "Axes of the recordings; chosen by the sign of Fz "
@@ -386,7 +387,8 @@ void add_ring_options(Verb& verb, NewOptions* options) {
   verb.add_option(
       "--drum",
       options->drum,
-      "Recordings of a drum with a cleat: averages, and a flexible ring fitted to them");
+      "Recordings of a drum with a cleat, in the formats of --magic-formula: averages, and a "
+      "flexible ring fitted to them");
   verb.add_option("--cleat", options->cleat, "Height and length, \"10 mm x 20 mm\"; with --drum");
   verb.add_option("--drum-diameter",
                   options->diameter,

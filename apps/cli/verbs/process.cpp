@@ -145,6 +145,12 @@ void add_process(CommandLine& app, Program&) {
       "Drum recordings to passages, averages, spectra, and a filter that removes the rig's "
       "response");
   verb.footer(
+      "Recordings are tables (.csv, .txt, .dat), TYDEX (.tdx), MATLAB (.mat) and files of "
+      "recorders:\n"
+      "MDF 4 (.mf4), universal files (.uff), TDMS (.tdms), RPC III (.rsp, .drv, .tim), MoTeC "
+      "(.ld).\n"
+      "In [channels] of the rig file, group = \"NAME\" chooses a group of a recorder's file, and\n"
+      "resample = \"0.5 ms\" joins its groups; latsch show FILE lists them.\n\n"
       "Examples:\n"
       "  # Writes the recordings of a rig whose dynamics are known, and processes them.\n"
       "  latsch process studies/drum_processing/rig.toml --synthetic\n"

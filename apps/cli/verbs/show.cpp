@@ -159,8 +159,9 @@ int show(const std::string& file,
 void add_show(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("show", "Shows what was read from a file: units, axes, channels");
   verb.footer(
-      "Reads TYDEX (.tdx), tables (.csv, .dat), MATLAB (.mat), MDF 4 (.mf4), universal files "
-      "(.uff),\n"
+      "Reads TYDEX (.tdx), tables (.csv, .dat), MATLAB (.mat), files of recorders: MDF 4 (.mf4),\n"
+      "universal files (.uff), TDMS (.tdms), RPC III (.rsp, .drv, .tim), MoTeC (.ld, "
+      "experimental);\n"
       "tires (.tir), roads (.crg, .rdf, .toml), decks (.inp); of a study its measurements, of any\n"
       "other .toml its numbers in SI.\n\n"
       "Examples:\n  latsch show studies/race_tire_mf/cornering.csv --html cornering.html\n"

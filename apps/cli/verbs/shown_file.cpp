@@ -171,8 +171,6 @@ ShownFile show_groups(const std::filesystem::path& path, AxisConvention axes) {
     const formats::RecordedFile file = formats::read_recorded_file(path);
     shown.kind = file.kind;
     shown.facts = file.facts;
-    for (const auto& [name, why] : file.left_out)
-      shown.facts.push_back(name + " is left out: it " + why);
     for (const formats::RecordedGroup& group : file.groups) {
       std::vector<std::string> names;
       for (const formats::RecordedChannel& channel : group.channels)

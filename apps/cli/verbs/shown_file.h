@@ -30,8 +30,8 @@ struct ShownFile {
   std::vector<report::LinePlot> plots;
 };
 
-/// Reads a file by its extension: .tdx, .tydex, .csv, .mat, .mf4, .uff, .tir, .bus, .crg, .rdf,
-/// .toml, .inp.
+/// Reads a file by its extension: .tdx, .tydex, .csv, .mat, .tir, .bus, .crg, .rdf, .toml,
+/// .inp, and those of recorder_endings().
 /// `axes` is the sign convention of the file; channels are returned in iso. Throws InputError.
 ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes);
 

@@ -23,7 +23,9 @@ in channels that something needs.
       .sentences =
           {
               {"file",
-               "File of the recording: .csv .txt .dat .mat .tdx .tda .tdb .uff .unv .mf4 .mdf."},
+               "File of the recording: .csv .txt .dat .mat .tdx .tda .tdb .uff .unv .mf4 .mdf "
+               ".tdms "
+               ".rsp .drv .tim .ld."},
               {"files",
                "Several files, one after the other, instead of `file`: `[\"a.dat\", ...]`."},
               {"struct",
@@ -31,10 +33,11 @@ in channels that something needs.
                "the dot in the columns of a .csv.",
                "the only struct with known channels"},
               {"group",
-               "Group of a .mf4 or .uff whose channels are read; `latsch show FILE` lists them.",
+               "Group of a .mf4, .uff, .tdms or .ld whose channels are read; `latsch show FILE` "
+               "lists them.",
                "the only group with known channels, else the first one"},
               {"resample",
-               "Step of time at which all groups of a .mf4 or .uff are joined, linear between "
+               "Step of time at which all groups of such a file are joined, linear between "
                "samples, over the time that all of them have; a value beside a gap is a gap.",
                "no joining"},
               {"axes", "Signs of the file.", "\"iso\""},

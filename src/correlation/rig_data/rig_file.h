@@ -8,8 +8,8 @@
 //                                        # wheel on its shaft: pulse_speed.h
 //   force = "Fz"                         # gives period and alignment; the filter is applied to it
 //   also = ["Fx"]                        # averaged too; none unless given
-//   group = "forces"                     # of a .mf4 or .uff; or resample = "0.5 ms", which joins
-//                                        # its groups
+//   group = "forces"                     # of a recorder's file: recorded_file.h; or resample =
+//                                        # "0.5 ms", which joins its groups
 //   [channels.units]                     # of files that have none (MAT)
 //   Fz = "N"
 //   [drum]

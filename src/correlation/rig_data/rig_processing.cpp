@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "formats/tables/recording.h"
 #include "measurement/bootstrap.h"
@@ -87,6 +88,27 @@ std::string unit_without_statement(const RigFile& rig, const std::string& name) 
   return name == rig.force ? "N" : "";
 }
 
+/// Adds which group of a recorder's file was taken, if the rig file names none.
+void note_group(const formats::Recording& recording,
+                const std::filesystem::path& file,
+                Ledger& ledger) {
+  if (!recording.assumed_group.empty()) {
+    LedgerRow row;
+    row.taken_as = "group";
+    row.state = LedgerState::assumed;
+    row.remark = recording.assumed_group + ", because all known channels are in it";
+    ledger.rows.push_back(std::move(row));
+  }
+  if (!recording.groups.empty())
+    ledger.doubts.push_back(
+        {"",
+         fmt::format("the file has groups with times of their own: {}; group {} is read; the rig "
+                     "file chooses one by group in [channels], or joins them by resample",
+                     list_of(recording.groups),
+                     in_quotes(recording.groups.front())),
+         {file.string(), 0}});
+}
+
 /// Returns a row for each column of a recording: time, speed or pulses, forces, and unused columns.
 Ledger ledger_of_recording(const RigFile& rig,
                            const std::filesystem::path& file,
@@ -102,6 +124,7 @@ Ledger ledger_of_recording(const RigFile& rig,
     row.column = column.place;
     row.unit_written = column.unit;
     row.unit = recording.channels.all()[k].unit;
+    row.remark = column.assumed;
     if (const auto unit = Unit::find(column.unit); unit && !column.unit.empty()) {
       row.offset = unit->to_si(0.0L);
       row.factor = unit->to_si(1.0L) - row.offset;
@@ -132,7 +155,25 @@ Ledger ledger_of_recording(const RigFile& rig,
     row.remark = "left out: " + why;
     ledger.rows.push_back(std::move(row));
   }
+  note_group(recording, file, ledger);
+  ledger.doubts.insert(ledger.doubts.end(), recording.doubts.begin(), recording.doubts.end());
   return ledger;
+}
+
+/// Throws if a channel is missing in the group that was taken without being named.
+void expect_in_group(const formats::Recording& recording,
+                     const std::filesystem::path& file,
+                     const std::vector<std::string>& needed) {
+  if (recording.groups.empty()) return;
+  for (const std::string& name : needed)
+    if (!recording.channels.find(name))
+      throw InputError({file.string(), 0},
+                       fmt::format("has no channel {} in its group {}, which is read because none "
+                                   "is named; expected group = one of {} in [channels] of the rig "
+                                   "file, or resample, which joins them",
+                                   in_quotes(name),
+                                   in_quotes(recording.groups.front()),
+                                   list_of(recording.groups)));
 }
 
 /// Returns the channels that have as many samples as the time, and the requested ones. A MAT file
@@ -145,6 +186,7 @@ DrumRecord read_record(const RigFile& rig,
   const formats::Recording recording =
       formats::read_whole_recording(file, rig.units, rig.group, rig.resampled);
   ledgers.push_back(ledger_of_recording(rig, file, recording, needed, by));
+  expect_in_group(recording, file, needed);
   for (const std::string& name : needed)
     if (const auto why = recording.left_out.find(name); why != recording.left_out.end())
       throw InputError({file.string(), recording.header_line}, why->second);

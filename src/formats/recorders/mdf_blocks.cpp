@@ -73,7 +73,7 @@ MdfBlock MdfBlocks::at(std::uint64_t position, bool may_be_open) const {
   const std::string_view rest = bytes_.substr(position);
   if (!rest.starts_with("##"))
     fail(fmt::format("where {} is, expected a block, which begins with \"##\"",
-                     in_quotes(rest.substr(0, 4))));
+                     shown_bytes(rest.substr(0, 4))));
   std::uint64_t length = 0, links = 0;
   std::memcpy(&length, rest.data() + 8, sizeof(length));
   std::memcpy(&links, rest.data() + 16, sizeof(links));

@@ -136,7 +136,7 @@ void MdfData::unpack(const MdfBlock& block, MdfBytes& bytes) {
   const auto size = block.number<std::uint64_t>(8), packed = block.number<std::uint64_t>(16);
   constexpr std::size_t kHead = 24;
   if (const auto original = block.data().substr(0, 2); original != "DT" && original != "DV")
-    block.fail(fmt::format("packs a block {}, expected DT or DV", in_quotes(original)));
+    block.fail(fmt::format("packs a block {}, expected DT or DV", shown_bytes(original)));
   if (kind > 1) block.fail(fmt::format("is packed by method {}, expected 0 or 1, deflate", kind));
   if (packed > block.data().size() - kHead)
     block.fail(fmt::format(

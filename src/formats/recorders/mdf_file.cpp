@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "formats/recorders/mdf_blocks.h"
 #include "formats/recorders/mdf_data.h"
+#include "formats/recorders/mdf_records.h"
 #include "formats/recorders/mdf_values.h"
 
 namespace latsch::formats {
@@ -21,29 +22,13 @@ namespace {
 constexpr std::size_t kIdBlock = 64;  // bytes
 constexpr std::size_t kMostChannels = 100000;
 
-/// A channel group, before its records are read.
-struct MdfGroup {
-  std::string name;
-  std::uint64_t at = 0, master_at = 0;  // positions; master_at: the group with the master, or 0
-  std::uint64_t id = 0, cycles = 0;
-  std::size_t data_bytes = 0, invalid_bytes = 0;
-  bool is_vlsd = false, is_bus = false;
-  std::uint64_t first_channel = 0;
-  std::size_t record() const { return data_bytes + invalid_bytes; }
-};
-
-struct MdfRecords {
-  std::string copy;  // the records of an unsorted data group
-  std::string_view in_file;
-  std::size_t count = 0;
-  bool is_cut = false;  // the last record of the data group is not whole
-  std::string_view view() const { return copy.empty() ? in_file : std::string_view(copy); }
-};
-
 class MdfReading {
  public:
   MdfReading(std::string_view bytes, RecordedFile& file)
-      : file_(file), blocks_(bytes, file.file), budget_(file.file, bytes.size()) {}
+      : file_(file),
+        blocks_(bytes, file.file),
+        budget_(file.file, bytes.size()),
+        sorting_(file, bytes.size()) {}
 
   void run() {
     read_id();
@@ -73,9 +58,10 @@ class MdfReading {
     const std::string_view bytes = blocks_.bytes();
     if (bytes.size() < kIdBlock) fail("is too short for an MDF file");
     is_unfinished_ = bytes.starts_with("UnFinMF ");
+    if (is_unfinished_) sorting_.set_unfinished();
     if (!is_unfinished_ && !bytes.starts_with("MDF     "))
       fail(fmt::format("begins with {}, expected \"MDF     \" or \"UnFinMF \"",
-                       in_quotes(bytes.substr(0, 8))));
+                       shown_bytes(bytes.substr(0, 8))));
     std::uint16_t version = 0;
     std::memcpy(&version, bytes.data() + 28, sizeof(version));
     if (version < 400)
@@ -128,85 +114,9 @@ class MdfReading {
     if (id_bytes == 0) {
       records[0].in_file = bytes.view();
     } else {
-      sort_records(bytes.view(), id_bytes, groups, block, records);
+      sorting_.sort(bytes.view(), id_bytes, groups, block, records);
     }
     for (std::size_t i = 0; i < groups.size(); ++i) take_group(groups[i], records[i]);
-  }
-
-  /// Copies the records of each channel group behind one another. A last record that is cut off is
-  /// left out.
-  void sort_records(std::string_view bytes,
-                    std::size_t id_bytes,
-                    const std::vector<MdfGroup>& groups,
-                    const MdfBlock& block,
-                    std::vector<MdfRecords>& records) {
-    std::map<std::uint64_t, std::size_t> by_id;
-    for (std::size_t i = 0; i < groups.size(); ++i)
-      if (!by_id.insert({groups[i].id, i}).second)
-        block.fail(fmt::format("has two channel groups of record id {}", groups[i].id));
-    while (bytes.size() >= id_bytes && !bytes.empty()) {
-      std::uint64_t id = 0;
-      std::memcpy(&id, bytes.data(), id_bytes);
-      const auto found = by_id.find(id);
-      if (found == by_id.end())
-        block.fail(fmt::format("has a record of id {}, which is no channel group of it", id));
-      bytes.remove_prefix(id_bytes);
-      const MdfGroup& group = groups[found->second];
-      std::size_t size = group.record();
-      if (group.is_vlsd) {
-        std::uint32_t length = 0;
-        if (bytes.size() < sizeof(length)) break;
-        std::memcpy(&length, bytes.data(), sizeof(length));
-        size = sizeof(length) + length;
-      }
-      if (bytes.size() < size) {
-        cut_off(group);
-        for (MdfRecords& one : records) one.is_cut = true;
-        break;
-      }
-      if (!group.is_vlsd) records[found->second].copy += bytes.substr(0, size);
-      bytes.remove_prefix(size);
-    }
-  }
-
-  void cut_off(const MdfGroup& group) {
-    if (!is_unfinished_)
-      file_.doubts.push_back("the last record of group " + in_quotes(group.name) +
-                             " is cut off and is not read");
-  }
-
-  /// Sets the number of records. Throws if a finished file has fewer than it states.
-  void count_records(const MdfGroup& group, MdfRecords& records) {
-    const std::size_t bytes = records.view().size(), size = group.record();
-    if (size == 0) {
-      if (bytes > 0)
-        fail(fmt::format("has group {} with a record size of 0", in_quotes(group.name)));
-      // virtual channels alone: they need no bytes, but every number of theirs counts as memory
-      if (group.cycles > blocks_.bytes().size())
-        fail(fmt::format(
-            "has group {} with {} records of 0 bytes", in_quotes(group.name), group.cycles));
-      records.count = group.cycles;
-      return;
-    }
-    const std::size_t whole = bytes / size;
-    if (is_unfinished_ || records.is_cut || (group.cycles == 0 && whole > 0)) {
-      records.count = whole;
-      if (!is_unfinished_ && !records.is_cut)
-        file_.doubts.push_back(fmt::format(
-            "group {} states 0 records, but has {}: they are read", in_quotes(group.name), whole));
-      return;
-    }
-    if (whole < group.cycles)
-      fail(fmt::format("has {} records of group {}, expected {}: is the file cut off?",
-                       whole,
-                       in_quotes(group.name),
-                       group.cycles));
-    records.count = group.cycles;
-    if (whole > group.cycles)
-      file_.doubts.push_back(fmt::format("group {} has {} records, but states {}: those are read",
-                                         in_quotes(group.name),
-                                         whole,
-                                         group.cycles));
   }
 
   void take_group(const MdfGroup& group, MdfRecords& records) {
@@ -215,7 +125,7 @@ class MdfReading {
       leave_out(group.name, "holds frames of a bus: convert them to channels first");
       return;
     }
-    count_records(group, records);
+    sorting_.count(group, records);
     RecordedGroup read{group.name, {}, false};
     MdfChain chain;
     for (std::uint64_t at = group.first_channel; at != 0;) {
@@ -394,6 +304,7 @@ class MdfReading {
   RecordedFile& file_;
   MdfBlocks blocks_;
   NumberBudget budget_;
+  MdfRecordSorting sorting_;
   bool is_unfinished_ = false;
   int group_count_ = 0;
   std::size_t channel_count_ = 0;

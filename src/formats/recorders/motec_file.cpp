@@ -37,11 +37,12 @@ class MotecReading {
                        fmt::format("has {} bytes and begins with {}, expected the header of a "
                                    "MoTeC log, which begins with the number 64",
                                    bytes_.size(),
-                                   in_quotes(bytes_.substr(0, 4))));
+                                   shown_bytes(bytes_.substr(0, 4))));
     constexpr std::pair<const char*, std::size_t> kTexts[] = {
         {"date", 0x5e}, {"time", 0x7e}, {"driver", 0x9e}, {"vehicle", 0xde}, {"venue", 0x15e}};
     for (const auto& [what, at] : kTexts)
-      if (const std::string text = recorded_text(bytes_.substr(at, at < 0x9e ? 16 : 64), file_.file);
+      if (const std::string text =
+              recorded_text(bytes_.substr(at, at < 0x9e ? 16 : 64), file_.file);
           !text.empty())
         file_.facts.push_back(fmt::format("{}: {}", what, text));
     std::set<std::size_t> seen;
@@ -88,9 +89,10 @@ class MotecReading {
 
   /// Returns why a channel is left out, to follow its name; empty if it is read.
   static std::string fault_of(const MotecChannel& channel) {
-    const bool is_known = channel.kind == 0 || channel.kind == 3 || channel.kind == 5 ||
-                          channel.kind == 7;
-    if (!is_known) return fmt::format("has numbers of kind {}, expected 0, 3, 5 or 7", channel.kind);
+    const bool is_known =
+        channel.kind == 0 || channel.kind == 3 || channel.kind == 5 || channel.kind == 7;
+    if (!is_known)
+      return fmt::format("has numbers of kind {}, expected 0, 3, 5 or 7", channel.kind);
     if (channel.bytes != 2 && channel.bytes != 4)
       return fmt::format("has numbers of {} bytes, expected 2 or 4", channel.bytes);
     if (channel.rate == 0) return "has a rate of 0 Hz";
@@ -139,8 +141,7 @@ class MotecReading {
     if (!is_new) return file_.groups[found->second];
     budget_.take(samples);
     RecordedChannel time{"time", "s"};
-    for (std::size_t i = 0; i < samples; ++i)
-      time.values.push_back(static_cast<double>(i) / rate);
+    for (std::size_t i = 0; i < samples; ++i) time.values.push_back(static_cast<double>(i) / rate);
     file_.groups.push_back({fmt::format("{} Hz", rate), {std::move(time)}, true});
     return file_.groups.back();
   }

@@ -28,19 +28,18 @@ constexpr std::size_t kMostNameBytes = 4096;                    // longer names 
 using RecorderReader = RecordedFile (*)(std::string_view, std::string);
 
 const std::vector<std::pair<std::string, RecorderReader>>& recorder_readers() {
-  static const std::vector<std::pair<std::string, RecorderReader>> readers = {
-      {".uff", parse_uff},
-      {".unv", parse_uff},
-      {".uf", parse_uff},
-      {".bunv", parse_uff},
-      {".mf4", parse_mdf},
-      {".mdf", parse_mdf},
-      {".tdms", parse_tdms},
-      {".rsp", parse_rpc},
-      {".drv", parse_rpc},
-      {".tim", parse_rpc},
-      {".rpc", parse_rpc},
-      {".ld", parse_motec}};
+  static const std::vector<std::pair<std::string, RecorderReader>> readers = {{".uff", parse_uff},
+                                                                              {".unv", parse_uff},
+                                                                              {".uf", parse_uff},
+                                                                              {".bunv", parse_uff},
+                                                                              {".mf4", parse_mdf},
+                                                                              {".mdf", parse_mdf},
+                                                                              {".tdms", parse_tdms},
+                                                                              {".rsp", parse_rpc},
+                                                                              {".drv", parse_rpc},
+                                                                              {".tim", parse_rpc},
+                                                                              {".rpc", parse_rpc},
+                                                                              {".ld", parse_motec}};
   return readers;
 }
 
@@ -100,6 +99,13 @@ std::string recorded_text(std::string_view bytes, const std::string& file) {
   return std::string(trimmed(text));
 }
 
+std::string shown_bytes(std::string_view bytes) {
+  constexpr std::size_t kMostShown = 20;
+  std::string shown = "\"";
+  for (const char c : bytes.substr(0, kMostShown)) shown += c >= 0x20 && c < 0x7f ? c : '.';
+  return shown + (bytes.size() > kMostShown ? "...\"" : "\"");
+}
+
 void tell_equal_names_apart(RecordedGroup& group) {
   std::set<std::string> names;
   std::map<std::string, int> counts;
@@ -124,7 +130,10 @@ void check_recorded(RecordedFile& file) {
     throw InputError({file.file, 0},
                      in_quotes(file.left_out.begin()->first) + " " + file.left_out.begin()->second +
                          ", and no other channel is left");
-  if (file.groups.empty()) throw InputError({file.file, 0}, "has no channel of numbers");
+  if (file.groups.empty())
+    throw InputError(
+        {file.file, 0},
+        "has no channel of numbers" + (file.doubts.empty() ? "" : ": " + file.doubts.front()));
   std::set<std::string> names;
   std::map<std::string, int> counts;
   for (RecordedGroup& group : file.groups) {

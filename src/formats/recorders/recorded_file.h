@@ -60,6 +60,8 @@ class NumberBudget {
 /// Returns a name or unit of a file as UTF-8, up to the first zero byte, without control characters
 /// and blanks around it. Bytes that are no UTF-8 are taken as Windows-1252.
 std::string recorded_text(std::string_view bytes, const std::string& file);
+/// Returns bytes of a file in quotes for a message: at most 20, the unprintable ones as dots.
+std::string shown_bytes(std::string_view bytes);
 /// Adds " #2", " #3" and so on to names that occur again in a group and leaves a remark.
 void tell_equal_names_apart(RecordedGroup& group);
 /// Throws if no group has a channel, and adds a doubt if the abscissa of a group falls back or has

@@ -261,7 +261,9 @@ TEST_F(WrittenRecordings, OfTdmsWithWrongLengthsAreRefusedInWords) {
   const std::size_t count = plain.find("/'hub'/'Fz'") + 11 + 12;
   EXPECT_THAT(refusal_of(with_number(plain, count, std::uint64_t{1} << 63), parse_tdms),
               HasSubstr("states 9223372036854775808 values of \"Fz\""));
-  EXPECT_THAT(refusal_of(plain.substr(second), parse_tdms), HasSubstr("but no channel with values"));
+  EXPECT_THAT(refusal_of(plain.substr(second), parse_tdms),
+              HasSubstr("but no channel with values"));
+  EXPECT_THAT(refusal_of("", parse_tdms), HasSubstr("is empty"));
 }
 
 TEST(TdmsPath, HasQuotesWrittenTwice) {
@@ -305,7 +307,8 @@ TEST_F(WrittenRecordings, OfMotecWhoseChainReturnsAreRefused) {
   EXPECT_THAT(refusal_of(looped, parse_motec), HasSubstr("is linked twice"));
   EXPECT_THAT(refusal_of(plain.substr(0, first + 20), parse_motec),
               HasSubstr("is behind the end of the file"));
-  EXPECT_THAT(refusal_of(plain.substr(8), parse_motec), HasSubstr("expected the header of a MoTeC"));
+  EXPECT_THAT(refusal_of(plain.substr(8), parse_motec),
+              HasSubstr("expected the header of a MoTeC"));
   EXPECT_THAT(parse_motec(plain, "log").doubts.back(), HasSubstr("has no public text"));
 }
 

@@ -11,7 +11,7 @@ namespace latsch::formats {
 
 /// Kind of a number of 1 to 8 bytes.
 struct RecordedKind {
-  unsigned bytes = 8;  // of a floating-point number 2, 4 or 8
+  unsigned bytes = 8;  // floating-point numbers have 2, 4 or 8
   bool is_real = true, is_signed = true, is_big_endian = false;
 };
 

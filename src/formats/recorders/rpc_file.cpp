@@ -26,13 +26,12 @@ class RpcHeader {
       fail(fmt::format("has {} bytes, expected a header block of 512 or more", bytes.size()));
     if (key_at(bytes, 0) != "FORMAT")
       fail(fmt::format("begins with {}, expected the keyword \"FORMAT\" of an RPC III file",
-                       in_quotes(bytes.substr(0, 8))));
+                       shown_bytes(bytes.substr(0, 8))));
     for (std::size_t i = 0; i < 3; ++i) take(bytes, i);
     const double blocks = number("NUM_HEADER_BLOCKS", 1.0, 1e6);
     if (blocks * kRpcBlock > static_cast<double>(bytes.size()))
-      fail(fmt::format("states {:.0f} header blocks of 512 bytes, but has {} bytes",
-                       blocks,
-                       bytes.size()));
+      fail(fmt::format(
+          "states {:.0f} header blocks of 512 bytes, but has {} bytes", blocks, bytes.size()));
     size_ = static_cast<std::size_t>(blocks) * kRpcBlock;
     const double records = number("NUM_PARAMS", 3.0, blocks * 4.0);
     for (std::size_t i = 3; i < static_cast<std::size_t>(records); ++i) take(bytes, i);
@@ -86,7 +85,7 @@ class RpcHeader {
   std::map<std::string, std::string> records_;
 };
 
-/// How the samples lie in the file.
+/// Layout of the samples in the file.
 struct RpcLayout {
   RecordedKind kind;
   std::size_t channels = 0, frame = 0, group = 0, frames = 0;  // frame, group: samples
@@ -122,7 +121,8 @@ RpcLayout rpc_layout(const RpcHeader& header, std::size_t bytes, RecordedFile& f
     type = "SHORT_INTEGER";
   }
   if (type != "SHORT_INTEGER" && type != "FLOATING_POINT")
-    header.fail("has DATA_TYPE = " + in_quotes(type) + ", expected SHORT_INTEGER or FLOATING_POINT");
+    header.fail("has DATA_TYPE = " + in_quotes(type) +
+                ", expected SHORT_INTEGER or FLOATING_POINT");
   const bool is_real = type == "FLOATING_POINT";
   layout.kind = {is_real ? 4u : 2u, is_real, true, header.text("FORMAT") == "BINARY_IEEE_BIG_END"};
   layout.channels = header.count("CHANNELS", kMostRpcChannels);
@@ -156,8 +156,7 @@ class RpcReading {
     std::vector<std::size_t> groups = group_lengths();  // samples of each group in the file
     RecordedGroup group{"time history", {}, true};
     group.channels.push_back({"time", "s"});
-    for (std::size_t i = 0; i < layout_.channels; ++i)
-      group.channels.push_back(channel(i, groups));
+    for (std::size_t i = 0; i < layout_.channels; ++i) group.channels.push_back(channel(i, groups));
     std::size_t samples = std::min(stored_, layout_.samples());
     samples = without_filling(group, samples);
     budget_.take(samples);

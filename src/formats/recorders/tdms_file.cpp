@@ -142,8 +142,8 @@ class TdmsGroups {
     for (std::size_t i = 0; i < samples; ++i)
       abscissa.values.push_back(begin + wave.first + static_cast<double>(i) * wave.step);
     if (is_time && shift > 0.0)
-      abscissa.remark = fmt::format(
-          "begins {:g} s after the first channel of the file (wf_start_time)", shift);
+      abscissa.remark =
+          fmt::format("begins {:g} s after the first channel of the file (wf_start_time)", shift);
     return abscissa;
   }
 

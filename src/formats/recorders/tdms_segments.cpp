@@ -12,19 +12,19 @@
 namespace latsch::formats {
 namespace {
 
-constexpr std::size_t kLeadIn = 28;                              // bytes
-constexpr std::size_t kMostObjects = 100000;                     // in a file
-constexpr std::uint64_t kMostValues = std::uint64_t{1} << 48;    // of an object in a chunk
+constexpr std::size_t kLeadIn = 28;                            // bytes
+constexpr std::size_t kMostObjects = 100000;                   // in a file
+constexpr std::uint64_t kMostValues = std::uint64_t{1} << 48;  // an object has fewer in a chunk
 constexpr std::uint32_t kDescribes = 1u << 1, kNewList = 1u << 2, kHasData = 1u << 3;
 constexpr std::uint32_t kInterleaved = 1u << 5, kBigEndian = 1u << 6, kDaqmx = 1u << 7;
-constexpr std::uint32_t kNoData = 0xffffffffu, kAsBefore = 0;    // in the place of an index
-constexpr std::uint64_t kOpenEnd = 0xffffffffffffffffu;          // length of an unclosed segment
+constexpr std::uint32_t kNoData = 0xffffffffu, kAsBefore = 0;  // in the place of an index
+constexpr std::uint64_t kOpenEnd = 0xffffffffffffffffu;        // length of an unclosed segment
 constexpr std::uint32_t kText = 0x20, kStamp = 0x44;
 
 /// A type of values: how it is stored, or why its channels are left out.
 struct TdmsType {
   std::uint32_t number;
-  unsigned bytes;  // of a value; 0: not known
+  unsigned bytes;  // a value has so many; 0: not known
   bool is_real, is_signed;
   const char* fault;  // nullptr: it is read
 };
@@ -53,9 +53,8 @@ constexpr std::array<TdmsType, 21> kTdmsTypes = {{
 }};
 
 const TdmsType* tdms_type(std::uint32_t number) {
-  const auto found = std::find_if(kTdmsTypes.begin(), kTdmsTypes.end(), [&](const auto& one) {
-    return one.number == number;
-  });
+  const auto found = std::find_if(
+      kTdmsTypes.begin(), kTdmsTypes.end(), [&](const auto& one) { return one.number == number; });
   return found == kTdmsTypes.end() ? nullptr : &*found;
 }
 
@@ -117,6 +116,7 @@ std::optional<std::vector<std::string>> tdms_names(std::string_view path) {
 
 TdmsSegments::TdmsSegments(std::string_view bytes, RecordedFile& file)
     : bytes_(bytes), file_(file), budget_(file.file, bytes.size()) {
+  if (bytes.empty()) throw InputError({file.file, 0}, "is empty, expected a TDMS file");
   walk();
   is_counting_ = false;
   for (TdmsObject& object : objects_) {
@@ -144,16 +144,18 @@ void TdmsSegments::doubt(const std::string& sentence) {
 void TdmsSegments::walk() {
   for (std::size_t at = 0; at < bytes_.size();) {
     if (at > 0 && bytes_.size() - at < kLeadIn) {
-      doubt(fmt::format("the file is cut off: its last {} bytes are no whole segment and are not "
-                        "read",
-                        bytes_.size() - at));
+      doubt(
+          fmt::format("the file is cut off: its last {} bytes are no whole segment and are not "
+                      "read",
+                      bytes_.size() - at));
       return;
     }
     const Segment segment = lead_in(at);
     if (!take_description(segment)) {
-      doubt(fmt::format("the file is cut off within the description of its last segment, at byte "
-                        "{}, which is not read",
-                        segment.at));
+      doubt(
+          fmt::format("the file is cut off within the description of its last segment, at byte "
+                      "{}, which is not read",
+                      segment.at));
       return;
     }
     take_data(segment);
@@ -168,7 +170,7 @@ TdmsSegments::Segment TdmsSegments::lead_in(std::size_t at) {
   if (rest.starts_with("TDSh"))
     fail(segment, "begins with \"TDSh\": this is an index without numbers, read the .tdms of it");
   if (rest.size() < kLeadIn || !rest.starts_with("TDSm"))
-    fail(segment, fmt::format("begins with {}, expected \"TDSm\"", in_quotes(rest.substr(0, 4))));
+    fail(segment, fmt::format("begins with {}, expected \"TDSm\"", shown_bytes(rest.substr(0, 4))));
   segment.contents = static_cast<std::uint32_t>(recorded_integer(rest.data() + 4, 4, false));
   segment.is_big_endian = segment.contents & kBigEndian;
   const auto number = [&](std::size_t offset, unsigned size) {
@@ -200,13 +202,15 @@ TdmsSegments::Segment TdmsSegments::lead_in(std::size_t at) {
                      left,
                      next));
   if (length == kOpenEnd) {
-    doubt("the file was not closed: its last segment states no length and is read up to its last "
-          "whole record");
+    doubt(
+        "the file was not closed: its last segment states no length and is read up to its last "
+        "whole record");
   } else {
-    doubt(fmt::format("the file is cut off: its last segment states {} bytes and has {}, and is "
-                      "read up to its last whole record",
-                      length,
-                      left));
+    doubt(
+        fmt::format("the file is cut off: its last segment states {} bytes and has {}, and is "
+                    "read up to its last whole record",
+                    length,
+                    left));
   }
   return segment;
 }
@@ -222,7 +226,8 @@ bool TdmsSegments::take_description(const Segment& segment) {
   Description description(bytes_.substr(begin, segment.data_at - begin), segment.is_big_endian);
   const std::uint32_t count = description.word();
   bool is_whole = !description.ended();
-  for (std::uint32_t i = 0; is_whole && i < count; ++i) is_whole = take_object(segment, description);
+  for (std::uint32_t i = 0; is_whole && i < count; ++i)
+    is_whole = take_object(segment, description);
   if (!is_whole && !segment.is_open) fail(segment, "ends within the description of its objects");
   if (is_whole) list_data(segment);
   return is_whole;
@@ -235,7 +240,8 @@ bool TdmsSegments::take_object(const Segment& segment, Description& description)
   auto found = by_path_.find(path);
   if (found == by_path_.end()) {
     const auto names = tdms_names(path);
-    if (!names) fail(segment, "has an object " + in_quotes(path) + ", expected \"/'group'/'name'\"");
+    if (!names)
+      fail(segment, "has an object " + shown_bytes(path) + ", expected \"/'group'/'name'\"");
     if (objects_.size() == kMostObjects)
       fail(segment, fmt::format("brings more than {} objects", kMostObjects));
     found = by_path_.emplace(path, objects_.size()).first;
@@ -266,7 +272,7 @@ bool TdmsSegments::take_object(const Segment& segment, Description& description)
                         number);
       if (!number.empty()) property.number = number[0];
     } else if (!description.ended()) {
-      fail(segment, fmt::format("has a property {} of type {:#x}", in_quotes(name), type));
+      fail(segment, fmt::format("has a property {} of type {:#x}", shown_bytes(name), type));
     }
     if (!description.ended()) object.properties[name] = std::move(property);
   }
@@ -332,10 +338,11 @@ void TdmsSegments::take_data(const Segment& segment) {
   const bool is_interleaved = segment.contents & kInterleaved;
   const std::size_t rest = is_interleaved ? take_rows(segment) : take_chunks(segment);
   if (rest > 0)
-    doubt(fmt::format("the last {} bytes of the segment at byte {} are no whole {} and are not read",
-                      rest,
-                      segment.at,
-                      is_interleaved ? "record" : "chunk of its channels"));
+    doubt(
+        fmt::format("the last {} bytes of the segment at byte {} are no whole {} and are not read",
+                    rest,
+                    segment.at,
+                    is_interleaved ? "record" : "chunk of its channels"));
 }
 
 /// Takes values that stand sample by sample; returns the number of bytes behind the last whole one.

@@ -42,12 +42,12 @@ struct TdmsIndex {
 
 /// The file, a group or a channel.
 struct TdmsObject {
-  std::vector<std::string> names;  // of group and channel; none: the file
+  std::vector<std::string> names;  // group and channel; none: the file
   std::map<std::string, TdmsProperty> properties;
   std::optional<TdmsIndex> index;  // the last one
   bool is_listed = false, has_data = false;
   std::uint64_t count = 0;     // values in all segments
-  std::vector<double> values;  // of a channel that can be read
+  std::vector<double> values;  // empty if the channel cannot be read
   std::string fault;           // why not, to follow the name
 };
 

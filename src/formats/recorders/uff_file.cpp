@@ -4,94 +4,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <tuple>
 
 #include "base/error.h"
 #include "base/text.h"
-#include "base/unit_reading.h"
-#include "formats/recorders/uff_numbers.h"
+#include "formats/recorders/uff_channels.h"
 
 namespace latsch::formats {
 namespace {
 
+constexpr std::size_t kLeastBytes = 1;  // a number in a text has one digit at least
 constexpr std::size_t kHeadLines = 11;  // lines of a data set 58 behind its number
 constexpr std::size_t kMostSets = 100000;
-
-/// Kinds of quantities by their number in the records of axes, with the exponents of length, force
-/// and temperature in the text of the format.
-struct UffQuantity {
-  long number;
-  const char* si_unit;
-  int length, force;
-};
-constexpr std::array<UffQuantity, 11> kQuantities = {{{2, "Pa", -2, 1},
-                                                      {8, "m", 1, 0},
-                                                      {9, "N", 0, 1},
-                                                      {11, "m s^-1", 1, 0},
-                                                      {12, "m s^-2", 1, 0},
-                                                      {13, "N", 0, 1},
-                                                      {15, "Pa", -2, 1},
-                                                      {16, "kg", -1, 1},
-                                                      {17, "s", 0, 0},
-                                                      {18, "Hz", 0, 0},
-                                                      {3, "1", 0, 0}}};
-
-struct UffAxis {
-  long quantity = 0;
-  std::string label, unit;
-};
-
-struct UffPoint {
-  double x = 0.0, y = 0.0, z = 0.0;  // in the file's unit of length
-};
-
-/// One function, before its unit is known.
-struct UffFunction {
-  long kind = 0;
-  std::string title;
-  long point = 0, direction = 0, reference_point = 0, reference_direction = 0;
-  UffLayout layout;
-  std::size_t samples = 0;
-  double first = 0.0, step = 0.0;
-  UffAxis abscissa, ordinate, denominator;
-  std::vector<double> numbers;
-  int line = 0;
-};
-
-const char* word_of_function(long kind) {
-  switch (kind) {
-    case 1:
-      return "";
-    case 2:
-      return "auto spectrum ";
-    case 3:
-      return "cross spectrum ";
-    case 4:
-      return "frf ";
-    case 6:
-      return "coherence ";
-    case 12:
-      return "spectrum ";
-    default:
-      return nullptr;
-  }
-}
-
-std::string degree_of_freedom(long point, long direction) {
-  static constexpr std::array<const char*, 7> kAxes = {"", "X", "Y", "Z", "RX", "RY", "RZ"};
-  if (direction < -6 || direction > 6) return fmt::format("{}:{}", point, direction);
-  const char* sign = direction < 0 ? "-" : direction > 0 ? "+" : "";
-  return fmt::format("{}{}{}", point, sign, kAxes[static_cast<std::size_t>(std::abs(direction))]);
-}
 
 class UffReading {
  public:
   UffReading(std::string_view bytes, RecordedFile& file)
-      : bytes_(bytes), file_(file), budget_(file.file, bytes.size()) {}
+      : bytes_(bytes), file_(file), budget_(file.file, bytes.size()), channels_(file, budget_) {}
 
   void run() {
     std::string_view line;
@@ -99,11 +29,11 @@ class UffReading {
     while (next(line)) {
       if (trimmed(line).empty()) continue;
       if (!is_mark(line))
-        fail(fmt::format("is {}, expected \"    -1\", which begins a data set", in_quotes(line)));
+        fail(fmt::format("is {}, expected \"    -1\", which begins a data set", shown_bytes(line)));
       if (++sets > kMostSets) fail(fmt::format("has more than {} data sets", kMostSets));
       take_set();
     }
-    for (UffFunction& function : functions_) add(function);
+    for (UffFunction& function : functions_) channels_.add(function);
   }
 
  private:
@@ -143,7 +73,7 @@ class UffReading {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
       fail(fmt::format("has {} in columns {} to {}, expected an integer, {}",
-                       in_quotes(text),
+                       shown_bytes(text),
                        from + 1,
                        from + width,
                        what));
@@ -159,7 +89,7 @@ class UffReading {
     if (text.empty()) return 0.0;
     if (!take_uff_line(text, {width}, 1, one) || !std::isfinite(one[0]))
       fail(fmt::format("has {} in columns {} to {}, expected {}",
-                       in_quotes(text),
+                       shown_bytes(text),
                        from + 1,
                        from + width,
                        what));
@@ -205,8 +135,7 @@ class UffReading {
           factors.push_back(number(line, 25 * i, 25, "a factor of a unit"));
     if (factors.size() < 2 || !(factors[0] > 0.0) || !(factors[1] > 0.0))
       fail("ends data set 164 without factors of length and force above 0");
-    length_ = factors[0];
-    force_ = factors[1];
+    channels_.set_units(factors[0], factors[1]);
   }
 
   void take_points(long type) {
@@ -220,7 +149,7 @@ class UffReading {
         const std::string_view place = expect_line("the coordinates of a point");
         point = {number(place, 0, 25, "x"), number(place, 25, 25, "y"), number(place, 50, 25, "z")};
       }
-      points_[label] = point;
+      channels_.set_point(label, point);
     }
   }
 
@@ -261,9 +190,9 @@ class UffReading {
     function.layout.is_double = type == 4 || type == 6;
     function.layout.is_complex = type >= 5;
     const long samples = integer(form, 10, 10, "the number of samples");
-    if (samples < 0 || static_cast<std::size_t>(samples) > bytes_.size())
-      fail(fmt::format("states {} samples, but the file has {} bytes", samples, bytes_.size()));
+    if (samples < 0) fail(fmt::format("states {} samples, expected 0 or more", samples));
     function.samples = static_cast<std::size_t>(samples);
+    expect_room(function.samples, kLeastBytes);
     function.layout.is_even = integer(form, 20, 10, "1 for an even abscissa") != 0;
     function.first = number(form, 30, 13, "the first abscissa");
     function.step = number(form, 43, 13, "the step of the abscissa");
@@ -277,14 +206,22 @@ class UffReading {
     return function;
   }
 
+  /// Throws if the samples need more bytes than are left in the file.
+  void expect_room(std::size_t samples, std::size_t bytes_each) const {
+    const std::size_t left = bytes_.size() - std::min(at_, bytes_.size());
+    if (samples > left / bytes_each)
+      fail(
+          fmt::format("states {} samples, which are {:.0f} bytes or more, but {} bytes are left: "
+                      "the file is cut off",
+                      samples,
+                      static_cast<double>(samples) * static_cast<double>(bytes_each),
+                      left));
+  }
+
   void take_text() {
     UffFunction function = head();
     const std::size_t wanted = function.samples * function.layout.per_sample();
-    // a number of the file takes two bytes at least, with what separates it
-    if (wanted > bytes_.size())
-      fail_at(function.line,
-              fmt::format(
-                  "states {} samples, but the file has {} bytes", function.samples, bytes_.size()));
+    expect_room(function.samples, function.layout.per_sample() * kLeastBytes);
     budget_.take(wanted);
     function.numbers.reserve(wanted);
     const std::vector<std::size_t> widths = function.layout.widths();
@@ -292,7 +229,7 @@ class UffReading {
       const std::string_view line = expect_line("all its numbers");
       if (!take_uff_line(line, widths, wanted - function.numbers.size(), function.numbers))
         fail(fmt::format("is {}, expected {} numbers",
-                         in_quotes(line),
+                         shown_bytes(line),
                          std::min(widths.size(), wanted - function.numbers.size())));
     }
     expect_end(function);
@@ -346,10 +283,7 @@ class UffReading {
       is_short = try_short;
       return size;
     }
-    if (least == 0 && function.samples > 0)
-      fail(fmt::format("states {} samples where {} bytes are left: the file is cut off",
-                       function.samples,
-                       left));
+    if (least == 0) expect_room(function.samples, uff_sample_bytes(function.layout, true));
     fail(
         fmt::format("states {} bytes for {} samples, but no end of the data set follows their "
                     "numbers",
@@ -373,137 +307,13 @@ class UffReading {
                        function.samples));
   }
 
-  /// Returns the unit of an axis in words of UDUNITS. If the label is no unit, it follows from the
-  /// kind of quantity and the factors of data set 164.
-  std::string unit_of(const UffAxis& axis, const UffFunction& function, std::string& remark) {
-    const auto known =
-        std::find_if(kQuantities.begin(), kQuantities.end(), [&](const UffQuantity& one) {
-          return one.number == axis.quantity;
-        });
-    const bool is_known = known != kQuantities.end();
-    const double factor =
-        is_known ? std::pow(length_, known->length) * std::pow(force_, known->force) : 1.0;
-    if (!axis.unit.empty()) {
-      if (!is_known) return axis.unit;
-      const auto unit = find_unit(axis.unit, Unit::of(known->si_unit));
-      if (!unit || !unit->same_dimension(Unit::of(known->si_unit))) return axis.unit;
-      const double in_si = unit->to_si(1.0L) * factor;
-      constexpr double kRounding = 1e-4;
-      if (factor != 1.0 && std::abs(in_si - 1.0) > kRounding && !is_doubted_) {
-        is_doubted_ = true;
-        file_.doubts.push_back(
-            fmt::format("the label of an axis says {} (line {}), which is not the unit of data set "
-                        "164: the label is taken",
-                        in_quotes(axis.unit),
-                        function.line));
-      }
-      return unit->text();
-    }
-    if (!is_known) return "";
-    remark = "the unit is that of data set 164 for the kind of quantity";
-    if (factor == 1.0) return known->si_unit;
-    return fmt::format("{} {}", format_number(1.0 / factor), known->si_unit);
-  }
-
-  std::string place_of(long label) const {
-    const auto point = points_.find(label);
-    if (point == points_.end()) return "";
-    return fmt::format("point {} at {:.6g}, {:.6g}, {:.6g} m",
-                       label,
-                       point->second.x / length_,
-                       point->second.y / length_,
-                       point->second.z / length_);
-  }
-
-  std::string name_of(const UffFunction& function) const {
-    std::string name = word_of_function(function.kind);
-    if (function.point == 0 && function.direction == 0 && !function.title.empty())
-      return name + function.title;
-    name += degree_of_freedom(function.point, function.direction);
-    if (function.kind == 3 || function.kind == 4 || function.kind == 6)
-      name += "/" + degree_of_freedom(function.reference_point, function.reference_direction);
-    return name;
-  }
-
-  /// Returns the group with the abscissa of the function; makes one if there is none.
-  RecordedGroup& group_of(const UffFunction& function) {
-    const std::size_t per = function.layout.per_sample();
-    std::vector<double> abscissa(function.samples);
-    for (std::size_t i = 0; i < function.samples; ++i)
-      abscissa[i] = function.layout.is_even
-                        ? function.first + static_cast<double>(i) * function.step
-                        : function.numbers[i * per];
-    const bool is_time = function.kind == 1;
-    const std::string name = is_time ? "time" : "frequency";
-    const auto key_of = [](double value) { return std::isnan(value) ? 0.0 : value; };
-    std::vector<std::size_t>& alike =
-        groups_alike_[{name, function.samples, key_of(abscissa.front()), key_of(abscissa.back())}];
-    for (const std::size_t one : alike)
-      if (file_.groups[one].channels.front().values == abscissa) return file_.groups[one];
-    budget_.take(function.samples);
-    alike.push_back(file_.groups.size());
-    RecordedChannel channel{name, function.abscissa.unit, std::move(abscissa), ""};
-    const auto unit = find_unit(channel.unit, Unit::of(is_time ? "s" : "Hz"));
-    if (channel.unit.empty()) {
-      channel.unit = is_time ? "s" : "Hz";
-      channel.remark = "the file states no unit of the abscissa: " + channel.unit + " is taken";
-    } else if (unit) {
-      channel.unit = unit->text();
-    }
-    file_.groups.push_back({fmt::format("{} {}", name, ++groups_[name]), {}, true});
-    file_.groups.back().channels.push_back(std::move(channel));
-    return file_.groups.back();
-  }
-
-  void add(UffFunction& function) {
-    if (!word_of_function(function.kind)) {
-      file_.left_out[fmt::format("function in line {}", function.line)] =
-          fmt::format("is of type {}, expected 1, 2, 3, 4, 6 or 12", function.kind);
-      return;
-    }
-    if (function.samples == 0) {
-      file_.doubts.push_back(fmt::format("the function in line {} has no sample", function.line));
-      return;
-    }
-    RecordedGroup& group = group_of(function);
-    RecordedChannel channel{name_of(function)};
-    channel.unit = unit_of(function.ordinate, function, channel.remark);
-    std::string unused;
-    if (const std::string below = unit_of(function.denominator, function, unused);
-        !below.empty() && below != "1" && function.kind == 4)
-      channel.unit = fmt::format("({})/({})", channel.unit.empty() ? "1" : channel.unit, below);
-    if (const std::string place = place_of(function.point); !place.empty())
-      channel.remark += (channel.remark.empty() ? "" : "; ") + place;
-    if (!function.title.empty() && channel.name.find(function.title) == std::string::npos)
-      channel.remark += (channel.remark.empty() ? "" : "; ") + in_quotes(function.title);
-    const std::size_t per = function.layout.per_sample();
-    const std::size_t skip = function.layout.is_even ? 0 : 1;
-    const auto take = [&](const char* part, std::size_t offset) {
-      RecordedChannel one = channel;
-      one.name += part;
-      one.values.reserve(function.samples);
-      for (std::size_t i = 0; i < function.samples; ++i)
-        one.values.push_back(function.numbers[i * per + skip + offset]);
-      group.channels.push_back(std::move(one));
-    };
-    budget_.take(function.samples * (per - skip));
-    take(function.layout.is_complex ? " real" : "", 0);
-    if (function.layout.is_complex) take(" imag", 1);
-    function.numbers = {};
-  }
-
   std::string_view bytes_;
   RecordedFile& file_;
   NumberBudget budget_;
+  UffChannels channels_;
   std::size_t at_ = 0;
   int line_ = 0;
-  double length_ = 1.0, force_ = 1.0;  // data set 164: SI = number / factor
-  bool is_doubted_ = false;
-  std::map<long, UffPoint> points_;
   std::map<long, int> skipped_;
-  std::map<std::string, int> groups_;
-  std::map<std::tuple<std::string, std::size_t, double, double>, std::vector<std::size_t>>
-      groups_alike_;
   std::vector<UffFunction> functions_;
 };
 

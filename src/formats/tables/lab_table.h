@@ -9,9 +9,12 @@
 //                             channel with the same value in all samples
 //   .uff .unv .uf .bunv       recorders/uff_file.h
 //   .mf4 .mdf                 recorders/mdf_file.h
+//   .tdms                     recorders/tdms_file.h
+//   .rsp .drv .tim .rpc       recorders/rpc_file.h
+//   .ld                       recorders/motec_file.h
 //
-// The last two kinds hold groups of channels, each with its own time. A table is one group, or all
-// of them brought to one time (recorder_table.h).
+// The kinds in recorders/ hold groups of channels, each with its own time. A table is one group, or
+// all of them brought to one time (recorder_table.h).
 //
 // The text files of tire test consortia begin with a line about the run, a line of names and a line
 // of units; numbers between tabs or blanks follow:

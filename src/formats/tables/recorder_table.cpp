@@ -63,6 +63,10 @@ struct TimedGroup {
   RecordedGroup* group = nullptr;
 };
 
+double mean_step(const TimedGroup& group) {
+  return (group.time.back() - group.time.front()) / static_cast<double>(group.time.size() - 1);
+}
+
 /// Returns the time of a group in s. Throws InputError if it falls back or has gaps.
 std::vector<double> time_of(const RecordedGroup& group, const std::string& file) {
   const RecordedChannel& channel = group.channels.front();
@@ -129,15 +133,21 @@ RecordedGroup joined_groups(RecordedFile& file, double step, LabTable& table) {
                                  first,
                                  last,
                                  in_quotes(timed.front().group->name)));
+  const TimedGroup& fastest =
+      *std::min_element(timed.begin(), timed.end(), [](const auto& a, const auto& b) {
+        return mean_step(a) < mean_step(b);
+      });
   const double steps = std::floor((last - first) / step * (1.0 + 1e-12));
   if (!((steps + 1.0) * channels < kMostJoinedNumbers))
     throw InputError(
         {file.file, 0},
-        fmt::format("would have {:.3g} samples of {:.0f} channels at a step of {:g} s; "
-                    "expected a larger step",
+        fmt::format("would have {:.3g} samples of {:.0f} channels at a step of {:g} s; expected a "
+                    "larger step, such as {:.6g} s, the one of group {}",
                     steps + 1.0,
                     channels,
-                    step));
+                    step,
+                    mean_step(fastest),
+                    in_quotes(fastest.group->name)));
   if (steps < 1.0)
     throw InputError(
         {file.file, 0},

@@ -138,9 +138,22 @@ Recording recording_of(LabTable table) {
   for (const Channel& channel : table.channels.all())
     for (std::size_t i = 0; i < channel.values.size(); ++i)
       if (!std::isfinite(channel.values[i]))
-        throw InputError(table.place(i), channel.name + " is no finite number here");
+        throw InputError(table.place(i),
+                         fmt::format("{} is no finite number at sample {}, expected a recording "
+                                     "without gaps",
+                                     channel.name,
+                                     i + 1));
+  // the reasons of recorders' files follow the name of the channel
+  for (auto& [name, why] : table.left_out)
+    if (why.find(name) == std::string::npos) why = in_quotes(name) + " " + why;
   const int units = table.columns.empty() ? 0 : table.columns.front().unit_line;
-  return {std::move(table.channels), std::move(table.columns), std::move(table.left_out), units};
+  return {std::move(table.channels),
+          std::move(table.columns),
+          std::move(table.left_out),
+          units,
+          std::move(table.doubts),
+          std::move(table.assumed_struct),
+          std::move(table.structs)};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A whole recording of a rig as channels in SI: separated values (.csv, .txt, as in csv_table.h,
-// but of any size and numbers only), TYDEX (.tdx), MATLAB (.mat), MDF 4
-// (.mf4) or a universal file (.uff).
+// but of any size and numbers only), TYDEX (.tdx), MATLAB (.mat), or a file of a recorder
+// (recorders/recorded_file.h).
 //
 // Ten minutes of ten channels at 2 kHz are 12 million numbers: a number is read by from_chars in
 // double precision and converted once, which may differ from csv_table.h in the last bit if a unit
@@ -15,6 +15,7 @@
 
 #include "formats/tables/table_column.h"
 #include "measurement/channels.h"
+#include "measurement/ledger.h"
 
 namespace latsch::formats {
 
@@ -32,6 +33,9 @@ struct Recording {
   std::vector<TableColumn> columns;             // one for each channel, as the file states it
   std::map<std::string, std::string> left_out;  // name -> why
   int header_line = 0;                          // line of the units; 0: the file has no lines
+  std::vector<LedgerDoubt> doubts = {};         // parts of the file that were not read
+  std::string assumed_group = {};               // the group with known channels, if none is named
+  std::vector<std::string> groups = {};         // all groups, if the first one was taken
 };
 Recording read_whole_recording(const std::filesystem::path& file,
                                const std::map<std::string, std::string>& units = {},
