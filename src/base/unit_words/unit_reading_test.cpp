@@ -84,6 +84,8 @@ TEST(UnitReading, WordsThatUdunitsMakesByPrefixesAreRefused) {
     EXPECT_FALSE(Unit::find(text)) << text;
   EXPECT_EQ(unknown_unit("Ms"),
             "unit \"Ms\", which is not \"ms\", because case matters here: write \"ms\"");
+  EXPECT_EQ(unknown_unit("ns"),
+            "unit \"ns\", which is not known; with capitals, \"Ns\", it is N s");
 }
 
 TEST(UnitReading, ADocumentsPoundIsAMassWhereOneIsExpected) {

@@ -275,9 +275,13 @@ class Reading {
     if (found == words_in_lower_case().end()) return std::nullopt;
     std::string meaning(found->second);
     if (is_foreign_(word, meaning)) {
-      refusal = fmt::format("which is not \"{}\", because case matters here: write \"{}\"",
-                            lower,
-                            unit_in_use(lower));
+      refusal = word == lower
+                    ? fmt::format("which is not known; with capitals, \"{}\", it is {}",
+                                  unit_in_use(lower),
+                                  meaning)
+                    : fmt::format("which is not \"{}\", because case matters here: write \"{}\"",
+                                  lower,
+                                  unit_in_use(lower));
       return std::nullopt;
     }
     return WordMeaning{std::move(meaning)};
