@@ -533,7 +533,7 @@ GETTER = re.compile(r"(?:\.|->)(?:quantity|quantities|one_or_more|rows|integer|f
                     r"named_tables)\(\s*\"(\w+)\"")
 READERS = ("models", "measurement", "optimization", "formats", "experiment", "correlation")
 # Readers of numbers of a .tir or .inp, which are in no TOML file. Keys of such files have capital letters.
-NO_KEYS = {"src/experiment/kinds/inp_numbers.cpp", "src/experiment/kinds/tir_numbers.cpp"}
+NO_KEYS = {"src/experiment/kinds/inp_numbers.cpp", "src/models/magic_formula/tree/parameter_tree.cpp"}
 
 
 def keys_in(schema):
