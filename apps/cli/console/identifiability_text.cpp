@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "cli/console/console.h"
 #include "cli/console/tables.h"
@@ -167,7 +168,9 @@ void print_intervals(const Study& study, const Identifiability& result) {
         correlation::interval_text(study, result, i),
         shift.empty() ? "" : ", mesh and step: " + shift);
   }
-  for (const std::string& remark : correlation::remarks(study, result)) say("  {}\n", remark);
+  const std::vector<std::string> remarks = correlation::remarks(study, result);
+  for (const std::string& remark : remarks) say("  {}\n", remark);
+  answer()["remarks"] = remarks;
 }
 
 void print_identifiability(const Study& study, const Identifiability& result) {

@@ -2,6 +2,7 @@
 #include "correlation/analysis/identifiability.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -155,6 +156,34 @@ void remark_on_noise(const Confidence& c, Sentences& all) {
   }
 }
 
+/// Adds a remark if the fit is as exact as only computed values allow. The spread of its residuals
+/// is then rounding, and intervals by this spread say nothing about a laboratory's values.
+void remark_on_exact_fit(const Study& study, const Identifiability& what, Sentences& all) {
+  constexpr double kExact = 1e-6;  // deviation of a difference, as a share of its scale
+  constexpr double kUsual = 0.01;  // noise of a usual measurement, as a share of the scale
+  const Confidence& c = what.identification.confidence();
+  if (!(c.sigma <= kExact) || !study.free.empty()) return;
+  for (const StudyExperiment& experiment : study.experiments)
+    if (experiment.fitted && (experiment.noise || experiment.objective.weight != 1.0)) return;
+  ConfidenceOptions options = options_for(study, Depth::at_the_point).confidence;
+  options.sigma = kUsual;
+  options.traits = options.traits.of(what.identification.residuals_used());
+  const Confidence usual = confidence(what.identification.linearization(), options);
+  std::vector<std::string> intervals;
+  for (int i = 0; i < study.space.size(); ++i)
+    intervals.push_back(
+        study.space[i].name + " " +
+        interval_text(study.space, i, usual.intervals[static_cast<std::size_t>(i)]));
+  all.push_back(
+      fmt::format("The fit leaves {:.1g} of the values: this is rounding and no noise, and so are "
+                  "the intervals. "
+                  "With noise of 1 % of the values they would be: {}. State the noise of the "
+                  "experiments to have "
+                  "them everywhere.",
+                  c.sigma,
+                  fmt::join(intervals, "; ")));
+}
+
 /// Adds a remark if bounds keep the fit from most of the improvement that the slopes predict.
 void remark_on_bounds(const Study& study, const Confidence& c, Sentences& all) {
   constexpr double kMuch = 0.5;  // share of the sum of squares
@@ -260,6 +289,7 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   Sentences all;
   remark_on_losses(c, all);
   remark_on_noise(c, all);
+  remark_on_exact_fit(study, what, all);
   remark_on_bounds(study, c, all);
   remark_on_variables(study, what, all);
   remark_on_refinement(study, what, all);

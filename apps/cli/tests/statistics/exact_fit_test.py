@@ -95,6 +95,19 @@ class ExactFit(unittest.TestCase):
                 self.assertNotIn("share noise", words)
                 self.assert_known(answer)
 
+    def test_an_exact_fit_says_what_noise_of_one_percent_would_leave(self):
+        variables = {"a": (0, 10, 1, ""), "b": (-5, 0, -0.5, ""), "c": (0, 3, 1, "")}
+        said, answer = self.fit(variables)
+        remark = next(one for one in answer["remarks"] if "rounding and no noise" in one)
+        self.assertIn(remark, said)
+        # the largest value is 2.5 N, by which differences are divided
+        _, noisy = self.fit(variables, more='noise = "0.025 N"')
+        self.assertFalse([one for one in noisy["remarks"] if "rounding and no noise" in one])
+        for row in noisy["variables"]:
+            told = re.search(rf"\b{row['name']} (-?[\d.]+) \.\. (-?[\d.]+)", remark)
+            for text, end in zip(told.groups(), row["interval"]):
+                self.assertAlmostEqual(float(text), end, delta=0.06 * (row["interval"][1] - row["interval"][0]))
+
     def test_intervals_without_a_search_are_said_to_be_of_the_best_trial_so_far(self):
         with tempfile.TemporaryDirectory(prefix="latsch_exact_") as name:
             folder = pathlib.Path(name)

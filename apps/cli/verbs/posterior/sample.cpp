@@ -200,6 +200,7 @@ int sample(const std::string& file,
       output.empty() ? correlation::samples_file(study) : std::filesystem::path(output);
   correlation::write_samples(study, posterior, to);
   say_written(to.string());
+  say("latsch report {} draws the samples beside the linear intervals.\n", study.file.string());
   return posterior.is_mixed() ? kDone : kFailed;
 }
 
