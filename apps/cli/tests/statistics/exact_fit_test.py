@@ -104,7 +104,7 @@ class ExactFit(unittest.TestCase):
         _, noisy = self.fit(variables, more='noise = "0.025 N"')
         self.assertFalse([one for one in noisy["remarks"] if "rounding and no noise" in one])
         for row in noisy["variables"]:
-            told = re.search(rf"\b{row['name']} (-?[\d.]+) \.\. (-?[\d.]+)", remark)
+            told = re.search(rf"\b{row['name']} (-?\d+\.?\d*) \.\. (-?\d+\.?\d*)", remark)
             for text, end in zip(told.groups(), row["interval"]):
                 self.assertAlmostEqual(float(text), end, delta=0.06 * (row["interval"][1] - row["interval"][0]))
 
