@@ -15,7 +15,7 @@
 // longer symmetric where the differences of two coordinates are correlated. For two springs in
 // series it moved a median by 0.17 deviations.
 //
-// Where the density is a narrow curved valley, almost all moves (1) leave it. If fewer than 10 % of
+// If the density is a narrow curved valley, almost all moves (1) leave it. If fewer than 10 % of
 // them were accepted before the first step that counts, or if the chains do not mix without it, and
 // coordinates q(u) are known in which the valley is straight, every second step is
 //
