@@ -16,6 +16,7 @@ import xml.etree.ElementTree
 import zipfile
 
 LARGEST = {"linux": 6e6, "windows": 7e6}  # bytes of a library
+SI = {"m", "kg", "s", "A", "K", "mol", "cd", "rad", "N", "Pa", "Hz", "W", "J"}  # units of a package, format 2
 LARGEST_PACKAGE = 5.5e6  # bytes
 NEWEST_GLIBC = (2, 36)
 # The dynamic loader is a part of glibc.
@@ -315,16 +316,50 @@ def binary_faults(package, description, any_libraries):
         else:
             try:
                 yield from library_faults(name, package.read(name), system, description.version, any_libraries)
-            except (Spoiled, struct.error, KeyError, ValueError) as error:
+            except struct.error:
+                yield f"{name}: is cut off or damaged"
+            except (Spoiled, KeyError, ValueError) as error:
                 yield f"{name}: {error}"
     if not found:
         yield "binaries: there is none"
+
+
+def resource_faults(package, description):
+    """Yields what is wrong with the files from which the unit reads its model."""
+    names = package.namelist()
+    texts = {}
+    for name in ("resources/unit.toml", "resources/model.toml"):
+        if name not in names:
+            yield f"{name}: is missing, and the unit reads it"
+            continue
+        try:
+            texts[name] = package.read(name).decode()
+        except (zipfile.BadZipFile, UnicodeDecodeError, OSError) as error:
+            yield f"{name}: {error}"
+            continue
+        if not texts[name].strip():
+            yield f"{name}: is empty"
+    token = description.root.get(TOKEN[description.version])
+    found = re.search(r'^token = "(.*)"$', texts.get("resources/unit.toml", ""), re.M)
+    if found and found[1] != token:
+        yield "resources/unit.toml: has another token than the description"
+    elif not found and texts.get("resources/unit.toml", "").strip():
+        yield "resources/unit.toml: has no token"
+    if re.search(r"^format = 2$", texts.get("resources/unit.toml", ""), re.M):
+        for line in texts.get("resources/model.toml", "").splitlines():
+            for unit in re.findall(r'"[-+0-9.eE]+ ([^"]+)"', line):
+                if not set(re.findall(r"[A-Za-z]+", unit)) <= SI:
+                    yield f"resources/model.toml: {line.strip()[:60]!r} is not in SI"
+        if not any(name.startswith("documentation/licenses") for name in names):
+            yield "documentation/licenses: is missing, which names the licenses of the code inside the library"
 
 
 def faults_of(file, any_libraries=False):
     """Returns (what the package is, its faults)."""
     try:
         package = zipfile.ZipFile(file)
+    except OSError as error:
+        return "no package", [f"cannot be read: {error.strerror}"]
     except zipfile.BadZipFile as error:
         return "no package", [f"is no ZIP file: {error}"]
     with package:
@@ -337,10 +372,7 @@ def faults_of(file, any_libraries=False):
             return "no package", [*faults, str(error)]
         faults += description.faults()
         faults += binary_faults(package, description, any_libraries)
-        if "resources/unit.toml" in package.namelist():
-            token = description.root.get(TOKEN[description.version])
-            if f'token = "{token}"' not in package.read("resources/unit.toml").decode():
-                faults.append("resources/unit.toml: has another token than the description")
+        faults += resource_faults(package, description)
         size = pathlib.Path(file).stat().st_size
         if not any_libraries and size > LARGEST_PACKAGE:
             faults.append(f"is {size / 1e6:.1f} MB, expected at most {LARGEST_PACKAGE / 1e6:g} MB")

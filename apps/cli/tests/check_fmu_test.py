@@ -45,6 +45,15 @@ class CheckFmu(unittest.TestCase):
         self.assertNotEqual(entries, self.packages[version], "nothing was changed")
         self.assertTrue(any(part in fault for fault in self.faults(entries)), (part, self.faults(entries)))
 
+    def test_files_of_the_model_are_there_and_in_si(self):
+        for entry in ("resources/unit.toml", "resources/model.toml"):
+            self.expect_fault("3.0", entry + ": is missing", lambda entries: entries.pop(entry))
+            self.expect_fault("2.0", entry + ": is empty", lambda entries: entries.update({entry: b""}))
+        self.expect_fault("3.0", "is not in SI", self.replaced(' Pa"', ' bar"', "resources/model.toml"))
+        self.expect_fault("3.0", "licenses: is missing", lambda entries: [
+            entries.pop(name) for name in list(entries) if name.startswith("documentation/licenses")])
+        self.assertIn("cannot be read", check_fmu.faults_of(self.folder / "nosuch.fmu")[1][0])
+
     def replaced(self, old, new, entry=DESCRIPTION):
         def change(entries):
             entries[entry] = entries[entry].replace(old.encode(), new.encode(), 1)

@@ -153,6 +153,10 @@ void print_shares(const Study& study, const StudyDesign& design, const Journal& 
   say("\nSobol's indices from {} points: share of the variance that a variable causes, alone "
       "(first) and with others (total), with 95 % intervals\n",
       found.points);
+  if (found.missing > 0)
+    say("{} of the points have no target: what happens there is not in the shares\n",
+        found.missing);
+  answer()["shares_missing_points"] = found.missing;
   for (const correlation::ResponseShares& one : found.responses) {
     nlohmann::ordered_json told{{"response", one.response}, {"constant", one.shares.is_constant()}};
     if (one.shares.is_constant()) {

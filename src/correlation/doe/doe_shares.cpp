@@ -57,6 +57,7 @@ DoeShares doe_shares(const Study& study, const StudyDesign& design, const Journa
   DoeShares all;
   all.points = static_cast<int>(found.size());
   const auto asked = points.points.size();
+  all.missing = static_cast<int>(asked - found.size());
   if (static_cast<double>(asked - found.size()) > kMostFailed * static_cast<double>(asked)) {
     all.refusal = fmt::format(
         "{} of {} points have no target, more than a fifth: the others do not cover the space",

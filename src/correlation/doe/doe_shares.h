@@ -22,6 +22,7 @@ struct ResponseShares {
 struct DoeShares {
   std::vector<ResponseShares> responses;
   int points = 0;       // points that succeeded
+  int missing = 0;      // points of the design that did not
   std::string refusal;  // why there are no shares; empty if there are
 };
 

@@ -33,7 +33,8 @@ The design of experiments of a study: the points that `latsch doe` evaluates bef
                "experiment "
                "a variable causes, alone (first) and with others (total), from the points of a "
                "Latin hypercube or a Sobol sequence: Sobol's indices. How much of the variance the "
-               "points explain is told beside them; below 80 % the shares are not to be trusted.",
+               "points explain is told beside them; below 80 % the shares are not to be trusted. "
+               "Needs 20 points at least.",
                "none"},
           },
       .samples =
