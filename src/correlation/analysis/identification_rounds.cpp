@@ -113,12 +113,14 @@ bool cross_validate(const IdentificationTrials& trials, Identifiability& result)
 
 IdentificationOptions options_for(const Study& study, Depth depth) {
   constexpr double kLeastNoise = 1e-5;  // residuals are relative if no noise is stated
-  return {.confidence = {.sigma = residual_sigma(study),
-                         .least_noise = kLeastNoise,
-                         .traits = residual_traits(study)},
-          .profiles = depth == Depth::profiles,
-          .most_centers = depth == Depth::at_the_point ? 1 : IdentificationOptions{}.most_centers,
-          .free = study.free};
+  IdentificationOptions options;
+  options.confidence.sigma = residual_sigma(study);
+  options.confidence.least_noise = kLeastNoise;
+  options.confidence.traits = residual_traits(study);
+  options.profiles = depth == Depth::profiles;
+  if (depth == Depth::at_the_point) options.most_centers = 1;
+  options.free = study.free;
+  return options;
 }
 
 RefitTrials IdentificationTrials::refits(const RowGroups& groups, const Linearization& at) const {

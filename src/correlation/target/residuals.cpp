@@ -9,6 +9,7 @@
 #include "correlation/observable/curve.h"
 #include "correlation/target/compared_trial.h"
 #include "correlation/target/study_trials.h"
+#include "optimization/problem/point_vector.h"
 
 namespace latsch::correlation {
 namespace {
@@ -43,12 +44,76 @@ double factor_of(const StudyExperiment& experiment, double mean) {
   return experiment.noise ? weight : weight * spread_of(experiment, mean);
 }
 
-/// Returns how many nuisance numbers every trial solves for a recording.
-int solved_numbers(const StudyExperiment& experiment) {
-  if (!experiment.nuisance.held.empty()) return 0;
+/// Returns the slopes of the measured curve over its abscissa, by differences to the neighbors.
+Eigen::VectorXd measured_slopes(const Curve& curve) {
+  const auto& x = curve.measured().x_compared;
+  const auto& y = curve.measured().y_compared;
+  Eigen::VectorXd slopes = Eigen::VectorXd::Zero(std::ssize(y));
+  if (x.size() != y.size()) return slopes;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, y.size() - 1);
+    if (x[after] > x[before])
+      slopes[static_cast<Eigen::Index>(i)] = (y[after] - y[before]) / (x[after] - x[before]);
+  }
+  return slopes;
+}
+
+/// Returns the changes of an experiment's differences d by the nuisance numbers that every trial
+/// solves, one column each. A fit follows the measured values, so these stand for the simulated
+/// ones.
+Eigen::MatrixXd solved_changes(const StudyExperiment& experiment) {
+  if (!experiment.nuisance.held.empty()) return {};
   const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
-  return static_cast<int>(experiment.nuisance.numbers.size()) +
-         (curve && curve->measured().fits_delay ? 1 : 0);
+  const bool curve_solves_delay = curve && curve->measured().fits_delay;
+  const Eigen::VectorXd measured = to_vector(experiment.observable->measured_values());
+  const auto& numbers = experiment.nuisance.numbers;
+  Eigen::MatrixXd changes(measured.size(), std::ssize(numbers) + (curve_solves_delay ? 1 : 0));
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    switch (numbers[k].kind) {
+      case NuisanceKind::offset:
+        changes.col(column).setConstant(-1.0);
+        break;
+      case NuisanceKind::gain:
+        changes.col(column) = -measured;
+        break;
+      case NuisanceKind::delay:
+      case NuisanceKind::x_offset:
+        changes.col(column) = measured_slopes(*curve);
+        break;
+    }
+  }
+  if (curve_solves_delay) changes.rightCols(1) = measured_slopes(*curve);
+  return to_vector(experiment.observable->scales()).cwiseInverse().asDiagonal() * changes;
+}
+
+/// Returns the changes of all residuals, m x k, by all nuisance numbers that every trial solves; no
+/// columns if there are none.
+Eigen::MatrixXd solved_changes(const std::vector<StudyExperiment>& experiments,
+                               double mean,
+                               std::size_t residuals) {
+  Eigen::MatrixXd all(residuals, 0);
+  Eigen::Index row = 0, prior = 0;
+  for (const StudyExperiment& experiment : experiments)
+    prior += static_cast<Eigen::Index>(experiment.values());
+  for (const StudyExperiment& experiment : experiments) {
+    const auto count = static_cast<Eigen::Index>(experiment.values());
+    Eigen::MatrixXd own = factor_of(experiment, mean) * solved_changes(experiment);
+    const std::vector<double> sigma = stated_deviations(experiment);
+    if (!sigma.empty() && own.cols() > 0) own = to_vector(sigma).cwiseInverse().asDiagonal() * own;
+    const Eigen::Index first = all.cols();
+    all.conservativeResize(Eigen::NoChange, first + own.cols());
+    all.rightCols(own.cols()).setZero();
+    if (own.cols() > 0) all.block(row, first, count, own.cols()) = own;
+    row += count;
+    for (std::size_t k = 0; k < experiment.nuisance.numbers.size(); ++k) {
+      const NuisanceNumber& number = experiment.nuisance.numbers[k];
+      if (number.is_free()) continue;
+      if (own.cols() > 0) all(prior, first + static_cast<Eigen::Index>(k)) = 1.0 / number.prior;
+      ++prior;
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -68,10 +133,8 @@ ResidualTraits residual_traits(const Study& study) {
     traits.losses.insert(traits.losses.end(), count, loss);
   }
   int nuisance_priors = 0;
-  for (const StudyExperiment& experiment : experiments) {
+  for (const StudyExperiment& experiment : experiments)
     nuisance_priors += experiment.nuisance.priors();
-    traits.solved += solved_numbers(experiment);
-  }
   for (int k = 0; k < nuisance_priors; ++k) {
     traits.deviations.push_back(1.0);
     traits.curves.push_back(-1);
@@ -83,6 +146,7 @@ ResidualTraits residual_traits(const Study& study) {
     traits.curves.push_back(-1);
     traits.losses.emplace_back();
   }
+  traits.solved = solved_changes(experiments, mean, traits.deviations.size());
   return traits;
 }
 

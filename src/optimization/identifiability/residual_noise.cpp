@@ -106,6 +106,18 @@ bool is_exact_but_for_few(const Eigen::VectorXd& x, const Eigen::MatrixXd& Q, do
   return false;
 }
 
+/// Returns the changes of the residuals by the variables and by solved unknowns, all of about the
+/// same size.
+Eigen::MatrixXd changes_caused(const Eigen::MatrixXd& J, const Eigen::MatrixXd& solved) {
+  if (solved.cols() == 0) return J;
+  Eigen::MatrixXd caused(solved.rows(), J.cols() + solved.cols());
+  caused.leftCols(J.cols()) = J;
+  const double size = J.cols() > 0 ? J.colwise().norm().maxCoeff() : 0.0;
+  for (Eigen::Index k = 0; k < solved.cols(); ++k)
+    caused.col(J.cols() + k) = solved.col(k).normalized() * (size > 0.0 ? size : 1.0);
+  return caused;
+}
+
 }  // namespace
 
 ResidualTraits ResidualTraits::of(const std::vector<Eigen::Index>& rows) const {
@@ -115,6 +127,7 @@ ResidualTraits ResidualTraits::of(const std::vector<Eigen::Index>& rows) const {
     if (!curves.empty()) some.curves.push_back(curves[static_cast<size_t>(row)]);
     if (!losses.empty()) some.losses.push_back(losses[static_cast<size_t>(row)]);
   }
+  if (solved.cols() > 0) some.solved = solved(rows, Eigen::all);
   return some;
 }
 
@@ -128,9 +141,10 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
     deviations_ = to_vector(traits.deviations);
   }
   x_ = r.cwiseQuotient(deviations_);
-  Q_ = J.cols() == 0 ? Eigen::MatrixXd(m, 0)
-                     : numerics::range_basis(deviations_.cwiseInverse().asDiagonal() * J);
-  freedom_ = static_cast<double>(m - J.cols() - traits.solved);
+  const Eigen::MatrixXd caused = changes_caused(J, traits.solved);
+  Q_ = caused.cols() == 0 ? Eigen::MatrixXd(m, 0)
+                          : numerics::range_basis(deviations_.cwiseInverse().asDiagonal() * caused);
+  freedom_ = static_cast<double>(m - Q_.cols());
   std::map<int, std::vector<Eigen::Index>> rows;
   for (Eigen::Index row = 0; row < m; ++row) {
     const int curve = traits.curves.empty() ? -1 : traits.curves[static_cast<size_t>(row)];

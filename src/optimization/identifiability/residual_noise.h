@@ -8,7 +8,9 @@
 // without a curve are independent. D holds the stated deviations of the residuals relative to each
 // other, R is the correlation matrix, r = D x and J = D G. The correlations maximize the likelihood
 // of the part of r that the fit cannot change,
-//   -2 l = ln|R| + ln|G' R^-1 G| + (m - n) ln(x' P x),   P = R^-1 - R^-1 G (G' R^-1 G)^-1 G' R^-1
+//   -2 l = ln|R| + ln|G' R^-1 G| + (m - k) ln(x' P x),   P = R^-1 - R^-1 G (G' R^-1 G)^-1 G' R^-1
+// with k columns of G, a basis of the changes that variables and solved unknowns cause: variables
+// without an effect, or with that of others, do not count.
 // This is the restricted likelihood [Patterson, Thompson, Biometrika 58 (1971) 545]. It accounts
 // for the fact that a fit follows its noise, so that the residuals look less correlated than the
 // noise is. The order is the one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19
@@ -39,9 +41,9 @@ struct ResidualTraits {
   std::vector<double> deviations = {};
   std::vector<int> curves = {};         // < 0: independent
   std::vector<RobustLoss> losses = {};  // scales of the losses are in the unit of the residuals
-  /// Number of unknowns that were solved at every point and removed from residuals and derivatives;
-  /// each leaves one degree of freedom less.
-  int solved = 0;
+  /// m x k: changes of the residuals, in any scale, by k unknowns that were solved at every point
+  /// and removed from residuals and derivatives. Each leaves one degree of freedom less. Empty: none.
+  Eigen::MatrixXd solved = {};
 
   /// Returns the traits of some of the residuals.
   ResidualTraits of(const std::vector<Eigen::Index>& rows) const;
@@ -62,7 +64,8 @@ class ResidualNoise {
   /// Standard deviation of a residual whose own deviation is 1; NaN if no residual is left to
   /// estimate it from.
   double sigma() const { return sigma_; }
-  /// Number of residuals minus the number of variables they determine.
+  /// Number of residuals minus the number of independent changes that the variables and the solved
+  /// unknowns cause. Variables without an effect leave it unchanged.
   double freedom() const { return freedom_; }
   bool is_white() const;
   /// True if the residuals vary smoothly along their curves, as the misfit of a model does and

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <cmath>
 
 #include "base/random.h"
@@ -65,6 +66,58 @@ TEST(ResidualNoise, SlowNoiseIsNoPattern) {
               .is_pattern();
     EXPECT_LE(patterns, 3) << kappa;
   }
+}
+
+void expect_same(const ResidualNoise& one, const ResidualNoise& other) {
+  EXPECT_EQ(one.freedom(), other.freedom());
+  EXPECT_EQ(one.is_white(), other.is_white());
+  EXPECT_NEAR(one.sigma(), other.sigma(), 1e-6 * other.sigma());
+  EXPECT_TRUE(one.effective_deviations().isApprox(other.effective_deviations(), 1e-4));
+}
+
+// The deviance of a count of values that is not that of the determinant's columns falls forever
+// toward slower noise: half of all curves of white noise then counted as noise of any level.
+TEST(ResidualNoise, AVariableWithoutEffectOfItsOwnChangesNothing) {
+  for (int set = 0; set < 30; ++set) {
+    const Eigen::VectorXd e = slow_noise(set % 3 * 0.4, RandomStream(21, set));
+    const ResidualNoise alone(e, level_and_slope(), one_curve());
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(kSamplesOfCurve, 5);
+    J.leftCols(2) = level_and_slope();
+    J.col(3) = 3.0 * J.col(0) - J.col(1);  // the others are flat
+    expect_same(ResidualNoise(e, J, one_curve()), alone);
+  }
+}
+
+TEST(ResidualNoise, IsTheSameWhetherAnUnknownIsSolvedOrSearched) {
+  const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(kSamplesOfCurve, 0.0, 5.0);
+  Eigen::MatrixXd A(kSamplesOfCurve, 4);
+  A << Eigen::VectorXd::Ones(kSamplesOfCurve), t.array().sin(), t.array().cos(), t.array().square();
+  const Eigen::MatrixXd basis =
+      A.householderQr().householderQ() * Eigen::MatrixXd::Identity(kSamplesOfCurve, 4);
+  const auto removed = [&](const Eigen::MatrixXd& Y) {
+    return Eigen::MatrixXd(Y - basis * (basis.transpose() * Y));
+  };
+  Eigen::MatrixXd J(kSamplesOfCurve, 2);
+  J << (-t).array().exp(), (-t).array().exp() * t.array();
+  Eigen::MatrixXd both(kSamplesOfCurve, 6);
+  both << J, A;
+  int white = 0;
+  for (int set = 0; set < 30; ++set) {
+    const Eigen::VectorXd e = slow_noise(set % 3 * 0.4, RandomStream(22, set));
+    ResidualTraits traits = one_curve();
+    traits.solved = A;
+    const ResidualNoise solved(removed(e), removed(J), traits);
+    expect_same(solved, ResidualNoise(removed(e), both, one_curve()));
+    white += set % 3 == 0 && solved.is_white();
+  }
+  EXPECT_GE(white, 6) << "of ten curves of white noise";
+}
+
+TEST(ResidualTraits, OfSomeRowsKeepWhatWasSolved) {
+  ResidualTraits traits = one_curve();
+  traits.solved = level_and_slope();
+  const ResidualTraits some = traits.of({3, 7});
+  EXPECT_EQ(some.solved, Eigen::MatrixXd(level_and_slope()(std::vector{3, 7}, Eigen::all)));
 }
 
 // The level is held at its bound, one unit below the data, and the model bends beside it. The

@@ -37,7 +37,6 @@ SelectionRows::SelectionRows(const SelectionProblem& problem, const Linearizatio
   for (Eigen::Index row = 0; row < start.r.size(); ++row)
     if (counts(row)) rows_.push_back(row);
   traits_ = problem.traits.of(rows_);
-  traits_.solved = problem.traits.solved;
   deviations_ = Eigen::VectorXd::Ones(size());
   if (!traits_.deviations.empty()) deviations_ = to_vector(traits_.deviations);
   deviations_ *= problem.sigma.value_or(1.0);
