@@ -113,13 +113,13 @@ double RobustRows::limited_share(int group, double sigma) const {
 
 RobustRows::Spreads RobustRows::spreads(const std::optional<double>& stated, double least) const {
   const Eigen::Index m = X_.rows();
-  const double n = static_cast<double>(X_.cols());
   const Eigen::VectorXd units = deviations_.cwiseInverse();
   const Eigen::VectorXd x = psi_.cwiseProduct(units);
   std::vector<Eigen::Index> inside;
   for (Eigen::Index i = 0; i < m; ++i)
     if (!is_beyond_[static_cast<size_t>(i)]) inside.push_back(i);
   const Eigen::MatrixXd G = units.asDiagonal() * X_;
+  const auto n = static_cast<double>(numerics::range_basis(G).cols());
   const Eigen::VectorXd left = beside_columns(G, x);
   const Eigen::MatrixXd G_inside = (psi_slopes_.asDiagonal() * G)(inside, Eigen::all);
   const Eigen::VectorXd left_inside = beside_columns(G_inside, x(inside));

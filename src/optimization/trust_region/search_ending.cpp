@@ -19,8 +19,8 @@ std::string in_words(Ending ending) {
     case Ending::edge:
       return "at the edge of failed trials: steps that would gain fail";
     case Ending::rough:
-      return "on rough ground: steps do not bring the gain that slopes around the best point "
-             "predict";
+      return "on rough or strongly curved ground: steps do not bring the gain that slopes around "
+             "the best point predict";
     case Ending::blind:
       return "without having seen a minimum: beside the best point trials fail, or the residuals "
              "change by many times their size however short the step; if the range of a variable "
