@@ -151,7 +151,7 @@ void remark_on_noise(const Confidence& c, Sentences& all) {
         "values are from those of a model that fits.");
   } else if (c.is_colored) {
     all.emplace_back(
-        "Neighboring values share noise: the intervals count them as correspondingly fewer "
+        "Neighboring values seem to share noise: the intervals count them as correspondingly fewer "
         "values.");
   }
 }

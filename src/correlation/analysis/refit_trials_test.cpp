@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "base/random.h"
 #include "correlation/analysis/identifiability.h"
 #include "correlation/analysis/identification_start.h"
 #include "correlation/search/study_reuse_testing.h"
@@ -26,7 +27,8 @@ class RefitTrialsOfStudy : public FittedStudy {
     std::vector<double> Fy = (*evaluator(read(""))({{1.3, -22.0}}))["steady/Fy"];
     double mean = 0.0;
     for (const double force : Fy) mean += force / static_cast<double>(Fy.size());
-    for (std::size_t i = 0; i < Fy.size(); ++i) Fy[i] += 30.0 * std::sin(7.0 * i);
+    RandomStream random(4, 1);
+    for (double& force : Fy) force += 20.0 * random.normal();
     Channels measured;
     measured.add({"Fy", "N", Fy});
     write("measured.csv", formats::csv_text(measured));

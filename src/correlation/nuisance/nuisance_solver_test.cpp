@@ -258,7 +258,7 @@ TEST_F(NuisanceNumbers, EachLeavesOneDegreeOfFreedomLess) {
   const Study s = study(std::string(kStated) + "nuisance = {offset = \"free\", gain = \"3 %\"}\n");
   const ResidualTraits traits = residual_traits(s);
   EXPECT_EQ(traits.deviations.size(), kRecorded + 1U);  // the prior of the gain is one more value
-  EXPECT_EQ(traits.solved.cols(), 2);
+  EXPECT_EQ(traits.solved.size(), 2U);
   EXPECT_EQ(residual_rows(s).size(), kRecorded + 1U);
   EXPECT_EQ(prior_count(s), 1U);
 }

@@ -119,7 +119,8 @@ class FitFrame {
     }
     if (!noise_->is_white() && !noise_->is_pattern())
       result.remarks.emplace_back(
-          "Neighboring values share noise, as estimated at the fit. The density weighs the values "
+          "Neighboring values seem to share noise, as estimated at the fit. The density weighs the "
+          "values "
           "by "
           "it and the fit does not, so medians may lie beside the fit; and the samples do not know "
           "how uncertain the estimate is.");

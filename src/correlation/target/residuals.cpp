@@ -87,31 +87,27 @@ Eigen::MatrixXd solved_changes(const StudyExperiment& experiment) {
   return to_vector(experiment.observable->scales()).cwiseInverse().asDiagonal() * changes;
 }
 
-/// Returns the changes of all residuals, m x k, by all nuisance numbers that every trial solves; no
-/// columns if there are none.
-Eigen::MatrixXd solved_changes(const std::vector<StudyExperiment>& experiments,
-                               double mean,
-                               std::size_t residuals) {
-  Eigen::MatrixXd all(residuals, 0);
+/// Returns the changes of all residuals by each nuisance number that every trial solves.
+std::vector<Eigen::VectorXd> solved_changes(const std::vector<StudyExperiment>& experiments,
+                                            double mean,
+                                            std::size_t residuals) {
+  std::vector<Eigen::VectorXd> all;
   Eigen::Index row = 0, prior = 0;
   for (const StudyExperiment& experiment : experiments)
     prior += static_cast<Eigen::Index>(experiment.values());
   for (const StudyExperiment& experiment : experiments) {
-    const auto count = static_cast<Eigen::Index>(experiment.values());
-    Eigen::MatrixXd own = factor_of(experiment, mean) * solved_changes(experiment);
     const std::vector<double> sigma = stated_deviations(experiment);
+    Eigen::MatrixXd own = factor_of(experiment, mean) * solved_changes(experiment);
     if (!sigma.empty() && own.cols() > 0) own = to_vector(sigma).cwiseInverse().asDiagonal() * own;
-    const Eigen::Index first = all.cols();
-    all.conservativeResize(Eigen::NoChange, first + own.cols());
-    all.rightCols(own.cols()).setZero();
-    if (own.cols() > 0) all.block(row, first, count, own.cols()) = own;
-    row += count;
-    for (std::size_t k = 0; k < experiment.nuisance.numbers.size(); ++k) {
-      const NuisanceNumber& number = experiment.nuisance.numbers[k];
-      if (number.is_free()) continue;
-      if (own.cols() > 0) all(prior, first + static_cast<Eigen::Index>(k)) = 1.0 / number.prior;
-      ++prior;
+    const auto& numbers = experiment.nuisance.numbers;
+    for (Eigen::Index k = 0; k < own.cols(); ++k) {
+      Eigen::VectorXd& changes = all.emplace_back(Eigen::VectorXd::Zero(residuals));
+      changes.segment(row, own.rows()) = own.col(k);
+      if (k < std::ssize(numbers) && !numbers[static_cast<std::size_t>(k)].is_free())
+        changes[prior++] = 1.0 / numbers[static_cast<std::size_t>(k)].prior;
     }
+    if (own.cols() == 0) prior += experiment.nuisance.priors();
+    row += static_cast<Eigen::Index>(experiment.values());
   }
   return all;
 }

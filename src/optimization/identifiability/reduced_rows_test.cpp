@@ -64,8 +64,10 @@ DesignSpace space_of_exponential() {
 /// from reduced rows, everything else from whole rows.
 Identification identification_of_exponential(bool reduced, const std::vector<int>& free) {
   const DesignSpace space = space_of_exponential();
-  Identification identification(
-      space, space.initial(), {.confidence = {.sigma = 0.05}, .free = free});
+  IdentificationOptions options;
+  options.confidence.sigma = 0.05;
+  options.free = free;
+  Identification identification(space, space.initial(), options);
   double share = 0.0;
   while (!identification.wanted().empty()) {
     std::vector<Result<Evaluated>> outcomes;

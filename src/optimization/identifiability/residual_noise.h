@@ -6,17 +6,22 @@
 // noise is slow. The residuals of one curve, in the order of its samples, are modeled as an
 // autoregression (numerics/signals/autoregression.h) of an order up to kMostOrder; residuals
 // without a curve are independent. D holds the stated deviations of the residuals relative to each
-// other, R is the correlation matrix, r = D x and J = D G. The correlations maximize the likelihood
-// of the part of r that the fit cannot change,
+// other, R is the correlation matrix, r = D x and J = D G. The correlations of a curve of m samples
+// maximize the likelihood of the part of its x that the fit cannot change,
 //   -2 l = ln|R| + ln|G' R^-1 G| + (m - k) ln(x' P x),   P = R^-1 - R^-1 G (G' R^-1 G)^-1 G' R^-1
 // with k columns of G, a basis of the changes that variables and solved unknowns cause: variables
-// without an effect, or with that of others, do not count.
-// This is the restricted likelihood [Patterson, Thompson, Biometrika 58 (1971) 545]. It accounts
-// for the fact that a fit follows its noise, so that the residuals look less correlated than the
-// noise is. The order is the one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19
+// without an effect, or with that of others, do not count. This is the restricted likelihood
+// [Patterson, Thompson, Biometrika 58 (1971) 545]. It accounts for the fact that a fit follows its
+// noise, so that the residuals look less correlated than the noise is. Each curve has a spread of
+// its own there: with the common one, a curve with less noise than others would count as slow noise
+// of the common spread. The order is the one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19
 // (1974) 716].
 //
 // Exact values beside a few wrong ones, as after a fit with a robust loss, count as white, too.
+//
+// The deviation of a curve's noise is at most three times the spread that its residuals show, and an
+// interval has at least two degrees of freedom: without these limits noise that a fit could have
+// hidden made many intervals infinite, which contained the truth no more often.
 //
 // Limits: neighbors count as equally far apart, and a curve with fewer than kFewestSamples samples
 // beyond the number of variables counts as white. Deviations that a model cannot reproduce look
@@ -41,9 +46,9 @@ struct ResidualTraits {
   std::vector<double> deviations = {};
   std::vector<int> curves = {};         // < 0: independent
   std::vector<RobustLoss> losses = {};  // scales of the losses are in the unit of the residuals
-  /// m x k: changes of the residuals, in any scale, by k unknowns that were solved at every point
-  /// and removed from residuals and derivatives. Each leaves one degree of freedom less. Empty: none.
-  Eigen::MatrixXd solved = {};
+  /// For each unknown that was solved at every point and removed from residuals and derivatives,
+  /// the changes of the residuals by it, in any scale. Each leaves one degree of freedom less.
+  std::vector<Eigen::VectorXd> solved = {};
 
   /// Returns the traits of some of the residuals.
   ResidualTraits of(const std::vector<Eigen::Index>& rows) const;
@@ -101,15 +106,13 @@ class ResidualNoise {
   struct Sums {  // sums over the whitened rows of a curve
     Eigen::MatrixXd A;
     Eigen::VectorXd b;
-    double c = 0.0, log_determinant = 0.0;
+    double c = 0.0;
   };
 
-  Sums sums(const Curve& curve, const numerics::Autoregression& process) const;
-  double deviance(const Sums& all) const;
-  double deviance_with(const Sums& rest, const Curve& curve, const std::vector<double>& z) const;
+  Sums sums(const std::vector<Eigen::Index>& rows, const numerics::Autoregression& process) const;
   double sigma_of(const Sums& all) const;
   bool forms_pattern() const;
-  void fit(Curve& curve, const Sums& rest) const;
+  void fit(Curve& curve, const Eigen::MatrixXd& changes, double least_seen) const;
   double log_variance(const Eigen::VectorXd& y,
                       size_t curve,
                       const std::vector<double>& z,

@@ -105,7 +105,7 @@ TEST(ResidualNoise, IsTheSameWhetherAnUnknownIsSolvedOrSearched) {
   for (int set = 0; set < 30; ++set) {
     const Eigen::VectorXd e = slow_noise(set % 3 * 0.4, RandomStream(22, set));
     ResidualTraits traits = one_curve();
-    traits.solved = A;
+    for (const auto& column : A.colwise()) traits.solved.emplace_back(column);
     const ResidualNoise solved(removed(e), removed(J), traits);
     expect_same(solved, ResidualNoise(removed(e), both, one_curve()));
     white += set % 3 == 0 && solved.is_white();
@@ -113,11 +113,27 @@ TEST(ResidualNoise, IsTheSameWhetherAnUnknownIsSolvedOrSearched) {
   EXPECT_GE(white, 6) << "of ten curves of white noise";
 }
 
+// With one spread for all curves, that with less noise would count as slow noise of this spread.
+TEST(ResidualNoise, ACurveWithLessNoiseThanAnotherIsWhite) {
+  Eigen::MatrixXd J(2 * kSamplesOfCurve, 2);
+  J << level_and_slope(), 3.0 * level_and_slope();
+  ResidualTraits two{.curves = std::vector<int>(2 * kSamplesOfCurve, 0)};
+  std::fill(two.curves.begin() + kSamplesOfCurve, two.curves.end(), 1);
+  int white = 0;
+  for (int set = 0; set < 50; ++set) {
+    Eigen::VectorXd e(2 * kSamplesOfCurve);
+    e << 0.1 * slow_noise(0.0, RandomStream(23, set)), slow_noise(0.0, RandomStream(24, set));
+    white += ResidualNoise(e, J, two).is_white();
+  }
+  EXPECT_GE(white, 20) << "of 50; Akaike's criterion takes a fifth of white curves for colored";
+}
+
 TEST(ResidualTraits, OfSomeRowsKeepWhatWasSolved) {
   ResidualTraits traits = one_curve();
-  traits.solved = level_and_slope();
+  traits.solved = {level_and_slope().col(1)};
   const ResidualTraits some = traits.of({3, 7});
-  EXPECT_EQ(some.solved, Eigen::MatrixXd(level_and_slope()(std::vector{3, 7}, Eigen::all)));
+  ASSERT_EQ(some.solved.size(), 1U);
+  EXPECT_EQ(some.solved[0], Eigen::Vector2d(3.0, 7.0) / (kSamplesOfCurve - 1.0));
 }
 
 // The level is held at its bound, one unit below the data, and the model bends beside it. The
