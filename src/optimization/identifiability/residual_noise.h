@@ -14,13 +14,13 @@
 // [Patterson, Thompson, Biometrika 58 (1971) 545]. It accounts for the fact that a fit follows its
 // noise, so that the residuals look less correlated than the noise is. Each curve has a spread of
 // its own there: with the common one, a curve with less noise than others would count as slow noise
-// of the common spread. The order is the one with the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19
-// (1974) 716].
+// of the common spread. The order is the one with the least -2 l + 2 p [Akaike, IEEE Trans.
+// Automat. Contr. 19 (1974) 716].
 //
 // Exact values beside a few wrong ones, as after a fit with a robust loss, count as white, too.
 //
-// The deviation of a curve's noise is at most three times the spread that its residuals show, and an
-// interval has at least two degrees of freedom: without these limits noise that a fit could have
+// The deviation of a curve's noise is at most three times the spread that its residuals show, and
+// an interval has at least two degrees of freedom: without these limits noise that a fit could have
 // hidden made many intervals infinite, which contained the truth no more often.
 //
 // Limits: neighbors count as equally far apart, and a curve with fewer than kFewestSamples samples
