@@ -121,6 +121,8 @@ NuisanceNumber read_number(const Node& table,
                  "offset");
   number.shown = shown_unit_of(kind, observable);
   if (is_free) return number;
+  if (kind == NuisanceKind::gain)
+    DocumentRecord::expects(table, key, R"(a share such as "3 %", above 0, at most 50 %)");
   number.prior = table.quantity(key, unit_of(kind, observable), Range::positive());
   if (kind == NuisanceKind::gain && number.prior > kLargestGain)
     table.reject(
