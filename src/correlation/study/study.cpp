@@ -23,6 +23,7 @@
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
+#include "correlation/study/virtual_recording.h"
 #include "evaluation/trial/encoding.h"
 #include "experiment/language/key_section.h"
 
@@ -420,6 +421,7 @@ Study read_study(const std::filesystem::path& file,
                            "is " + in_quotes(document.root().text("kind")) +
                                ": that is a tire, a road or a test, expected a study, which has a "
                                "model, [variable.NAME] and [experiment.NAME]");
+  if (measurements == Measurements::required) refuse_outdated_recordings(file, language);
   try {
     return read(document, document.root(), file, measurements, language);
   } catch (const InputError&) {
