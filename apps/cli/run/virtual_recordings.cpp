@@ -30,9 +30,7 @@ void make_recording(const correlation::VirtualRecording& one, const std::filesys
                                  limits.failure().reason));
   for (const std::string& limit : *limits)
     warn(fmt::format("{}: {}", one.name, limit), {study.string(), 0});
-  say("  wrote {}, {:.1f} s of processor time\n",
-      one.file.string(),
-      processor_seconds() - begin);
+  say("  wrote {}, {:.1f} s of processor time\n", one.file.string(), processor_seconds() - begin);
   answer()["recorded"].push_back(one.file.string());
 }
 

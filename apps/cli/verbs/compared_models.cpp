@@ -39,9 +39,9 @@ void write_recording(const ModelComparisonFile& file,
     rounded.add(std::move(channel));
   }
   const auto to = folder / (file.cases[i].name + ".csv");
-  const std::string recipe = correlation::recipe_line(
-      fmt::format("{} in {}", file.reference.title, file.cases[i].name),
-      correlation::recipe_of_case(file, i, language));
+  const std::string recipe =
+      correlation::recipe_line(fmt::format("{} in {}", file.reference.title, file.cases[i].name),
+                               correlation::recipe_of_case(file, i, language));
   write_text_file(to, "# " + recipe + "\n" + formats::csv_text(rounded));
   say_written(to.string());
 }

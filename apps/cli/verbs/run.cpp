@@ -432,7 +432,7 @@ int fit_watched(const Asked& asked, const experiment::Language& language) {
       throw InputError({asked.file, 0},
                        "is a comparison of models, expected latsch run without --watch; it goes on "
                        "where it was interrupted");
-    return run_comparison(asked.file, language, [&](const std::string& study) {
+    return run_comparison(asked.file, language, asked.records_only, [&](const std::string& study) {
       Asked one = asked;
       one.file = study;
       return fit(one, language);
@@ -457,8 +457,9 @@ void add_run(CommandLine& app, Program& program) {
   for (const bool resuming : {false, true}) {
     Verb verb = app.add_subcommand(
         resuming ? "resume" : "run",
-        resuming ? "Goes on with an interrupted run; the result is the same to the last bit"
-                 : "Fits the variables to the measurements");
+        resuming
+            ? "Goes on with an interrupted run; the result is the same to the last bit"
+            : "Fits the variables to the measurements; of a comparison all its fits, and compares");
     verb.footer(fmt::format(
         "[run] in the study says how trials are run: workers, timeout, memory, on_failure, "
         "retries,\n"
@@ -469,7 +470,12 @@ void add_run(CommandLine& app, Program& program) {
         "repeat "
         "its result.\n--anew begins from the start, start = \"journal\" in [optimizer] at the best "
         "trial; more max_steps continue.\n\n"
+        "A measurement with the key virtual is recorded first, by a test of another model, if it "
+        "is "
+        "missing or out of date.\nrun of a comparison of models does everything that it needs: "
+        "recordings, fits, reference, comparison.\n\n"
         "Examples:\n  latsch {0} studies/tire_b_twin/study.toml --workers 2\n"
+        "  latsch run studies/fe_kerb/comparison.toml         # from a tire to a car on a kerb\n"
         "  mpirun -n 8 latsch {0} my_tire/study.toml           # on a cluster: one searches, seven "
         "evaluate\n"
         "  srun -n 8 --mpi=pmix latsch {0} my_tire/study.toml  # the same below Slurm",

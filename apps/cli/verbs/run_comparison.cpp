@@ -14,6 +14,7 @@ namespace latsch::cli {
 
 int run_comparison(const std::string& name,
                    const experiment::Language& language,
+                   bool records_only,
                    const std::function<int(const std::string& study)>& fit) {
   constexpr int kThreads = 2;
   Json runs = Json::array();
@@ -31,6 +32,7 @@ int run_comparison(const std::string& name,
   }
   say("== Reference and models\n");
   record_reference(name, language);
+  if (records_only) return kDone;
   const auto page = std::filesystem::path(name).replace_extension(".html").string();
   compare_models(name, language, "", page, kThreads);
   answer()["runs"] = std::move(runs);

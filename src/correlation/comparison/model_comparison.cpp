@@ -262,10 +262,10 @@ std::string recipe_of_case(const ModelComparisonFile& file,
                            const experiment::Language& language) {
   const ComparedCase& one = file.cases[index];
   const DocumentRecord record(one.reference_test.root());
-  const auto read = language.read_identified_test(
-      record.node(), {file.tests[one.test].reference_folder, nullptr});
-  std::string text = file.reference.kind->name() + "\n" +
-                     canonical_text(file.reference.numbers) + read.identity;
+  const auto read = language.read_identified_test(record.node(),
+                                                  {file.tests[one.test].reference_folder, nullptr});
+  std::string text =
+      file.reference.kind->name() + "\n" + canonical_text(file.reference.numbers) + read.identity;
   if (!file.noise.empty()) text += fmt::format("seed {} of case {}\n", file.seed, index);
   for (const auto& [channel, deviation] : file.noise)
     text += channel + " " + canonical(deviation, "1") + "\n";

@@ -298,11 +298,8 @@ report::LinePlot time_plot(const ModelComparisonFile& file,
   plot.description = fmt::format("{} over time in {}", file.channels[channel], one.name);
   plot.x_title = "Time [s]";
   plot.y_title = file.channels[channel];
-  plot.lines.push_back({file.reference.title,
-                        compared.times,
-                        compared.samples[channel],
-                        kReferenceColor,
-                        {}});
+  plot.lines.push_back(
+      {file.reference.title, compared.times, compared.samples[channel], kReferenceColor, {}});
   for (std::size_t m = 0; m < file.models.size(); ++m)
     plot.lines.push_back({file.models[m].title,
                           compared.models[m].times,
