@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/console/console.h"
-#include "correlation/study/virtual_recording.h"
+#include "correlation/laboratory/virtual_recording.h"
 #include "evaluation/executors/launch.h"
 
 namespace latsch::cli {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records what a study measures on a model in place of a laboratory, before the study is read
-// (correlation/study/virtual_recording.h).
+// (correlation/laboratory/virtual_recording.h).
 #pragma once
 
 #include <filesystem>

@@ -23,7 +23,7 @@
 #include "cli/run/trials.h"
 #include "cli/run/virtual_recordings.h"
 #include "cli/run/workers.h"
-#include "cli/verbs/run_comparison.h"
+#include "cli/verbs/comparison/run_comparison.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/analysis/refit_trials.h"

@@ -18,7 +18,7 @@
 #include "base/text.h"
 #include "correlation/comparison/moved_models.h"
 #include "correlation/comparison/spectral_bands.h"
-#include "correlation/study/virtual_recording.h"
+#include "correlation/laboratory/virtual_recording.h"
 #include "correlation/target/limits_by_name.h"
 #include "formats/tables/csv_table.h"
 

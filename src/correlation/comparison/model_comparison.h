@@ -38,7 +38,7 @@ namespace latsch::correlation {
 /// Result of one model in one case, with its spectra by channel.
 struct ModelRun {
   std::vector<double> times;                 // s, of the samples that are compared
-  std::vector<std::vector<double>> samples;  // by channel, SI
+  std::vector<std::vector<double>> samples;  // values by channel, SI
   std::vector<numerics::Density> densities;
   std::vector<std::vector<double>> distance, decibels;  // [band][channel]
   std::vector<std::vector<double>> lower, upper;        // [channel][line]; empty: no bands
@@ -57,7 +57,7 @@ struct ModelRun {
 
 struct CaseComparison {
   std::vector<double> times;                 // s, of the reference's samples
-  std::vector<std::vector<double>> samples;  // of the reference, by channel, SI
+  std::vector<std::vector<double>> samples;  // the reference's values by channel, SI
   std::vector<numerics::Density> reference;
   std::vector<LineNoise> noise;  // noise of the reference, by channel
   std::vector<std::string>
@@ -83,7 +83,7 @@ Channels kept_of(const ModelComparisonFile& file, const Channels& all);
 /// Returns the file of a case's recording, in the folder of the comparison's recordings.
 std::filesystem::path recording_file(const ModelComparisonFile& file, std::size_t index);
 /// Returns the recipe of a case's recording by the reference: a fingerprint of the reference's
-/// numbers, of its test, of the noise and the seed (study/virtual_recording.h).
+/// numbers, of its test, of the noise and the seed (laboratory/virtual_recording.h).
 std::string recipe_of_case(const ModelComparisonFile& file,
                            std::size_t index,
                            const experiment::Language& language);

@@ -16,7 +16,7 @@
 //   title = "Track"
 //   recordings = "measured"              # folder of CASE.csv; simulated unless given:
 //   virtual = true                       # latsch run records those that are missing or of another
-//                                        # reference or test (study/virtual_recording.h)
+//                                        # reference or test (laboratory/virtual_recording.h)
 //   kind = "car"
 //   file = "track.toml"
 //   recorded = ["speed", "line"]         # channels beside those compared

@@ -354,7 +354,7 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   Measurement::Told told;
   told.name = table.name();
   told.place = table.place();
-  // A virtual recording is a file like another; correlation/study/virtual_recording.h writes it.
+  // A virtual recording is a file like another; laboratory/virtual_recording.h writes it.
   if (const auto source = table.find_table("virtual")) {
     told.words.push_back("virtual: test " + source->text("test") + " of " + source->text("model"));
   }

@@ -11,6 +11,7 @@
 #include "base/document_record.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "correlation/laboratory/virtual_recording.h"
 #include "correlation/observable/curve.h"
 #include "correlation/observable/values.h"
 #include "correlation/study/keys/declared_keys.h"
@@ -23,7 +24,6 @@
 #include "correlation/study/study_stages.h"
 #include "correlation/study/study_start.h"
 #include "correlation/study/variables.h"
-#include "correlation/study/virtual_recording.h"
 #include "evaluation/trial/encoding.h"
 #include "experiment/language/key_section.h"
 

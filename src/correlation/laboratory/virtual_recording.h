@@ -26,12 +26,12 @@ namespace latsch::correlation {
 /// A recording that a test of a model makes.
 struct VirtualRecording {
   std::string name;            // "measurement.loads"
-  std::filesystem::path file;  // that is written
+  std::filesystem::path file;  // the file that is written
   std::filesystem::path model_file;
   const experiment::SpecimenKind* kind = nullptr;
   Document numbers = Document::parse("", "");
   std::shared_ptr<const experiment::Test> test;
-  std::string test_name;  // as the study states it
+  std::string test_name;  // its name or file in the study
   std::string recipe;     // fingerprint of model and test
 
   /// Returns the model and the test in words: "test pressed of tire.toml".

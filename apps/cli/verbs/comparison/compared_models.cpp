@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/compared_models.h"
+#include "cli/verbs/comparison/compared_models.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "cli/console/implausible.h"
 #include "correlation/comparison/comparison_effects.h"
 #include "correlation/comparison/model_comparison_page.h"
-#include "correlation/study/virtual_recording.h"
+#include "correlation/laboratory/virtual_recording.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::cli {

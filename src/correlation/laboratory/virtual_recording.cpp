@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/study/virtual_recording.h"
+#include "correlation/laboratory/virtual_recording.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 #include "base/document_record.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "correlation/study/specimens.h"
 #include "experiment/language/known_limits.h"
 #include "formats/tables/csv_table.h"
 
@@ -76,8 +75,14 @@ VirtualRecording read_virtual(const Node& study,
   one.test_name = source.text("test");
   experiment::ReadTest read = read_named_test(study, source, folder, language);
   one.test = std::move(read.test);
-  if (const auto reason = reason_against(*one.kind, *one.test, language))
-    source.reject("test", *reason);
+  if (!experiment::can(*one.kind, *one.test))
+    source.reject(
+        "test",
+        fmt::format("is {}, which {} ({}) cannot undergo; expected a test of such models: "
+                    "latsch test --list",
+                    in_quotes(one.test_name),
+                    one.model_file.filename().string(),
+                    one.kind->in_words()));
   one.recipe = fingerprint(one.kind->name() + "\n" + canonical_text(one.numbers) + read.identity);
   return one;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "correlation/study/virtual_recording.h"
+#include "correlation/laboratory/virtual_recording.h"
 
 #include <gtest/gtest.h>
 

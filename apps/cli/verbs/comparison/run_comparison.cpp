@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/run_comparison.h"
+#include "cli/verbs/comparison/run_comparison.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "cli/console/console.h"
-#include "cli/verbs/compared_models.h"
+#include "cli/verbs/comparison/compared_models.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/comparison/model_comparison_file.h"
 
