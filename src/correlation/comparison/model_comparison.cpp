@@ -310,6 +310,8 @@ ModelComparison compare_models(const ModelComparisonFile& as_written,
   std::vector<std::unique_ptr<experiment::Test>> tests(count);
   share_out(count, threads, [&](std::size_t i) {
     const Channels recording = reference_of(file, i, language, &all.cases[i].limits_of_reference);
+    for (const std::string& name : file.channels)
+      all.cases[i].units.push_back(recording.find(name) ? recording.find(name)->unit : "");
     all.cases[i].times = selected_samples(file, recording, "time", file.reference.title);
     all.cases[i].samples = samples_of(file, recording, file.reference.title);
     all.cases[i].reference = densities_of(file, recording, file.reference.title);

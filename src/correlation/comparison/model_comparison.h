@@ -56,6 +56,7 @@ struct ModelRun {
 };
 
 struct CaseComparison {
+  std::vector<std::string> units;            // the units of the compared channels
   std::vector<double> times;                 // s, of the reference's samples
   std::vector<std::vector<double>> samples;  // the reference's values by channel, SI
   std::vector<numerics::Density> reference;

@@ -208,6 +208,10 @@ std::string fit_table(const ModelComparisonFile& file, const ModelComparison& co
 
 std::string coverage_table(const ModelComparisonFile& file, const ModelComparison& comparison) {
   if (file.uncertainties.empty() && file.fits.empty()) return "";
+  const bool has_bands =
+      !file.uncertainties.empty() ||
+      std::ranges::any_of(file.fits, [](const FitSource& fit) { return fit.has_bands; });
+  if (!has_bands) return "<h2>Fits</h2>\n" + fit_table(file, comparison);
   std::string html =
       "<h2>Bands</h2>\n<p>" + escape(bands_in_words(file)) + "</p>\n" + fit_table(file, comparison);
   std::vector<std::vector<std::string>> rows;
@@ -296,8 +300,9 @@ report::LinePlot time_plot(const ModelComparisonFile& file,
                            std::size_t channel) {
   report::LinePlot plot;
   plot.description = fmt::format("{} over time in {}", file.channels[channel], one.name);
+  const std::string& unit = compared.units[channel];
   plot.x_title = "Time [s]";
-  plot.y_title = file.channels[channel];
+  plot.y_title = file.channels[channel] + (unit.empty() || unit == "1" ? "" : " [" + unit + "]");
   plot.lines.push_back(
       {file.reference.title, compared.times, compared.samples[channel], kReferenceColor, {}});
   for (std::size_t m = 0; m < file.models.size(); ++m)
