@@ -13,7 +13,7 @@
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
-#include "cli/verbs/compared_models.h"
+#include "cli/verbs/comparison/compared_models.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/comparison/comparison_page.h"
 #include "correlation/comparison/model_comparison_file.h"

@@ -21,10 +21,13 @@
 #include "cli/run/interrupt.h"
 #include "cli/run/served_studies.h"
 #include "cli/run/trials.h"
+#include "cli/run/virtual_recordings.h"
 #include "cli/run/workers.h"
+#include "cli/verbs/comparison/run_comparison.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/analysis/refit_trials.h"
+#include "correlation/comparison/model_comparison_file.h"
 #include "correlation/search/finished_run.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_change.h"
@@ -172,6 +175,7 @@ struct Asked {
   bool adopts = false;
   bool anew = false;
   bool watch = false;
+  bool records_only = false;
 };
 
 /// Renames the journal, for example from "study.latsch" to "study.1.latsch"; the number is the
@@ -391,6 +395,8 @@ int fit_on_workers(const Study& study,
 }
 
 int fit(const Asked& asked, const experiment::Language& language) {
+  make_recordings(asked.file, language);
+  if (asked.records_only) return kDone;
   Study study = correlation::read_study(asked.file, language);
   if (asked.workers > 0) study.run.workers = asked.workers;
   const auto first_journal = correlation::stage(study, 0).run.journal;
@@ -421,6 +427,17 @@ int fit(const Asked& asked, const experiment::Language& language) {
 
 /// Runs the fit while the studio serves its page. The page stays until the user ends the program.
 int fit_watched(const Asked& asked, const experiment::Language& language) {
+  if (correlation::is_model_comparison(asked.file)) {
+    if (asked.watch || asked.resuming)
+      throw InputError({asked.file, 0},
+                       "is a comparison of models, expected latsch run without --watch; it goes on "
+                       "where it was interrupted");
+    return run_comparison(asked.file, language, asked.records_only, [&](const std::string& study) {
+      Asked one = asked;
+      one.file = study;
+      return fit(one, language);
+    });
+  }
   if (!asked.watch || launch().task > 0) return fit(asked, language);
   catch_interrupts();
   const ServedStudies page({asked.file}, language);
@@ -440,8 +457,9 @@ void add_run(CommandLine& app, Program& program) {
   for (const bool resuming : {false, true}) {
     Verb verb = app.add_subcommand(
         resuming ? "resume" : "run",
-        resuming ? "Goes on with an interrupted run; the result is the same to the last bit"
-                 : "Fits the variables to the measurements");
+        resuming
+            ? "Goes on with an interrupted run; the result is the same to the last bit"
+            : "Fits the variables to the measurements; of a comparison all its fits, and compares");
     verb.footer(fmt::format(
         "[run] in the study says how trials are run: workers, timeout, memory, on_failure, "
         "retries,\n"
@@ -452,7 +470,12 @@ void add_run(CommandLine& app, Program& program) {
         "repeat "
         "its result.\n--anew begins from the start, start = \"journal\" in [optimizer] at the best "
         "trial; more max_steps continue.\n\n"
+        "A measurement with the key virtual is recorded first, by a test of another model, if it "
+        "is "
+        "missing or out of date.\nrun of a comparison of models does everything that it needs: "
+        "recordings, fits, reference, comparison.\n\n"
         "Examples:\n  latsch {0} studies/tire_b_twin/study.toml --workers 2\n"
+        "  latsch run studies/fe_kerb/comparison.toml         # from a tire to a car on a kerb\n"
         "  mpirun -n 8 latsch {0} my_tire/study.toml           # on a cluster: one searches, seven "
         "evaluate\n"
         "  srun -n 8 --mpi=pmix latsch {0} my_tire/study.toml  # the same below Slurm",
@@ -474,6 +497,10 @@ void add_run(CommandLine& app, Program& program) {
                     asked->adopts,
                     "Keeps the trials of another version of the model or the outside program");
     } else {
+      verb.add_flag("--record",
+                    asked->records_only,
+                    "Records what the study measures on a model (key virtual) and is missing or "
+                    "out of date, and ends");
       verb.add_flag("--anew",
                     asked->anew,
                     "Begins with an empty journal, also if the study has finished; the old one is "

@@ -10,6 +10,7 @@
 #include "correlation/analysis/identifiability.h"
 #include "correlation/search/search_standing.h"
 #include "correlation/search/stage_runs.h"
+#include "correlation/target/best_trial.h"
 #include "numerics/dense/self_adjoint_eigen.h"
 #include "optimization/problem/point_vector.h"
 
@@ -88,6 +89,14 @@ FitPosterior fit_posterior(const FitSource& source, double segment) {
   const Journal journal = Journal::read(file, identity(*source.study));
   const Study study = with_estimated_noise(*source.study, journal);
   if (const std::string why = why_no_best(study, journal); !why.empty()) throw refuse(why);
+  if (!source.has_bands)
+    return {source.name,
+            best_trial(study, journal)->point,
+            Eigen::MatrixXd(study.space.size(), 0),
+            std::nan(""),
+            std::nan(""),
+            {},
+            {"its best point is used without an uncertainty, as the comparison asks"}};
   const auto what = recorded_identifiability(study, journal);
   if (!what) throw refuse("its journal does not show how certain its variables are; " + run);
   const Confidence& c = what->identification.confidence();

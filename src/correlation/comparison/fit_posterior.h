@@ -36,6 +36,7 @@ struct FitSource {
   /// the whole model.
   std::vector<std::string> at;
   Place place = {};
+  bool has_bands = true;  // false: the best point alone is used, without its uncertainty
 };
 
 struct FitPosterior {

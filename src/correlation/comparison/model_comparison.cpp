@@ -13,12 +13,13 @@
 #include <stdexcept>
 #include <thread>
 
+#include "base/document_record.h"
 #include "base/random.h"
 #include "base/text.h"
 #include "correlation/comparison/moved_models.h"
 #include "correlation/comparison/spectral_bands.h"
+#include "correlation/laboratory/virtual_recording.h"
 #include "correlation/target/limits_by_name.h"
-#include "experiment/language/known_limits.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::correlation {
@@ -69,16 +70,21 @@ Channels run_of(const ComparedModel& model,
                 const experiment::Test& test,
                 const std::string& name,
                 std::vector<std::string>* limits = nullptr) {
-  const auto specimen = model.kind->build(numbers);
-  auto channels = test.run(*specimen);
+  auto channels = recorded_channels(*model.kind, numbers, test, limits);
   if (!channels)
     throw std::runtime_error(
         fmt::format("{} in {}: {}", model.title, name, channels.failure().reason));
-  if (!limits) return std::move(*channels);
-  if (const auto* tells = dynamic_cast<const experiment::TellsLimits*>(&test))
-    *limits = tells->limits(*specimen);
-  for (std::string& limit : experiment::limits_met(*specimen)) limits->push_back(std::move(limit));
   return std::move(*channels);
+}
+
+/// Returns the compared samples of every compared channel.
+std::vector<std::vector<double>> samples_of(const ModelComparisonFile& file,
+                                            const Channels& channels,
+                                            const std::string& whose) {
+  std::vector<std::vector<double>> samples;
+  for (const std::string& name : file.channels)
+    samples.push_back(selected_samples(file, channels, name, whose));
+  return samples;
 }
 
 /// Throws InputError for a channel in the key `told` that no test of the models records.
@@ -109,6 +115,8 @@ ModelRun run_model(const ModelComparisonFile& file,
   const double begin = cpu_seconds();
   const Channels channels = run_of(model, model.numbers, test, one.name, &run.limits);
   run.cpu = cpu_seconds() - begin;
+  run.times = selected_samples(file, channels, "time", model.title);
+  run.samples = samples_of(file, channels, model.title);
   run.densities = densities_of(file, channels, model.title);
   for (std::size_t c = 0; c < reference.size(); ++c)
     if (run.densities[c].value.size() != reference[c].value.size() ||
@@ -231,8 +239,48 @@ Channels reference_of(const ModelComparisonFile& file,
   const std::size_t source = file.find_case(file.cases[index].recording);
   if (file.recordings.empty())
     return kept_of(file, record_reference(file, source, language, limits));
-  const auto table = formats::CsvTable::read(file.recordings / (file.cases[source].name + ".csv"));
-  return table.channels();
+  const auto recording = recording_file(file, source);
+  if (file.is_virtual)
+    if (const std::string why = why_to_record(recording, recipe_of_case(file, source, language));
+        !why.empty())
+      throw InputError({file.file.string(), 0},
+                       fmt::format("the recording {} of {} is virtual, and {}. Expected: latsch "
+                                   "run {}, which records it",
+                                   in_quotes(recording.string()),
+                                   file.reference.title,
+                                   why,
+                                   file.file.string()));
+  return formats::CsvTable::read(recording).channels();
+}
+
+std::filesystem::path recording_file(const ModelComparisonFile& file, std::size_t index) {
+  return file.recordings / (file.cases[index].name + ".csv");
+}
+
+std::string recipe_of_case(const ModelComparisonFile& file,
+                           std::size_t index,
+                           const experiment::Language& language) {
+  const ComparedCase& one = file.cases[index];
+  const DocumentRecord record(one.reference_test.root());
+  const auto read = language.read_identified_test(record.node(),
+                                                  {file.tests[one.test].reference_folder, nullptr});
+  std::string text =
+      file.reference.kind->name() + "\n" + canonical_text(file.reference.numbers) + read.identity;
+  if (!file.noise.empty()) text += fmt::format("seed {} of case {}\n", file.seed, index);
+  for (const auto& [channel, deviation] : file.noise)
+    text += channel + " " + canonical(deviation, "1") + "\n";
+  return fingerprint(text);
+}
+
+std::vector<std::size_t> cases_to_record(const ModelComparisonFile& file,
+                                         const experiment::Language& language) {
+  std::vector<std::size_t> cases;
+  if (!file.is_virtual) return cases;
+  for (std::size_t i = 0; i < file.cases.size(); ++i)
+    if (file.cases[i].recording == file.cases[i].name &&
+        !why_to_record(recording_file(file, i), recipe_of_case(file, i, language)).empty())
+      cases.push_back(i);
+  return cases;
 }
 
 namespace {
@@ -262,6 +310,10 @@ ModelComparison compare_models(const ModelComparisonFile& as_written,
   std::vector<std::unique_ptr<experiment::Test>> tests(count);
   share_out(count, threads, [&](std::size_t i) {
     const Channels recording = reference_of(file, i, language, &all.cases[i].limits_of_reference);
+    for (const std::string& name : file.channels)
+      all.cases[i].units.push_back(recording.find(name) ? recording.find(name)->unit : "");
+    all.cases[i].times = selected_samples(file, recording, "time", file.reference.title);
+    all.cases[i].samples = samples_of(file, recording, file.reference.title);
     all.cases[i].reference = densities_of(file, recording, file.reference.title);
     check_power(file, all.cases[i].reference);
     all.cases[i].noise = noise_of(file, recording);

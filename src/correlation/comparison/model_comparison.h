@@ -37,6 +37,8 @@ namespace latsch::correlation {
 
 /// Result of one model in one case, with its spectra by channel.
 struct ModelRun {
+  std::vector<double> times;                 // s, of the samples that are compared
+  std::vector<std::vector<double>> samples;  // values by channel, SI
   std::vector<numerics::Density> densities;
   std::vector<std::vector<double>> distance, decibels;  // [band][channel]
   std::vector<std::vector<double>> lower, upper;        // [channel][line]; empty: no bands
@@ -54,6 +56,9 @@ struct ModelRun {
 };
 
 struct CaseComparison {
+  std::vector<std::string> units;            // the units of the compared channels
+  std::vector<double> times;                 // s, of the reference's samples
+  std::vector<std::vector<double>> samples;  // the reference's values by channel, SI
   std::vector<numerics::Density> reference;
   std::vector<LineNoise> noise;  // noise of the reference, by channel
   std::vector<std::string>
@@ -76,6 +81,17 @@ Channels record_reference(const ModelComparisonFile& file,
 /// Returns the channels that are written to files and compared: time, the compared channels, and
 /// those in the key `recorded`.
 Channels kept_of(const ModelComparisonFile& file, const Channels& all);
+/// Returns the file of a case's recording, in the folder of the comparison's recordings.
+std::filesystem::path recording_file(const ModelComparisonFile& file, std::size_t index);
+/// Returns the recipe of a case's recording by the reference: a fingerprint of the reference's
+/// numbers, of its test, of the noise and the seed (laboratory/virtual_recording.h).
+std::string recipe_of_case(const ModelComparisonFile& file,
+                           std::size_t index,
+                           const experiment::Language& language);
+/// Returns the cases whose recordings are virtual and missing or out of date.
+std::vector<std::size_t> cases_to_record(const ModelComparisonFile& file,
+                                         const experiment::Language& language);
+
 /// Reads the reference from its file if it has one; otherwise simulates it.
 Channels reference_of(const ModelComparisonFile& file,
                       std::size_t index,

@@ -42,6 +42,11 @@ void read_reference(const Node& table,
                     ModelComparisonFile& file) {
   file.reference = read_compared(table, folder, language);
   if (table.has("recordings")) file.recordings = folder / table.text("recordings");
+  file.is_virtual = table.flag("virtual", false);
+  if (file.is_virtual && file.recordings.empty())
+    table.reject("virtual",
+                 "is given without recordings: expected the folder into which latsch run writes "
+                 "them");
   if (table.has("recorded")) file.recorded = table.texts("recorded");
   file.low_pass = table.quantity("low_pass", "Hz", Range::positive(), 0.0);
   file.seed = table.integer("seed", 0, 1'000'000'000, 1);
@@ -187,7 +192,7 @@ void read_fits(const Node& root,
                const experiment::Language& language,
                ModelComparisonFile& file) {
   for (const Node& table : root.named_tables("fit")) {
-    FitSource fit{table.name(), nullptr, {""}, table.place()};
+    FitSource fit{table.name(), nullptr, {""}, table.place(), table.flag("bands", true)};
     fit.study =
         std::make_shared<const Study>(read_study(existing(table, "study", folder), language));
     if (table.has("at")) fit.at = table.texts("at");
@@ -281,6 +286,21 @@ std::size_t ModelComparisonFile::find_case(const std::string& name) const {
 bool compares_models(const fs::path& file) {
   const auto keys = Document::read(file).root().keys();
   return std::find(keys.begin(), keys.end(), "model") != keys.end();
+}
+
+bool is_model_comparison(const fs::path& file) {
+  if (file.extension() != ".toml") return false;
+  const auto keys = Document::read(file).root().keys();
+  return std::find(keys.begin(), keys.end(), "reference") != keys.end();
+}
+
+std::vector<std::pair<std::string, fs::path>> studies_of_fits(const fs::path& file) {
+  const Document document = Document::read(file);
+  std::vector<std::pair<std::string, fs::path>> studies;
+  if (!document.root().has("fit")) return studies;
+  for (const Node& table : document.root().named_tables("fit"))
+    studies.emplace_back(table.name(), existing(table, "study", file.parent_path()));
+  return studies;
 }
 
 ModelComparisonFile read_model_comparison(const fs::path& path,

@@ -15,6 +15,8 @@
 //   [reference]
 //   title = "Track"
 //   recordings = "measured"              # folder of CASE.csv; simulated unless given:
+//   virtual = true                       # latsch run records those that are missing or of another
+//                                        # reference or test (laboratory/virtual_recording.h)
 //   kind = "car"
 //   file = "track.toml"
 //   recorded = ["speed", "line"]         # channels beside those compared
@@ -39,7 +41,8 @@
 //   fits = ["tire", "front"]             # where its numbers come from; none unless given
 //
 //   [fit.front]                          # a study that latsch run has completed: the models get
-//   study = "fits/front.toml"            # its best point, and their bands its uncertainty
+//   study = "fits/front.toml"            # its best point, and their bands its uncertainty;
+//   bands = false                        # the best point alone, for a search without intervals
 //   at = ["front_suspension"]            # path of its model in those compared; the whole model
 //                                        # unless given (fit_posterior.h)
 //
@@ -127,6 +130,7 @@ struct ModelComparisonFile {
   std::vector<NamedBand> bands;
   ComparedModel reference;
   std::filesystem::path recordings;  // empty: the reference is simulated
+  bool is_virtual = false;           // true: the recordings are written by the reference
   double low_pass = 0.0;             // Hz; 0: none
   long seed = 1;
   std::map<std::string, double> noise;
@@ -148,6 +152,12 @@ struct ModelComparisonFile {
 
 /// True if the file is a comparison of models: it contains tables [model.NAME].
 bool compares_models(const std::filesystem::path& file);
+/// True if the file is a comparison of models and no study: it contains a table [reference].
+bool is_model_comparison(const std::filesystem::path& file);
+/// Returns the studies of the tables [fit.NAME] by their names, in the order of the file, without
+/// reading them. Throws InputError for one that does not exist.
+std::vector<std::pair<std::string, std::filesystem::path>> studies_of_fits(
+    const std::filesystem::path& file);
 
 /// Throws InputError naming the place.
 ModelComparisonFile read_model_comparison(const std::filesystem::path& file,

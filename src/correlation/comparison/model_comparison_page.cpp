@@ -190,8 +190,8 @@ std::string fit_table(const ModelComparisonFile& file, const ModelComparison& co
     rows.push_back({fit.name + ": " + file.fits[k].study->title,
                     models,
                     fmt::format("{}", file.fits[k].study->space.size()),
-                    significant(fit.excess, 2),
-                    significant(fit.held_out, 2),
+                    file.fits[k].has_bands ? significant(fit.excess, 2) : "–",
+                    file.fits[k].has_bands ? significant(fit.held_out, 2) : "–",
                     span_of(fit.discrepancy, file.bands[0].band)});
     for (const std::string& remark : fit.remarks)
       remarks += "<li>" + escape(fit.name + ": " + remark) + "</li>\n";
@@ -208,6 +208,10 @@ std::string fit_table(const ModelComparisonFile& file, const ModelComparison& co
 
 std::string coverage_table(const ModelComparisonFile& file, const ModelComparison& comparison) {
   if (file.uncertainties.empty() && file.fits.empty()) return "";
+  const bool has_bands =
+      !file.uncertainties.empty() ||
+      std::ranges::any_of(file.fits, [](const FitSource& fit) { return fit.has_bands; });
+  if (!has_bands) return "<h2>Fits</h2>\n" + fit_table(file, comparison);
   std::string html =
       "<h2>Bands</h2>\n<p>" + escape(bands_in_words(file)) + "</p>\n" + fit_table(file, comparison);
   std::vector<std::vector<std::string>> rows;
@@ -287,6 +291,46 @@ report::LinePlot density_plot(const ModelComparisonFile& file,
        7,
        {}});
   return plot;
+}
+
+/// Returns the samples over time, the reference's first.
+report::LinePlot time_plot(const ModelComparisonFile& file,
+                           const CaseComparison& compared,
+                           const ComparedCase& one,
+                           std::size_t channel) {
+  report::LinePlot plot;
+  plot.description = fmt::format("{} over time in {}", file.channels[channel], one.name);
+  const std::string& unit = compared.units[channel];
+  plot.x_title = "Time [s]";
+  plot.y_title = file.channels[channel] + (unit.empty() || unit == "1" ? "" : " [" + unit + "]");
+  plot.lines.push_back(
+      {file.reference.title, compared.times, compared.samples[channel], kReferenceColor, {}});
+  for (std::size_t m = 0; m < file.models.size(); ++m)
+    plot.lines.push_back({file.models[m].title,
+                          compared.models[m].times,
+                          compared.models[m].samples[channel],
+                          color_of(m),
+                          {}});
+  return plot;
+}
+
+/// Draws the channels over time in the middle case of each test; all cases would make a page of
+/// many megabytes.
+std::string time_figures(const ModelComparisonFile& file, const ModelComparison& comparison) {
+  std::string html = "<h2>Over time</h2>\n";
+  for (std::size_t t = 0; t < file.tests.size(); ++t) {
+    const auto cases = cases_of(file, t);
+    const std::size_t i = cases[cases.size() / 2];
+    const ComparedCase& one = file.cases[i];
+    html += fmt::format("<h3>{}{}{}</h3>\n<div class=\"figures\">",
+                        escape(one.name),
+                        one.in_words.empty() ? "" : ": ",
+                        escape(one.in_words));
+    for (std::size_t c = 0; c < file.channels.size(); ++c)
+      html += figure(file.channels[c], time_plot(file, comparison.cases[i], one, c), "");
+    html += "</div>\n";
+  }
+  return html;
 }
 
 std::string case_figures(const ModelComparisonFile& file, const ModelComparison& comparison) {
@@ -422,7 +466,7 @@ std::string model_comparison_page(const ModelComparisonFile& file,
                      comparison.pictures[k].caption);
     html += "</div>\n";
   }
-  html += case_figures(file, comparison);
+  html += time_figures(file, comparison) + case_figures(file, comparison);
   return html + std::string(report::kPageEnd);
 }
 

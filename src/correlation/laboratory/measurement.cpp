@@ -354,6 +354,10 @@ Measurement read_measurement(const Node& table, const fs::path& folder) {
   Measurement::Told told;
   told.name = table.name();
   told.place = table.place();
+  // A virtual recording is a file like another; laboratory/virtual_recording.h writes it.
+  if (const auto source = table.find_table("virtual")) {
+    told.words.push_back("virtual: test " + source->text("test") + " of " + source->text("model"));
+  }
   told.files = read_files(table, folder);
   if (table.has("frame")) told.frame = table.choice("frame", {"W", "H", "C"});
   const std::string part = read_part(table);

@@ -28,6 +28,13 @@ in channels that something needs.
                ".rsp .drv .tim .ld."},
               {"files",
                "Several files, one after the other, instead of `file`: `[\"a.dat\", ...]`."},
+              {"virtual",
+               "Table that says which test of which model `latsch run` records as the file, a "
+               ".csv: `{model = \"tire.toml\", test = \"pressed\"}`. A file of other numbers or of "
+               "another test is out of date; `latsch run` records it again.",
+               "a laboratory has recorded the file"},
+              {"virtual.model", "File of the model, of any kind that the test can be done with."},
+              {"virtual.test", "Name of a `[test.NAME]` of this study, or the file of a test."},
               {"struct",
                "Struct of a .mat that has the channels, \"run1\" of run1.Fz; or what stands before "
                "the dot in the columns of a .csv.",
@@ -115,6 +122,10 @@ zero = {channels = ["Fz"], at = {Fz = "4 kN .. 4.1 kN"}}
               R"toml([measurement.logged]
 file = "logged.uff"
 group = "time 1"
+)toml",
+              R"toml([measurement.pressed]
+file = "force.csv"
+virtual = {model = "model.toml", test = "slow.toml"}
 )toml",
               R"toml([measurement.joined]
 file = "logged.uff"

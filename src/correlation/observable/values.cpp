@@ -210,6 +210,33 @@ std::vector<std::string> read_mode_names(const Node& table,
   return modes;
 }
 
+/// Takes the values of the named modes from a recording of all modes, as a test of kind "modes"
+/// makes it, with their numbers n and types. Leaves the values of other measurements as they are.
+void take_named_modes(const Node& table,
+                      const latsch::correlation::Measurement& measurement,
+                      Values::Measurement& m) {
+  Channels recording;
+  for (const auto& [name, unit] : {std::pair{"frequency", "Hz"}, {"n", "1"}, {"type", "1"}}) {
+    if (!measurement.has(name)) return;
+    recording.add({name, unit, measurement.values(name, unit)});
+  }
+  recording.add({"phase",
+                 "1",
+                 measurement.has("phase") ? measurement.values("phase", "1")
+                                          : std::vector<double>(m.values.size(), 0.0)});
+  const auto modes = experiment::mode_records(recording);
+  std::vector<double> named;
+  for (const std::string& label : table.texts("modes")) {
+    const auto mode = experiment::mode_of_label(label);
+    if (!mode) return;  // read_mode_names() says so
+    const int found = experiment::find_mode(modes, *mode);
+    if (found < 0)
+      table.reject("modes", "has " + in_quotes(label) + ", which the measurement does not have");
+    named.push_back(m.values[static_cast<std::size_t>(found)]);
+  }
+  m.values = named;
+}
+
 /// Returns the measured values of the channel's column. If the channel is a slope that was not
 /// recorded as a column, it is computed from the recorded channels by the regression of the test.
 std::vector<double> measured_values(const Node& table,
@@ -262,6 +289,7 @@ std::shared_ptr<const Values> read_values(const Node& table,
     m.values = table.quantities("values", m.unit);
     if (m.values.empty()) table.reject("values", "is empty, expected at least one");
   }
+  if (measurement && table.has("modes")) take_named_modes(table, *measurement, m);
   if (table.has("modes")) m.modes = read_mode_names(table, m, names);
   for (const double value : m.values) m.scales.push_back(std::abs(value));
   if (table.has("scale"))

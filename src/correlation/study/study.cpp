@@ -11,6 +11,7 @@
 #include "base/document_record.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "correlation/laboratory/virtual_recording.h"
 #include "correlation/observable/curve.h"
 #include "correlation/observable/values.h"
 #include "correlation/study/keys/declared_keys.h"
@@ -420,6 +421,7 @@ Study read_study(const std::filesystem::path& file,
                            "is " + in_quotes(document.root().text("kind")) +
                                ": that is a tire, a road or a test, expected a study, which has a "
                                "model, [variable.NAME] and [experiment.NAME]");
+  if (measurements == Measurements::required) refuse_outdated_recordings(file, language);
   try {
     return read(document, document.root(), file, measurements, language);
   } catch (const InputError&) {

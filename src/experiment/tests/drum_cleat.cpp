@@ -56,14 +56,15 @@ std::optional<Reach> DrumCleatTest::reach(const std::string& channel) const {
 }
 
 Result<Channels> DrumCleatTest::run(Specimen& specimen) const {
-  if (auto* elements = specimen.find<IsFeTire>())
-    return elements->drive(
-        [&](TireRig& rig, fe_tire::TireSlopes*) {
-          std::vector<std::string> remarks;
-          return cross_cleat(rig, test_, remarks);
-        },
+  if (auto* elements = specimen.find<IsFeTire>()) {
+    std::vector<std::string> remarks;
+    auto record = elements->drive(
+        [&](TireRig& rig, fe_tire::TireSlopes*) { return cross_cleat(rig, test_, remarks); },
         test_.pressure.has_value(),
         {});
+    for (const std::string& remark : remarks) record_limit(specimen, remark);
+    return record;
+  }
   refuse_high_cleat(specimen, test_.cleat);
   LiftLog lifts;
   auto record =

@@ -36,7 +36,9 @@ names are compared in their order.
               {"scale", "Difference that counts as an error of 100 %.", "the measured value"},
               {"modes",
                "Modes whose values are compared, by their names: `[\"torsional n=0\", \"lateral "
-               "n=1\"]`; on the ground \"lateral n=1 s\" or a."},
+               "n=1\"]`; on the ground \"lateral n=1 s\" or a. A measurement with one row for each "
+               "of them has them in this order; of a recording with the columns frequency, n and "
+               "type, as `latsch test` writes it, the lowest rows of these names are taken."},
           },
       .samples =
           {

@@ -385,7 +385,7 @@ Result<HubForces> FeRollingTire::begin(WheelMotion& motion,
   TireInTime& passage = with.in_time();
   if (with.holder != nullptr && with.holder != this) with.holder->memory_->state = passage.take();
   with.holder = nullptr;
-  auto found = passage.start(*steady, with.settings.transient);
+  auto found = passage.begin(*steady, with.settings.transient);
   if (!found) return found.failure();
   with.holder = this;
   if (wheel.height) {

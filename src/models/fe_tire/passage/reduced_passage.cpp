@@ -73,11 +73,13 @@ struct ReducedPassage::Impl {
 
   RollingTransient& full;
   RollingTransientSettings settings = {};
+  ReductionSettings reduction = {};
   ReducedState now = {};
   std::list<Workspace> workspaces = {};  // the last used first
 
   explicit Impl(RollingTransient& of) : full(of) {}
   Workspace& workspace(double h);
+  Status reduce();
   Known known(const StepMatrices& matrices,
               const WheelMoment& to,
               double spin,
@@ -234,29 +236,50 @@ ReducedPassage::ReducedPassage(RollingTransient& full) : impl_(std::make_unique<
 ReducedPassage::ReducedPassage(ReducedPassage&&) noexcept = default;
 ReducedPassage::~ReducedPassage() = default;
 
-Result<TransientForces> ReducedPassage::start(const RollingState& steady,
+Result<TransientForces> ReducedPassage::begin(const RollingState& steady,
                                               const RollingTransientSettings& settings,
                                               const ReductionSettings& reduction) {
   auto begun = impl_->full.start(steady, settings);
   if (!begun) return begun;
-  auto tire = impl_->full.reduced(reduction);
-  if (!tire) return tire.failure();
-  TransientState from = impl_->full.take();
   Impl& of = *impl_;
   of.settings = settings;
+  of.reduction = reduction;
   of.now = {};
-  of.now.tire = std::make_shared<const ReducedTire>(*std::move(tire));
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(of.now.tire->shapes());
-  of.now.q = {still, still, still};
-  for (const RelaxingStiffness& part : of.now.tire->parts)
-    of.now.y.emplace_back(part.terms.size(), still);
-  of.now.c = of.now.tire->c;
-  of.now.grip = std::move(from.grip);
-  of.now.past = std::move(from.past);
-  of.now.spin = from.spin;
-  of.now.load = from.load;
-  of.now.first_spin = from.first_spin;
-  of.now.wheel = from.wheel;
+  const auto from = std::make_shared<const TransientState>(of.full.take());
+  of.now.grip = from->grip;
+  of.now.past = from->past;
+  of.now.spin = from->spin;
+  of.now.load = from->load;
+  of.now.first_spin = from->first_spin;
+  of.now.wheel = from->wheel;
+  of.now.unreduced = from;
+  return begun;
+}
+
+/// Makes the reduced tire of the present state, unless it is made.
+Status ReducedPassage::Impl::reduce() {
+  if (!now.unreduced) return {};
+  full.resume(*now.unreduced);
+  auto tire = full.reduced(reduction);
+  full.take();
+  if (!tire) return tire.failure();
+  now.tire = std::make_shared<const ReducedTire>(*std::move(tire));
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(now.tire->shapes());
+  now.q = {still, still, still};
+  now.y.clear();
+  for (const RelaxingStiffness& part : now.tire->parts)
+    now.y.emplace_back(part.terms.size(), still);
+  now.c = now.tire->c;
+  now.unreduced.reset();
+  return {};
+}
+
+Result<TransientForces> ReducedPassage::start(const RollingState& steady,
+                                              const RollingTransientSettings& settings,
+                                              const ReductionSettings& reduction) {
+  auto begun = begin(steady, settings, reduction);
+  if (!begun) return begun;
+  if (const Status reduced = impl_->reduce(); !reduced) return reduced.failure();
   return begun;
 }
 
@@ -265,6 +288,7 @@ Result<TransientForces> ReducedPassage::advance(const WheelMoment& to) {
 }
 
 Result<TransientForces> ReducedPassage::advance(const WheelMoment& to, double step) {
+  if (const Status reduced = impl_->reduce(); !reduced) return reduced.failure();
   auto whole = impl_->step(to, step);
   if (whole) return whole;
   const ReducedState before = impl_->now;

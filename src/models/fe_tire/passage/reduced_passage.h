@@ -35,7 +35,9 @@ namespace latsch::fe_tire {
 /// State of a reduced tire in time, as a value. It belongs to the RollingTransient from which the
 /// tire was made.
 struct ReducedState {
-  std::shared_ptr<const ReducedTire> tire;
+  std::shared_ptr<const ReducedTire> tire;  // null until it is made
+  /// Steady state of which the tire is to be made in the first step; null once it is made.
+  std::shared_ptr<const TransientState> unreduced;
   BossakStep::Motion q;                         // deviations of the shapes from the steady state
   std::vector<std::vector<Eigen::VectorXd>> y;  // (V.9), [part][term]
   Eigen::VectorXd c;                            // N, forces of the ground on the tread's nodes
@@ -57,6 +59,11 @@ class ReducedPassage {
   /// Begins with a steady state, of which the reduced tire is made. Returns its forces, or a
   /// Failure that says what is out of range.
   Result<TransientForces> start(const RollingState& steady,
+                                const RollingTransientSettings& settings,
+                                const ReductionSettings& reduction = {});
+  /// Begins like start(), but the first step makes the reduced tire. A tire of which only the
+  /// steady state is used then costs no reduction.
+  Result<TransientForces> begin(const RollingState& steady,
                                 const RollingTransientSettings& settings,
                                 const ReductionSettings& reduction = {});
   /// Moves on by one step, of the settings or of `step`, s. Another step than the last costs some

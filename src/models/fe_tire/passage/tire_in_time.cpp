@@ -21,6 +21,11 @@ Result<TransientForces> TireInTime::start(const RollingState& steady,
   return reduced_ ? reduced_->start(steady, settings, *reduction_) : full_.start(steady, settings);
 }
 
+Result<TransientForces> TireInTime::begin(const RollingState& steady,
+                                          const RollingTransientSettings& settings) {
+  return reduced_ ? reduced_->begin(steady, settings, *reduction_) : full_.start(steady, settings);
+}
+
 Result<TransientForces> TireInTime::advance(const WheelMoment& to, double step) {
   return reduced_ ? reduced_->advance(to, step) : full_.advance(to, step);
 }

@@ -23,6 +23,9 @@ class TireInTime {
   void set_history(const LossMaterials& losses, const Inflated& round);
   Result<TransientForces> start(const RollingState& steady,
                                 const RollingTransientSettings& settings);
+  /// Begins like start(), but a reduced tire is made by the first step.
+  Result<TransientForces> begin(const RollingState& steady,
+                                const RollingTransientSettings& settings);
   Result<TransientForces> advance(const WheelMoment& to, double step);
 
   State state() const;

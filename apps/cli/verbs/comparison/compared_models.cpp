@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/compared_models.h"
+#include "cli/verbs/comparison/compared_models.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 #include "cli/console/implausible.h"
 #include "correlation/comparison/comparison_effects.h"
 #include "correlation/comparison/model_comparison_page.h"
+#include "correlation/laboratory/virtual_recording.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::cli {
@@ -20,28 +21,37 @@ namespace {
 using correlation::ModelComparison;
 using correlation::ModelComparisonFile;
 
+/// Writes the recording of a case by the reference, rounded to the resolution of sensors.
+void write_recording(const ModelComparisonFile& file,
+                     std::size_t i,
+                     const experiment::Language& language,
+                     const std::filesystem::path& folder) {
+  Channels rounded;
+  std::vector<std::string> limits;
+  const Channels all =
+      correlation::kept_of(file, correlation::record_reference(file, i, language, &limits));
+  for (const std::string& limit : limits)
+    warn(fmt::format("{}: {} ({})", file.reference.title, limit, file.cases[i].name),
+         {file.file.string(), 0});
+  for (Channel channel : all.all()) {
+    const double digits = channel.unit == "N" ? 1.0 : 1e4;  // inverse resolution of the sensors
+    for (double& value : channel.values) value = std::round(value * digits) / digits;
+    rounded.add(std::move(channel));
+  }
+  const auto to = folder / (file.cases[i].name + ".csv");
+  const std::string recipe =
+      correlation::recipe_line(fmt::format("{} in {}", file.reference.title, file.cases[i].name),
+                               correlation::recipe_of_case(file, i, language));
+  write_text_file(to, "# " + recipe + "\n" + formats::csv_text(rounded));
+  say_written(to.string());
+}
+
 void write_recordings(const ModelComparisonFile& file,
                       const experiment::Language& language,
                       const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  for (std::size_t i = 0; i < file.cases.size(); ++i) {
-    if (file.cases[i].recording != file.cases[i].name) continue;
-    Channels rounded;
-    std::vector<std::string> limits;
-    const Channels all =
-        correlation::kept_of(file, correlation::record_reference(file, i, language, &limits));
-    for (const std::string& limit : limits)
-      warn(fmt::format("{}: {} ({})", file.reference.title, limit, file.cases[i].name),
-           {file.file.string(), 0});
-    for (Channel channel : all.all()) {
-      const double digits = channel.unit == "N" ? 1.0 : 1e4;  // inverse resolution of the sensors
-      for (double& value : channel.values) value = std::round(value * digits) / digits;
-      rounded.add(std::move(channel));
-    }
-    const auto to = folder / (file.cases[i].name + ".csv");
-    write_text_file(to, formats::csv_text(rounded));
-    say_written(to.string());
-  }
+  for (std::size_t i = 0; i < file.cases.size(); ++i)
+    if (file.cases[i].recording == file.cases[i].name) write_recording(file, i, language, folder);
 }
 
 Json json_of(const correlation::FactorialEffects& effects) {
@@ -84,6 +94,15 @@ Json json_of(const ModelComparisonFile& file, const ModelComparison& comparison,
 }
 
 }  // namespace
+
+void record_reference(const std::string& name, const experiment::Language& language) {
+  const ModelComparisonFile file = correlation::read_model_comparison(name, language);
+  for (const std::size_t i : correlation::cases_to_record(file, language)) {
+    std::filesystem::create_directories(file.recordings);
+    say("Recording {} of {}\n", file.cases[i].name, file.reference.title);
+    write_recording(file, i, language, file.recordings);
+  }
+}
 
 void compare_models(const std::string& name,
                     const experiment::Language& language,
