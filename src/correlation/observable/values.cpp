@@ -130,6 +130,10 @@ std::vector<std::filesystem::path> Values::write(const Channels& trial,
     throw InputError(files.measurement->place(),
                      "cannot be written by a twin: " + m_.channel + " is compared by its " + m_.of +
                          " value alone");
+  if (!m_.modes.empty() && files.measurement->samples() != m_.values.size())
+    throw InputError(files.measurement->place(),
+                     "cannot be written by a twin: it records all modes, of which " + m_.channel +
+                         " compares some; expected a file with a row for each of them");
   const auto found = simulated(trial);
   if (!found) throw InputError(files.measurement->place(), found.failure().reason);
   std::map<std::string, std::vector<double>> values{{channel_part(m_.channel), found->values}};

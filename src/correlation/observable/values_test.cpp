@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+
 namespace latsch::correlation {
 namespace {
 
@@ -69,6 +72,26 @@ Channels vibrations() {
   channels.add({"air/phase", "1", {0.0, 0.0, 2.0, 1.0, 0.0}});
   channels.add({"air/damping", "1", {0.07, 0.03, 0.05, 0.04, 0.06}});
   return channels;
+}
+
+// The recording has a radial n=2 at 95 Hz and a lower one at 48 Hz, whose damping is 6 %.
+TEST(Values, NamedModesAreTakenFromARecordingOfAllModes) {
+  const ScratchFolder folder;
+  const auto all = folder / "all.csv";
+  write_text_file(all,
+                  "frequency [Hz],n [1],type [1],phase [1],damping [1]\n"
+                  "41,0,1,0,0.07\n95,2,2,0,0.03\n48,2,2,0,0.06\n");
+  const auto measurement = read_measurement(all);
+  const auto read = [&](const std::string& modes) {
+    const Document document = Document::parse(
+        "[e.row]\nchannel = \"air/damping\"\nmodes = [" + modes + "]\n", "study.toml");
+    return read_values(document.root().named_tables("e").front(), kKnown, &measurement);
+  };
+  const auto found = read("\"radial n=2\", \"lateral n=0\"")->compare(vibrations(), {});
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(found->errors[0], 0.0);
+  EXPECT_DOUBLE_EQ(found->errors[1], 0.0);
+  EXPECT_THROW(read("\"torsional n=0\""), InputError);
 }
 
 // Modes are found by name in any order. Of several with the same name the lowest is used, unless
