@@ -9,12 +9,15 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
 from cli_testing import DONE, LATSCH, WRONG_INPUT
 
-STUDIES = pathlib.Path(__file__).resolve().parents[3] / "studies"
+STUDIES = pathlib.Path(__file__).resolve().parents[4] / "studies"
 RING = STUDIES / "ring_tires" / "passenger_205_55R16.toml"
 FORMULA = STUDIES / "tire_model_comparison" / "magic_formula.tir"
 SWEEP = '{kind = "slip_sweep", load = "4 kN", speed = "30 km/h", alpha = ["-6 deg", "6 deg"], duration = "0.4 s"%s}'

@@ -8,12 +8,15 @@ import json
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
 from cli_testing import DONE, LATSCH, WRONG_INPUT
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+ROOT = pathlib.Path(__file__).resolve().parents[4]
 SUSPENSIONS = ROOT / "studies" / "suspensions"
 SIMBODY = ROOT / "verification" / "simbody"
 MOTIONS = ("dx", "dy", "dz", "about_x", "about_y", "about_z")
