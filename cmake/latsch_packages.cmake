@@ -56,7 +56,7 @@ foreach(component program mpi python)
 endforeach()
 include(CPack)
 
-add_custom_target(latsch_packaged DEPENDS latsch latsch_manual latsch_fmi2 latsch_fmi3 latsch_fmi2_all latsch_fmi3_all latsch_sti)
+add_custom_target(latsch_packaged DEPENDS latsch latsch_manual latsch_fmi2 latsch_fmi3 latsch_sti latsch_all)
 if(TARGET latsch_python)
   add_dependencies(latsch_packaged latsch_python)
 endif()

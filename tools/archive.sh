@@ -10,7 +10,7 @@ newest_glibc=2.36
 tools/install_packages.sh build page archive
 log=build/archive_build.log
 mkdir -p build/packages
-if ! { cmake --preset release && cmake --build --preset release --target latsch latsch_manual latsch_fmi2 latsch_fmi3 latsch_sti; } >"$log" 2>&1; then
+if ! { cmake --preset release && cmake --build --preset release --target latsch latsch_manual latsch_fmi2 latsch_fmi3 latsch_sti latsch_all; } >"$log" 2>&1; then
   tail -n 40 "$log" >&2
   exit 1
 fi

@@ -66,7 +66,7 @@ KNOWS_NO_MODEL = "correlation"
 # virtual function of the class Test.
 KNOW_NO_TEST = ("correlation", "studio", "report")
 # Verbs of the program whose purpose concerns a certain model. No other verb may know one.
-VERBS_OF_MODELS = {"export", "exported_bushings", "exported_rolling", "mesh", "road", "shown_bushing", "shown_file",
+VERBS_OF_MODELS = {"export", "exported_bushings", "exported_kc", "exported_rolling", "mesh", "road", "shown_bushing", "shown_file",
                    "shown_tire"}
 KIND_BY_NAME = re.compile(r'name\(\)\s*[!=]=\s*"(fe_tire|ring_tire|rigid_ring|magic_formula)"')
 

@@ -2,11 +2,13 @@
 // Creates the instance of an FMU from the arguments that an importing program passes.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "exchange/instance.h"
 #include "exchange/unit/unit_models.h"
+#include "exchange/unit/unit_reading.h"
 
 namespace latsch::exchange {
 
@@ -18,6 +20,10 @@ std::string folder_of_uri(const std::string& uri);
 /// Returns the models of which this library makes units: all of them (full_models.cpp), or those of
 /// a slim library (slim/slim_models.cpp).
 const UnitModels& models_of_library();
+
+/// Returns the tire of a file of any rolling tire, with any units. A slim library throws
+/// InputError, which names the command that makes a file for it.
+TireFromFolder tire_as_written(const std::filesystem::path& file);
 
 /// Creates the instance from the folder. Returns nullptr, with the reason in the log, if the folder
 /// contains no unit or one with another token.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,11 +16,11 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/utf8.h"
+#include "exchange/loading.h"
 #include "exchange/own_arithmetic.h"
 #include "exchange/unit/stepped_tire.h"
 #include "exchange/unit/tire_unit.h"
-#include "experiment/language.h"
-#include "experiment/language/capabilities.h"
 #include "formats/road/road_file.h"
 
 namespace latsch::exchange::sti {
@@ -59,13 +60,12 @@ std::string file_name(const char* text, int length, const char* what) {
 }
 
 void load(Seat& seat, const std::string& file, const std::string& road) {
-  const experiment::SpecimenKind& kind = experiment::language().kind_of_file(file);
-  const Document numbers = kind.read(file);
-  const auto specimen = kind.build(numbers);
-  const auto* rolls = specimen->find<Rolls>();
-  if (!rolls) throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
-  seat.tire = std::make_unique<SteppedTire>(rolls->tire());
-  seat.description = "Latsch: " + kind.describe(numbers);
+  const std::filesystem::path path = path_of_utf8(file);
+  const TireFromFolder found = path.filename() == kUnitFile
+                                   ? read_tire_of_unit(path.parent_path(), models_of_library())
+                                   : tire_as_written(path);
+  seat.tire = std::make_unique<SteppedTire>(found.tire.rolls->tire());
+  seat.description = "Latsch: " + found.kind;
   seat.road = road.empty() ? nullptr : std::shared_ptr(formats::read_road_file(road).road);
 }
 

@@ -5,12 +5,15 @@
 // road]. SI, TYDEX axes. Arguments are passed by address, arrays by column.
 //
 //   JOBFLG  1, 11  sizes of the arrays: NTYPAR, NDEQVR, NVARS, NWORK, NIWORK
-//           2, 3   reads the tire file CHTDST(1:NCHTDS), any that rolls; forgets earlier states
+//           2, 3   reads the tire file CHTDST(1:NCHTDS); forgets earlier states
 //           0      forces at TIME
 //           5      forces for a difference: no state is kept
 //           4, 6   nothing to be done (a step is over; initial conditions of no states)
 //           99     forgets the tire
 //   IERR    0 good, 1 warning, 2 no result, 3 the program should stop
+//
+// The tire file is the unit.toml of a folder in SI (exchange/unit/unit_reading.h) or, in the
+// library with all models, any file of a tire that rolls.
 //
 // The state of the tire stays here, by IDTYRE: DEQVAR is empty, and
 // src/exchange/unit/stepped_tire.h says how a call becomes a step. If ROAD is a null pointer the

@@ -3,6 +3,7 @@
 // results equal those of the tire called directly, whatever steps an integrator tries in between.
 #include "exchange/sti.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,6 +14,9 @@
 #include <functional>
 #include <string>
 
+#include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "exchange/package/unit_folder.h"
 #include "experiment/language.h"
 #include "experiment/language/capabilities.h"
 #include "models/road/road.h"
@@ -129,6 +133,7 @@ struct Caller {
   double typarr[7]{}, varinf[15]{};
   char model[256]{};
   int ndeqvr = -1, ntypar = -1, nvars = -1, nwork = -1, niwork = -1;
+  Dtyre* function = &dtyre;
 
   int call(int job, double time = 0.0, double lift = 0.0) {
     const int zero = 0, road_number = 5, file_length = static_cast<int>(file.size()),
@@ -138,41 +143,41 @@ struct Caller {
     const double tramat[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
     double none[1] = {};
     int no_integers[1] = {}, ierr = -1;
-    dtyre(&zero,
-          &zero,
-          &job,
-          &id,
-          &time,
-          dis,
-          tramat,
-          &angle,
-          vel,
-          omega,
-          &spin,
-          &ndeqvr,
-          none,
-          &ntypar,
-          typarr,
-          &file_length,
-          file.c_str(),
-          road,
-          &road_number,
-          &zero,
-          none,
-          &road_length,
-          road_file.c_str(),
-          hub.data(),
-          hub.data() + 3,
-          none,
-          none,
-          model,
-          &nvars,
-          varinf,
-          &nwork,
-          none,
-          &niwork,
-          no_integers,
-          &ierr);
+    function(&zero,
+             &zero,
+             &job,
+             &id,
+             &time,
+             dis,
+             tramat,
+             &angle,
+             vel,
+             omega,
+             &spin,
+             &ndeqvr,
+             none,
+             &ntypar,
+             typarr,
+             &file_length,
+             file.c_str(),
+             road,
+             &road_number,
+             &zero,
+             none,
+             &road_length,
+             road_file.c_str(),
+             hub.data(),
+             hub.data() + 3,
+             none,
+             none,
+             model,
+             &nvars,
+             varinf,
+             &nwork,
+             none,
+             &niwork,
+             no_integers,
+             &ierr);
     return ierr;
   }
   std::string message() const { return latsch_sti_message(&id); }
@@ -321,6 +326,59 @@ TEST_P(EveryTire, AnswersFortranAsItAnswersC) {
   }
 }
 #endif
+
+/// The slim library, which shares no code at run time with the one that this program is linked to.
+class SlimLibrary {
+ public:
+  SlimLibrary() : handle_(::dlopen(LATSCH_STI_SLIM, RTLD_NOW | RTLD_LOCAL)) {}
+  ~SlimLibrary() {
+    if (handle_) ::dlclose(handle_);
+  }
+  SlimLibrary(const SlimLibrary&) = delete;
+  SlimLibrary& operator=(const SlimLibrary&) = delete;
+
+  bool is_there() const { return handle_ != nullptr; }
+  Dtyre* function() const { return reinterpret_cast<Dtyre*>(::dlsym(handle_, "dtyre")); }
+  std::string message(int id) const {
+    return reinterpret_cast<const char* (*)(const int*)>(::dlsym(handle_, "latsch_sti_message"))(
+        &id);
+  }
+
+ private:
+  void* handle_;
+};
+
+TEST_P(EveryTire, OfTheSlimLibraryHasTheSameBits) {
+  const SlimLibrary slim_library;
+  ASSERT_TRUE(slim_library.is_there()) << ::dlerror();
+  const ScratchFolder folder;
+  const auto& kind = experiment::language().kind_of_file(path_of(GetParam()));
+  for (const auto& [name, bytes] : unit_files(kind, kind.read(path_of(GetParam()))))
+    write_text_file(folder / name, bytes);
+  Caller whole = caller_of(1, GetParam()), slim = caller_of(2, GetParam());
+  slim.function = slim_library.function();
+  slim.file = (folder / "unit.toml").string();
+  ASSERT_NE(slim.function, whole.function);
+  ASSERT_EQ(whole.call(2), 0);
+  ASSERT_EQ(slim.call(2), 0) << slim_library.message(2);
+  for (int i = 0; i <= 50; ++i) {
+    ASSERT_EQ(whole.call(0, kStep * i), 0);
+    ASSERT_EQ(slim.call(0, kStep * i), 0) << slim_library.message(2);
+    expect_same_bits(slim.hub, whole.hub);
+  }
+  // The library with all models reads the folder, too.
+  Caller of_folder = caller_of(3, GetParam());
+  of_folder.file = slim.file;
+  ASSERT_EQ(of_folder.call(2), 0) << of_folder.message();
+  ASSERT_EQ(of_folder.call(0, 0.0), 0);
+  whole.call(3);
+  ASSERT_EQ(whole.call(0, 0.0), 0);
+  expect_same_bits(of_folder.hub, whole.hub);
+  slim.file = path_of(GetParam());
+  EXPECT_EQ(slim.call(2), 2);
+  EXPECT_NE(slim_library.message(2).find("latsch export TIRE --sti -o FOLDER"), std::string::npos)
+      << slim_library.message(2);
+}
 
 TEST(Sti, TellsSizesRadiusAndModel) {
   Caller caller = caller_of(1, kMagicFormula);

@@ -138,10 +138,27 @@ std::string hint_of_groups(const fs::path& file) {
                     : "";
 }
 
+/// Throws InputError with the reason if the file has the column of a channel but the reader left it
+/// out.
+void expect_readable(const Column& column,
+                     const formats::Recording& recording,
+                     const fs::path& file) {
+  for (const auto& [name, why] : recording.left_out) {
+    const bool is_it =
+        column.written.empty() ? is_called({name, "1", {}}, column) : column.written == name;
+    if (!is_it) continue;
+    throw InputError({file.string(), recording.header_line},
+                     fmt::format("{}; the drum needs it as its {}: correct the unit in the file",
+                                 why.find(name) == why.npos ? in_quotes(name) + " " + why : why,
+                                 column.ours));
+  }
+}
+
 /// Finds the columns of one recording by their names.
-std::vector<Column> columns_of(const Channels& record,
+std::vector<Column> columns_of(const formats::Recording& recording,
                                const DrumRecordings& recordings,
                                const fs::path& file) {
+  const Channels& record = recording.channels;
   std::vector<Column> columns = {
       {"time", "s", {"time", "t", "et", "runtime"}},
       {"speed", "m/s", {"speed", "drum_speed", "v", "vx", "longvel", "trajvelw", "trajvelh"}},
@@ -168,7 +185,7 @@ std::vector<Column> columns_of(const Channels& record,
                                    column.ours,
                                    column.unit,
                                    way_out_of(*found, column)));
-    if (!column.written.empty() && !found)
+    if (!column.written.empty() && !found && !recording.left_out.contains(column.written))
       throw InputError({file.string(), 0},
                        fmt::format("has no column {}{}; it has {}",
                                    in_quotes(column.written),
@@ -177,6 +194,9 @@ std::vector<Column> columns_of(const Channels& record,
   }
   const bool has_teeth = recordings.teeth > 0;
   columns.erase(columns.begin() + (has_teeth ? 1 : 2));
+  for (const Column& column : columns)
+    if (!record.find(column.written) && (column.ours != "Fx" || !column.written.empty()))
+      expect_readable(column, recording, file);
   for (const Column& column : columns)
     if (column.written.empty() && column.ours != "Fx")
       throw InputError(
@@ -538,15 +558,20 @@ DrumStudy drum_study(const DrumRecordings& recordings,
   ring_tire::read_ring_tire(known.root());  // throws for an invalid ring before any work is done
   const std::string cleat = cleat_table(recordings.cleat);
   const std::optional<double> diameter = stated_diameter(recordings);
-  const Channels first = formats::read_recording(recordings.files.front());
-  const auto columns = columns_of(first, recordings, recordings.files.front());
+  const fs::path& front = recordings.files.front();
+  const auto columns = columns_of(formats::read_whole_recording(front), recordings, front);
   std::map<std::string, std::string> units;
   for (const Column& column : columns)
     if (!column.unit_of_table.empty()) units[column.written] = column.unit_of_table;
-  const Channels read = formats::read_recording(recordings.files.front(), units);
+  const formats::Recording read = formats::read_whole_recording(front, units);
   DrumStudy written;
-  written.rig = rig_text(
-      recordings, columns, speeds_in(read, recordings, columns, diameter), diameter, folder);
+  for (const auto& [name, why] : read.left_out)
+    written.words.push_back(fmt::format("{} of {} is left out, which a drum does not need: {}",
+                                        in_quotes(name),
+                                        front.filename().string(),
+                                        why));
+  const auto speeds = speeds_in(read.channels, recordings, columns, diameter);
+  written.rig = rig_text(recordings, columns, speeds, diameter, folder);
   write_text_file(folder / "rig.toml", with_schema(written.rig, language));
   const RigFile rig = correlation::read_rig_file(folder / "rig.toml");
   const auto results = correlation::process(rig, [](long, long, const std::string&) {});

@@ -17,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kSchemaLine = "#:schema ";
 constexpr std::string_view kBefore = "latsch-", kEnding = ".json";
 constexpr std::size_t kLargestSchema = std::size_t{4} << 20;  // bytes
 
@@ -93,7 +94,30 @@ std::string with_schema(const std::string& text, const experiment::Language& lan
   const Document document = Document::parse(text, "written");
   const fs::path file = file_of(*folder, kind_of(document.root(), language));
   std::error_code none;
-  return fs::exists(file, none) ? "#:schema " + url_of(fs::canonical(file)) + "\n" + text : text;
+  if (!fs::exists(file, none)) return text;
+  const fs::path whole = fs::canonical(file);
+  const bool is_installed = whole.string().starts_with("/usr/share/");
+  return std::string(kSchemaLine) +
+         (is_installed ? url_of(whole) : "./" + whole.filename().string()) + "\n" + text;
+}
+
+std::vector<fs::path> place_schemas(const fs::path& folder) {
+  std::vector<fs::path> written;
+  const auto schemas = schema_folder();
+  if (!schemas) return written;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    const std::string text = read_text_file(entry.path());
+    const std::string before = std::string(kSchemaLine) + "./";
+    if (!text.starts_with(before)) continue;
+    const std::string name = text.substr(before.size(), text.find('\n') - before.size());
+    const fs::path source = *schemas / name, copy = folder / name;
+    if (fs::path(name).filename() != name || !fs::exists(source) || fs::exists(copy)) continue;
+    write_text_file(copy, read_text_file(source, kLargestSchema));
+    written.push_back(copy);
+  }
+  std::sort(written.begin(), written.end());
+  return written;
 }
 
 }  // namespace latsch::cli

@@ -187,6 +187,26 @@ class Drum(unittest.TestCase):
         checked = self.latsch("check", "from_speed/study.toml")
         self.assertEqual(checked.returncode, DONE, checked.stdout + checked.stderr)
 
+    def test_a_channel_that_is_not_needed_may_be_left_out(self):
+        """Checks a record with a column of an unknown unit: a study is written without it, and a needed one is refused
+        by its reason."""
+        for name, head in (("beside", "time [s],tooth [V],Fz [N],Fx [N],temp [grC]"),
+                           ("needed", "time [s],tooth [V],Fz [Nn],Fx [N],temp [degC]")):
+            with open(self.folder / "raw.csv") as raw, open(self.folder / f"{name}.csv", "w") as out:
+                next(raw)
+                out.write(head + "\n")
+                for line in raw:
+                    out.write(line.strip() + ",21.5\n")
+        stated = ("--cleat", "10 mm x 20 mm", "--drum-diameter", f"{DRUM} m", "--teeth", str(TEETH))
+        wrote = self.new("from_beside", "beside.csv", *stated)
+        self.assertEqual(wrote.returncode, DONE, wrote.stderr)
+        self.assertIn('"temp" of beside.csv is left out, which a drum does not need', wrote.stdout + wrote.stderr)
+        refused = self.new("from_needed", "needed.csv", *stated)
+        self.assertEqual(refused.returncode, WRONG_INPUT, refused.stdout)
+        self.assertIn('unknown unit "Nn"', refused.stderr)
+        self.assertIn("correct the unit in the file", refused.stderr)
+        self.assertFalse((self.folder / "from_needed").exists())
+
     def test_what_a_drum_needs_is_asked_for(self):
         raw = ["raw.csv", "--cleat", "10 mm x 20 mm"]
         for arguments, part in [

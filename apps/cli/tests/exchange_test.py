@@ -226,6 +226,19 @@ class Exchange(unittest.TestCase):
             self.assertTrue(pathlib.Path(library).is_file(), library)
             self.assertIn(str(tire), said)
 
+    def test_sti_writes_a_folder_for_the_slim_library(self):
+        with tempfile.TemporaryDirectory() as folder:
+            code, said = latsch(RING, "--sti", "-o", f"{folder}/sti")
+            self.assertEqual(code, DONE, said)
+            self.assertRegex(said, r"library +\S+/latsch_sti\.so")
+            self.assertIn(f"tire file {folder}/sti/unit.toml", said)
+            self.assertEqual(sorted(path.name for path in pathlib.Path(folder, "sti").iterdir()),
+                             ["model.toml", "road.toml", "unit.toml"])
+            code, said = latsch(FE_TIRE, "--sti", "-o", f"{folder}/fe")
+            self.assertEqual(code, WRONG_INPUT, said)
+            self.assertIn("has finite elements", said)
+            self.assertFalse(pathlib.Path(folder, "fe").exists())
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -12,6 +12,7 @@
 #include "cli/console/parsed.h"
 #include "cli/console/version.h"
 #include "cli/run/export_date.h"
+#include "cli/run/exported_kc.h"
 #include "cli/run/model_source.h"
 #include "cli/templates/meshed_tire.h"
 #include "cli/verbs/exported_bushings.h"
@@ -38,7 +39,7 @@ constexpr int kLoadSteps = 5;
 
 struct ExportOptions {
   std::string file, vtu, ccx, model, pressure, deflection, rolling, fmu, road, platforms, output,
-      bus;
+      bus, kc, kc_travel, kc_rack;
   int modes = 0;
   bool measurements = false, sti = false;
 };
@@ -217,17 +218,22 @@ void write_rolling(const ExportOptions& options, const experiment::Language& lan
 
 void export_files(const ExportOptions& options, const experiment::Language& language) {
   if (options.measurements) return write_measurements(options.file, language);
-  if (options.sti) say_sti(options.file, language);
+  if (options.sti && !options.fmu.empty())
+    throw InputError(
+        "export --sti: expected no --fmu beside it, because both write their --output");
+  if (options.sti) say_sti(options.file, options.output, language);
   if (!options.fmu.empty())
     write_fmu({options.file, options.fmu, options.road, options.platforms, options.output},
               language);
   if (!options.bus.empty()) write_bushings(options.file, options.bus, language);
+  if (!options.kc.empty())
+    write_kc({options.file, options.kc, options.kc_travel, options.kc_rack}, language);
   if (!options.rolling.empty()) return write_rolling(options, language);
   const bool mesh = !options.vtu.empty() || !options.ccx.empty();
   if (!mesh && options.model.empty()) {
-    if (options.sti || !options.fmu.empty() || !options.bus.empty()) return;
+    if (options.sti || !options.fmu.empty() || !options.bus.empty() || !options.kc.empty()) return;
     throw InputError(
-        "export: say what to write: --vtu, --ccx, --model, --fmu, --sti, --bus or "
+        "export: say what to write: --vtu, --ccx, --model, --fmu, --sti, --bus, --kc or "
         "--measurements");
   }
   if (!options.model.empty())
@@ -243,7 +249,7 @@ void export_files(const ExportOptions& options, const experiment::Language& lang
 void add_export(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("export",
                                  "Writes the identified model, measurements of a twin, a mesh for "
-                                 "ParaView or CalculiX, an FMU");
+                                 "ParaView or CalculiX, an FMU, K&C tables");
   verb.footer(
       "A study file stands for its best point so far, or for the initial values if nothing has "
       "run.\n\n"
@@ -265,8 +271,12 @@ void add_export(CommandLine& app, Program& program) {
       "  latsch export studies/kerb/baseline.toml --fmu 3.0 -o car.fmu\n"
       "  # The bushings of a suspension as Adams property files.\n"
       "  latsch export studies/kerb/front.toml --bus bushings\n"
+      "  # Its kinematics and compliance as tables (docs/kc_tables.md).\n"
+      "  latsch export studies/suspensions/race_car_front.toml --kc tables --kc-travel \"30 mm\"\n"
       "  # The library by which a program with the Standard Tyre Interface rolls the tire.\n"
-      "  latsch export studies/ring_tires/passenger_205_55R16.toml --sti");
+      "  latsch export studies/ring_tires/passenger_205_55R16.toml --sti\n"
+      "  # The same by a library of 4 MB that needs nothing of Latsch, from a folder in SI.\n"
+      "  latsch export studies/ring_tires/passenger_205_55R16.toml --sti -o tire_sti");
   auto options = std::make_shared<ExportOptions>();
   verb.add_option("file", options->file, "Model file or study file").required();
   verb.add_option("--vtu", options->vtu, "ParaView file to write");
@@ -295,8 +305,17 @@ void add_export(CommandLine& app, Program& program) {
                   options->platforms,
                   "Systems whose libraries the unit must hold, \"linux,windows\"; unless given, "
                   "all that are installed");
-  verb.add_option("-o,--output", options->output, "Package of the unit to write");
+  verb.add_option(
+      "-o,--output", options->output, "Package of the unit to write; of --sti, the folder");
   verb.add_option("--bus", options->bus, "Folder for the bushings of a suspension, a .bus a joint");
+  verb.add_option(
+      "--kc", options->kc, "Folder for tables of a suspension's kinematics and compliance");
+  verb.add_option("--kc-travel",
+                  options->kc_travel,
+                  "Largest travel of these tables up and down; 50 mm unless given");
+  verb.add_option("--kc-rack",
+                  options->kc_rack,
+                  "Largest travel of the rack to both sides; 20 mm unless given");
   verb.add_flag("--sti", options->sti, "Prints how to use it by the Standard Tyre Interface");
   verb.add_flag("--measurements",
                 options->measurements,
@@ -314,7 +333,11 @@ void add_export(CommandLine& app, Program& program) {
         {"--road", "--platforms", "--output"},
         alone},
        {"writes bushings", {"--bus"}, {}, alone},
-       {"prints how to use the Standard Tyre Interface", {"--sti"}, {}, alone},
+       {"writes tables of kinematics and compliance",
+        {"--kc"},
+        {"--kc-travel", "--kc-rack"},
+        alone},
+       {"prints how to use the Standard Tyre Interface", {"--sti"}, {"--output"}, alone},
        {"writes measurements", {"--measurements"}}});
   verb.callback([=, &program] { export_files(*options, program.language); });
 }

@@ -64,7 +64,7 @@ std::vector<exchange::UnitLibrary> libraries(const FmuRequest& request, bool is_
   const std::string name = request.version == "2.0" ? "latsch_fmi2" : "latsch_fmi3";
   if (request.platforms.empty()) {
     std::vector<exchange::UnitLibrary> found = {
-        {library(name + (is_slim ? ".so" : "_all.so")), is_slim}};
+        {library(is_slim ? name + ".so" : "latsch_all.so"), is_slim}};
     if (const fs::path dll = library_path(name + ".dll"); is_slim && fs::exists(dll))
       found.push_back({dll, true});
     return found;
@@ -72,7 +72,7 @@ std::vector<exchange::UnitLibrary> libraries(const FmuRequest& request, bool is_
   std::vector<exchange::UnitLibrary> found;
   for (const std::string& system : systems_of(request.platforms)) {
     if (system == kLinux) {
-      found.push_back({library(name + (is_slim ? ".so" : "_all.so")), is_slim});
+      found.push_back({library(is_slim ? name + ".so" : "latsch_all.so"), is_slim});
       continue;
     }
     if (!is_slim)
@@ -128,18 +128,38 @@ void write_fmu(const FmuRequest& request, const experiment::Language& language) 
   say("It runs on {}, x86-64\n", systems);
 }
 
-void say_sti(const std::string& file, const experiment::Language& language) {
-  const experiment::SpecimenKind& kind = language.kind_of_file(file);
+void say_sti(const std::string& file,
+             const std::string& folder,
+             const experiment::Language& language) {
+  const ModelSource source = model_source(file, language);
+  const experiment::SpecimenKind& kind = *source.kind;
   if (!experiment::can(kind, {Rolls::kName}))
     throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
-  const Document numbers = kind.read(file);
-  kind.check(numbers);
-  examine_model(kind, numbers, file);
+  kind.check(source.numbers);
   warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
+  fs::path named = fs::absolute(file);
+  if (!folder.empty()) {
+    if (!exchange::is_slim(kind, source.numbers))
+      throw InputError({file, 0},
+                       "has finite elements, which the library for a folder in SI lacks: leave "
+                       "out --output");
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw InputError({folder, 0}, "cannot be made: " + error.message());
+    for (const auto& [name, bytes] : exchange::unit_files(kind, source.numbers)) {
+      write_text_file(fs::path(folder) / name, bytes);
+      say_written((fs::path(folder) / name).string());
+    }
+    named = fs::absolute(folder) / exchange::kUnitFile;
+  } else if (is_study(file)) {
+    throw InputError({file, 0},
+                     "is a study, which the library does not read: expected --output FOLDER, or "
+                     "the file of a tire");
+  }
   say("library   {}\nfunction  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
-      library("latsch_sti.so").string(),
-      fs::absolute(file).string(),
-      kind.describe(numbers));
+      library(folder.empty() ? "latsch_all.so" : "latsch_sti.so").string(),
+      named.string(),
+      kind.describe(source.numbers));
 }
 
 }  // namespace latsch::cli

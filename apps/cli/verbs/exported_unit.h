@@ -22,8 +22,11 @@ struct FmuRequest {
 /// the library of a system that was asked for is not installed.
 void write_fmu(const FmuRequest& request, const experiment::Language& language);
 
-/// Prints which library and which file a program that uses the Standard Tyre Interface needs.
-/// Throws InputError if the library would not accept the file.
-void say_sti(const std::string& file, const experiment::Language& language);
+/// Prints which library and which file a program that uses the Standard Tyre Interface needs. With
+/// a folder, writes the tire there in SI, for the library that needs nothing of Latsch. Throws
+/// InputError if the library would not accept the file.
+void say_sti(const std::string& file,
+             const std::string& folder,
+             const experiment::Language& language);
 
 }  // namespace latsch::cli

@@ -171,6 +171,11 @@ class Unfinished {
   bool was_there_ = false, is_good_ = false;
 };
 
+/// Copies the schemas that the files of a study name beside them, and says so.
+void say_schemas(const fs::path& folder) {
+  for (const fs::path& schema : place_schemas(folder)) say_written(schema.string());
+}
+
 double length_of(const std::string& text) {
   const auto quantity = parse_quantity(text);
   if (!quantity || si_unit(quantity->unit.dimension()) != "m" || !(quantity->si > 0.0))
@@ -190,6 +195,7 @@ void start_magic_formula(const NewOptions& options, const experiment::Language& 
   write_text_file(folder / "tire.tir", written.tire);
   write_text_file(study, with_schema(written.study, language));
   const auto read = files.finish(study, language);
+  say_schemas(folder);
   for (const std::string& word : written.words) say("  {}\n", word);
   say_ledgers(correlation::ledgers_of(read), LinesTo::output, "Files");
   say("\nNext\n"
@@ -223,6 +229,7 @@ int start_ring(const NewOptions& options, const experiment::Language& language) 
   write_text_file(folder / "ring.toml", with_schema(written.ring, language));
   write_text_file(study, with_schema(written.study, language));
   files.finish(study, language);
+  say_schemas(folder);
   say("\n{1}\n"
       "  latsch run {0}                          finds the numbers\n"
       "  latsch identify {0}                     what the data do not determine, what would "
@@ -248,6 +255,7 @@ fs::path write_all(const fs::path& folder,
 void start_suspension(const NewOptions& options, const experiment::Language& language) {
   const fs::path study = write_all(options.folder, suspension_study_files(), language);
   correlation::read_study(study, language);
+  say_schemas(options.folder);
   say("\nPut your hardpoints into {1} and your values into the study, then\n"
       "  latsch run {0}                          finds the bushings\n"
       "  latsch identify {0}                     what the values do not determine, what to "
@@ -263,6 +271,7 @@ void start_car(const NewOptions& options, const experiment::Language& language) 
                  car = folder / "car.toml";
   write(folder / "sweep.csv", example_sweep(car.string(), language));
   correlation::read_study(study, language);
+  say_schemas(folder);
   say("\nPut your car in its place and your recording into sweep.csv, then\n"
       "  latsch run {0}                          finds springs and dampers\n"
       "  latsch test {1} {2} --html kerb.html    over a kerb\n",
@@ -293,6 +302,7 @@ void start_drum(const NewOptions& options, const experiment::Language& language)
   write_text_file(folder / "ring.toml", with_schema(written.ring, language));
   write_text_file(study, with_schema(written.study, language));
   const auto read = files.finish(study, language);
+  say_schemas(folder);
   for (const std::string& word : written.words) say("  {}\n", word);
   if (options.known.empty())
     say("  ring.toml is the published ring of a 205/55 R16 tire; give your own by --known RING\n");
@@ -314,6 +324,7 @@ void start_study(const NewOptions& options, const experiment::Language& language
   write(folder / "tire.toml", with_schema(tire.text(), language));
   write(study, with_schema(text, language));
   write_example(study, language);
+  say_schemas(folder);
   if (!options.size.empty())
     say("\nAssumed: {}\n", inflated_size_in_words(tire, options.size, language));
   say("\nReplace the example values of the .csv files by your measurements, then\n"

@@ -12,12 +12,15 @@
 #include "base/units.h"
 #include "cli/console/console.h"
 #include "cli/console/ledgers.h"
+#include "cli/run/written_tydex.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/rig_data/rig_doubts.h"
 #include "correlation/rig_data/rig_processing.h"
 #include "correlation/rig_data/rig_report.h"
 #include "correlation/rig_data/rig_tables.h"
+#include "correlation/rig_data/rig_tydex.h"
 #include "correlation/study/ledgers/study_ledgers.h"
+#include "measurement/axes.h"
 
 namespace latsch::cli {
 namespace {
@@ -111,7 +114,24 @@ void write_synthetic(const RigFile& rig) {
   for (const std::string& file : write_synthetic_files(rig)) say_written(file);
 }
 
-void process(const std::string& file, bool synthetic, const std::string& output) {
+/// Writes the averages as TYDEX files and says once what holds for all of them.
+void write_averages(const RigResults& results, const std::string& frame, const fs::path& folder) {
+  say("\n");
+  formats::WrittenTydex worst;
+  for (auto& [name, record] : correlation::averages_in_tydex(results, frame)) {
+    const std::string file = (folder / name).string();
+    formats::WrittenTydex written =
+        write_tydex(std::move(record), formats::TydexDigits::columns_of_ten, file);
+    answer()["tables"].push_back(file);
+    if (worst.names.empty() || written.rounding > worst.rounding) worst = std::move(written);
+  }
+  say_remarks(worst, "the .csv file of the same name");
+}
+
+void process(const std::string& file,
+             bool synthetic,
+             const std::string& output,
+             const std::string& tydex_frame) {
   const RigFile rig = correlation::read_rig_file(file);
   if (synthetic) write_synthetic(rig);
   RigResults results;
@@ -134,6 +154,7 @@ void process(const std::string& file, bool synthetic, const std::string& output)
   for (const std::string& doubt : doubts_of(rig, results)) warn(doubt, {rig.file.string(), 0});
   say("\n");
   print_compensation(rig, results);
+  if (!tydex_frame.empty()) write_averages(results, tydex_frame, folder);
   say("\n{} tables in {}\nReport: {}\n", files.size(), folder.string(), page.string());
 }
 
@@ -157,12 +178,18 @@ void add_process(CommandLine& app, Program&) {
       "  latsch process studies/drum_processing/rig.toml --output tables");
   auto file = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();
+  auto tydex = std::make_shared<std::string>();
   auto synthetic = std::make_shared<bool>(false);
   verb.add_option("rig", *file, "Rig file (TOML)").required();
   verb.add_option(
       "--output", *output, "Folder for tables and page, beside the rig file unless given");
+  verb.add_option("--tydex",
+                  *tydex,
+                  "Also write the averages as TYDEX files; states the axes W, H or C of the "
+                  "recorded forces, which must have the signs of ISO 8855")
+      .one_of(axis_frame_names());
   verb.add_flag("--synthetic", *synthetic, "First write the recordings from the file's [truth]");
-  verb.callback([=] { process(*file, *synthetic, *output); });
+  verb.callback([=] { process(*file, *synthetic, *output, *tydex); });
 }
 
 }  // namespace latsch::cli

@@ -15,6 +15,7 @@
 #include "correlation/laboratory/measurement.h"
 #include "experiment/kinds/inp_numbers.h"
 #include "formats/deck/inp_deck.h"
+#include "formats/recorders/file_marks.h"
 #include "formats/recorders/recorded_file.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/lab_table.h"
@@ -362,6 +363,7 @@ ShownFile shown_file(const std::filesystem::path& file, AxisConvention axes) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   const auto reader = readers.find(ending);
   if (reader != readers.end()) return reader->second(file);
+  formats::expect_content_of_ending(file);
   std::vector<std::string> endings;
   for (const auto& [known, action] : readers) endings.push_back(known);
   throw InputError({file.string(), 0},

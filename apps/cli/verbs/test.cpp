@@ -23,8 +23,10 @@
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
 #include "cli/console/ledgers.h"
+#include "cli/console/version.h"
 #include "cli/run/model_source.h"
 #include "cli/run/test_argument.h"
+#include "cli/run/written_tydex.h"
 #include "cli/verbs/shown_page.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/study/ledgers/file_ledgers.h"
@@ -37,7 +39,7 @@ namespace {
 
 struct TestOptions {
   std::string model, test, output, html, details, kind, signs = "iso";
-  bool convergence = false, list = false;
+  bool convergence = false, list = false, all_digits = false;
 };
 
 /// Reports how finer time steps and more segments change the results.
@@ -148,6 +150,51 @@ void append(const Channels& block, Channels& all) {
   all = std::move(longer);
 }
 
+/// Writes the channels as a TYDEX file, whose names state the frame of each force.
+void write_tydex_of(const TestOptions& options,
+                    const experiment::Test& test,
+                    const Channels& channels) {
+  formats::TydexRecord record;
+  record.measurement = std::filesystem::path(options.output).stem().string();
+  record.comments = {"Computed by Latsch " + version_number() + "; no measurement.",
+                     "Test: " + test.in_words(),
+                     "Model: " + options.model};
+  const std::vector<experiment::ChannelInfo> known = test.channels();
+  for (const Channel& channel : channels.all()) {
+    const auto info = std::ranges::find(known, channel.name, &experiment::ChannelInfo::name);
+    record.frames.push_back(info == known.end() ? std::string() : info->frame);
+  }
+  record.channels = channels;
+  record.constants = {{"TESTRIG", "Test rig", "", "virtual: " + test.in_words()},
+                      {"IDENTITY", "Identity of tyre", "", options.model}};
+  const auto digits =
+      options.all_digits ? formats::TydexDigits::all : formats::TydexDigits::columns_of_ten;
+  say_remarks(write_tydex(std::move(record), digits, options.output), "--all-digits");
+}
+
+/// Writes the channels to the output that the user requested.
+void give_channels(const TestOptions& options,
+                   const experiment::Test& test,
+                   const Channels& channels) {
+  if (is_tydex(options.output)) {
+    write_tydex_of(options, test, channels);
+  } else {
+    give(channels, options.output);
+  }
+}
+
+/// Throws InputError for options that do not fit the output file.
+void refuse_tydex_options(const TestOptions& options) {
+  if (options.all_digits && !is_tydex(options.output))
+    throw InputError(
+        "--all-digits: only a TYDEX file (-o FILE.tdx) has rounded numbers; every other output "
+        "has all digits");
+  if (options.signs != "iso" && is_tydex(options.output))
+    throw InputError("--signs " + options.signs +
+                     ": the axes of a TYDEX file have the signs of ISO 8855; leave out --signs, "
+                     "or write a .csv file");
+}
+
 /// Thrown if a test fails while its output file is being written, so that the file is not created.
 struct Unsuccessful {
   Failure failure;
@@ -170,7 +217,11 @@ int run_and_give(const TestOptions& options,
     notes = *done;
   };
   try {
-    if (!options.output.empty()) {
+    if (is_tydex(options.output)) {
+      Channels recorded;
+      run([&](const Channels& block) { append(block, recorded); });
+      write_tydex_of(options, test, recorded);
+    } else if (!options.output.empty()) {
       write_file(options.output, [&](std::ostream& out) {
         run(CsvBlocks([&](const std::string& text) { out << text; }));
       });
@@ -214,6 +265,7 @@ int test(const TestOptions& options, const experiment::Language& language) {
               gives_data ? LinesTo::standard_error : LinesTo::output,
               "Files");
   refuse_signs(options.signs, *test);
+  refuse_tydex_options(options);
   if (const std::string fault = model.kind->remark(model.numbers, *test); !fault.empty())
     throw InputError(fault);
   if (options.convergence) return say_convergence(*model.kind, model.numbers, *test);
@@ -231,13 +283,13 @@ int test(const TestOptions& options, const experiment::Language& language) {
   if (!details) throw std::runtime_error(details.failure().reason);
   const Channels channels = experiment::in_signs(recorded, *test, view);
   write_details(options, *test, channels, *details, *notes);
-  give(channels, options.output);
+  give_channels(options, *test, channels);
   for (const std::string& note : *notes) warn(note);
   return kDone;
 }
 
 /// Examples for the help text: a kind of test, and a command line that runs it.
-constexpr std::array<std::pair<const char*, const char*>, 6> kExamples{{
+constexpr std::array<std::pair<const char*, const char*>, 7> kExamples{{
     {"drum_cleat",
      "studies/ring_tires/passenger_205_55R16.toml studies/cleat_fit/tests/slow.toml > forces.csv"},
     {"drum_cleat",
@@ -248,6 +300,10 @@ constexpr std::array<std::pair<const char*, const char*>, 6> kExamples{{
     {"steady_states",
      "studies/race_tire_mf/tire.tir "
      "'{kind = \"steady_states\", states = \"studies/race_tire_mf/cornering.csv\"}' -o forces.csv"},
+    {"slip_sweep",
+     "studies/ring_tires/passenger_205_55R16.toml "
+     "'{kind = \"slip_sweep\", load = \"4 kN\", speed = \"30 km/h\", alpha = [\"-6 deg\", "
+     "\"6 deg\"], duration = \"2 s\"}' -o sweep.tdx"},
     {"kc", "studies/compliance/corner.toml '{kind = \"kc\", Fy = \"-4 kN\"}' --signs sae"},
     {"modes", "my_tire/study.toml '{kind = \"modes\", count = 6}'   # its best point"},
 }};
@@ -280,12 +336,15 @@ void add_test(CommandLine& app, Program& program) {
       "Toe-in, camber with the top outboard, caster with the top rearward, travel in bump, "
       "lengths\n"
       "and ratios are positive in all. What is typed in a test stays ISO.\n\n"
+      "-o FILE.tdx writes TYDEX 1.3: SI units, forces in the axes that their names state (FYW: "
+      "W),\nsigns of ISO 8855.\n\n"
       "Examples:\n" +
       examples + "  latsch test --list");
   auto options = std::make_shared<TestOptions>();
   verb.add_option("model", options->model, "Model or study");
   verb.add_option("test", options->test, "Test file, or its keys in braces");
-  verb.add_option("-o,--output", options->output, "CSV file to write; else the terminal");
+  verb.add_option(
+      "-o,--output", options->output, "CSV or TYDEX (.tdx) file to write; else the terminal");
   verb.add_option("--kind", options->kind, "Kind of model, for a file that can be read as several")
       .one_of(program.language.kind_names());
   verb.add_option("--html", options->html, "Page with pictures to write");
@@ -295,6 +354,9 @@ void add_test(CommandLine& app, Program& program) {
   verb.add_option(
           "--signs", options->signs, "Signs of the output of a suspension's test; iso unless given")
       .one_of(experiment::sign_view_names());
+  verb.add_flag("--all-digits",
+                options->all_digits,
+                "Write every digit into a TYDEX file, in columns wider than its ten characters");
   verb.add_flag("--list", options->list, "Which models can do which tests");
   verb.add_flag("--convergence",
                 options->convergence,
@@ -302,7 +364,7 @@ void add_test(CommandLine& app, Program& program) {
   verb.forms(
       {{"runs a test",
         {},
-        {"model", "test", "--output", "--kind", "--html", "--details", "--signs"}},
+        {"model", "test", "--output", "--kind", "--html", "--details", "--signs", "--all-digits"}},
        {"prints the effects of step and segments", {"--convergence"}, {"model", "test", "--kind"}},
        {"lists models and tests", {"--list"}}});
   verb.callback([=, &program] { program.exit_code = test(*options, program.language); });

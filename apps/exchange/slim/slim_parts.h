@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of the slim libraries (latsch_fmi2, latsch_fmi3) that the program takes from shared
-// libraries of the machine. A slim library needs libc, libm and libpthread alone, so that it runs
-// on a machine where nothing of Latsch is installed. It consists of the program's own objects and
+// Parts of the slim libraries (latsch_fmi2, latsch_fmi3, latsch_sti) that the program takes from
+// shared libraries of the machine. A slim library needs libc, libm and libpthread alone, so that it
+// runs on a machine where nothing of Latsch is installed. It consists of the program's own objects
+// and
 //
 //   si_units.cpp       units of SI in the place of base/units.cpp, which needs UDUNITS
 //   inner_fmt.cpp      fmt and toml++, compiled into the library from their headers

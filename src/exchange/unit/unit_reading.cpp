@@ -32,12 +32,8 @@ fs::path file_inside(const fs::path& folder, const Node& keys, const char* key) 
   return folder / name;
 }
 
-}  // namespace
-
-UnitFromFolder read_unit(const fs::path& folder, const UnitModels& models) {
-  const Document document = Document::read(folder / kUnitFile);
-  const Node root = document.root();
-  const std::string name = root.choice("kind", {"tire", "car"});
+/// Throws InputError for a format that the library does not read.
+void check_format(const Node& root, const std::string& file, const UnitModels& models) {
   const long format = root.integer("format", 1, 1'000'000, 1);
   if (format > kUnitFormat)
     root.reject("format",
@@ -45,19 +41,42 @@ UnitFromFolder read_unit(const fs::path& folder, const UnitModels& models) {
                             format,
                             kUnitFormat));
   if (format < 2 && !models.reads_any_units())
-    throw InputError({document.file(), 0},
+    throw InputError({file, 0},
                      "is a unit of format 1, which an older version of latsch wrote: expected "
                      "format 2; export the model again");
+}
+
+/// Reads the tire of the table [tire].
+TireFromFolder tire_of(const fs::path& folder, const Node& keys, const UnitModels& models) {
+  const fs::path model = file_inside(folder, keys, "model");
+  const std::string kind = keys.choice("model_kind", models.tire_kinds());
+  return {models.tire(kind, model), kind};
+}
+
+}  // namespace
+
+TireFromFolder read_tire_of_unit(const fs::path& folder, const UnitModels& models) {
+  const Document document = Document::read(folder / kUnitFile);
+  const Node root = document.root();
+  root.choice("kind", {"tire"});
+  check_format(root, document.file(), models);
+  return tire_of(folder, root.table("tire"), models);
+}
+
+UnitFromFolder read_unit(const fs::path& folder, const UnitModels& models) {
+  const Document document = Document::read(folder / kUnitFile);
+  const Node root = document.root();
+  const std::string name = root.choice("kind", {"tire", "car"});
+  check_format(root, document.file(), models);
   UnitFromFolder result;
   result.token = root.text("token");
   const Node keys = root.table(name);
-  const fs::path model = file_inside(folder, keys, "model");
   if (name == "tire") {
-    const std::string kind = keys.choice("model_kind", models.tire_kinds());
-    RollingModel tire = models.tire(kind, model);
+    RollingModel tire = tire_of(folder, keys, models).tire;
     result.unit = std::make_unique<TireUnit>(std::move(tire),
                                              road_of_unit(file_inside(folder, keys, "road")));
   } else {
+    const fs::path model = file_inside(folder, keys, "model");
     keys.choice("model_kind", {"car"});
     DrivingModel car = models.car(model);
     result.unit =

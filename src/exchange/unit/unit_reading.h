@@ -36,6 +36,13 @@ struct UnitFromFolder {
 /// Reads a unit. Throws InputError that names the file and its error.
 UnitFromFolder read_unit(const std::filesystem::path& folder, const UnitModels& models);
 
+struct TireFromFolder {
+  RollingModel tire;
+  std::string kind;  // "ring_tire", or a description
+};
+/// Reads the tire alone of a unit. Throws InputError as read_unit() does, and for a car.
+TireFromFolder read_tire_of_unit(const std::filesystem::path& folder, const UnitModels& models);
+
 /// Reads the road of a file (.toml, .crg, .rdf); empty: a flat road at height 0. Throws InputError.
 std::shared_ptr<const road::Road> road_of_unit(const std::filesystem::path& file);
 

@@ -69,7 +69,8 @@ MdfBlock MdfBlocks::at(std::uint64_t position, bool may_be_open) const {
     throw InputError({file_, 0}, fmt::format("links to byte {}, {}", position, message));
   };
   if (position > bytes_.size() || bytes_.size() - position < kBlockHead)
-    fail(fmt::format("where it has no block, because it has {} bytes", bytes_.size()));
+    fail(fmt::format("where it has no block, because it has {} bytes: the file is cut off",
+                     bytes_.size()));
   const std::string_view rest = bytes_.substr(position);
   if (!rest.starts_with("##"))
     fail(fmt::format("where {} is, expected a block, which begins with \"##\"",

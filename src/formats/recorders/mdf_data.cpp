@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "formats/recorders/recorded_file.h"
 
 namespace latsch::formats {
 namespace {

@@ -56,7 +56,10 @@ class MdfReading {
 
   void read_id() {
     const std::string_view bytes = blocks_.bytes();
-    if (bytes.size() < kIdBlock) fail("is too short for an MDF file");
+    if (bytes.size() < kIdBlock)
+      fail(fmt::format("has {} bytes, expected {} or more of an MDF file: it is cut off",
+                       bytes.size(),
+                       kIdBlock));
     is_unfinished_ = bytes.starts_with("UnFinMF ");
     if (is_unfinished_) sorting_.set_unfinished();
     if (!is_unfinished_ && !bytes.starts_with("MDF     "))

@@ -32,11 +32,16 @@ class MotecReading {
       : bytes_(bytes), file_(file), budget_(file.file, bytes.size()) {}
 
   void run() {
-    if (bytes_.size() < kMotecHead || integer(0, 4) != kMotecMark)
+    if (bytes_.size() < kMotecHead)
       throw InputError({file_.file, 0},
-                       fmt::format("has {} bytes and begins with {}, expected the header of a "
-                                   "MoTeC log, which begins with the number 64",
+                       fmt::format("has {} bytes, expected the header of a MoTeC log of {} or "
+                                   "more: the file is cut off",
                                    bytes_.size(),
+                                   static_cast<std::size_t>(kMotecHead)));
+    if (integer(0, 4) != kMotecMark)
+      throw InputError({file_.file, 0},
+                       fmt::format("begins with {}, expected the header of a MoTeC log, which "
+                                   "begins with the number 64",
                                    shown_bytes(bytes_.substr(0, 4))));
     constexpr std::pair<const char*, std::size_t> kTexts[] = {
         {"date", 0x5e}, {"time", 0x7e}, {"driver", 0x9e}, {"vehicle", 0xde}, {"venue", 0x15e}};
@@ -68,7 +73,9 @@ class MotecReading {
 
   MotecChannel block(std::size_t at) const {
     if (at > bytes_.size() || bytes_.size() - at < kMotecBlock)
-      fail(at, fmt::format("is behind the end of the file, which has {} bytes", bytes_.size()));
+      fail(at,
+           fmt::format("is behind the end of the file, which has {} bytes: the file is cut off",
+                       bytes_.size()));
     MotecChannel channel;
     channel.at = at;
     channel.next = integer(at + 4, 4);

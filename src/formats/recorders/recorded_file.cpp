@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/mapped_file.h"
 #include "base/text.h"
+#include "formats/recorders/file_marks.h"
 #include "formats/recorders/mdf_file.h"
 #include "formats/recorders/motec_file.h"
 #include "formats/recorders/rpc_file.h"
@@ -67,6 +68,7 @@ std::vector<std::string> recorder_endings() {
 }
 
 RecordedFile read_recorded_file(const std::filesystem::path& file) {
+  expect_content_of_ending(file);
   const std::string ending = lower(file.extension().string());
   for (const auto& [known, reader] : recorder_readers()) {
     if (known != ending) continue;

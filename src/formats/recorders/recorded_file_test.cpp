@@ -16,6 +16,8 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/scratch_folder_testing.h"
+#include "formats/recorders/file_marks.h"
 #include "formats/recorders/mdf_file.h"
 #include "formats/recorders/motec_file.h"
 #include "formats/recorders/rpc_file.h"
@@ -65,6 +67,52 @@ void expect_same_numbers(const RecordedChannel& read, const std::string& numbers
       EXPECT_EQ(std::bit_cast<std::uint64_t>(read.values[i]),
                 std::bit_cast<std::uint64_t>(expected[i]))
           << read.name << " " << i << ": " << read.values[i] << ", expected " << expected[i];
+    }
+  }
+}
+
+std::string message_of_file(const fs::path& file) {
+  try {
+    read_recorded_file(file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(WrittenRecordings, ARenamedFileIsRefusedByWhatItIs) {
+  const ScratchFolder folder;
+  const auto renamed = [&](const char* name, const std::string& as) {
+    fs::copy_file(*folder_ / name, folder / as);
+    return message_of_file(folder / as);
+  };
+  EXPECT_THAT(renamed("columns.mf4", "a.tdms"),
+              HasSubstr("is an MDF 4 file by its first bytes, but ends in \".tdms\": expected "
+                        "\".mf4\" or \".mdf\"; change its name"));
+  EXPECT_THAT(renamed("kinds_little.tdms", "b.mf4"), HasSubstr("is a TDMS file"));
+  EXPECT_THAT(renamed("reals_rsp.rsp", "c.ld"), HasSubstr("is an RPC III file"));
+  EXPECT_THAT(renamed("log.ld", "d.uff"), HasSubstr("is a MoTeC log"));
+  EXPECT_THAT(renamed("binary_2_even_1.uff", "e.tdms"), HasSubstr("is a universal file"));
+  EXPECT_THAT(renamed("columns.mf4", "f.csv"), HasSubstr("is an MDF 4 file"));
+  write_text_file(folder / "g.mf4", "PK\x03\x04 and so on");
+  EXPECT_THAT(message_of_file(folder / "g.mf4"), HasSubstr("save the sheet as .csv"));
+  // Files under their own names are read as before, and a table of numbers is none of these kinds.
+  EXPECT_EQ(message_of_file(*folder_ / "columns.mf4"), "");
+  EXPECT_EQ(find_file_mark("    -1,2,3\n     5\n"), nullptr);
+  EXPECT_EQ(find_file_mark(""), nullptr);
+}
+
+TEST_F(WrittenRecordings, ACutFileSaysThatItIsCut) {
+  const ScratchFolder folder;
+  for (const char* name : {"columns.mf4", "kinds_little.tdms", "reals_rsp.rsp", "log.ld"}) {
+    const std::string whole = bytes(name);
+    for (const double share : {0.008, 0.3, 0.6}) {
+      const fs::path file = folder / name;
+      write_text_file(file, whole.substr(0, static_cast<std::size_t>(share * whole.size())));
+      std::string said = message_of_file(file);
+      if (said.empty())
+        for (const std::string& doubt : read_recorded_file(file).doubts) said += doubt + "\n";
+      EXPECT_THAT(said, HasSubstr("cut off")) << name << " " << share;
     }
   }
 }

@@ -23,15 +23,19 @@ class RpcHeader {
  public:
   RpcHeader(std::string_view bytes, const std::string& file) : file_(file) {
     if (bytes.size() < kRpcBlock)
-      fail(fmt::format("has {} bytes, expected a header block of 512 or more", bytes.size()));
+      fail(fmt::format("has {} bytes, expected a header block of 512 or more: the file is cut off",
+                       bytes.size()));
     if (key_at(bytes, 0) != "FORMAT")
       fail(fmt::format("begins with {}, expected the keyword \"FORMAT\" of an RPC III file",
                        shown_bytes(bytes.substr(0, 8))));
     for (std::size_t i = 0; i < 3; ++i) take(bytes, i);
     const double blocks = number("NUM_HEADER_BLOCKS", 1.0, 1e6);
     if (blocks * kRpcBlock > static_cast<double>(bytes.size()))
-      fail(fmt::format(
-          "states {:.0f} header blocks of 512 bytes, but has {} bytes", blocks, bytes.size()));
+      fail(
+          fmt::format("states {:.0f} header blocks of 512 bytes, but has {} bytes: the file is "
+                      "cut off",
+                      blocks,
+                      bytes.size()));
     size_ = static_cast<std::size_t>(blocks) * kRpcBlock;
     const double records = number("NUM_PARAMS", 3.0, blocks * 4.0);
     for (std::size_t i = 3; i < static_cast<std::size_t>(records); ++i) take(bytes, i);

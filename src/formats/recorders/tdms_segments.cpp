@@ -169,7 +169,12 @@ TdmsSegments::Segment TdmsSegments::lead_in(std::size_t at) {
   const std::string_view rest = bytes_.substr(at);
   if (rest.starts_with("TDSh"))
     fail(segment, "begins with \"TDSh\": this is an index without numbers, read the .tdms of it");
-  if (rest.size() < kLeadIn || !rest.starts_with("TDSm"))
+  if (rest.size() < kLeadIn)
+    fail(segment,
+         fmt::format("has {} bytes, expected {} or more: the file is cut off",
+                     rest.size(),
+                     static_cast<std::size_t>(kLeadIn)));
+  if (!rest.starts_with("TDSm"))
     fail(segment, fmt::format("begins with {}, expected \"TDSm\"", shown_bytes(rest.substr(0, 4))));
   segment.contents = static_cast<std::uint32_t>(recorded_integer(rest.data() + 4, 4, false));
   segment.is_big_endian = segment.contents & kBigEndian;

@@ -286,7 +286,7 @@ class UffReading {
     if (least == 0) expect_room(function.samples, uff_sample_bytes(function.layout, true));
     fail(
         fmt::format("states {} bytes for {} samples, but no end of the data set follows their "
-                    "numbers",
+                    "numbers: the file is cut off",
                     stated,
                     function.samples));
   }

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "base/utf8.h"
+#include "formats/recorders/file_marks.h"
 #include "formats/recorders/recorded_file.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/lab_columns.h"
@@ -479,6 +480,7 @@ LabTable read_lab_table(const std::filesystem::path& file,
                         const ExpectedUnit& expected,
                         const std::string& part,
                         double resampled) {
+  expect_content_of_ending(file);
   const std::string ending = lower(file.extension().string());
   const auto recorders = recorder_endings();
   if (std::find(recorders.begin(), recorders.end(), ending) != recorders.end())

@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "formats/recorders/file_marks.h"
 #include "formats/tables/csv_header.h"
 #include "formats/tables/lab_table.h"
 #include "formats/tables/mat_file.h"
@@ -171,6 +172,7 @@ Recording read_whole_recording(const std::filesystem::path& file,
                                const std::map<std::string, std::string>& units,
                                const std::string& group,
                                double resampled) {
+  expect_content_of_ending(file);
   const std::string ending = lower(file.extension().string());
   if (!group.empty() || resampled > 0.0)
     return recording_of(read_lab_table(file, units, {}, group, resampled));

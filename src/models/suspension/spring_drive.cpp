@@ -117,6 +117,18 @@ std::string SpringDrive::fault() const {
   return blade ? blade->fault() : std::string{};
 }
 
+Result<RodEnds> rod_ends(const SpringDrive& drive,
+                         const Vector3d& wheel_center_at_rest,
+                         const Pose& upright) {
+  const Twists held = {Vector6d::Zero(), Vector6d::Zero()};
+  const Vector3d outer = driven_end(drive, wheel_center_at_rest, upright, held).place;
+  if (!drive.rocker) return RodEnds{outer, drive.inner};
+  const Lever& rocker = drive.rocker->lever;
+  const auto turned = rocker.turned(outer);
+  if (!turned) return turned.failure();
+  return RodEnds{outer, rocker.at(turned->angle, rocker.own)};
+}
+
 Result<SpringState> spring_state(const SpringDrive& drive,
                                  const Vector3d& wheel_center_at_rest,
                                  const Pose& upright,

@@ -71,6 +71,14 @@ struct SpringState {
   Eigen::Vector2d blade_slopes = Eigen::Vector2d::Zero();  // rad/m
 };
 
+/// Ends of the push-rod in a pose of the upright, m; without a rocker, those of the spring.
+struct RodEnds {
+  Eigen::Vector3d outer, inner;
+};
+Result<RodEnds> rod_ends(const SpringDrive& drive,
+                         const Eigen::Vector3d& wheel_center_at_rest,
+                         const Pose& upright);
+
 Result<SpringState> spring_state(const SpringDrive& drive,
                                  const Eigen::Vector3d& wheel_center_at_rest,
                                  const Pose& upright,
