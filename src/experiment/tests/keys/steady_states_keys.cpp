@@ -27,7 +27,15 @@ memory, and must not be written to while it is read.
           {
               {"states",
                "Table of states in a file beside the test; `{from = \"measurement.cornering\"}` "
-               "takes them as they were measured."},
+               "takes them as they were measured, and `{Fz = \"4 kN\", alpha = [\"0 deg\", \"2 deg\"]}` "
+               "states them: a single value holds in all states."},
+              {"states.Fz", "Vertical load."},
+              {"states.kappa", "Longitudinal slip, negative if the wheel is braked.", "0"},
+              {"states.alpha", "Slip angle.", "0"},
+              {"states.gamma", "Inclination of the wheel.", "0"},
+              {"states.phit", "Turn slip.", "0"},
+              {"states.Vx", "Forward speed.", "LONGVL of the tire; 60 km/h for finite elements"},
+              {"states.p", "Inflation pressure.", "that of the tire"},
               {"limits",
                "\"on\" limits inputs to the ranges of the tire's file and fades them below its "
                "VXLOW."},
@@ -53,6 +61,9 @@ side = "other"
               R"toml(kind = "steady_states"
 states = "states.csv"
 friction = 0.9
+)toml",
+              R"toml(kind = "steady_states"
+states = {Fz = "4 kN", kappa = 0, alpha = ["0 deg", "2 deg"], gamma = "1 deg", phit = "0 1/m", Vx = "60 km/h", p = "2.4 bar"}
 )toml",
           },
   };
