@@ -2,8 +2,8 @@
 // Designs of tests whose settings vary continuously: against closed forms, exhaustive search, a
 // grid that a person would run, and simulated campaigns.
 //
-// Closed forms [Atkinson, Donev, Tobias, Optimum Experimental Designs, with SAS, 2007; Bates, Watts,
-// Nonlinear Regression Analysis, 1988]: a decay A exp(-k t) is measured at 0 and 1/k, half each; a
+// Closed forms [Atkinson, Donev, Tobias, Optimum Experimental Designs, with SAS, 2007; Bates,
+// Watts, Nonlinear Regression Analysis, 1988]: a decay A exp(-k t) is measured at 0 and 1/k, half each; a
 // saturation V x / (K + x) over 0 .. b at K b / (2 K + b) and b; a quadratic over -1 .. 1 at -1, 0
 // and 1, a third each by its determinant, 1/4, 1/2, 1/4 by its variances and its predictions. Their
 // constants are drawn at random. The rivals are those of [Atkinson, Fedorov, Biometrika 62 (1975)
@@ -11,8 +11,8 @@
 //
 // The tire has seven coefficients of side force over load, slip angle and camber, drawn around a
 // passenger car's, and a rig that holds load times slip angle below 40 kN deg. Eleven random tests
-// are known; as many tests are chosen as the admitted part of a grid of 3 x 6 x 3 has. Both together
-// are compared with the grid, weighed to the same number.
+// are known, and others are chosen until there are as many as the admitted part of a grid of
+// 3 x 6 x 3 has. They are compared with this part of the grid.
 //
 // Half of the problems are a reserve that was not looked at before the end.
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ using Places = std::vector<Eigen::VectorXd>;
 
 constexpr double kNothing = 1e-9;  // information that only makes M invertible
 
-/// How far designs of shares are from their closed forms, at most.
+/// Largest distances of designs of shares from their closed forms.
 struct FarOff {
   double place = 0.0, share = 0.0, ratio = 0.0;
   bool has_all = true;
@@ -114,8 +114,7 @@ FarOff quadratics(int first, int count) {
     compare_shares(problem, {0.0, 0.5, 1.0}, {1.0 / 3, 1.0 / 3, 1.0 / 3}, off);
     problem.W = Eigen::MatrixXd::Identity(3, 3);
     compare_shares(problem, {0.0, 0.5, 1.0}, {0.25, 0.5, 0.25}, off);
-    problem.W =
-        (Eigen::Matrix3d() << 1, 0, 1.0 / 3, 0, 1.0 / 3, 0, 1.0 / 3, 0, 1.0 / 5).finished();
+    problem.W = (Eigen::Matrix3d() << 1, 0, 1.0 / 3, 0, 1.0 / 3, 0, 1.0 / 3, 0, 1.0 / 5).finished();
     compare_shares(problem, {0.0, 0.5, 1.0}, {0.25, 0.5, 0.25}, off);
   }
   return off;
@@ -201,7 +200,8 @@ struct Tire {
     const double alpha = kDegree * (24.0 * s[1] - 12.0), gamma = kDegree * (8.0 * s[2] - 4.0);
     const double C = 1.3 * p[0];
     const double D = Fz * (1.0 * p[1] - 0.15 * p[2] * df);
-    const double K = 20.0 * p[3] * kNominal * std::sin(2.0 * std::atan(Fz / (2.0 * p[4] * kNominal)));
+    const double K =
+        20.0 * p[3] * kNominal * std::sin(2.0 * std::atan(Fz / (2.0 * p[4] * kNominal)));
     const double B = K / (C * D);
     const double E = -0.5 * p[5];
     const double x = alpha + 0.1 * p[6] * gamma;
@@ -260,8 +260,7 @@ Eigen::VectorXd tire_deviations(const Tire& tire, const Places& tests, double we
     const Eigen::RowVectorXd J = Tire::slopes(tire.p, s) / Tire::kNoise;
     M += weight * J.transpose() * J;
   }
-  const Eigen::MatrixXd one =
-      Eigen::MatrixXd::Identity(Tire::kCoefficients, Tire::kCoefficients);
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(Tire::kCoefficients, Tire::kCoefficients);
   return numerics::PivotedCholesky(M).solve(one).diagonal().cwiseSqrt();
 }
 
@@ -333,7 +332,8 @@ double realized_ratio(const Tire& tire,
 constexpr double kLouder = 3.0;  // factor of a noise at which the tire is no longer nearly linear
 
 struct TireFigures {
-  double of_grid = 0.0, worst_of_grid = 0.0, random_of_grid = 0.0;  // mean intervals over the grid's
+  double of_grid = 0.0, worst_of_grid = 0.0,
+         random_of_grid = 0.0;                       // mean intervals over the grid's
   double realized = 0.0, least = 1e300, most = 0.0;  // realized over promised, mean and extremes
   double realized_loud = 0.0;                        // with three times the noise, mean
 };
@@ -354,8 +354,7 @@ TireFigures campaigns(int first, int tires, int simulated) {
     figures.worst_of_grid = std::max(figures.worst_of_grid, ratio);
     figures.random_of_grid +=
         tire_deviations(tire, random_tests(count, number)).cwiseQuotient(of_grid).mean() / tires;
-    const double realized =
-        realized_ratio(tire, tests, promised, Tire::kNoise, simulated, number);
+    const double realized = realized_ratio(tire, tests, promised, Tire::kNoise, simulated, number);
     figures.realized_loud +=
         realized_ratio(tire, tests, promised, kLouder * Tire::kNoise, simulated, number) / tires;
     figures.realized += realized / tires;

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiment/table_text.h"
 #include "base/text.h"
 #include "base/toml/toml_text.h"
 #include "base/units.h"
 #include "experiment/rigs/slip/slip_states.h"
+#include "experiment/table_text.h"
 #include "measurement/meaning/natural_unit.h"
 
 namespace latsch::experiment {
@@ -37,8 +37,8 @@ std::string median_states(const Test& test, std::string& assumed) {
     const bool is_plain = unit == "1";
     entries += (entries.empty() ? "" : ", ") + state.channel + " = " +
                (is_plain ? number : toml_text(number + " " + unit));
-    words += (words.empty() ? "" : ", ") + state.channel + " " + number +
-             (is_plain ? "" : " " + unit);
+    words +=
+        (words.empty() ? "" : ", ") + state.channel + " " + number + (is_plain ? "" : " " + unit);
   }
   assumed = "one state of the table, with its medians where no setting moves them: " + words;
   return "states = {" + entries + "}\n";
@@ -60,8 +60,8 @@ void refuse_measured(const Node& keys, const std::string& without) {
     if (table.has("from"))
       table.reject("from",
                    "takes a condition of the test from a measurement, which has no number that a "
-                   "design could move or a laboratory could set; write the number, such as " + key +
-                       " = \"...\"");
+                   "design could move or a laboratory could set; write the number, such as " +
+                       key + " = \"...\"");
   }
 }
 

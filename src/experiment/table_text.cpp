@@ -22,8 +22,9 @@ class TableText {
         return "{" + entries(now) + "}";
       case Kind::list:
         // The elements have the unit of the list and no text of their own.
-        return now.unit.empty() ? list(now)
-                                : "{unit = " + toml_text(now.unit) + ", values = " + list(now) + "}";
+        return now.unit.empty()
+                   ? list(now)
+                   : "{unit = " + toml_text(now.unit) + ", values = " + list(now) + "}";
       case Kind::text:
         return toml_text(now.text);
       case Kind::flag:

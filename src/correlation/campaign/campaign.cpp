@@ -124,9 +124,10 @@ Result<Eigen::MatrixXd> weights_of_aim(const CampaignPlan& plan) {
       for (Eigen::Index k = 0; k < n; ++k)
         if (plan.study.space[free[static_cast<std::size_t>(k)]].name == campaign.of) W(k, k) = 1.0;
       if (W.isZero())
-        return Failure{fmt::format("{} is held constant by the last stage of the study, so no test "
-                                   "is needed to know it; free it, or name another variable",
-                                   campaign.of)};
+        return Failure{
+            fmt::format("{} is held constant by the last stage of the study, so no test "
+                        "is needed to know it; free it, or name another variable",
+                        campaign.of)};
       return W;
     }
   }
@@ -189,8 +190,8 @@ std::vector<std::string> untouched_directions(const CampaignPlan& plan,
     const std::string& first = plan.study.space[static_cast<int>(largest)].name;
     const std::string text = direction_text(plan.study.space, direction);
     names.push_back(std::abs(direction[largest]) > kAlone ? first
-                    : text.empty() ? first + " together with many others"
-                                   : text);
+                    : text.empty()                        ? first + " together with many others"
+                                                          : text);
   }
   return names;
 }
@@ -276,7 +277,8 @@ void lay_out(const CampaignPlan& plan,
   for (const int k : order) {
     const Place& s = tests[static_cast<std::size_t>(k)];
     CampaignTest test{campaign.values_at({s.begin(), s.end()})};
-    test.rank = static_cast<int>(std::find(ranking.begin(), ranking.end(), k) - ranking.begin()) + 1;
+    test.rank =
+        static_cast<int>(std::find(ranking.begin(), ranking.end(), k) - ranking.begin()) + 1;
     for (std::size_t before = 0; before < ordered.size() && test.replicate_of < 0; ++before)
       if (ordered[before] == s) test.replicate_of = static_cast<int>(before);
     found.tests.push_back(test);

@@ -25,7 +25,7 @@ constexpr int kCampaignDraws = 50;
 
 /// One test of a campaign.
 struct CampaignTest {
-  std::vector<double> values;  // of the settings, SI
+  std::vector<double> values;  // settings, SI
   int rank = 1;                // place in the order of gain, from 1
   int replicate_of = -1;       // index of an equal test before it; -1: none
 };
@@ -33,13 +33,13 @@ struct CampaignTest {
 /// What is known after the first tests of the campaign.
 struct CampaignStanding {
   int tests = 0;
-  Eigen::VectorXd deviations;  // of the free variables, in ranges
+  Eigen::VectorXd deviations;  // standard deviations of the free variables, in ranges
   double T = 0.0;              // sum of squares that the rival cannot fit; 0 without a rival
 };
 
 /// The grid that a person would run, as far as the limits admit it.
 struct CampaignGrid {
-  std::vector<int> levels;  // of each setting
+  std::vector<int> levels;  // number of levels of each setting
   int points = 0;           // admitted points; 0: none
   /// Mean over the variables of the deviation after the campaign over that after equally many tests
   /// of the grid.
@@ -50,20 +50,20 @@ struct CampaignGrid {
 };
 
 struct Campaign {
-  std::vector<CampaignTest> tests;        // in the order of the campaign
+  std::vector<CampaignTest> tests;          // in the order of the campaign
   std::vector<CampaignStanding> standings;  // none, then 4, 8, .. all
-  std::vector<int> changes;               // of each setting, in this order
-  std::vector<int> changes_by_rank;       // of each setting, in the order of gain
+  std::vector<int> changes;                 // number of changes of each setting, in this order
+  std::vector<int> changes_by_rank;         // number of changes in the order of gain
   CampaignGrid grid;
-  double rounding = 1.0;                  // criterion with rounded settings over that before
-  int draws = 0;                          // draws of the posterior density; 0: the fit alone
+  double rounding = 1.0;        // criterion with rounded settings over that before
+  int draws = 0;                // draws of the posterior density; 0: the fit alone
   int ends = 0, ends_kept = 0;  // ends of intervals looked at, and where the first three stay
   std::string why_no_ends;      // why no ends were looked at; empty: they were
   std::vector<std::string> untouched;  // directions that nothing determines but the bounds
   int failed = 0;                      // places at which the model failed
   std::string first_failure;
-  std::vector<double> largest;    // value of each measured channel inside the limits, SI
-  std::vector<double> deviations; // noise of each measured channel, SI
+  std::vector<double> largest;     // value of each measured channel inside the limits, SI
+  std::vector<double> deviations;  // noise of each measured channel, SI
 };
 
 /// Everything from which a campaign is planned.

@@ -32,13 +32,12 @@ CampaignPlaces::CampaignPlaces(const CampaignSettings& campaign,
     }
   }
   for (std::size_t c = 0; c < largest_.size(); ++c)
-    deviations_.push_back(std::hypot(start.noise[c].noise.absolute,
-                                     start.noise[c].noise.relative * largest_[c]));
+    deviations_.push_back(
+        std::hypot(start.noise[c].noise.absolute, start.noise[c].noise.relative * largest_[c]));
 }
 
 bool CampaignPlaces::admitted(const Eigen::VectorXd& place) const {
-  return campaign_.admits(
-      campaign_.values_at(std::vector<double>(place.begin(), place.end())));
+  return campaign_.admits(campaign_.values_at(std::vector<double>(place.begin(), place.end())));
 }
 
 const TestValues* CampaignPlaces::known(const Eigen::VectorXd& place) const {
@@ -71,8 +70,8 @@ Eigen::VectorXd CampaignPlaces::values(const Eigen::VectorXd& place) const {
   const TestValues& known_values = *known(place);
   Eigen::VectorXd y = known_values.y;
   for (Eigen::Index k = 0; k < y.size(); ++k)
-    y[k] /= deviations_[static_cast<std::size_t>(
-        known_values.channel[static_cast<std::size_t>(k)])];
+    y[k] /=
+        deviations_[static_cast<std::size_t>(known_values.channel[static_cast<std::size_t>(k)])];
   return y;
 }
 

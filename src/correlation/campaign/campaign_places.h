@@ -44,7 +44,7 @@ class CampaignPlaces {
 
   const CampaignSettings& campaign_;
   const TestSlopes& slopes_;
-  std::vector<int> columns_;  // of the free variables at all points
+  std::vector<int> columns_;  // columns of the free variables at all points
   std::vector<double> largest_, deviations_;
   int first_admitted_ = 0;
   mutable std::map<std::vector<double>, std::optional<TestValues>> computed_;

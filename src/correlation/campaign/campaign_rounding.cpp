@@ -59,12 +59,11 @@ std::vector<Eigen::VectorXd> rounded_places(
         sum += last;
       }
       // an end of the range stays what it is
-      const double level = first <= 0.0 ? 0.0
-                           : last >= 1.0
-                               ? 1.0
-                               : stepped(campaign.settings[i],
-                                         sum / static_cast<double>(to - from),
-                                         nearest_whole);
+      const double level =
+          first <= 0.0 ? 0.0
+          : last >= 1.0
+              ? 1.0
+              : stepped(campaign.settings[i], sum / static_cast<double>(to - from), nearest_whole);
       for (std::size_t one = from; one < to; ++one) rounded[order[one]][k] = level;
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a campaign of measurements begins with: the point of the variables, what is known about
-// them, and the noise of the measured channels.
+// The start of a campaign of measurements: the point of the variables, the information about them,
+// and the noise of the measured channels.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,13 +20,13 @@ struct ChannelNoise {
 };
 
 struct CampaignStart {
-  DesignPoint point;          // where slopes are taken
-  std::vector<int> free;      // indices of the variables that the study may move
-  Eigen::MatrixXd data;       // information of data and priors, free variables in ranges
-  bool is_fitted = false;     // false: priors alone
-  Eigen::VectorXd lengths;    // of differences, one for each variable of the study
-  std::vector<ChannelNoise> noise;       // of each measured channel
-  std::vector<DesignPoint> draws = {};   // points of the posterior density; empty: none
+  DesignPoint point;                // point at which slopes are taken
+  std::vector<int> free;            // indices of the variables that the study may move
+  Eigen::MatrixXd data;             // information of data and priors, free variables in ranges
+  bool is_fitted = false;           // false: priors alone
+  Eigen::VectorXd lengths;          // lengths of differences, one for each variable of the study
+  std::vector<ChannelNoise> noise;  // one for each measured channel
+  std::vector<DesignPoint> draws = {};  // points of the posterior density; empty: none
 };
 
 /// Returns the start after a fit, or a Failure that says what is missing.

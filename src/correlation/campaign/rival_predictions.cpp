@@ -28,7 +28,7 @@ Eigen::VectorXd RivalPredictions::predict(const Eigen::VectorXd& place,
   const Study& rival = *plan_.rival;
   const CampaignSettings& campaign = *plan_.study.campaign;
   const std::vector<int>& channels = places_.channels(place);
-  // Where the rival fails it says nothing that could be compared.
+  // A rival that fails says nothing that could be compared.
   const Eigen::VectorXd nothing = places_.values(place);
   try {
     if (!specimen_ || last_ != v) {

@@ -32,8 +32,7 @@ Result<TestValues> values_of_recording(const CampaignSettings& campaign,
     const Channel* channel = recording.find(prefix + campaign.measures[c]);
     if (!channel) return Failure{"the test recorded no " + campaign.measures[c]};
     y.insert(y.end(), channel->values.begin(), channel->values.end());
-    values.channel.insert(
-        values.channel.end(), channel->values.size(), static_cast<int>(c));
+    values.channel.insert(values.channel.end(), channel->values.size(), static_cast<int>(c));
   }
   values.y = to_vector(y);
   return values;
@@ -53,8 +52,7 @@ Eigen::MatrixXd slopes_of_recording(const Study& study,
     if (channel->slopes.size() != rows * n) return {};
     score.residuals.insert(score.residuals.end(), channel->values.begin(), channel->values.end());
     for (std::size_t row = 0; row < rows; ++row)
-      for (std::size_t i = 0; i < n; ++i)
-        score.jacobian.push_back(channel->slopes[i * rows + row]);
+      for (std::size_t i = 0; i < n; ++i) score.jacobian.push_back(channel->slopes[i * rows + row]);
   }
   return study.space.unit_jacobian(point, score);
 }
@@ -63,8 +61,7 @@ class ComputedSlopes : public TestSlopes {
  public:
   ComputedSlopes(const Study& study, const std::vector<DesignPoint>& points)
       : study_(study), points_(points), moved_(study.space) {
-    for (const DesignPoint& point : points)
-      specimens_.push_back(study.specimens->at(study, point));
+    for (const DesignPoint& point : points) specimens_.push_back(study.specimens->at(study, point));
   }
 
   Result<TestValues> at(const std::vector<double>& settings) const override {
@@ -250,9 +247,9 @@ std::optional<Result<KrigedSlopes>> kriged_slopes(const Study& study,
     return answer;
   }
   const Study runs = study_of_runs(study, places);
-  const std::vector<DesignPoint> points =
-      runs.asks_slopes ? std::vector<DesignPoint>{point}
-                       : difference_points(study.space, point, lengths);
+  const std::vector<DesignPoint> points = runs.asks_slopes
+                                              ? std::vector<DesignPoint>{point}
+                                              : difference_points(study.space, point, lengths);
   {
     ThreadExecutor executor([&] { return evaluator(runs); }, std::max(1, study.run.workers));
     if (!evaluate_points(runs, points, executor, options)) return std::nullopt;
@@ -268,9 +265,9 @@ std::optional<Result<KrigedSlopes>> kriged_slopes(const Study& study,
       if (reason.find(run_name(k)) == std::string::npos) continue;
       std::string words;
       for (std::size_t i = 0; i < places[k].size(); ++i)
-        words += (i == 0 ? "" : ", ") + campaign.settings[i].name + " " +
-                 format_quantity(
-                     campaign.settings[i].at(places[k][i]), campaign.settings[i].unit, 4);
+        words +=
+            (i == 0 ? "" : ", ") + campaign.settings[i].name + " " +
+            format_quantity(campaign.settings[i].at(places[k][i]), campaign.settings[i].unit, 4);
       reason += " (" + words + "; limits of [design] leave such settings out)";
       break;
     }
@@ -295,18 +292,17 @@ std::optional<Result<KrigedSlopes>> kriged_slopes(const Study& study,
       if (y.size() == 1) first = *std::move(own);
     }
     const Eigen::MatrixXd J =
-        runs.asks_slopes
-            ? slopes_of_recording(study, channels->front(), run_name(k) + "/", point)
-            : differences(study.space, points, y).J;
+        runs.asks_slopes ? slopes_of_recording(study, channels->front(), run_name(k) + "/", point)
+                         : differences(study.space, points, y).J;
     if (k == 0) {
       shape = first;
       shape.J.setZero(first.y.size(), n);
       fields.resize(std::ssize(places), first.y.size() * (n + 1));
     }
     if (first.y.size() != shape.y.size() || J.rows() != shape.y.size()) {
-      answer.emplace(Failure{
-          "the test has different numbers of values at different settings, which cannot be "
-          "interpolated; measure channels with a fixed number of values"});
+      answer.emplace(
+          Failure{"the test has different numbers of values at different settings, which cannot be "
+                  "interpolated; measure channels with a fixed number of values"});
       return answer;
     }
     fields.row(row) << first.y.transpose(), J.reshaped().transpose();

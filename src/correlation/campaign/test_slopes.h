@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a test at any settings would tell about the variables of a study: its values, and their
-// derivatives by the variables.
+// Values of a test at any settings, and their derivatives by the variables of a study.
 //
 // A model that computes its slopes is asked at every setting. Otherwise, or with `runs` in the
 // study, trials at a few settings are made and their slopes are kriged over the settings
@@ -48,10 +47,10 @@ std::unique_ptr<TestSlopes> computed_slopes(const Study& study,
 /// Slopes that were kriged over settings.
 struct KrigedSlopes {
   std::unique_ptr<TestSlopes> slopes;
-  int runs = 0;              // settings at which the model ran
-  long trials = 0;           // trials
-  double least_values = 1.0;          // least Q^2 of a value
-  std::vector<double> least_slopes;   // least Q^2 of a slope by each variable
+  int runs = 0;                      // settings at which the model ran
+  long trials = 0;                   // trials
+  double least_values = 1.0;         // least Q^2 of a value
+  std::vector<double> least_slopes;  // least Q^2 of a slope by each variable
 };
 
 /// Runs the trials and interpolates. `lengths` are those of the differences by each variable in the

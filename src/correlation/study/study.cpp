@@ -404,10 +404,11 @@ Study read(const Document& document,
         check_reach(root, study.refinement->tests, experiment, curve->measured(), " of [refined]");
   root.close();
   if (measurements == Measurements::required) refuse_doubtful(ledgers_of(study));
-  study.search_key =
-      key_without({"run", "doe", "refined", "posterior", "selection", "design", "title", "test"}, study);
+  study.search_key = key_without(
+      {"run", "doe", "refined", "posterior", "selection", "design", "title", "test"}, study);
   study.target_key = key_without(
-      {"run", "doe", "refined", "posterior", "selection", "design", "title", "test", "optimizer"}, study);
+      {"run", "doe", "refined", "posterior", "selection", "design", "title", "test", "optimizer"},
+      study);
   return study;
 }
 

@@ -15,7 +15,8 @@ namespace latsch {
 /// Returns the indices of the tests, one in each row, in their order. Settings are in the unit
 /// cube, `costs` one for each. Equal tests follow each other. Among orders of equal cost the one
 /// whose settings move least is taken.
-std::vector<int> order_of_few_changes(const Eigen::MatrixXd& tests, const std::vector<double>& costs);
+std::vector<int> order_of_few_changes(const Eigen::MatrixXd& tests,
+                                      const std::vector<double>& costs);
 
 /// Returns how often each setting changes between neighbors.
 std::vector<int> setting_changes(const Eigen::MatrixXd& tests, const std::vector<int>& order);

@@ -24,8 +24,8 @@ constexpr double kFirstReach = 0.03;
 constexpr double kOnePlace = 0.02;
 // SettledShares below this are given up.
 constexpr double kLeastShare = 1e-3;
-// The design is best if no sensitivity exceeds its mean by more. A place that is off by d exceeds it
-// by about d^2, so this finds places to a thousandth of the range.
+// The design is best if no sensitivity exceeds its mean by more. A place that is off by d exceeds
+// it by about d^2, so this finds places to a thousandth of the range.
 constexpr double kBestRatio = 1.0 + 1e-6;
 constexpr int kMostAdditions = 300, kMostShareSteps = 2000;
 // Relative change of shares that ends their iteration.
@@ -113,8 +113,8 @@ class OneMoreTest {
     double sum = 0.0;
     for (std::size_t k = 0; k < inverse_.size(); ++k) {
       const Eigen::MatrixXd own = J.middleCols(static_cast<Eigen::Index>(k) * n, n);
-      const numerics::Cholesky factors(Eigen::MatrixXd(
-          Eigen::MatrixXd::Identity(m, m) + own * inverse_[k] * own.transpose()));
+      const numerics::Cholesky factors(
+          Eigen::MatrixXd(Eigen::MatrixXd::Identity(m, m) + own * inverse_[k] * own.transpose()));
       if (!factors.is_positive_definite()) return -kInfinity;
       if (!problem_.W) {
         sum += factors.log_determinant();
@@ -147,8 +147,7 @@ class PlaceSearch {
   /// Returns the best place; `others` are further places from which the search begins.
   Eigen::VectorXd best(const DesignGain& gain, const DesignPlaces& others = {}) const {
     std::vector<std::pair<double, Eigen::VectorXd>> rated;
-    for (std::size_t k = 0; k < points_.size(); ++k)
-      rated.emplace_back(gain(rows_[k]), points_[k]);
+    for (std::size_t k = 0; k < points_.size(); ++k) rated.emplace_back(gain(rows_[k]), points_[k]);
     for (const Eigen::VectorXd& s : others) rated.emplace_back(gain(problem_.rows(s)), s);
     std::stable_sort(
         rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -256,7 +255,8 @@ class SettledShares {
   }
   double mean_sensitivity(const OfDraws& G) const {
     double mean = 0.0;
-    for (std::size_t k = 0; k < places_.size(); ++k) mean += shares_[k] * mean_product(G, gains_[k]);
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      mean += shares_[k] * mean_product(G, gains_[k]);
     return mean;
   }
   const DesignPlaces& places() const { return places_; }

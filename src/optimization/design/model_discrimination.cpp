@@ -80,8 +80,8 @@ class RivalSearch {
   Eigen::VectorXd moved(const Eigen::VectorXd& v, const RivalSums& sums, double damping) const {
     std::vector<Eigen::Index> free;
     for (Eigen::Index i = 0; i < v.size(); ++i) {
-      const bool is_held = (v[i] <= 0.0 && sums.slope[i] > 0.0) ||
-                           (v[i] >= 1.0 && sums.slope[i] < 0.0);
+      const bool is_held =
+          (v[i] <= 0.0 && sums.slope[i] > 0.0) || (v[i] >= 1.0 && sums.slope[i] < 0.0);
       if (!is_held) free.push_back(i);
     }
     Eigen::VectorXd to = v;
@@ -148,9 +148,8 @@ class RivalTests {
     std::vector<std::pair<double, Eigen::VectorXd>> rated;
     for (const RivalPlaces* places : {&points_, &near})
       for (const Eigen::VectorXd& s : *places) rated.emplace_back(gain(fit, s), s);
-    std::stable_sort(rated.begin(), rated.end(), [](const auto& a, const auto& b) {
-      return a.first > b.first;
-    });
+    std::stable_sort(
+        rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     rated.resize(std::min(rated.size(), kRefinedRivals));
     for (auto& [value, s] : rated) refine(fit, value, s);
     return std::max_element(rated.begin(),

@@ -11,7 +11,7 @@
 namespace latsch {
 namespace {
 
-constexpr double kRivalRange = 20.0;  // of each coefficient of a rival
+constexpr double kRivalRange = 20.0;  // range of each coefficient of a rival
 
 /// A curve over -1 .. 1 with a polynomial of `terms` terms as its rival.
 RivalProblem polynomial_rival(int terms, double (*truth)(double)) {
@@ -47,8 +47,8 @@ TEST(ModelDiscrimination, AParabolaIsToldFromALineAtTheEndsAndTwiceInTheMiddle) 
 // Between 4.5 - 1.5 exp(x) - 2 exp(-x) and a quadratic the best design is at -1, -0.669, 0.144 and
 // 0.957 with the shares 0.253, 0.428, 0.247 and 0.072, and T of one test is 1.087e-3 (example 1).
 TEST(ModelDiscrimination, TheDesignOfAtkinsonAndFedorovIsTheLimitOfManyTests) {
-  const RivalProblem problem = polynomial_rival(
-      3, [](double x) { return 4.5 - 1.5 * std::exp(x) - 2.0 * std::exp(-x); });
+  const RivalProblem problem =
+      polynomial_rival(3, [](double x) { return 4.5 - 1.5 * std::exp(x) - 2.0 * std::exp(-x); });
   constexpr int kTests = 40;
   const auto tests = best_tests_against(problem, kTests);
   EXPECT_NEAR(fit_rival(problem, tests).T / kTests, 1.087e-3, 0.01 * 1.087e-3);

@@ -24,8 +24,7 @@ Eigen::VectorXd field_covariance(const Eigen::MatrixXd& places,
                                  const Eigen::VectorXd& at) {
   Eigen::VectorXd k(places.rows());
   for (Eigen::Index i = 0; i < places.rows(); ++i)
-    k[i] = std::exp(
-        -0.5 * (places.row(i).transpose() - at).cwiseQuotient(lengths).squaredNorm());
+    k[i] = std::exp(-0.5 * (places.row(i).transpose() - at).cwiseQuotient(lengths).squaredNorm());
   return k;
 }
 
@@ -53,11 +52,9 @@ FieldFit fit_fields(const Eigen::MatrixXd& places,
   // With an unknown trend K^-1 becomes K^-1 - K^-1 F (F'K^-1 F)^-1 F'K^-1.
   const Eigen::MatrixXd Q =
       inverse - inverse * F * normal.solve(Eigen::MatrixXd(F.transpose() * inverse));
-  fit.left_out = (Q.diagonal().cwiseInverse().asDiagonal() * fit.weights)
-                     .colwise()
-                     .squaredNorm()
-                     .transpose() /
-                 static_cast<double>(N);
+  fit.left_out =
+      (Q.diagonal().cwiseInverse().asDiagonal() * fit.weights).colwise().squaredNorm().transpose() /
+      static_cast<double>(N);
   return fit;
 }
 
@@ -66,9 +63,8 @@ FieldFit fit_fields(const Eigen::MatrixXd& places,
 FieldKriging::FieldKriging(const Eigen::MatrixXd& places, const Eigen::MatrixXd& fields)
     : places_(places), lengths_(Eigen::VectorXd::Constant(places.cols(), 0.7)) {
   const Eigen::RowVectorXd mean = fields.colwise().mean();
-  const Eigen::VectorXd variance =
-      (fields.rowwise() - mean).colwise().squaredNorm().transpose() /
-      static_cast<double>(fields.rows());
+  const Eigen::VectorXd variance = (fields.rowwise() - mean).colwise().squaredNorm().transpose() /
+                                   static_cast<double>(fields.rows());
   const double largest = variance.maxCoeff();
   // Fields count by their errors relative to their own variance; constant ones do not count.
   constexpr double kConstant = 1e-20;
@@ -101,8 +97,7 @@ FieldKriging::FieldKriging(const Eigen::MatrixXd& places, const Eigen::MatrixXd&
 Eigen::VectorXd FieldKriging::at(const Eigen::VectorXd& place) const {
   Eigen::VectorXd f(place.size() + 1);
   f << 1.0, place;
-  return trend_.transpose() * f +
-         weights_.transpose() * field_covariance(places_, lengths_, place);
+  return trend_.transpose() * f + weights_.transpose() * field_covariance(places_, lengths_, place);
 }
 
 }  // namespace latsch

@@ -30,8 +30,7 @@ Eigen::VectorXd smooth_fields(const Eigen::VectorXd& s) {
 TEST(FieldKriging, SmoothFieldsAreInterpolatedAndTheirErrorIsThatOfQ2) {
   const Eigen::MatrixXd places = spread_places(40, 2);
   Eigen::MatrixXd fields(40, 3);
-  for (int k = 0; k < 40; ++k)
-    fields.row(k) = smooth_fields(places.row(k).transpose()).transpose();
+  for (int k = 0; k < 40; ++k) fields.row(k) = smooth_fields(places.row(k).transpose()).transpose();
   const FieldKriging kriging(places, fields);
   EXPECT_GT(kriging.Q2().minCoeff(), 0.99);
   const Eigen::MatrixXd others = spread_places(200, 2).bottomRows(150);
@@ -44,8 +43,7 @@ TEST(FieldKriging, SmoothFieldsAreInterpolatedAndTheirErrorIsThatOfQ2) {
 TEST(FieldKriging, SamplesThemselvesAreMet) {
   const Eigen::MatrixXd places = spread_places(20, 2);
   Eigen::MatrixXd fields(20, 3);
-  for (int k = 0; k < 20; ++k)
-    fields.row(k) = smooth_fields(places.row(k).transpose()).transpose();
+  for (int k = 0; k < 20; ++k) fields.row(k) = smooth_fields(places.row(k).transpose()).transpose();
   const FieldKriging kriging(places, fields);
   for (int k = 0; k < 20; ++k)
     EXPECT_LT((kriging.at(places.row(k).transpose()) - fields.row(k).transpose())

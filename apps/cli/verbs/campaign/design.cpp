@@ -136,17 +136,19 @@ void say_kriging(const Study& study, const correlation::KrigedSlopes& kriged) {
     all.push_back(fmt::format("{} {:.2f}", study.space[i].name, Q2));
     if (Q2 < kTrusted) poor.push_back(study.space[i].name);
   }
-  say("Slopes are interpolated between {} settings, from {} trial{}; Q^2 of samples left out: {}.\n",
+  say("Slopes are interpolated between {} settings, from {} trial{}; Q^2 of samples left out: "
+      "{}.\n",
       kriged.runs,
       kriged.trials,
       kriged.trials == 1 ? "" : "s",
       fmt::join(all, ", "));
   if (!poor.empty())
-    warn(fmt::format("the interpolation of the slopes by {} is poor (Q^2 below {}), so where the "
-                     "tests stand for {} is not to be trusted; more runs in [design] improve it",
-                     fmt::join(poor, ", "),
-                     kTrusted,
-                     poor.size() == 1 ? "it" : "them"));
+    warn(
+        fmt::format("the interpolation of the slopes by {} is poor (Q^2 below {}), so where the "
+                    "tests stand for {} is not to be trusted; more runs in [design] improve it",
+                    fmt::join(poor, ", "),
+                    kTrusted,
+                    poor.size() == 1 ? "it" : "them"));
 }
 
 /// Sets the slopes of a plan. Returns false if a signal interrupted the trials; throws InputError
@@ -167,10 +169,8 @@ bool set_slopes(CampaignPlan& plan, std::string& fault) {
         "used.\n");
     plan.start.draws.clear();
   }
-  auto kriged = correlation::kriged_slopes(study,
-                                           plan.start.point,
-                                           plan.start.lengths,
-                                           counting_options(study, "trials of the design"));
+  auto kriged = correlation::kriged_slopes(
+      study, plan.start.point, plan.start.lengths, counting_options(study, "trials of the design"));
   if (!kriged) return false;
   if (!*kriged) {
     fault = kriged->failure().reason;
@@ -258,8 +258,7 @@ void add_design(CommandLine& app, Program& program) {
       .between(1, correlation::kMostCampaignTests);
   verb.add_option("--workers", options->workers, "Workers, instead of the study's")
       .between(1, 1024);
-  verb.add_option(
-      "-o,--output", options->output, "Folder of the tests; STUDY.design unless given");
+  verb.add_option("-o,--output", options->output, "Folder of the tests; STUDY.design unless given");
   verb.callback([=, &program] { program.exit_code = design(*options, program.language); });
 }
 

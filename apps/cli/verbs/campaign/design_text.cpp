@@ -150,8 +150,8 @@ void print_standings(const Study& study, const CampaignStart& start, const Campa
     say("  {:<{}} {:<14}", variable.name, width, shown(variable, value));
     for (const CampaignStanding& standing : campaign.standings)
       say(" {:>12}",
-          half_width_text(half_width(
-              study, start, k, standing.deviations[static_cast<Eigen::Index>(k)])));
+          half_width_text(
+              half_width(study, start, k, standing.deviations[static_cast<Eigen::Index>(k)])));
     say("\n");
   }
   say("  {:<{}} {:<14}", "mean, over now", width, "");
@@ -199,16 +199,18 @@ void print_worth(const Study& study, const Campaign& campaign) {
   else if (!campaign.why_no_ends.empty())
     say("The ranking was not looked at elsewhere: {}.\n", campaign.why_no_ends);
   if (campaign.failed > 0)
-    warn(fmt::format("the model failed at {} settings inside the limits, which were left out; the "
-                     "first one: {}",
-                     campaign.failed,
-                     campaign.first_failure));
+    warn(
+        fmt::format("the model failed at {} settings inside the limits, which were left out; the "
+                    "first one: {}",
+                    campaign.failed,
+                    campaign.first_failure));
   if (!campaign.untouched.empty())
-    warn(fmt::format("neither the data nor {} tests at any settings tell as much as the bounds "
-                     "about {}: {}",
-                     tests,
-                     campaign.untouched.size() == 1 ? "one direction" : "these directions",
-                     fmt::join(campaign.untouched, "; ")));
+    warn(
+        fmt::format("neither the data nor {} tests at any settings tell as much as the bounds "
+                    "about {}: {}",
+                    tests,
+                    campaign.untouched.size() == 1 ? "one direction" : "these directions",
+                    fmt::join(campaign.untouched, "; ")));
 }
 
 void answer_design(const Study& study, const CampaignStart& start, const Campaign& campaign) {

@@ -37,9 +37,8 @@ std::shared_ptr<const experiment::MovableTest> read_moved_test(
   if (names.empty())
     table.reject("test", "names a [test.NAME] of the study, which has none: add one");
   const std::string name = table.choice("test", names);
-  const auto found = std::find_if(study.tests.begin(), study.tests.end(), [&](const auto& test) {
-    return test.name == name;
-  });
+  const auto found = std::find_if(
+      study.tests.begin(), study.tests.end(), [&](const auto& test) { return test.name == name; });
   const Node keys = root.table("test").table(name);
   const std::filesystem::path folder = study.file.parent_path();
   if (!keys.has("file"))
@@ -80,8 +79,7 @@ void check_end(const Node& settings,
   }
 }
 
-std::vector<CampaignSetting> read_settings(const Node& table,
-                                           const CampaignSettings& campaign) {
+std::vector<CampaignSetting> read_settings(const Node& table, const CampaignSettings& campaign) {
   const Node settings = table.table("settings");
   const experiment::MovableTest& movable = *campaign.movable;
   std::vector<CampaignSetting> all;
@@ -106,10 +104,9 @@ std::vector<CampaignSetting> read_settings(const Node& table,
   if (all.empty())
     table.reject("settings", "is empty, expected ranges such as {load = [\"1 kN\", \"8 kN\"]}");
   if (std::ssize(all) > kMostCampaignSettings)
-    table.reject("settings",
-                 fmt::format("has {} ranges, expected at most {}",
-                             all.size(),
-                             kMostCampaignSettings));
+    table.reject(
+        "settings",
+        fmt::format("has {} ranges, expected at most {}", all.size(), kMostCampaignSettings));
   return all;
 }
 
@@ -122,9 +119,8 @@ CampaignSetting& setting_named(const Node& table,
     if (setting.name == key) return setting;
     names.push_back(setting.name);
   }
-  table.reject(key,
-               "is none of the settings" + did_you_mean(key, names) + "; there are " +
-                   list_of(names));
+  table.reject(
+      key, "is none of the settings" + did_you_mean(key, names) + "; there are " + list_of(names));
 }
 
 std::vector<RigLimit> read_limits(const Node& table, const CampaignSettings& campaign) {
@@ -138,8 +134,7 @@ std::vector<RigLimit> read_limits(const Node& table, const CampaignSettings& cam
   const LimitedNumbers numbers = [&](const std::string& name) -> std::optional<LimitedNumber> {
     const auto path = movable.find(name);
     if (!path) return std::nullopt;
-    LimitedNumber number{
-        -1, movable.value(*path), Unit::of(movable.unit(*path)).dimension()};
+    LimitedNumber number{-1, movable.value(*path), Unit::of(movable.unit(*path)).dimension()};
     for (std::size_t k = 0; k < campaign.settings.size(); ++k)
       if (campaign.settings[k].path == *path) number.setting = static_cast<int>(k);
     return number;
@@ -215,9 +210,8 @@ void read_measured_channels(const Node& table, const Study& study, CampaignSetti
     if (std::find(campaign.measures.begin(), campaign.measures.end(), name) ==
         campaign.measures.end())
       stated->reject(name,
-                     "is none of the measured channels" +
-                         did_you_mean(name, campaign.measures) + "; there are " +
-                         list_of(campaign.measures));
+                     "is none of the measured channels" + did_you_mean(name, campaign.measures) +
+                         "; there are " + list_of(campaign.measures));
     campaign.noise[name] = *read_noise(*stated, unit_of(name), name);
   }
 }
@@ -289,9 +283,8 @@ std::vector<double> CampaignSettings::values_at(const std::vector<double>& place
 }
 
 bool CampaignSettings::admits(const std::vector<double>& values) const {
-  return std::all_of(limits.begin(), limits.end(), [&](const RigLimit& limit) {
-    return limit.holds(values);
-  });
+  return std::all_of(
+      limits.begin(), limits.end(), [&](const RigLimit& limit) { return limit.holds(values); });
 }
 
 CampaignSettings read_campaign(const Node& table,
@@ -318,8 +311,7 @@ CampaignSettings read_campaign(const Node& table,
           static_cast<int>(grid->integer(key, 1, kMostGridLevels));
   campaign.count = static_cast<int>(table.integer("count", 1, kMostCampaignTests, campaign.count));
   if (table.has("runs"))
-    campaign.runs =
-        static_cast<int>(table.integer("runs", kFewestCampaignRuns, kMostCampaignRuns));
+    campaign.runs = static_cast<int>(table.integer("runs", kFewestCampaignRuns, kMostCampaignRuns));
   return campaign;
 }
 

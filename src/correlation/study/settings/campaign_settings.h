@@ -26,11 +26,11 @@ constexpr int kMostCampaignSettings = 8;
 
 /// A number of the test that the laboratory can set.
 struct CampaignSetting {
-  std::string name;                 // as the study names it
-  std::string path;                 // of the number in the test
+  std::string name;                 // name in the study
+  std::string path;                 // path of the number in the test
   double lower = 0.0, upper = 1.0;  // SI
   std::string unit = "1";           // unit in which people write it
-  double cost = 0.0;                // of a change, in tests
+  double cost = 0.0;                // cost of a change, in tests
   int grid = 3;                     // levels in the grid that a person would run
 
   /// Returns the value, SI, at a place from 0 to 1, and the place of a value.
@@ -50,17 +50,17 @@ enum class CampaignAim {
 std::string in_words(CampaignAim aim);
 
 struct CampaignSettings {
-  std::string test;                                            // name of the test
-  std::shared_ptr<const experiment::MovableTest> movable;      // the test with its numbers
-  std::vector<CampaignSetting> settings;                       // in the order of the study
-  std::vector<RigLimit> limits;                                // all hold
-  std::vector<std::string> measures;                           // channels of the test
-  std::map<std::string, MeasurementNoise> noise;               // stated, by channel
-  CampaignAim aim = CampaignAim::volume;                       // what becomes least
-  std::string of;                                              // experiment (I) or variable (c)
-  std::filesystem::path against;                               // study of the rival model (T)
-  bool has_costs = false;                                      // false: no setting is dear
-  int count = 12;                                              // number of tests
+  std::string test;                                        // name of the test
+  std::shared_ptr<const experiment::MovableTest> movable;  // the test with its numbers
+  std::vector<CampaignSetting> settings;                   // in the order of the study
+  std::vector<RigLimit> limits;                            // all hold
+  std::vector<std::string> measures;                       // channels of the test
+  std::map<std::string, MeasurementNoise> noise;           // stated, by channel
+  CampaignAim aim = CampaignAim::volume;                   // number that becomes least
+  std::string of;                                          // experiment (I) or variable (c)
+  std::filesystem::path against;                           // study of the rival model (T)
+  bool has_costs = false;                                  // false: no setting is dear
+  int count = 12;                                          // number of tests
   int runs = 0;  // settings at which slopes are computed and kriged; 0: at every setting asked for
 
   /// Returns the settings, SI, at places from 0 to 1.

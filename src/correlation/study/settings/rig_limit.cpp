@@ -213,12 +213,12 @@ class LimitReader {
       throw WrongLimit{"has " + name + " of " + named_dimension(x.dimension) +
                        ", expected an angle"};
     const char kind = name[0];
-    return {[a, kind](const auto& s) {
-              const double angle = a(s);
-              return kind == 's' ? std::sin(angle) : kind == 'c' ? std::cos(angle)
-                                                                 : std::tan(angle);
-            },
-            {}};
+    return {
+        [a, kind](const auto& s) {
+          const double angle = a(s);
+          return kind == 's' ? std::sin(angle) : kind == 'c' ? std::cos(angle) : std::tan(angle);
+        },
+        {}};
   }
 
   /// Reads a number and the longest text after it that is a unit.
@@ -260,8 +260,8 @@ class LimitReader {
     for (std::size_t from = 0; from < text.size();) {
       std::size_t to = from;
       while (to < text.size() && is_in_name(text[to])) ++to;
-      if (to > from && std::find(names_.begin(), names_.end(), text.substr(from, to - from)) !=
-                           names_.end())
+      if (to > from &&
+          std::find(names_.begin(), names_.end(), text.substr(from, to - from)) != names_.end())
         return true;
       from = std::max(to, from + 1);
     }

@@ -23,7 +23,7 @@ namespace latsch::correlation {
 struct LimitedNumber {
   int setting = -1;                // index of the setting; -1: a number that stays
   double value = 0.0;              // SI, if it stays
-  Unit::Dimension dimension = {};  // of its unit
+  Unit::Dimension dimension = {};  // dimension of its unit
 };
 
 /// Returns the number of this name; nullopt if the test has none.

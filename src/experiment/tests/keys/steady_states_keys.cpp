@@ -27,7 +27,8 @@ memory, and must not be written to while it is read.
           {
               {"states",
                "Table of states in a file beside the test; `{from = \"measurement.cornering\"}` "
-               "takes them as they were measured, and `{Fz = \"4 kN\", alpha = [\"0 deg\", \"2 deg\"]}` "
+               "takes them as they were measured, and `{Fz = \"4 kN\", alpha = [\"0 deg\", \"2 "
+               "deg\"]}` "
                "states them: a single value holds in all states."},
               {"states.Fz", "Vertical load."},
               {"states.kappa", "Longitudinal slip, negative if the wheel is braked.", "0"},
