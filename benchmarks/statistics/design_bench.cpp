@@ -3,11 +3,11 @@
 // grid that a person would run, and simulated campaigns.
 //
 // Closed forms [Atkinson, Donev, Tobias, Optimum Experimental Designs, with SAS, 2007; Bates,
-// Watts, Nonlinear Regression Analysis, 1988]: a decay A exp(-k t) is measured at 0 and 1/k, half each; a
-// saturation V x / (K + x) over 0 .. b at K b / (2 K + b) and b; a quadratic over -1 .. 1 at -1, 0
-// and 1, a third each by its determinant, 1/4, 1/2, 1/4 by its variances and its predictions. Their
-// constants are drawn at random. The rivals are those of [Atkinson, Fedorov, Biometrika 62 (1975)
-// 57], and random ones.
+// Watts, Nonlinear Regression Analysis, 1988]: a decay A exp(-k t) is measured at 0 and 1/k, half
+// each; a saturation V x / (K + x) over 0 .. b at K b / (2 K + b) and b; a quadratic over -1 .. 1
+// at -1, 0 and 1, a third each by its determinant, 1/4, 1/2, 1/4 by its variances and its
+// predictions. Their constants are drawn at random. The rivals are those of [Atkinson, Fedorov,
+// Biometrika 62 (1975) 57], and random ones.
 //
 // The tire has seven coefficients of side force over load, slip angle and camber, drawn around a
 // passenger car's, and a rig that holds load times slip angle below 40 kN deg. Eleven random tests

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A test whose numbers can be moved: the settings of a campaign of measurements.
-//
+// Implemented in varied_numbers.cpp.
 // The numbers are those of the test's keys by their paths, "load" or "states.alpha". A test that
 // rolls through a table of measured states has one state instead, whose numbers are the medians of
 // the table; of a table that stands in the test itself, the numbers are those of its only state.

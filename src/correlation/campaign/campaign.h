@@ -30,7 +30,7 @@ struct CampaignTest {
   int replicate_of = -1;       // index of an equal test before it; -1: none
 };
 
-/// What is known after the first tests of the campaign.
+/// Knowledge after the first tests of the campaign.
 struct CampaignStanding {
   int tests = 0;
   Eigen::VectorXd deviations;  // standard deviations of the free variables, in ranges
@@ -62,7 +62,7 @@ struct Campaign {
   std::vector<std::string> untouched;  // directions that nothing determines but the bounds
   int failed = 0;                      // places at which the model failed
   std::string first_failure;
-  std::vector<double> largest;     // value of each measured channel inside the limits, SI
+  std::vector<double> largest;     // largest value of each channel, SI; 0 if no noise is a share
   std::vector<double> deviations;  // noise of each measured channel, SI
 };
 

@@ -22,8 +22,13 @@ CampaignPlaces::CampaignPlaces(const CampaignSettings& campaign,
                           [&](const Eigen::VectorXd& s) { return admitted(s); },
                           {},
                           {}};
+  const bool has_shares =
+      std::any_of(start.noise.begin(), start.noise.end(), [](const ChannelNoise& one) {
+        return one.noise.relative > 0.0;
+      });
   for (const Eigen::VectorXd& place : first_places(all)) {
     ++first_admitted_;
+    if (!has_shares) continue;
     const TestValues* values = known(place);
     for (Eigen::Index k = 0; values && k < values->y.size(); ++k) {
       double& largest =

@@ -15,7 +15,7 @@ namespace latsch::correlation {
 
 class CampaignPlaces {
  public:
-  /// Computes the first places, from whose largest values the noise follows that is a share.
+  /// Computes the first places if a noise is a share: it counts from the largest value there.
   CampaignPlaces(const CampaignSettings& campaign,
                  const CampaignStart& start,
                  const TestSlopes& slopes,
@@ -30,6 +30,7 @@ class CampaignPlaces {
   Eigen::VectorXd values(const Eigen::VectorXd& place) const;
   /// Returns the channel of each value.
   const std::vector<int>& channels(const Eigen::VectorXd& place) const;
+  /// Returns the largest value of each channel, SI; 0 if no noise is a share.
   const std::vector<double>& largest() const { return largest_; }
   const std::vector<double>& deviations() const { return deviations_; }
   int failed() const { return failed_; }

@@ -14,6 +14,7 @@
 #include "correlation/target/predictions.h"
 #include "correlation/target/study_trials.h"
 #include "evaluation/executors/thread_executor.h"
+#include "experiment/language/capabilities.h"
 #include "optimization/design/continuous_design.h"
 #include "optimization/design/sobol.h"
 #include "optimization/identifiability/confidence.h"
@@ -221,6 +222,10 @@ std::string why_no_test_slopes(const Study& study) {
     if (!test->tells_slopes(kind, channel))
       return fmt::format("the test has no slopes of {}", channel);
   return kind.why_without_slopes(study.model, *test, moved.paths());
+}
+
+bool takes_long(const Study& study) {
+  return study.specimens->kind()->has(experiment::IsFeTire::kName);
 }
 
 std::unique_ptr<TestSlopes> computed_slopes(const Study& study,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values of a test at any settings, and their derivatives by the variables of a study.
 //
-// A model that computes its slopes is asked at every setting. Otherwise, or with `runs` in the
-// study, trials at a few settings are made and their slopes are kriged over the settings
+// A quick model that computes its slopes is asked at every setting. For another one, or with `runs`
+// in the study, trials at a few settings are made and their slopes are kriged over the settings
 // (field_kriging.h): one trial at the fit and one beside it for each variable, in each of which the
 // model runs all these tests. They are stored in STUDY.design.latsch, a cache from which the same
 // command continues.
@@ -38,6 +38,10 @@ class TestSlopes {
 /// Returns a sentence on why the model computes no slopes of the measured channels; empty if it
 /// does.
 std::string why_no_test_slopes(const Study& study);
+
+/// True if the model takes so long for a test that its slopes are interpolated between few
+/// settings unless the study states otherwise.
+bool takes_long(const Study& study);
 
 /// Returns slopes that the model computes at each of these points. Throws InputError if the model
 /// accepts a point not.

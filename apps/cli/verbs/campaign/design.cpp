@@ -156,14 +156,18 @@ void say_kriging(const Study& study, const correlation::KrigedSlopes& kriged) {
 bool set_slopes(CampaignPlan& plan, std::string& fault) {
   const Study& study = plan.study;
   const std::string why = correlation::why_no_test_slopes(study);
-  plan.computes_slopes = why.empty() && study.campaign->runs == 0;
+  const bool takes_long = correlation::takes_long(study);
+  plan.computes_slopes = why.empty() && study.campaign->runs == 0 && !takes_long;
   if (plan.computes_slopes) {
     std::vector<DesignPoint> points{plan.start.point};
     points.insert(points.end(), plan.start.draws.begin(), plan.start.draws.end());
     plan.slopes = correlation::computed_slopes(study, points);
     return true;
   }
-  if (!why.empty()) say("The model computes no slopes for the test: {}.\n", why);
+  if (!why.empty())
+    say("The model computes no slopes for the test: {}.\n", why);
+  else if (study.campaign->runs == 0)
+    say("The model takes long, so it does not run at every setting that is asked for.\n");
   if (!plan.start.draws.empty()) {
     say("Slopes are interpolated at the fit alone, so the samples of the posterior density are not "
         "used.\n");
@@ -222,7 +226,7 @@ int design(const DesignOptions& options, const experiment::Language& language) {
   const auto campaign = correlation::plan_campaign(plan, count);
   if (!campaign) throw InputError({as_read.file.string(), 0}, campaign.failure().reason);
   print_design_ground(plan.study, plan.start, *campaign);
-  print_tests(plan.study, *campaign);
+  print_campaign_tests(plan.study, *campaign);
   print_standings(plan.study, plan.start, *campaign);
   print_worth(plan.study, *campaign);
   answer_design(plan.study, plan.start, *campaign);

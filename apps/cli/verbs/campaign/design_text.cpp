@@ -96,7 +96,7 @@ void print_design_ground(const Study& study, const CampaignStart& start, const C
   if (!settings.movable->assumed().empty()) say("The test is {}.\n", settings.movable->assumed());
 }
 
-void print_tests(const Study& study, const Campaign& campaign) {
+void print_campaign_tests(const Study& study, const Campaign& campaign) {
   const CampaignSettings& settings = *study.campaign;
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i < settings.settings.size(); ++i) {

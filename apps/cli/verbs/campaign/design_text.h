@@ -13,7 +13,7 @@ void print_design_ground(const correlation::Study& study,
                          const correlation::Campaign& campaign);
 
 /// Prints the tests and how often settings change.
-void print_tests(const correlation::Study& study, const correlation::Campaign& campaign);
+void print_campaign_tests(const correlation::Study& study, const correlation::Campaign& campaign);
 
 /// Prints the intervals of all free variables now and after the tests.
 void print_standings(const correlation::Study& study,

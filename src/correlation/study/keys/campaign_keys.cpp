@@ -48,7 +48,8 @@ become known best. See [design.md](design.md).
               {"runs",
                "Number of settings at which the model computes its slopes, between which they are "
                "interpolated, with an error that is printed.",
-               "every setting that is asked for, if the model computes slopes; else 10 for each "
+               "every setting that is asked for, if the model is quick and computes slopes; else "
+               "10 for each "
                "setting and 10"},
           },
       .samples =

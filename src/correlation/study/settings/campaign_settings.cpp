@@ -244,7 +244,11 @@ void read_aim(const Node& table, const Study& study, CampaignSettings& campaign)
                                    ? "experiment whose values are to be predicted"
                                    : "variable that is to be determined",
                                list_of(names)));
-    campaign.of = table.choice("of", names);
+    campaign.of = table.text("of");
+    if (std::find(names.begin(), names.end(), campaign.of) == names.end())
+      table.reject("of",
+                   "is " + in_quotes(campaign.of) + did_you_mean(campaign.of, names) +
+                       ", expected one of " + list_of(names));
   }
   if (campaign.aim != CampaignAim::distinction) return;
   if (!table.has("against"))
