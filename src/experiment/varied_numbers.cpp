@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/movable_test.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "base/text.h"
 #include "base/toml/toml_text.h"
 #include "base/units.h"
+#include "experiment/movable_test.h"
 #include "experiment/rigs/slip/slip_states.h"
 #include "experiment/table_text.h"
 #include "measurement/meaning/natural_unit.h"

@@ -38,13 +38,17 @@ std::optional<double> deviation_of(const Study& study,
   if (what) {
     const auto rows = residual_rows(study);
     const auto& used = what->identification.residuals_used();
-    const Eigen::VectorXd& noise = what->identification.confidence().noise;
+    // A new test is no neighbor of others, so it has the deviation of a single value.
+    const double sigma = what->identification.confidence().sigma;
+    const std::vector<double> deviations = residual_traits(study).deviations;
     std::size_t own = 0;
     for (Eigen::Index k = 0; k < std::ssize(used); ++k) {
       const ResidualRow& row = rows[static_cast<std::size_t>(used[static_cast<std::size_t>(k)])];
       if (row.experiment != static_cast<int>(experiment)) continue;
       const double scale = own < scales.size() ? scales[own] : 1.0;
-      squares += std::pow(noise[k] * row.unit * scale, 2);
+      const double residual =
+          sigma * deviations[static_cast<std::size_t>(used[static_cast<std::size_t>(k)])];
+      squares += std::pow(residual * row.unit * scale, 2);
       count += 1.0;
       ++own;
     }

@@ -88,7 +88,7 @@ std::optional<Result<DesignBegin>> begin_after_fit(const Study& as_read,
     if (const auto posterior = correlation::recorded_posterior(study, journal);
         posterior && posterior->is_mixed())
       start->draws = draws_of(study, *posterior);
-  answer.emplace(DesignBegin{std::move(study), *std::move(start)});
+  answer.emplace(DesignBegin{study, *std::move(start)});  // the run of the trials still uses it
   return answer;
 }
 
