@@ -277,6 +277,8 @@ void lay_out(const CampaignPlan& plan,
   for (const int k : order) {
     const Place& s = tests[static_cast<std::size_t>(k)];
     CampaignTest test{campaign.values_at({s.begin(), s.end()})};
+    for (std::size_t i = 0; i < test.values.size(); ++i)
+      test.values[i] = tidy_value(campaign.settings[i], test.values[i]);
     test.rank =
         static_cast<int>(std::find(ranking.begin(), ranking.end(), k) - ranking.begin()) + 1;
     for (std::size_t before = 0; before < ordered.size() && test.replicate_of < 0; ++before)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/text.h"
 #include "base/units.h"
 
 namespace latsch::correlation {
@@ -37,6 +38,12 @@ double rounding_step(const CampaignSetting& setting) {
   // the slack lets a range of 1000 have steps of 10 although its logarithm is rounded
   constexpr double kSlack = 1e-9;
   return power * (share >= 5.0 - kSlack ? 5.0 : share >= 2.0 - kSlack ? 2.0 : 1.0);
+}
+
+double tidy_value(const CampaignSetting& setting, double value) {
+  constexpr int kDigits = 10;
+  const Unit unit = Unit::of(setting.unit);
+  return unit.to_si(*parse_number(format_number(unit.from_si(value), kDigits)));
 }
 
 std::vector<Eigen::VectorXd> rounded_places(

@@ -14,6 +14,10 @@ namespace latsch::correlation {
 /// of ten, at most a hundredth of the range.
 double rounding_step(const CampaignSetting& setting);
 
+/// Returns a value of a setting, SI, without the rounding of the last digits: one that a file
+/// writes with at most ten digits.
+double tidy_value(const CampaignSetting& setting, double value);
+
 /// Returns the places of tests, in the unit cube, with values of a setting that are nearer than 2 %
 /// of its range made equal, and rounded. A place that `admits` then refuses is rounded to other
 /// neighbors, or stays as it was.

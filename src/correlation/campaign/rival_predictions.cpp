@@ -23,25 +23,36 @@ RivalPredictions::RivalPredictions(const CampaignPlan& plan, const CampaignPlace
   problem_.finest = 1e-3;
 }
 
+experiment::Specimen& RivalPredictions::specimen_at(const Eigen::VectorXd& v) const {
+  // A search asks at one v and beside it by every variable, at hundreds of settings.
+  constexpr std::size_t kMostRecent = 64;
+  for (const Recent& one : recent_)
+    if (one.v == v) return *one.specimen;
+  const Study& rival = *plan_.rival;
+  std::vector<double> u = rival.space.to_unit(plan_.rival_start->point);
+  for (std::size_t k = 0; k < plan_.rival_start->free.size(); ++k)
+    u[static_cast<std::size_t>(plan_.rival_start->free[k])] = v[static_cast<Eigen::Index>(k)];
+  Recent made{v, rival.specimens->at(rival, rival.space.from_unit(u))};
+  if (recent_.size() < kMostRecent) {
+    recent_.push_back(std::move(made));
+    return *recent_.back().specimen;
+  }
+  next_ = (next_ + 1) % kMostRecent;
+  recent_[next_] = std::move(made);
+  return *recent_[next_].specimen;
+}
+
 Eigen::VectorXd RivalPredictions::predict(const Eigen::VectorXd& place,
                                           const Eigen::VectorXd& v) const {
-  const Study& rival = *plan_.rival;
   const CampaignSettings& campaign = *plan_.study.campaign;
   const std::vector<int>& channels = places_.channels(place);
   // A rival that fails says nothing that could be compared.
   const Eigen::VectorXd nothing = places_.values(place);
   try {
-    if (!specimen_ || last_ != v) {
-      std::vector<double> u = rival.space.to_unit(plan_.rival_start->point);
-      for (std::size_t k = 0; k < plan_.rival_start->free.size(); ++k)
-        u[static_cast<std::size_t>(plan_.rival_start->free[k])] = v[static_cast<Eigen::Index>(k)];
-      specimen_ = rival.specimens->at(rival, rival.space.from_unit(u), std::move(specimen_));
-      last_ = v;
-    }
     experiment::MovableTest moved = *campaign.movable;
     const std::vector<double> values = campaign.values_at({place.begin(), place.end()});
     for (std::size_t k = 0; k < values.size(); ++k) moved.set(campaign.settings[k].path, values[k]);
-    const auto recording = moved.test()->run(*specimen_);
+    const auto recording = moved.test()->run(specimen_at(v));
     if (!recording) return nothing;
     std::vector<double> z;
     for (std::size_t c = 0; c < campaign.measures.size(); ++c) {

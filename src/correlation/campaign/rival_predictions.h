@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <vector>
 
 #include "correlation/campaign/campaign.h"
 #include "optimization/design/model_discrimination.h"
@@ -25,9 +27,14 @@ class RivalPredictions {
   const CampaignPlan& plan_;
   const CampaignPlaces& places_;
   RivalProblem problem_;
-  /// The specimen at the last variables, which is asked at many settings.
-  mutable Eigen::VectorXd last_;
-  mutable std::unique_ptr<experiment::Specimen> specimen_;
+  /// Specimens at the last variables, which are asked at many settings.
+  struct Recent {
+    Eigen::VectorXd v;
+    std::unique_ptr<experiment::Specimen> specimen;
+  };
+  experiment::Specimen& specimen_at(const Eigen::VectorXd& v) const;
+  mutable std::vector<Recent> recent_;
+  mutable std::size_t next_ = 0;  // place of the next specimen
 };
 
 }  // namespace latsch::correlation

@@ -173,7 +173,7 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
   const auto stated = measured ? std::nullopt : find_stated(root);
   if (stated)
     return std::make_unique<SteadyStatesTest>(
-        std::make_shared<MappedFile>(formats::csv_text(stated_states(*stated))),
+        std::make_shared<MappedFile>(formats::csv_text(stated_states(root.table("states")))),
         stated->path(),
         conditions,
         false);

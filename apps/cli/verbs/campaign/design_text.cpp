@@ -14,6 +14,7 @@
 #include "cli/console/console.h"
 #include "cli/console/tables.h"
 #include "correlation/campaign/campaign_files.h"
+#include "measurement/meaning/natural_unit.h"
 
 namespace latsch::cli {
 namespace {
@@ -34,6 +35,21 @@ std::string shown_setting(const CampaignSetting& setting, double value) {
   constexpr int kDigits = 5;
   const std::string number = format_number(Unit::of(setting.unit).from_si(value), kDigits);
   return setting.unit == "1" ? number : number + " " + setting.unit;
+}
+
+/// Returns the numbers of the test that no setting moves: "Vx 40.2 km/h".
+std::vector<std::string> held_numbers(const CampaignSettings& settings) {
+  std::vector<std::string> held;
+  for (const std::string& name : settings.movable->names()) {
+    const std::string path = *settings.movable->find(name);
+    const bool is_moved = std::any_of(settings.settings.begin(),
+                                      settings.settings.end(),
+                                      [&](const auto& one) { return one.path == path; });
+    if (is_moved) continue;
+    const std::string unit = natural_unit(settings.movable->unit(path));
+    held.push_back(name + " " + format_quantity(settings.movable->value(path), unit, 4));
+  }
+  return held;
 }
 
 /// Returns half the width of the interval of a variable, in its unit; not finite if it is the whole
@@ -93,7 +109,11 @@ void print_design_ground(const Study& study, const CampaignStart& start, const C
                   : "as stated"
             : "that of the fitted values");
   }
-  if (!settings.movable->assumed().empty()) say("The test is {}.\n", settings.movable->assumed());
+  if (settings.movable->assumed().empty()) return;
+  const std::vector<std::string> held = held_numbers(settings);
+  say("The test is one state of its table{}{}.\n",
+      held.empty() ? "" : ", with the medians of the table for what no setting moves: ",
+      fmt::to_string(fmt::join(held, ", ")));
 }
 
 void print_campaign_tests(const Study& study, const Campaign& campaign) {
@@ -219,7 +239,9 @@ void answer_design(const Study& study, const CampaignStart& start, const Campaig
     Json values = Json::object();
     for (std::size_t i = 0; i < settings.settings.size(); ++i)
       values[settings.settings[i].name] = {
-          {"value", Unit::of(settings.settings[i].unit).from_si(campaign.tests[k].values[i])},
+          {"value",
+           *parse_number(
+               Unit::of(settings.settings[i].unit).exact_number(campaign.tests[k].values[i]))},
           {"unit", settings.settings[i].unit}};
     const int first = campaign.tests[k].replicate_of;
     answer()["tests"].push_back({{"settings", values},

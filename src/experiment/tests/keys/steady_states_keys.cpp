@@ -30,13 +30,10 @@ memory, and must not be written to while it is read.
                "takes them as they were measured, and `{Fz = \"4 kN\", alpha = [\"0 deg\", \"2 "
                "deg\"]}` "
                "states them: a single value holds in all states."},
-              {"states.Fz", "Vertical load."},
-              {"states.kappa", "Longitudinal slip, negative if the wheel is braked.", "0"},
-              {"states.alpha", "Slip angle.", "0"},
-              {"states.gamma", "Inclination of the wheel.", "0"},
-              {"states.phit", "Turn slip.", "0"},
-              {"states.Vx", "Forward speed.", "LONGVL of the tire; 60 km/h for finite elements"},
-              {"states.p", "Inflation pressure.", "that of the tire"},
+              {"states.*",
+               "Fz, which is needed, kappa, alpha, gamma, phit, Vx or p of a table that stands in "
+               "the test: a value for all states, or one for each.",
+               "as for a file without the column"},
               {"limits",
                "\"on\" limits inputs to the ranges of the tire's file and fades them below its "
                "VXLOW."},
