@@ -258,6 +258,47 @@ void look_at_ends(const CampaignPlan& plan,
   }
 }
 
+/// Gives tests the values of others in settings whose change costs something, the dearest first, as
+/// long as all of that costs little of the criterion.
+void share_dear_settings(const CampaignSettings& campaign,
+                         const CampaignChoice& choice,
+                         Places& tests) {
+  constexpr double kShared = 1.002;  // factor of the criterion that is given away
+  std::vector<std::size_t> dear;
+  for (std::size_t i = 0; i < campaign.settings.size(); ++i)
+    if (campaign.settings[i].cost > 0.0) dear.push_back(i);
+  std::stable_sort(dear.begin(), dear.end(), [&](std::size_t a, std::size_t b) {
+    return campaign.settings[a].cost > campaign.settings[b].cost;
+  });
+  const double most = kShared * choice.criterion(tests);
+  for (const std::size_t i : dear) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const Places before = tests;
+    const auto holders = [&](double value) {
+      return std::count_if(
+          tests.begin(), tests.end(), [&](const Place& s) { return s[k] == value; });
+    };
+    for (std::size_t test = 0; test < tests.size(); ++test) {
+      // the value that most other tests have comes first
+      Places others = before;
+      std::stable_sort(others.begin(), others.end(), [&](const Place& a, const Place& b) {
+        return holders(a[k]) > holders(b[k]);
+      });
+      for (const Place& other : others) {
+        if (other[k] == tests[test][k] || holders(other[k]) < holders(tests[test][k])) continue;
+        Place moved = tests[test];
+        moved[k] = other[k];
+        if (!choice.problem().admits(moved)) continue;
+        Places changed = tests;
+        changed[test] = moved;
+        if (choice.criterion(changed) > most) continue;
+        tests = std::move(changed);
+        break;
+      }
+    }
+  }
+}
+
 /// Puts the tests into their order and says what is known after them.
 void lay_out(const CampaignPlan& plan,
              const CampaignChoice& choice,
@@ -330,7 +371,8 @@ Result<Campaign> plan_campaign(const CampaignPlan& plan, int count) {
                     fmt::join(campaign.measures, ", "),
                     campaign.test)};
   const Places exact = choice.best(count);
-  const Places tests = rounded_places(campaign, exact, choice.problem().admits);
+  Places tests = rounded_places(campaign, exact, choice.problem().admits);
+  if (!plan.rival) share_dear_settings(campaign, choice, tests);
   found.rounding = choice.criterion(tests) / choice.criterion(exact);
   found.untouched = untouched_directions(plan, choice, count);
   lay_out(plan, choice, tests, found);

@@ -4,8 +4,8 @@
 //
 // Settings are chosen by the slopes at the fit or, if samples of the posterior density are there,
 // by the mean of the criterion over 50 of them. Then they are rounded to a hundredth of their
-// ranges, and values nearer than 2 % of a range become one, so that tests share settings. Tests are
-// put into the order with the fewest changes of dear settings.
+// ranges, and values nearer than 2 % of a range become one; dear settings take the values of other
+// tests if that costs little. Tests are put into the order with the fewest changes of these.
 #pragma once
 
 #include <Eigen/Core>
