@@ -205,6 +205,7 @@ TEST_F(CampaignOfStudy, WhatCannotBeDesignedIsRefusedWithAReason) {
        "did you mean \"alpha\"?");
   says("[design]\ntest = \"steady\"\nsettings = {Fz = [\"2 bar\", \"6 bar\"]}\n", "bar");
   says("[design]\ntest = \"steady\"\nsettings = {Fz = [\"6 kN\", \"2 kN\"]}\n", "no range");
+  says("[design]\ntest = \"steady\"\nsettings = {Fz = [\"-2 kN\", \"2 kN\"]}\n", "-2 kN");
   says(design("criterion = \"I\"\n"), "of is missing");
   says(design("criterion = \"c\"\n"), "of is missing");
   says(design("criterion = \"T\"\n"), "against is missing");

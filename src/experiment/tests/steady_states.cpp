@@ -142,6 +142,9 @@ std::optional<Node> find_stated(const Node& root) {
   }
 }
 
+/// True for a state that is above 0: the load and the pressure.
+bool is_positive(const MeasuredCondition& state) { return state.is_needed || state.unit == "Pa"; }
+
 /// Reads states that stand in the test. Throws if two quantities have different numbers of values.
 Channels stated_states(const Node& table) {
   std::vector<Channel> columns;
@@ -149,7 +152,10 @@ Channels stated_states(const Node& table) {
   for (const MeasuredCondition& state : measured_states()) {
     if (!state.is_needed && !table.has(state.channel)) continue;
     columns.push_back(
-        {state.channel, state.unit, table.one_or_more(state.channel, state.unit, Range{})});
+        {state.channel,
+         state.unit,
+         table.one_or_more(
+             state.channel, state.unit, is_positive(state) ? Range::positive() : Range{})});
     const std::size_t count = columns.back().values.size();
     if (count == 0 || (count > 1 && rows > 1 && count != rows))
       table.reject(state.channel,

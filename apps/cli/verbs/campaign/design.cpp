@@ -20,6 +20,7 @@
 #include "correlation/search/stage_runs.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/trial_ownership.h"
+#include "experiment/language/known_limits.h"
 
 namespace latsch::cli {
 namespace {
@@ -185,6 +186,31 @@ bool set_slopes(CampaignPlan& plan, std::string& fault) {
   return true;
 }
 
+/// Warns of limits of the model that matter in the tests, such as ranges of a tire's file.
+void warn_of_limits_in_tests(const Study& study,
+                             const CampaignStart& start,
+                             const Campaign& campaign) {
+  constexpr std::size_t kMostLimits = 5;
+  const auto specimen = study.specimens->at(study, start.point);
+  std::vector<std::string> limits;
+  for (const auto& chosen : campaign.tests) {
+    experiment::MovableTest moved = *study.campaign->movable;
+    for (std::size_t i = 0; i < chosen.values.size(); ++i)
+      moved.set(study.campaign->settings[i].path, chosen.values[i]);
+    const auto test = moved.test();
+    const auto* tells = dynamic_cast<const experiment::TellsLimits*>(test.get());
+    if (!tells) return;
+    for (const std::string& limit : tells->limits(*specimen))
+      if (std::find(limits.begin(), limits.end(), limit) == limits.end()) limits.push_back(limit);
+  }
+  for (std::size_t k = 0; k < std::min(limits.size(), kMostLimits); ++k) warn(limits[k]);
+  if (limits.size() > kMostLimits)
+    warn(
+        fmt::format("{} further limits of the model matter in the tests; latsch test names those "
+                    "of each",
+                    limits.size() - kMostLimits));
+}
+
 struct DesignOptions {
   std::string study, output;
   int count = 0, workers = 0;
@@ -229,6 +255,7 @@ int design(const DesignOptions& options, const experiment::Language& language) {
   print_campaign_tests(plan.study, *campaign);
   print_standings(plan.study, plan.start, *campaign);
   print_worth(plan.study, *campaign);
+  warn_of_limits_in_tests(plan.study, plan.start, *campaign);
   answer_design(plan.study, plan.start, *campaign);
   const auto table = correlation::campaign_table_file(as_read);
   correlation::write_campaign_table(plan.study, *campaign, table);

@@ -10,6 +10,7 @@
 #include "base/unit_reading.h"
 #include "base/units.h"
 #include "correlation/study/study.h"
+#include "experiment/language/usual_numbers.h"
 #include "measurement/meaning/natural_unit.h"
 
 namespace latsch::correlation {
@@ -67,6 +68,18 @@ void check_end(const Node& settings,
                const CampaignSetting& setting,
                const experiment::MovableTest& movable,
                double value) {
+  // Names of states and those of the same quantity in tests whose magnitudes are known.
+  const std::map<std::string, std::string> alike{
+      {"Fz", "load"}, {"p", "pressure"}, {"Vx", "speed"}};
+  const std::string last = setting.path.substr(setting.path.rfind('.') + 1);
+  const auto known = alike.find(last);
+  const auto* usual = experiment::usual_magnitude(known == alike.end() ? last : known->second,
+                                                  movable.unit(setting.path));
+  if (usual && experiment::judged(*usual, value) == experiment::Seen::impossible)
+    settings.reject(setting.name,
+                    fmt::format("has {}, but {}",
+                                format_quantity(value, setting.unit, 5),
+                                experiment::usual_in_words(*usual)));
   experiment::MovableTest moved = movable;
   moved.set(setting.path, value);
   try {
