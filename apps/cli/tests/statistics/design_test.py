@@ -47,20 +47,31 @@ count = 6
 """
 
 
+def inverse(matrix):
+    """Returns the inverse of a small matrix by elimination with pivots."""
+    count = len(matrix)
+    rows = [list(row) + [float(i == j) for j in range(count)] for i, row in enumerate(matrix)]
+    for i in range(count):
+        pivot = max(range(i, count), key=lambda k: abs(rows[k][i]))
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        rows[i] = [value / rows[i][i] for value in rows[i]]
+        for k in range(count):
+            if k != i:
+                rows[k] = [a - rows[k][i] * b for a, b in zip(rows[k], rows[i], strict=True)]
+    return [row[count:] for row in rows]
+
+
 class Design(unittest.TestCase):
     def setUp(self):
         self.base = pathlib.Path(tempfile.mkdtemp(prefix="latsch_design_"))
         self.addCleanup(shutil.rmtree, self.base)
-        (self.base / "truth.tir").write_text(TIR + "".join(f"{k} = {v}\n" for k, v in TRUTH.items()))
         (self.base / "tire.tir").write_text(TIR + "".join(f"{k} = {v}\n" for k, v in START.items()))
         self.study = self.base / "study.toml"
-        states = [(Fz, alpha) for Fz in (1200, 2400) for alpha in range(-4, 5)]  # too small for the peak
-        (self.base / "states.csv").write_text(
-            "Fz [N],alpha [deg]\n" + "".join(f"{Fz},{alpha}\n" for Fz, alpha in states))
-        rows = self.forces("states.csv")
+        self.states = [(Fz, alpha) for Fz in (1200, 2400) for alpha in range(-4, 5)]  # too small for the peak
+        rows = self.forces(self.states)
         chance = random.Random(1)
         (self.base / "first.csv").write_text("Fz [N],alpha [deg],Fy [N]\n" + "".join(
-            f"{Fz},{alpha},{force + chance.gauss(0, NOISE)}\n" for (Fz, alpha), force in zip(states, rows, strict=True)))
+            f"{Fz},{alpha},{force + chance.gauss(0, NOISE)}\n" for (Fz, alpha), force in zip(self.states, rows, strict=True)))
         self.study.write_text(
             'model = "tire.tir"\n' + f"vary = {json.dumps(list(TRUTH))}\n"
             'measurement.first = {file = "first.csv", axes = "iso"}\n'
@@ -68,10 +79,26 @@ class Design(unittest.TestCase):
             'experiment.first = {kind = "curve", y = "steady/Fy", measurement = "first", exponent = 2, '
             f'noise = "{NOISE} N"}}\n' + DESIGN)
 
-    def forces(self, states):
-        said = self.latsch("test", self.base / "truth.tir",
-                           f'{{kind = "steady_states", states = "{self.base / states}"}}')
-        return [float(row["Fy [N]"]) for row in csv.DictReader(io.StringIO(said))]
+    def forces(self, states, **changed):
+        """Returns the side force of the true tire, with some coefficients changed, in states of load and slip angle."""
+        coefficients = {**TRUTH, **changed}
+        (self.base / "truth.tir").write_text(TIR + "".join(f"{k} = {v}\n" for k, v in coefficients.items()))
+        Fz, alpha = (", ".join(f'"{state[i]} {unit}"' for state in states) for i, unit in enumerate(("N", "deg")))
+        recorded = self.base / "forces.csv"
+        self.latsch("test", self.base / "truth.tir",
+                    f'{{kind = "steady_states", states = {{Fz = [{Fz}], alpha = [{alpha}]}}}}', "-o", recorded)
+        return [float(row["Fy [N]"]) for row in csv.DictReader(io.StringIO(recorded.read_text()))]
+
+    def half_widths(self, states):
+        """Returns the half widths of 95 % intervals by the slopes at the truth, from differences."""
+        columns = []
+        for name, value in TRUTH.items():
+            step = 1e-4 * abs(value)
+            pairs = zip(self.forces(states, **{name: value + step}), self.forces(states, **{name: value - step}),
+                        strict=True)
+            columns.append([(up - down) / (2 * step * NOISE) for up, down in pairs])
+        C = inverse([[sum(a * b for a, b in zip(x, y, strict=True)) for y in columns] for x in columns])
+        return {name: 1.96 * C[i][i] ** 0.5 for i, name in enumerate(TRUTH)}
 
     def latsch(self, *arguments, code=DONE):
         run = subprocess.run([LATSCH, *map(str, arguments)], capture_output=True, text=True)
@@ -114,9 +141,8 @@ class Design(unittest.TestCase):
         self.latsch("run", self.study)
         found = self.answer("design", self.study, "--count", "12")
         tests = [(t["settings"]["Fz"]["value"], t["settings"]["alpha"]["value"]) for t in found["tests"]]
-        (self.base / "next_states.csv").write_text(
-            "Fz [N],alpha [deg]\n" + "".join(f"{Fz},{alpha}\n" for Fz, alpha in tests))
-        forces = self.forces("next_states.csv")
+        exact = self.half_widths(self.states + tests)
+        forces = self.forces(tests)
         chance = random.Random(2)
         first = (self.base / "first.csv").read_text()
         (self.base / "first.csv").write_text(first + "".join(
@@ -125,9 +151,8 @@ class Design(unittest.TestCase):
         fitted = self.answer("run", self.study)
         for variable in fitted["variables"]:
             promised = found["variables"][variable["name"]]["half_widths"][-1]
-            lower, upper = variable["interval"]
             # the promise uses the slopes at the first fit, which is off by its noise of 0.3 %
-            self.assertAlmostEqual(0.5 * (upper - lower) / promised, 1.0, delta=0.05, msg=variable["name"])
+            self.assertAlmostEqual(promised / exact[variable["name"]], 1.0, delta=0.05, msg=variable["name"])
             # three half widths of 95 % are six deviations
             self.assertLess(abs(variable["value"] - TRUTH[variable["name"]]), 3 * promised, variable["name"])
 
