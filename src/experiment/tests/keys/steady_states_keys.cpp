@@ -28,12 +28,8 @@ memory, and must not be written to while it is read.
               {"states",
                "Table of states in a file beside the test; `{from = \"measurement.cornering\"}` "
                "takes them as they were measured, and `{Fz = \"4 kN\", alpha = [\"0 deg\", \"2 "
-               "deg\"]}` "
-               "states them: a single value holds in all states."},
-              {"states.*",
-               "Fz, which is needed, kappa, alpha, gamma, phit, Vx or p of a table that stands in "
-               "the test: a value for all states, or one for each.",
-               "as for a file without the column"},
+               "deg\"]}` states them: Fz and any of kappa, alpha, gamma, phit, Vx, p, each with a "
+               "value for all states or one for each."},
               {"limits",
                "\"on\" limits inputs to the ranges of the tire's file and fades them below its "
                "VXLOW."},
