@@ -235,7 +235,7 @@ TEST_F(CampaignOfStudy, AStudyWithoutFitAndPriorsHasNoDesign) {
 // At zero slip angle no side force depends on grip or stiffness, whatever the load.
 TEST_F(CampaignOfStudy, SettingsThatTouchNoVariableAreRefused) {
   write("steady.toml", "kind = \"steady_states\"\nstates = {Fz = \"4 kN\", alpha = \"0 deg\"}\n");
-  write("measured.csv", "Fy [N]\n0\n");
+  write("measured.csv", "Fy [N]\n100\n");
   const Study study = with_design(
       "[design]\ntest = \"steady\"\nnoise = \"50 N\"\nsettings = {Fz = [\"2 kN\", \"6 kN\"]}\n");
   const auto found = plan_campaign(plan_of(study), 2);
