@@ -40,8 +40,8 @@ ROOMS = {
     "experiment": ["rigs", "language", "tests", "kinds"],
     "exchange": ["unit", "package"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
-    "correlation": ["laboratory", "observable", "nuisance", "study", "target", "doe", "analysis", "posterior", "selection", "search",
-                    "study_report", "rig_data", "comparison", "validation"],
+    "correlation": ["laboratory", "observable", "nuisance", "study", "target", "doe", "analysis", "posterior", "selection", "campaign",
+                    "search",                    "study_report", "rig_data", "comparison", "validation"],
     "studio": ["http", "shelf", "views"],
 }
 

@@ -13,6 +13,7 @@
 #include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/version.h"
+#include "cli/verbs/campaign/design.h"
 #include "cli/verbs/posterior/sample.h"
 #include "cli/verbs/selection/select.h"
 #include "cli/verbs/verbs.h"
@@ -47,6 +48,7 @@ constexpr OfferedVerb kVerbs[] = {{add_new, experiment::IsPressed::kName},
                                   {add_identify},
                                   {add_sample},
                                   {add_select},
+                                  {add_design},
                                   {add_report},
                                   {add_serve},
                                   {add_pareto},

@@ -48,6 +48,7 @@ const KeySection& refined_keys();
 const KeySection& doe_keys();
 const KeySection& posterior_keys();
 const KeySection& selection_keys();
+const KeySection& campaign_keys();
 const KeySection& run_keys();
 const KeySection& suite_keys();
 
@@ -151,6 +152,7 @@ void write_files_of_samples(const fs::path& folder) {
            {"spring.txt", "stiffness {modulus}\n"},
            {"beam.txt", "modulus {modulus}\n"},
            {"old.latsch", ""},
+           {"rival.toml", "model = \"model.toml\"\n"},
            {"force.csv", "deflection [mm],force [N]\n5,1000\n10,2100\n"},
            {"two_runs.csv", "run1.Fz [N],run2.Fz [N]\n4000,4010\n3990,4005\n"},
            {"logged.uff",
@@ -258,6 +260,7 @@ std::vector<const KeySection*> sections_of(const Language& language) {
                               doe_keys,
                               posterior_keys,
                               selection_keys,
+                              campaign_keys,
                               run_keys,
                               suite_keys})
     sections.push_back(&section());

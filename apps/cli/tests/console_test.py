@@ -11,7 +11,7 @@ import unittest
 from cli_testing import DONE, FAILED, LATSCH, WRONG_INPUT, Coarse, edit
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
-VERBS = ("new", "check", "mesh", "simulate", "doe", "run", "resume", "identify", "sample", "select", "report", "export", "doctor",
+VERBS = ("new", "check", "mesh", "simulate", "doe", "run", "resume", "identify", "sample", "select", "design", "report", "export", "doctor",
          "process", "road", "test", "validate", "compare", "show", "help")
 
 

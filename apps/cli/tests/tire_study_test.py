@@ -171,7 +171,7 @@ bounds = 0.4
         self.assertIn("*NODE", deck.read_text().upper())
 
     def test_every_verb_has_help_with_an_example(self):
-        for verb in ("new", "check", "mesh", "simulate", "doe", "run", "resume", "identify", "sample", "select", "report", "pareto", "export",
+        for verb in ("new", "check", "mesh", "simulate", "doe", "run", "resume", "identify", "sample", "select", "design", "report", "pareto", "export",
                      "doctor", "process", "road", "test", "validate", "compare", "show"):
             self.assert_says(self.latsch(verb, "--help"), "xample", f"latsch {verb}")
 

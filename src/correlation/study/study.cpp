@@ -377,6 +377,8 @@ Study read(const Document& document,
     study.posterior = read_posterior(*posterior);
   if (const auto selection = root.find_table("selection"))
     study.selection = read_coefficient_selection(*selection, study.space);
+  if (const auto design = root.find_table("design"))
+    study.campaign = read_campaign(*design, root, study, language);
   const auto run = root.find_table("run");
   study.run = read_run_settings(run ? &*run : nullptr, file);
   study.run.on_failure.space = study.space;
@@ -403,10 +405,11 @@ Study read(const Document& document,
         check_reach(root, study.refinement->tests, experiment, curve->measured(), " of [refined]");
   root.close();
   if (measurements == Measurements::required) refuse_doubtful(ledgers_of(study));
-  study.search_key =
-      key_without({"run", "doe", "refined", "posterior", "selection", "title", "test"}, study);
+  study.search_key = key_without(
+      {"run", "doe", "refined", "posterior", "selection", "design", "title", "test"}, study);
   study.target_key = key_without(
-      {"run", "doe", "refined", "posterior", "selection", "title", "test", "optimizer"}, study);
+      {"run", "doe", "refined", "posterior", "selection", "design", "title", "test", "optimizer"},
+      study);
   return study;
 }
 

@@ -14,6 +14,7 @@
 #include "base/document.h"
 #include "correlation/study/channel_constraint.h"
 #include "correlation/study/run_settings.h"
+#include "correlation/study/settings/campaign_settings.h"
 #include "correlation/study/settings/posterior_settings.h"
 #include "correlation/study/settings/selection_settings.h"
 #include "correlation/study/specimens.h"
@@ -86,6 +87,8 @@ struct Study {
   PosteriorSettings posterior = {};  // for latsch sample
   /// for latsch select; nullopt: the study does not state it
   std::optional<SelectionSettings> selection = {};
+  /// for latsch design; nullopt: the study does not state it
+  std::optional<CampaignSettings> campaign = {};
   std::vector<StageSettings> stages = {};     // empty: one run, as [optimizer] says
   std::optional<Refinement> refinement = {};  // none without [refined]
   std::string stage = {};                     // name of the stage that this study is; empty: none

@@ -3,6 +3,8 @@
 //
 // A measurement is resolved into numbers when the study is read: Fz is required, quantities that
 // were not recorded are left out. A journal depends on these numbers, not on the measured forces.
+// A table of few states may stand in the test itself; a quantity with one value there has it in all
+// states.
 //
 // A Magic Formula has the friction of its coefficients. A finite-element tire takes it from the
 // test, else from its file (rigs/fe_rolling/steady_table.h).
@@ -130,9 +132,57 @@ SteadyConditions read_conditions(const Node& root) {
   return conditions;
 }
 
+/// Returns the table {Fz = "4 kN", alpha = ["0 deg", "2 deg"]} under `states`; nullopt if the key
+/// names a file.
+std::optional<Node> find_stated(const Node& root) {
+  try {
+    return root.find_table("states");
+  } catch (const InputError&) {  // the key holds the name of a file
+    return std::nullopt;
+  }
+}
+
+/// True for a state that is above 0: the load and the pressure.
+bool is_positive(const MeasuredCondition& state) { return state.is_needed || state.unit == "Pa"; }
+
+/// Reads states that stand in the test. Throws if two quantities have different numbers of values.
+Channels stated_states(const Node& table) {
+  std::vector<Channel> columns;
+  std::size_t rows = 1;
+  for (const MeasuredCondition& state : measured_states()) {
+    if (!state.is_needed && !table.has(state.channel)) continue;
+    columns.push_back(
+        {state.channel,
+         state.unit,
+         table.one_or_more(
+             state.channel, state.unit, is_positive(state) ? Range::positive() : Range{})});
+    const std::size_t count = columns.back().values.size();
+    if (count == 0 || (count > 1 && rows > 1 && count != rows))
+      table.reject(state.channel,
+                   fmt::format("has {} values beside {} of another state, expected one for all "
+                               "states or equally many",
+                               count,
+                               rows));
+    rows = std::max(rows, count);
+  }
+  Channels states;
+  for (Channel& column : columns) {
+    if (column.values.size() == 1) column.values.resize(rows, column.values.front());
+    states.add(std::move(column));
+  }
+  return states;
+}
+
 std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& source) {
   const auto measured = find_measured(root, "states");
   const SteadyConditions conditions = read_conditions(root);
+  const auto stated = measured ? std::nullopt : find_stated(root);
+  if (stated)
+    return std::make_unique<SteadyStatesTest>(
+        std::make_shared<MappedFile>(formats::csv_text(stated_states(root.table("states")))),
+        stated->path(),
+        conditions,
+        false);
   if (!measured) {
     const auto file = source.file(root, "states");
     return std::make_unique<SteadyStatesTest>(table_of(file), file.string(), conditions, false);

@@ -14,7 +14,10 @@
 // Wolfowitz, Canad. J. Math. 12 (1960) 363; Fedorov, Theory of Optimal Experiments, 1972, ch. 2].
 // The largest ratio is returned, so that a design proves itself.
 //
-// Limits: M belongs to the slopes at one point of the variables, so the design is a local one.
+// With the slopes at several draws of the variables, the criterion is its mean over the draws, of
+// ln det M for D. M_0 is the same for all.
+//
+// Limits: with one draw M belongs to the slopes at one point, so the design is a local one.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,12 +30,16 @@ namespace latsch {
 /// A campaign whose tests can be chosen.
 struct DesignProblem {
   int settings = 1;  // number of settings
-  /// Returns J(s), one row for each residual of a test, one column for each variable.
+  /// Returns J(s), one row for each residual of a test, one column for each variable; the columns
+  /// of further draws follow those of the first.
   std::function<Eigen::MatrixXd(const Eigen::VectorXd& s)> rows;
   /// Returns true if a rig can make a test at s; empty: it can at all.
   std::function<bool(const Eigen::VectorXd& s)> admits = {};
   Eigen::MatrixXd present;                          // M_0, n x n
   std::optional<Eigen::MatrixXd> W = std::nullopt;  // nullopt: D
+  int draws = 1;                                    // draws of the variables
+  /// Last length of the steps of a search, in the unit cube. It sets how exactly places are found.
+  double finest = 1e-5;
 };
 
 /// A design of shares.
@@ -51,7 +58,19 @@ SharedDesign best_shares(const DesignProblem& problem, double tests = 1.0);
 std::vector<Eigen::VectorXd> best_tests(const DesignProblem& problem, int count);
 
 /// Returns the criterion of the information with these tests: (det M)^(-1/n) for D, else tr(W
-/// M^-1). Half the value is worth twice the tests, if the tests outweigh what was there.
-double design_criterion(const DesignProblem& problem, const std::vector<Eigen::VectorXd>& tests);
+/// M^-1). Half the value is worth twice the tests, if the tests outweigh what was there. With
+/// `weight` every test counts as that many.
+double design_criterion(const DesignProblem& problem,
+                        const std::vector<Eigen::VectorXd>& tests,
+                        double weight = 1.0);
+
+/// Returns the indices of the tests in the order of their gain: each in turn is the one that gains
+/// most after those before it.
+std::vector<int> order_of_gain(const DesignProblem& problem,
+                               const std::vector<Eigen::VectorXd>& tests);
+
+/// Returns the admitted places from which searches begin: 256 points of a low-discrepancy sequence
+/// and the corners.
+std::vector<Eigen::VectorXd> first_places(const DesignProblem& problem);
 
 }  // namespace latsch

@@ -141,6 +141,44 @@ TEST(ContinuousDesign, ThreeTestsBesideKnownDataAreTheBestOfAGrid) {
   EXPECT_LE(design_criterion(problem, best_tests(problem, 3)), least * 1.0005);
 }
 
+// Draws of the rate of a decay, whose first tests are at 0 and at 1/k: the mean of ln det M over
+// them, for one test at 0 and one at t, is largest at t = 1 / (mean of k).
+TEST(ContinuousDesign, ADesignOverDrawsOfARateIsThatOfTheirMean) {
+  const std::vector<double> rates{1.5, 2.0, 2.8};
+  constexpr double kEnd = 2.0;
+  DesignProblem problem;
+  problem.draws = 3;
+  problem.rows = [&](const Eigen::VectorXd& s) {
+    const double t = kEnd * s[0];
+    Eigen::MatrixXd J(1, 6);
+    for (int k = 0; k < 3; ++k) {
+      const double e = std::exp(-rates[static_cast<std::size_t>(k)] * t);
+      J(0, 2 * k) = e;
+      J(0, 2 * k + 1) = -t * e;
+    }
+    return J;
+  };
+  problem.present = no_information(2);
+  const double mean = (rates[0] + rates[1] + rates[2]) / 3.0;
+  expect_design(best_shares(problem), {0.0, 1.0 / mean / kEnd}, {0.5, 0.5});
+  auto tests = best_tests(problem, 2);
+  std::sort(tests.begin(), tests.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  EXPECT_NEAR(tests[0][0], 0.0, kPlace);
+  EXPECT_NEAR(tests[1][0], 1.0 / mean / kEnd, 0.01);
+}
+
+TEST(ContinuousDesign, TheOrderOfGainBeginsWithTheTestThatGainsMost) {
+  DesignProblem problem = quadratic_problem();
+  problem.present = Eigen::MatrixXd::Identity(3, 3);
+  std::vector<Eigen::VectorXd> tests;
+  for (const double s : {0.5, 0.6, 1.0, 0.0}) tests.push_back(Eigen::VectorXd::Constant(1, s));
+  // |g|^2 of 1, x, x^2 is 3 at the ends and less between them; after one end the other gains more
+  const std::vector<int> order = order_of_gain(problem, tests);
+  EXPECT_EQ(order[0], 2);
+  EXPECT_EQ(order[1], 3);
+  EXPECT_EQ(order.size(), 4u);
+}
+
 TEST(ContinuousDesign, NothingAdmittedGivesNoDesign) {
   DesignProblem problem = quadratic_problem();
   problem.admits = [](const Eigen::VectorXd&) { return false; };

@@ -36,6 +36,7 @@ experiments with their measurements, and the optimizer.
               {"doe", "Design of experiments."},
               {"posterior", "Samples of the posterior density, for `latsch sample`."},
               {"selection", "Coefficients that may be dropped, for `latsch select`."},
+              {"design", "Tests that could be made next, for `latsch design`."},
               {"run", "Settings for running the trials."},
           },
       .samples =
@@ -78,6 +79,14 @@ levels = 5
 samples = 1000
 [selection]
 of = ["radial"]
+[design]
+test = "roll"
+settings = {load = ["1 kN", "8 kN"]}
+measures = ["Fz"]
+[test.roll]
+kind = "rolling"
+load = "4 kN"
+speed = "60 km/h"
 [run]
 workers = 2
 )toml",

@@ -27,7 +27,9 @@ memory, and must not be written to while it is read.
           {
               {"states",
                "Table of states in a file beside the test; `{from = \"measurement.cornering\"}` "
-               "takes them as they were measured."},
+               "takes them as they were measured, and `{Fz = \"4 kN\", alpha = [\"0 deg\", \"2 "
+               "deg\"]}` states them: Fz and any of kappa, alpha, gamma, phit, Vx, p, each with a "
+               "value for all states or one for each."},
               {"limits",
                "\"on\" limits inputs to the ranges of the tire's file and fades them below its "
                "VXLOW."},
@@ -53,6 +55,9 @@ side = "other"
               R"toml(kind = "steady_states"
 states = "states.csv"
 friction = 0.9
+)toml",
+              R"toml(kind = "steady_states"
+states = {Fz = "4 kN", kappa = 0, alpha = ["0 deg", "2 deg"], gamma = "1 deg", phit = "0 1/m", Vx = "60 km/h", p = "2.4 bar"}
 )toml",
           },
   };
