@@ -43,15 +43,14 @@ double factor_of(const StudyExperiment& experiment, double mean) {
   return experiment.noise ? weight : weight * spread_of(experiment, mean);
 }
 
-/// Returns how many nuisance numbers every trial solves for a recording.
+}  // namespace
+
 int solved_numbers(const StudyExperiment& experiment) {
   if (!experiment.nuisance.held.empty()) return 0;
   const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
   return static_cast<int>(experiment.nuisance.numbers.size()) +
          (curve && curve->measured().fits_delay ? 1 : 0);
 }
-
-}  // namespace
 
 ResidualTraits residual_traits(const Study& study) {
   const auto experiments = counting(study);

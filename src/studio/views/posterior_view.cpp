@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "correlation/posterior/compared_bands.h"
 #include "studio/views/json_values.h"
 
 namespace latsch::studio {
@@ -13,6 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kValuesShown = 600;  // values of an experiment that the page receives
 constexpr Eigen::Index kDrawsShown = 400;  // draws of a variable that the page receives
 /// Number of variables with draws: those that are least like their linear intervals.
 constexpr std::size_t kVariablesDrawn = 12;
@@ -72,23 +74,80 @@ Json variable_of(const correlation::Study& study,
           {"draws", is_drawn ? draws_of(study, posterior, axis) : Json::array()}};
 }
 
+/// Returns at most kValuesShown of the values, at even distance.
+template <class Values>
+Values thinned_values(const Values& values) {
+  if (values.size() <= kValuesShown) return values;
+  Values some;
+  for (std::size_t k = 0; k < kValuesShown; ++k)
+    some.push_back(values[k * values.size() / kValuesShown]);
+  return some;
+}
+
+Json bands_of(const correlation::Study& study,
+              const correlation::Posterior& posterior,
+              const std::vector<correlation::ExperimentBand>& linear) {
+  Json all = Json::array();
+  for (const correlation::ComparedBands& band :
+       correlation::compared_bands(study, posterior, linear)) {
+    const auto most = band.most_different();
+    all.push_back(
+        {{"experiment", study.experiments[static_cast<std::size_t>(band.experiment)].name},
+         {"unit", band.unit},
+         {"x_name", band.x_name},
+         {"x_unit", band.x_unit},
+         {"x", finite(thinned_values(band.x))},
+         {"names", thinned_values(band.names)},
+         {"measured", finite(thinned_values(band.measured))},
+         {"computed", finite(thinned_values(band.computed))},
+         {"linear_lower", finite(thinned_values(band.linear_lower))},
+         {"linear_upper", finite(thinned_values(band.linear_upper))},
+         {"lower", finite(thinned_values(band.lower))},
+         {"median", finite(thinned_values(band.median))},
+         {"upper", finite(thinned_values(band.upper))},
+         {"values", band.names.size()},
+         {"most_different", most ? Json(band.names[*most]) : Json()}});
+  }
+  return all;
+}
+
+Json checks_of(const correlation::Study& study, const correlation::Posterior& posterior) {
+  Json all = Json::array();
+  for (const correlation::PredictiveCheck& check : posterior.checks)
+    all.push_back(
+        {{"experiment", study.experiments[static_cast<std::size_t>(check.experiment)].name},
+         {"rank", finite(check.rank)},
+         {"chi_square", finite(check.chi_square)},
+         {"refused", check.is_refused()},
+         {"words", check.in_words()}});
+  return all;
+}
+
 }  // namespace
 
-nlohmann::ordered_json posterior_of(const correlation::Study& study, const Journal& journal) {
+nlohmann::ordered_json posterior_of(const correlation::Study& study,
+                                    const Journal& journal,
+                                    const std::vector<correlation::ExperimentBand>& linear) {
   const auto posterior = correlation::recorded_posterior(study, journal);
   if (!posterior) return nullptr;
+  const bool is_of_model = posterior->stands_for_model();
   const std::vector<bool> drawn = drawn_variables(*posterior);
   Json variables = Json::array();
   for (std::size_t a = 0; a < posterior->axes.size(); ++a)
     variables.push_back(variable_of(study, *posterior, a, drawn[a]));
-  return {{"verdict", name(posterior->check.verdict)},
-          {"mixed", posterior->is_mixed()},
-          {"words", correlation::verdict_text(*posterior)},
-          {"remarks", posterior->remarks},
-          {"samples", posterior->samples.size()},
-          {"trials", posterior->trials},
-          {"failed", posterior->failed},
-          {"variables", std::move(variables)}};
+  return {
+      {"verdict",
+       posterior->method == correlation::PosteriorMethod::surrogate ? name(posterior->check.verdict)
+                                                                    : "model"},
+      {"mixed", posterior->is_mixed()},
+      {"words", correlation::verdict_text(*posterior)},
+      {"remarks", posterior->remarks},
+      {"samples", posterior->samples.size()},
+      {"trials", posterior->trials},
+      {"failed", posterior->failed},
+      {"variables", std::move(variables)},
+      {"bands", is_of_model ? bands_of(study, *posterior, linear) : Json::array()},
+      {"checks", is_of_model ? checks_of(study, *posterior) : Json::array()}};
 }
 
 }  // namespace latsch::studio

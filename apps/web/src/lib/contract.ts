@@ -341,8 +341,36 @@ export interface SampledVariable {
   draws: Value[]; // empty if others differ more from their linear intervals
 }
 
+/** 95 % bands of an experiment's computed values: linear, and from samples. */
+export interface SampledBand {
+  experiment: string;
+  unit: string;
+  x_name: string; // empty: the values are numbered
+  x_unit: string;
+  x: Value[];
+  names: string[];
+  measured: Value[];
+  computed: Value[];
+  linear_lower: Value[];
+  linear_upper: Value[];
+  lower: Value[];
+  median: Value[];
+  upper: Value[];
+  values: number; // number of values; long curves are thinned
+  most_different: string | null;
+}
+
+/** Rank of an experiment's chi^2 among those of data that the model makes. */
+export interface PredictiveCheck {
+  experiment: string;
+  rank: Value;
+  chi_square: Value; // the mean of one value
+  refused: boolean;
+  words: string;
+}
+
 export interface Posterior {
-  verdict: 'stands' | 'doubtful' | 'refused' | 'unchecked';
+  verdict: 'stands' | 'doubtful' | 'refused' | 'unchecked' | 'model'; // model: it decided on the samples itself
   mixed: boolean;
   words: string;
   remarks: string[];
@@ -350,6 +378,8 @@ export interface Posterior {
   trials: number;
   failed: number;
   variables: SampledVariable[];
+  bands: SampledBand[]; // empty where the samples are not those of the model
+  checks: PredictiveCheck[];
 }
 
 export interface Identifiability {
