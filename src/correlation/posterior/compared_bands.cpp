@@ -71,6 +71,10 @@ std::vector<ComparedBands> compared_bands(const Study& study,
       one.x_name = curve->measured().x;
       one.x_unit = curve->measured().x_shown;
       one.x = read_in(one.x_unit, curve->measured().x_measured);
+    } else {
+      one.x_name = "value";
+      for (std::size_t k = 1; k <= observable.values(); ++k)
+        one.x.push_back(static_cast<double>(k));
     }
     all.push_back(std::move(one));
   }

@@ -24,8 +24,8 @@ struct ComparedBands {
   int experiment = 0;  // index in the study
   std::string unit;
   std::vector<std::string> names;  // "10 mm"
-  std::string x_name, x_unit;      // abscissa of a curve; empty: the number of the value
-  std::vector<double> x;           // in x_unit
+  std::string x_name, x_unit;      // abscissa of a curve; "value" without one
+  std::vector<double> x;           // in x_unit; the number of the value without an abscissa
   std::vector<double> measured, computed;
   std::vector<double> linear_lower, linear_upper;
   std::vector<double> lower, median, upper;

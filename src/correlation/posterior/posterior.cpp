@@ -117,13 +117,13 @@ Eigen::MatrixXd residuals_of_model(const Study& study,
   return r.leftCols(known);
 }
 
-/// Returns kBandSamples of the samples at even distance, or fewer for residuals of very many rows.
+/// Returns the samples, or fewer at even distance where residuals of very many rows would need too
+/// much memory.
 Eigen::MatrixXd evenly_taken(const Eigen::MatrixXd& u, std::size_t rows) {
   constexpr Eigen::Index kMostNumbers = 20'000'000, kFewestSamplesOfBands = 400;
   const Eigen::Index room =
       kMostNumbers / std::max<Eigen::Index>(1, static_cast<Eigen::Index>(rows));
-  const Eigen::Index count =
-      std::min(u.cols(), std::clamp(room, kFewestSamplesOfBands, kBandSamples));
+  const Eigen::Index count = std::min(u.cols(), std::max(room, kFewestSamplesOfBands));
   Eigen::MatrixXd taken(u.rows(), count);
   for (Eigen::Index k = 0; k < count; ++k) taken.col(k) = u.col(k * u.cols() / count);
   return taken;

@@ -13,6 +13,10 @@
 namespace latsch::correlation {
 namespace {
 
+/// Time to send a trial to a worker and to store it in the journal, s, about as measured on a disk
+/// that is busy. Larger: the price of short trials is overstated.
+constexpr double kStoring = 3e-3;
+
 /// Returns "4 ms", "16 s", "12 min", "3.1 h".
 std::string duration_text(double seconds) {
   if (seconds < 1.0) return fmt::format("{:.2g} ms", 1e3 * seconds);
@@ -42,11 +46,14 @@ std::string price_text(const Study& study, double seconds) {
                                  settings.chain_runs);
   if (!std::isfinite(seconds)) return text + ".";
   const int workers = std::max(1, study.run.workers);
-  text += fmt::format("; at {} a trial, the median so far, about {} on {} worker{}.",
-                      duration_text(seconds),
-                      duration_text(seconds * static_cast<double>(settings.chain_runs) / workers),
-                      workers,
-                      workers == 1 ? "" : "s");
+  const double whole = static_cast<double>(settings.chain_runs) * (seconds / workers + kStoring);
+  text += fmt::format(
+      "; at {} a trial, the median so far, and {} to store it, about {} on {} worker{}.",
+      duration_text(seconds),
+      duration_text(kStoring),
+      duration_text(whole),
+      workers,
+      workers == 1 ? "" : "s");
   if (!is_delayed && seconds > kShortTrial)
     text += fmt::format(
         " A trial takes longer than {}: method = \"delayed\" needs a tenth of the trials.",

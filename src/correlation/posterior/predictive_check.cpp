@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/posterior/predictive_check.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -22,12 +24,15 @@ double mean_probability(double share, double nu, const std::vector<double>& X) {
 }  // namespace
 
 std::string PredictiveCheck::in_words() const {
-  if (!rank) return "not judged: its noise is estimated from its own residuals";
+  if (!rank) return "not judged, because its noise is estimated from its own residuals";
+  const std::string ranked = fmt::format(" (rank of chi^2 {:.3f})", *rank);
   if (*rank > kLargestRank)
-    return "the model cannot make such data: they are farther from it than its noise allows";
+    return "the model cannot make such data: they are farther from it than their noise allows" +
+           ranked;
   if (*rank < kLeastRank)
-    return "the model cannot make such data: they are nearer to it than their noise allows";
-  return "as the model makes them";
+    return "the model cannot make such data: they are nearer to it than their noise allows" +
+           ranked;
+  return "data as the model makes them" + ranked;
 }
 
 std::vector<PredictiveCheck> predictive_checks(const Study& study,

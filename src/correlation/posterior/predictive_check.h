@@ -13,7 +13,8 @@
 //
 // Limits: the variables follow the data, so a rank is nearer to 1/2 than a random number between 0
 // and 1 would be, the more the fewer values an experiment has beside the variables. If s is
-// unknown, an experiment is judged by the others; one experiment alone has no rank. Neighbors'
+// unknown, an experiment is judged by the others: one experiment alone has no rank, and where two
+// differ by far it may be the nearer one that is refused. Neighbors'
 // noise is taken as estimated at the fit, so a misfit that looks like slow noise is not seen.
 #pragma once
 
@@ -37,7 +38,8 @@ struct PredictiveCheck {
 
   /// True if the model cannot make such data.
   bool is_refused() const { return rank && (*rank < kLeastRank || *rank > kLargestRank); }
-  /// Returns the verdict in a few words, for example "as the model makes them".
+  /// Returns the verdict in a few words, for example "data as the model makes them (rank
+  /// of chi^2 0.412)".
   std::string in_words() const;
 };
 

@@ -18,10 +18,6 @@
 
 namespace latsch::correlation {
 
-/// Number of samples from which bands are made; the 2.5 % point of so many scatters by 0.04
-/// deviations.
-constexpr Eigen::Index kBandSamples = 4000;
-
 /// Band of one experiment: one value for each row of its observable, in its SI unit.
 struct SampledBand {
   int experiment = 0;  // index in the study

@@ -111,16 +111,16 @@ Json bands_of(const correlation::Study& study,
   return all;
 }
 
-Json checks_of(const correlation::Study& study, const correlation::Posterior& posterior) {
-  Json all = Json::array();
+/// Returns the sentences about the density and, where the samples are those of the model, the
+/// predictive check of every experiment.
+std::vector<std::string> remarks_of(const correlation::Study& study,
+                                    const correlation::Posterior& posterior) {
+  std::vector<std::string> remarks = posterior.remarks;
+  if (!posterior.stands_for_model()) return remarks;
   for (const correlation::PredictiveCheck& check : posterior.checks)
-    all.push_back(
-        {{"experiment", study.experiments[static_cast<std::size_t>(check.experiment)].name},
-         {"rank", finite(check.rank)},
-         {"chi_square", finite(check.chi_square)},
-         {"refused", check.is_refused()},
-         {"words", check.in_words()}});
-  return all;
+    remarks.push_back(study.experiments[static_cast<std::size_t>(check.experiment)].name + ": " +
+                      check.in_words() + ".");
+  return remarks;
 }
 
 }  // namespace
@@ -141,13 +141,12 @@ nlohmann::ordered_json posterior_of(const correlation::Study& study,
                                                                     : "model"},
       {"mixed", posterior->is_mixed()},
       {"words", correlation::verdict_text(*posterior)},
-      {"remarks", posterior->remarks},
+      {"remarks", remarks_of(study, *posterior)},
       {"samples", posterior->samples.size()},
       {"trials", posterior->trials},
       {"failed", posterior->failed},
       {"variables", std::move(variables)},
-      {"bands", is_of_model ? bands_of(study, *posterior, linear) : Json::array()},
-      {"checks", is_of_model ? checks_of(study, *posterior) : Json::array()}};
+      {"bands", is_of_model ? bands_of(study, *posterior, linear) : Json::array()}};
 }
 
 }  // namespace latsch::studio

@@ -215,10 +215,9 @@ void print_checks(const Study& study, const Posterior& posterior) {
       correlation::kLargestRank);
   for (const correlation::PredictiveCheck& check : posterior.checks) {
     const std::string& name = study.experiments[static_cast<std::size_t>(check.experiment)].name;
-    say("  {:<{}} rank {:<6} chi^2 {:.3g} a value; {}\n",
+    say("  {:<{}} chi^2 {:.3g} a value; {}\n",
         name,
         name_width(study.experiments),
-        check.rank ? fmt::format("{:.3f}", *check.rank) : "-",
         check.chi_square,
         check.in_words());
     answer()["predictive_checks"].push_back({{"experiment", name},

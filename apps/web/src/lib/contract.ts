@@ -345,7 +345,7 @@ export interface SampledVariable {
 export interface SampledBand {
   experiment: string;
   unit: string;
-  x_name: string; // empty: the values are numbered
+  x_name: string;
   x_unit: string;
   x: Value[];
   names: string[];
@@ -360,15 +360,6 @@ export interface SampledBand {
   most_different: string | null;
 }
 
-/** Rank of an experiment's chi^2 among those of data that the model makes. */
-export interface PredictiveCheck {
-  experiment: string;
-  rank: Value;
-  chi_square: Value; // the mean of one value
-  refused: boolean;
-  words: string;
-}
-
 export interface Posterior {
   verdict: 'stands' | 'doubtful' | 'refused' | 'unchecked' | 'model'; // model: it decided on the samples itself
   mixed: boolean;
@@ -379,7 +370,6 @@ export interface Posterior {
   failed: number;
   variables: SampledVariable[];
   bands: SampledBand[]; // empty where the samples are not those of the model
-  checks: PredictiveCheck[];
 }
 
 export interface Identifiability {
