@@ -168,7 +168,7 @@ class SpringAlone(unittest.TestCase):
         self.spring("run", self.study)
         fit = self.journal.read_bytes()
         samples = self.folder / "study.samples.csv"
-        edit(self.study, (r"\[doe\]", '[posterior]\nmethod = "delayed"\nchain_runs = 2000\n[doe]'))
+        edit(self.study, (r"\[doe\]", '[posterior]\nmethod = "delayed"\nchain_runs = 4000\n[doe]'))
         written = []
         for workers in ("1", "2"):
             self.journal.write_bytes(fit)
@@ -176,14 +176,14 @@ class SpringAlone(unittest.TestCase):
             written.append(samples.read_bytes())
         self.assertEqual(*written)
         self.assertEqual((found["method"], found["mixed"]), ("delayed", True))
-        self.assertLessEqual(found["chain_trials"], 2000)
+        self.assertLessEqual(found["chain_trials"], 4000)
         self.assertIn(",model", samples.read_text().splitlines()[1])
         for variable in found["variables"]:
             lower, upper = variable["linear"]
             for end, linear in zip(variable["interval"], variable["linear"], strict=True):
                 self.assertAlmostEqual(end, linear, delta=0.4 * (upper - lower) / 3.92)
         again = self.spring("sample", self.study)
-        self.assertIn("Delayed acceptance takes at most 2000 trials of the model", again)
+        self.assertIn("Delayed acceptance takes at most 4000 trials of the model", again)
         self.assertEqual(samples.read_bytes(), written[0], "read from the journal")
         edit(self.study, (r'method = "delayed"\n', ""))
         self.assertIn('is given for the method "surrogate"', self.spring("check", self.study, code=WRONG_INPUT))

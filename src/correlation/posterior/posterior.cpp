@@ -328,7 +328,8 @@ std::string verdict_text(const Posterior& posterior) {
       return fmt::format(
           "The surrogate is doubtful: at {} draws that it had not seen, the logarithm of the "
           "density is off by {:.2g} (at most 0.3 is good). Ends of intervals may be off by some "
-          "tenths of a deviation; more runs in [posterior] may help.",
+          "tenths of a deviation; more runs in [posterior] may help, and method = \"delayed\" lets "
+          "the model decide.",
           check.draws,
           check.deviation);
     case SurrogateVerdict::refused:

@@ -84,29 +84,35 @@ Values thinned_values(const Values& values) {
   return some;
 }
 
+/// Returns the bands as differences from the computed value at the fit, or from the median of the
+/// samples where that value is not known: a band is much narrower than its curve.
 Json bands_of(const correlation::Study& study,
               const correlation::Posterior& posterior,
               const std::vector<correlation::ExperimentBand>& linear) {
   Json all = Json::array();
   for (const correlation::ComparedBands& band :
        correlation::compared_bands(study, posterior, linear)) {
-    const auto most = band.most_different();
-    all.push_back(
-        {{"experiment", study.experiments[static_cast<std::size_t>(band.experiment)].name},
-         {"unit", band.unit},
-         {"x_name", band.x_name},
-         {"x_unit", band.x_unit},
-         {"x", finite(thinned_values(band.x))},
-         {"names", thinned_values(band.names)},
-         {"measured", finite(thinned_values(band.measured))},
-         {"computed", finite(thinned_values(band.computed))},
-         {"linear_lower", finite(thinned_values(band.linear_lower))},
-         {"linear_upper", finite(thinned_values(band.linear_upper))},
-         {"lower", finite(thinned_values(band.lower))},
-         {"median", finite(thinned_values(band.median))},
-         {"upper", finite(thinned_values(band.upper))},
-         {"values", band.names.size()},
-         {"most_different", most ? Json(band.names[*most]) : Json()}});
+    const std::string& name = study.experiments[static_cast<std::size_t>(band.experiment)].name;
+    const bool is_known = std::isfinite(band.computed.front());
+    const std::vector<double>& center = is_known ? band.computed : band.median;
+    const auto shown = [&center](std::vector<double> values) {
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] -= center[k];
+      return finite(thinned_values(values));
+    };
+    all.push_back({{"experiment", name},
+                   {"title", name + (is_known ? " less computed" : " less median")},
+                   {"unit", band.unit},
+                   {"x_name", band.x_name},
+                   {"x_unit", band.x_unit},
+                   {"x", finite(thinned_values(band.x))},
+                   {"names", thinned_values(band.names)},
+                   {"center", finite(thinned_values(center))},
+                   {"measured", shown(band.measured)},
+                   {"linear_lower", shown(band.linear_lower)},
+                   {"linear_upper", shown(band.linear_upper)},
+                   {"lower", shown(band.lower)},
+                   {"upper", shown(band.upper)},
+                   {"values", band.names.size()}});
   }
   return all;
 }

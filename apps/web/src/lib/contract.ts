@@ -341,23 +341,22 @@ export interface SampledVariable {
   draws: Value[]; // empty if others differ more from their linear intervals
 }
 
-/** 95 % bands of an experiment's computed values: linear, and from samples. */
+/** 95 % bands of an experiment's computed values, linear and from samples; all but x as differences from `center`. */
 export interface SampledBand {
   experiment: string;
+  title: string; // the experiment and what is subtracted
   unit: string;
   x_name: string;
   x_unit: string;
   x: Value[];
   names: string[];
+  center: Value[];
   measured: Value[];
-  computed: Value[];
   linear_lower: Value[];
   linear_upper: Value[];
   lower: Value[];
-  median: Value[];
   upper: Value[];
   values: number; // number of values; long curves are thinned
-  most_different: string | null;
 }
 
 export interface Posterior {

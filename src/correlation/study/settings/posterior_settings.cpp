@@ -15,7 +15,7 @@ constexpr long kFewestPosteriorSamples = 100, kMostPosteriorSamples = 40'000;
 // Two batches of six trials and the check of ten are the fewest that can end well.
 constexpr long kFewestPosteriorRuns = 22, kMostPosteriorRuns = 1000;
 
-constexpr long kFewestChainRuns = 400, kMostChainRuns = 90'000;
+constexpr long kFewestChainRuns = 2000, kMostChainRuns = 90'000;
 
 PosteriorMethod read_method(const Node& table) {
   const std::vector<std::string> names{"surrogate", "delayed", "model"};
