@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "optimization/posterior/chain_diagnostics.h"
@@ -17,11 +18,30 @@ constexpr double kShortJump = 2.38, kJumpJitter = 0.1;  // the jumps of walker_c
 constexpr double kLongJumps = 0.1;                      // share of moves of length 1
 constexpr long kPlainEvery = 4;                         // rounds, one of which is of moves (2)
 constexpr double kWay = 0.2;                            // share of the trials that is left out
-constexpr int kLooks = 4;                               // diagnoses, evenly over the rest
+constexpr Eigen::Index kGroups = 4;  // groups of walkers whose draws R-hat compares
+constexpr int kLooks = 4;            // diagnoses, evenly over the rest
 constexpr double kStuckModel = 2.0;  // distances of the quartiles below the first one
 constexpr long kFewestRounds = 8;    // rounds that a diagnosis needs
 constexpr std::uint64_t kStreamOfModel = 3'000'000;
 constexpr int kFewestAlive = 3;  // walkers of a half whose differences span directions
+
+/// Returns the draws of all walkers, rounds x walkers, as kGroups chains: those of the walkers with
+/// the least first draws, and so on, round after round.
+Eigen::MatrixXd grouped_by_start(const Eigen::MatrixXd& draws) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(draws.cols()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return draws(0, a) < draws(0, b);
+  });
+  const Eigen::Index size = draws.cols() / kGroups;  // walkers of a group
+  Eigen::MatrixXd grouped(draws.rows() * size, kGroups);
+  for (Eigen::Index group = 0; group < kGroups; ++group)
+    for (Eigen::Index round = 0; round < draws.rows(); ++round)
+      for (Eigen::Index k = 0; k < size; ++k)
+        grouped(round * size + k, group) =
+            draws(round, order[static_cast<std::size_t>(group * size + k)]);
+  return grouped;
+}
 
 }  // namespace
 
@@ -217,7 +237,8 @@ void ModelChains::diagnose(PosteriorSamples& samples) const {
     Eigen::MatrixXd draws(std::ssize(kept_), places_.cols());
     for (Eigen::Index k = 0; k < draws.rows(); ++k)
       draws.row(k) = kept_[static_cast<std::size_t>(k)].row(i);
-    const ChainDiagnostics d = chain_diagnostics(draws);
+    ChainDiagnostics d = chain_diagnostics(draws);
+    d.rhat = chain_diagnostics(grouped_by_start(draws)).rhat;
     samples.diagnostics.push_back(d);
     const bool is_good =
         d.rhat <= kLargestRhat && d.bulk >= kFewestEffective && d.tail >= kFewestEffective;

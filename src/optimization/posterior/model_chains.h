@@ -21,6 +21,11 @@
 // 1.01 and effective numbers >= 400, looked at after a quarter, a half and three quarters of the
 // rest, or when the trials are used up.
 //
+// R-hat here compares four groups of walkers, those with the least first draws of a variable, the
+// next ones, and so on, so that walkers that remember their start show. Of 40 walkers one by one it
+// is about sqrt(1 + 80 / S_eff) [Vats, Knudson, Statistical Science 36 (2021) 518], and 1.01 would
+// ask for 4000 effective draws, ten times as many as the 400 that the ends of intervals need.
+//
 // Limits: where the surrogate's density falls faster than the model's, walkers come and go by (2)
 // alone, slowly, and diagnostics may not see what is missing. Walkers see other modes only if some
 // of them started there.

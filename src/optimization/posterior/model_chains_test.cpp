@@ -120,6 +120,15 @@ TEST(ModelChains, SayThatTheyDoNotMixAfterTooFewTrials) {
   EXPECT_EQ(chains.samples().unmixed.size(), 2U);
 }
 
+// A surrogate that is far too narrow leaves the walkers near their starts.
+TEST(ModelChains, SayThatTheyDoNotMixIfTheWalkersRememberTheirStarts) {
+  const auto narrow = [](const Eigen::VectorXd& u) {
+    return -0.5 * (u - to_vector({0.5, 0.3})).squaredNorm() / std::pow(0.002, 2);
+  };
+  const auto chains = run_on_banana(narrow, {.trials = 4000}, 1.0);
+  EXPECT_FALSE(chains.samples().unmixed.empty());
+}
+
 TEST(ModelChains, EndWithoutSamplesIfTheModelHasNoDensityAtTheStarts) {
   const auto chains = run_on_banana({}, {.trials = 4000}, 0.0);
   EXPECT_FALSE(chains.has_density());
