@@ -17,9 +17,9 @@
 // refused.
 //
 // A fifth of the trials is the way from the starts and is left out. After it, walkers that are
-// stuck at a negligible density are released once. The chains end when every variable has R-hat <=
-// 1.01 and effective numbers >= 400, looked at after a quarter, a half and three quarters of the
-// rest, or when the trials are used up.
+// stuck at a negligible density are released once. The chains mix if every variable has R-hat <=
+// 1.01 and effective numbers >= 400. They end if these are >= 1000, too, looked at after a quarter,
+// a half and three quarters of the rest, or when the trials are used up.
 //
 // R-hat here compares four groups of walkers, those with the least first draws of a variable, the
 // next ones, and so on, so that walkers that remember their start show. Of 40 walkers one by one it
