@@ -136,6 +136,18 @@ Json nuisance_of(const correlation::Study& study,
   return all;
 }
 
+Json answer_of(const correlation::Study& study, const correlation::UnreachedValues& row) {
+  return {{"experiment", study.experiments[static_cast<std::size_t>(row.experiment)].name},
+          {"values", row.values},
+          {"beyond", row.beyond},
+          {"between", row.between},
+          {"farthest", row.farthest},
+          {"deviations", row.farthest_by},
+          {"moved_by", row.mover < 0 ? Json(nullptr) : Json(study.space[row.mover].name)},
+          {"has_to_be", row.is_raised ? "larger" : "smaller"},
+          {"noise_assumed", row.noise_assumed}};
+}
+
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands) {
   Json all = Json::array();

@@ -11,6 +11,7 @@
 #include "correlation/analysis/identifiability.h"
 #include "correlation/analysis/missed_values.h"
 #include "correlation/analysis/prediction_bands.h"
+#include "correlation/doe/doe_conflict.h"
 #include "correlation/study/study.h"
 #include "correlation/target/trial_ownership.h"
 #include "measurement/channels.h"
@@ -46,6 +47,10 @@ Json answer_of(const correlation::Study& study,
 /// free number, "deviation" if it is not known.
 Json nuisance_of(const correlation::Study& study,
                  const std::vector<correlation::ExperimentBand>& bands);
+
+/// Returns measured values that no point of a design reaches: {"experiment", "values", "beyond",
+/// "between", "farthest", "deviations", "moved_by", "has_to_be", "noise_assumed"}.
+Json answer_of(const correlation::Study& study, const correlation::UnreachedValues& row);
 
 /// Returns the fitted delays of recordings: [{"name", "value", "lower", "upper", "at_end",
 /// "unit"}], s.

@@ -4,6 +4,7 @@ study, and serves as its own worker.
 
    spring_test.py PATH/TO/latsch     (the program "spring" is in the same folder)"""
 import contextlib
+import csv
 import json
 import pathlib
 import re
@@ -141,10 +142,75 @@ class SpringAlone(unittest.TestCase):
         head, *rows = samples.read_text().splitlines()
         self.assertEqual(head, "stiffness [N/mm],damping [N s/m],log density,chain,density")
         self.assertEqual(len(rows), 2000)
+        # bands of the computed forces: those of the samples are the linear ones, up to the same scatter
+        bands = list(csv.DictReader((self.folder / "study.bands.csv").read_text().splitlines()))
+        self.assertEqual({row["experiment"] for row in bands}, {"swiftly"}, "predicted ones have no residuals")
+        for row in bands:
+            self.assertEqual(row["density"], "surrogate")
+            width = float(row["linear upper"]) - float(row["linear lower"])
+            for end in ("lower", "upper"):
+                self.assertAlmostEqual(float(row[end]), float(row["linear " + end]), delta=0.25 * width / 3.92)
+        self.assertEqual([band["experiment"] for band in found["bands"]], ["swiftly"])
+        [check] = found["predictive_checks"]
+        # a twin without noise is nearer to the model than data with 2 % of it
+        self.assertLess(check["chi_square"], 1.0)
+        self.assertIn("0 points of a design succeeded, expected 30 at least", found["conflict_refused"])
         before, trials = samples.read_bytes(), trials_of(self.journal)
-        self.spring("sample", self.study, "--workers", "1")
+        said = self.spring("sample", self.study, "--workers", "1")
+        self.assertRegex(said, r"swiftly +chi\^2 0\.[0-9]+ a value; .*\(rank of chi\^2 0\.[0-9]{3}\)")
         self.assertEqual(samples.read_bytes(), before)
         self.assertEqual(trials_of(self.journal), trials)
+
+    def test_the_model_decides_on_samples_with_the_same_bits_for_any_number_of_workers(self):
+        edit(self.folder / "fast.toml", ('hold = "20 ms"', 'hold = "0 ms"'))
+        self.write_twin()
+        edit(self.study, ('measurement = "swiftly.csv"', 'measurement = "swiftly.csv"\nnoise = "2 %"'))
+        self.spring("run", self.study)
+        fit = self.journal.read_bytes()
+        samples = self.folder / "study.samples.csv"
+        edit(self.study, (r"\[doe\]", '[posterior]\nmethod = "delayed"\nchain_runs = 4000\n[doe]'))
+        written = []
+        for workers in ("1", "2"):
+            self.journal.write_bytes(fit)
+            found = self.answer("sample", self.study, "--workers", workers)
+            written.append(samples.read_bytes())
+        self.assertEqual(*written)
+        self.assertEqual((found["method"], found["mixed"]), ("delayed", True))
+        self.assertLessEqual(found["chain_trials"], 4000)
+        self.assertIn(",model", samples.read_text().splitlines()[1])
+        for variable in found["variables"]:
+            lower, upper = variable["linear"]
+            for end, linear in zip(variable["interval"], variable["linear"], strict=True):
+                self.assertAlmostEqual(end, linear, delta=0.4 * (upper - lower) / 3.92)
+        again = self.spring("sample", self.study)
+        self.assertIn("Delayed acceptance takes at most 4000 trials of the model", again)
+        self.assertEqual(samples.read_bytes(), written[0], "read from the journal")
+        edit(self.study, (r'method = "delayed"\n', ""))
+        self.assertIn('is given for the method "surrogate"', self.spring("check", self.study, code=WRONG_INPUT))
+
+    def test_a_run_may_draw_samples_at_its_end(self):
+        self.write_twin()
+        edit(self.study, ('measurement = "swiftly.csv"', 'measurement = "swiftly.csv"\nnoise = "2 %"'))
+        found = self.answer("run", self.study, "--sample")
+        self.assertEqual(found["posterior"]["check"]["verdict"], "stands")
+        self.assertIn("target", found)
+        self.assertTrue((self.folder / "study.samples.csv").exists())
+        self.assertIn("samples", (self.folder / "study.html").read_text())
+        edit(self.study, ('noise = "2 %"', 'noise = "2 %"\nloss = "huber"'))
+        self.assertIn("--sample: experiment.swiftly has a robust loss", self.spring("run", self.study, "--sample", code=WRONG_INPUT))
+
+    def test_values_that_no_point_of_a_design_reaches_are_told(self):
+        self.write_twin()
+        edit(self.study, ('measurement = "swiftly.csv"', 'measurement = "swiftly.csv"\nnoise = "2 %"'),
+             ('upper = "60 N/mm"', 'upper = "12 N/mm"'), ('upper = "900 N s/m"', 'upper = "200 N s/m"'),
+             ('initial = "700 N s/m"', 'initial = "100 N s/m"'))
+        self.assertIn("9 points of a design succeeded, expected 30 at least", self.spring("doe", self.study))
+        found = self.answer("doe", self.study, "--levels", "6")
+        [row] = found["conflict"]
+        self.assertEqual(row["beyond"], row["values"])
+        self.assertEqual(row["has_to_be"], "larger")
+        said = self.spring("doe", self.study, "--levels", "6")
+        self.assertRegex(said, r"swiftly +[0-9]+ of [0-9]+ values beyond every point, .* by [0-9.]+ deviations; most moved by")
 
     def test_a_variable_that_the_data_do_not_carry_is_dropped(self):
         self.write_twin()

@@ -76,7 +76,8 @@ void print_experiments(const Study& study) {
         experiment.objective.exponent == 1.0
             ? ""
             : fmt::format(", exponent {:g}", experiment.objective.exponent);
-    say("  {:<{}} {}; {} from {}; {}, weight {:g}{}\n",
+    const std::string nuisance = experiment.nuisance.in_words();
+    say("  {:<{}} {}; {} from {}; {}, weight {:g}{}{}\n",
         experiment.name,
         name_width(study.experiments),
         what(study, experiment),
@@ -84,7 +85,8 @@ void print_experiments(const Study& study) {
         experiment.measured_in(),
         experiment.fitted ? "fitted" : "predicted",
         experiment.objective.weight,
-        exponent);
+        exponent,
+        nuisance.empty() ? "" : "; solved at every trial: " + nuisance);
   }
 }
 

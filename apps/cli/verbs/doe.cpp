@@ -17,6 +17,7 @@
 #include "cli/run/workers.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/doe/doe_basins.h"
+#include "correlation/doe/doe_conflict.h"
 #include "correlation/doe/doe_effects.h"
 #include "correlation/doe/doe_extent.h"
 #include "correlation/doe/doe_shares.h"
@@ -192,6 +193,27 @@ void print_shares(const Study& study, const StudyDesign& design, const Journal& 
   }
 }
 
+/// Prints the measured values that no point of the design reaches, unless the design is of another
+/// kind than one that covers the space.
+void print_conflict(const Study& study,
+                    const std::vector<DesignPoint>& points,
+                    const Journal& journal) {
+  const correlation::DoeConflict found = correlation::doe_conflict(study, points, journal);
+  say("\nMeasured values that no point comes near, by three deviations\n");
+  if (!found.refusal.empty()) {
+    answer()["conflict_refused"] = found.refusal;
+    say("  not told: {}\n", found.refusal);
+    return;
+  }
+  for (const correlation::UnreachedValues& row : found.rows) {
+    answer()["conflict"].push_back(answer_of(study, row));
+    say("  {:<{}} {}\n",
+        study.experiments[static_cast<size_t>(row.experiment)].name,
+        name_width(study.experiments),
+        correlation::in_words(study, row));
+  }
+}
+
 std::optional<Trial> first_failure(const Journal& journal) {
   std::optional<Trial> first;
   journal.for_each([&](const Trial& trial) {
@@ -271,6 +293,7 @@ int doe(const std::string& file,
   print_extent(study.space, points, level > 0.0 ? level : kNear * points.front().target);
   print_effects(study, design, journal);
   print_shares(study, design, journal);
+  print_conflict(study, plan.points, journal);
   workers_of_study.end();
   return write_report_of_run(study, study, journal, language);
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "base/file.h"
 #include "cli/console/answers.h"
@@ -24,10 +25,12 @@
 #include "cli/run/virtual_recordings.h"
 #include "cli/run/workers.h"
 #include "cli/verbs/comparison/run_comparison.h"
+#include "cli/verbs/posterior/sample.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/prediction_bands.h"
 #include "correlation/analysis/refit_trials.h"
 #include "correlation/comparison/model_comparison_file.h"
+#include "correlation/posterior/posterior.h"
 #include "correlation/search/finished_run.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_change.h"
@@ -176,6 +179,7 @@ struct Asked {
   bool anew = false;
   bool watch = false;
   bool records_only = false;
+  bool samples = false;
 };
 
 /// Renames the journal, for example from "study.latsch" to "study.1.latsch"; the number is the
@@ -404,6 +408,10 @@ int fit(const Asked& asked, const experiment::Language& language) {
     throw InputError(first_journal.string() +
                      " does not exist: there is nothing to resume; start with latsch run");
   }
+  if (asked.samples) {
+    if (const std::string reason = correlation::why_no_posterior(study); !reason.empty())
+      throw InputError({study.file.string(), 0}, "--sample: " + reason);
+  }
   Workers workers(study);
   if (workers.served(study, /*in_stages=*/true)) return kDone;
   reject_implausible(study);
@@ -425,6 +433,18 @@ int fit(const Asked& asked, const experiment::Language& language) {
   }
 }
 
+/// Runs the fit and, if asked, samples the posterior density around its end; the answer of the
+/// sampling is "posterior" of the whole answer.
+int fit_and_sample(const Asked& asked, const experiment::Language& language) {
+  const int exit_code = fit(asked, language);
+  if (exit_code != kDone || !asked.samples) return exit_code;
+  Json of_fit = std::exchange(answer(), Json::object());
+  const int code = sample(asked.file, language, {.workers = asked.workers, .writes_report = true});
+  Json of_samples = std::exchange(answer(), std::move(of_fit));
+  answer()["posterior"] = std::move(of_samples);
+  return code;
+}
+
 /// Runs the fit while the studio serves its page. The page stays until the user ends the program.
 int fit_watched(const Asked& asked, const experiment::Language& language) {
   if (correlation::is_model_comparison(asked.file)) {
@@ -438,13 +458,13 @@ int fit_watched(const Asked& asked, const experiment::Language& language) {
       return fit(one, language);
     });
   }
-  if (!asked.watch || launch().task > 0) return fit(asked, language);
+  if (!asked.watch || launch().task > 0) return fit_and_sample(asked, language);
   catch_interrupts();
   const ServedStudies page({asked.file}, language);
   say("{}\n", page.address());
   std::fflush(stdout);
   page.open_browser();
-  const int exit_code = fit(asked, language);
+  const int exit_code = fit_and_sample(asked, language);
   if (!interrupted()) say("\nThe page stays open until Ctrl-C\n");
   std::fflush(stdout);
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -489,6 +509,9 @@ void add_run(CommandLine& app, Program& program) {
                   asked->watch,
                   "Opens a page that shows the run, and keeps it open "
                   "after the end");
+    verb.add_flag("--sample",
+                  asked->samples,
+                  "Draws samples of the posterior density after the fit, as latsch sample does");
     if (resuming) {
       verb.add_flag("--retry-failed",
                     asked->retries_failed,

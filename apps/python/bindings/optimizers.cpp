@@ -198,10 +198,17 @@ bool is_finite(const Score& score) {
 }
 
 /// Converts the outcome that Python tells an optimizer: a number, a Score or a Failure. A number
-/// that is not finite becomes a failure, as in a study.
+/// that is not finite becomes a failure, as in a study, with a Python warning.
 Result<Score> outcome_of(const py::handle& told, int variables) {
   const auto checked = [](Score score) -> Result<Score> {
     if (is_finite(score)) return score;
+    // Throws the warning if the caller has made warnings errors.
+    if (PyErr_WarnEx(
+            PyExc_RuntimeWarning,
+            "the outcome holds a number that is not finite, so it counts as a failed trial; "
+            "tell a failure as latsch.Failure(\"reason\")",
+            1) != 0)
+      throw py::error_already_set();
     return Failure{"the outcome holds a number that is not finite", Cause::bad_output};
   };
   if (PyFloat_Check(told.ptr())) return checked({.value = PyFloat_AS_DOUBLE(told.ptr())});
@@ -343,7 +350,8 @@ void bind_optimizers(py::module_& module) {
           py::arg("point"),
           py::arg("outcome"),
           "Records the outcome of a point (n,): the target, a Score or a Failure. The point need "
-          "not have been\nproposed, but it lies within the bounds. Raises InputError if the number "
+          "not have been\nproposed, but it lies within the bounds. A number that is not finite "
+          "counts as a failure, with a Python\nwarning. Raises InputError if the number "
           "of residuals or constraints\ndiffers from that of the first point.")
       .def_property_readonly(
           "best",

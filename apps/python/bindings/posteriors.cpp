@@ -61,6 +61,7 @@ py::dict as_dict(const correlation::Study& study, const correlation::Posterior& 
   all["effective"] = array(effective);
   all["mixed"] = posterior.is_mixed();
   all["verdict"] = name(posterior.check.verdict);
+  all["method"] = correlation::name(posterior.method);
   all["deviation"] =
       posterior.check.verdict == SurrogateVerdict::unchecked ? kNoEnd : posterior.check.deviation;
   all["verdict_text"] = correlation::verdict_text(posterior);

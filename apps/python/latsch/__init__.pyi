@@ -287,6 +287,7 @@ class Posterior:
     rhat: Array
     effective: Array
     mixed: bool
+    method: str
     verdict: str
     deviation: float
     verdict_text: str

@@ -89,6 +89,7 @@ class Posterior:
        names: the k sampled variables; medians (k,); intervals (k, 2): the 2.5 and 97.5 % points; linear (k, 2): the linear
        95 % interval, NaN for an open end; shapes: words such as "skewed, banana with B", None if the chains do not mix;
        rhat (k,) and effective (k,): the diagnostics of the chains; mixed: True if all of them are good;
+       method: "surrogate", "delayed" or "model", of [posterior]: whose density the samples have;
        verdict: "stands", "doubtful", "refused" or "unchecked", the check of the surrogate by trials that it had not seen;
        deviation: the error of the logarithm of the density there, NaN if unchecked; verdict_text: the verdict in one sentence;
        remarks: sentences about the density; trials and failed: numbers of trials beyond the fit."""
@@ -115,7 +116,7 @@ class Posterior:
                                 "log_density": self.log_densities, "chain": self.chains})
 
     def __repr__(self):
-        return f"<latsch.Posterior {len(self)} samples of {len(self.names)} variables, surrogate {self.verdict}{'' if self.mixed else ', not mixed'}>"
+        return f"<latsch.Posterior {len(self)} samples of {len(self.names)} variables, {'of the model' if self.method != 'surrogate' else 'surrogate ' + self.verdict}{'' if self.mixed else ', not mixed'}>"
 
 
 class Study(_latsch._Study):

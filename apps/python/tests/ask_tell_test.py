@@ -100,7 +100,9 @@ class AskTell(unittest.TestCase):
         _, best = search(latsch.optimizer(box, "gss"), fails_above)
         self.assertLess(abs(best[0] - 0.5), 0.05)
         optimizer = latsch.optimizer(box, "gss")
-        optimizer.observe(optimizer.propose()[0], float("nan"))  # counts as a failure
+        with self.assertWarnsRegex(RuntimeWarning, "counts as a failed trial; tell a failure as latsch.Failure"):
+            optimizer.observe(optimizer.propose()[0], float("nan"))
+        self.assertIsNone(optimizer.best)
         self.assertFalse(optimizer.converged)
 
     def test_outcomes_go_from_process_to_process(self):

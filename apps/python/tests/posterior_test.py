@@ -59,7 +59,7 @@ class Posteriors(unittest.TestCase):
         lines = []
         posterior = study.sample(progress=lines.append)
         self.assertTrue(any("trials of the surrogate" in line for line in lines), lines)
-        self.assertEqual((posterior.names, posterior.mixed, posterior.verdict), (["a"], True, "stands"))
+        self.assertEqual((posterior.names, posterior.mixed, posterior.verdict, posterior.method), (["a"], True, "stands", "surrogate"))
         self.assertEqual(posterior.points.shape, (len(posterior), 1))
         self.assertEqual(posterior.log_densities.shape, posterior.chains.shape)
         self.assertAlmostEqual(posterior.center[0], MEAN, delta=1e-3 * DEVIATION)

@@ -23,4 +23,13 @@ export const claims = {
     assert.deepEqual(page.errors, []);
     await page.context().close();
   },
+
+  async 'bands from samples stand beside the linear ones'({ browser, address }) {
+    const page = await newPage(browser);
+    await page.goto(`${address}#/identifiability?study=tire_b_twin/study.toml`);
+    await settled(page);
+    await page.locator('[aria-label^="Bands of stiffness"]').first().waitFor();
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  },
 };

@@ -111,6 +111,8 @@ void add_rows(const Study& study,
     const SolvedNumber& solved = comparison->nuisance[k];
     NuisanceRow row{e, experiment.nuisance.numbers[k], solved.value, NAN};
     row.at_end = solved.at_end;
+    row.lower = solved.lower;
+    row.upper = solved.upper;
     row.is_determined = solved.is_determined;
     if (slopes) {
       const Eigen::VectorXd g = slopes->row(static_cast<Eigen::Index>(k)).transpose();
@@ -223,7 +225,13 @@ std::string NuisanceRow::in_words() const {
                   std::isfinite(deviation) ? shown_text(number, deviation, deviation) : "unknown");
   text += number.is_free() ? ", free"
                            : ", prior 0 +- " + shown_text(number, number.prior, number.prior);
-  if (at_end) text += ", at the end of its range: a tenth of the record, as far as it is simulated";
+  if (at_end)
+    text += fmt::format(
+        ", at the end of its range {} .. {}: a tenth of the record, as far as the simulation "
+        "covers "
+        "it. The number may be larger: simulate a longer stretch, or select a shorter one",
+        shown_text(number, lower, upper - lower),
+        shown_text(number, upper, upper - lower));
   if (from_prior() > kFarFromPrior)
     text += fmt::format(", {:.1f} deviations from its prior", from_prior());
   return text;

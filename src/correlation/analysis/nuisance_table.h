@@ -22,6 +22,7 @@ struct NuisanceRow {
   double value = 0.0;      // SI
   double deviation = 0.0;  // standard deviation, SI; NaN: not known
   bool at_end = false, is_determined = true;
+  double lower = -INFINITY, upper = INFINITY;  // range in which a shift was solved, SI
 
   /// Returns for example "gain: 2.9 % +- 0.4 %, prior 0 +- 1 %, 2.9 deviations from its prior".
   std::string in_words() const;

@@ -174,6 +174,15 @@ int Nuisance::shift() const {
   return -1;
 }
 
+std::string Nuisance::in_words() const {
+  std::string text;
+  for (const NuisanceNumber& one : numbers) {
+    text += (text.empty() ? "" : ", ") + name_of(one.kind);
+    text += one.is_free() ? " free" : " 0 +- " + shown_text(one, one.prior, one.prior);
+  }
+  return text;
+}
+
 Nuisance read_nuisance(const Node& experiment,
                        const Observable& observable,
                        const ObjectiveSettings& objective,

@@ -35,6 +35,8 @@ struct Nuisance {
   int priors() const;
   /// Returns the position of the shift among the numbers; -1 if there is none.
   int shift() const;
+  /// Returns for example "gain 0 +- 2 %, delay free"; empty if there are no numbers.
+  std::string in_words() const;
 };
 
 /// Reads the table `nuisance` of an experiment. A curve that has a free delay alone solves it

@@ -110,7 +110,7 @@ class NuisanceSolver {
   }
 
   /// Returns the comparison at the numbers, with projected slopes unless the numbers are held.
-  Comparison finished(At at, bool at_end) const {
+  Comparison finished(At at, const DelayRange& range, bool at_end) const {
     Comparison c = std::move(at.plain);
     const std::size_t m = c.differences.size(), n = c.slopes.size() / m;
     const int shift = nuisance_.shift();
@@ -138,7 +138,11 @@ class NuisanceSolver {
     for (std::size_t k = 0; k < nuisance_.numbers.size(); ++k) {
       const auto column = static_cast<Eigen::Index>(k);
       SolvedNumber number{nuisance_.numbers[k].kind, at.z[column], nuisance_.numbers[k].prior};
-      number.at_end = at_end && static_cast<int>(k) == shift;
+      if (static_cast<int>(k) == shift && nuisance_.held.empty()) {
+        number.at_end = at_end;
+        number.lower = range.lower;
+        number.upper = range.upper;
+      }
       number.is_determined = projection.determines(column);
       number.deviation = deviations[column];
       number.columns.assign(at.A.col(column).begin(), at.A.col(column).end());
@@ -209,7 +213,7 @@ Result<Comparison> compare_with(const Nuisance& nuisance,
         Eigen::Map<const Eigen::VectorXd>(nuisance.held.data(), std::ssize(nuisance.held));
     auto at = solver.at(trial, z);
     if (!at) return at.failure();
-    return solver.finished(std::move(*at), false);
+    return solver.finished(std::move(*at), {}, false);
   }
   DelayRange range;
   if (nuisance.shift() >= 0) {
@@ -220,7 +224,7 @@ Result<Comparison> compare_with(const Nuisance& nuisance,
   bool at_end = false;
   auto at = solver.solved(trial, range, at_end);
   if (!at) return at.failure();
-  return solver.finished(std::move(*at), at_end);
+  return solver.finished(std::move(*at), range, at_end);
 }
 
 }  // namespace latsch::correlation

@@ -21,7 +21,8 @@ struct SolvedNumber {
   /// Standard deviation of the number at given variables, SI, if a weighted residual has the
   /// deviation 1. It is 0 for a number that the recording does not determine.
   double deviation = 0.0;
-  bool at_end = false;               // true if a shift lies at an end of its range
+  bool at_end = false;                         // true if a shift lies at an end of its range
+  double lower = -INFINITY, upper = INFINITY;  // range of a shift that was solved, SI
   bool is_determined = true;         // false: the recording says nothing about it; the value is 0
   std::vector<double> slopes = {};   // d value / d variable; empty: not known
   std::vector<double> columns = {};  // d difference / d value, one for each measured value

@@ -9,10 +9,10 @@
 #include "base/units.h"
 
 namespace latsch::correlation {
-namespace {
 
 const char* density_word(const Posterior& posterior) {
   if (!posterior.is_mixed()) return "chains that do not mix";
+  if (posterior.method != PosteriorMethod::surrogate) return "model";
   switch (posterior.check.verdict) {
     case SurrogateVerdict::unchecked:
       return "unchecked surrogate";
@@ -25,8 +25,6 @@ const char* density_word(const Posterior& posterior) {
   }
   return "refused surrogate";
 }
-
-}  // namespace
 
 std::filesystem::path samples_file(const Study& study) {
   return std::filesystem::path(study.file).replace_extension(".samples.csv");

@@ -6,7 +6,8 @@
 //   0.5531,0.0213,-11.72,17,surrogate
 //
 // The logarithm of the density has an arbitrary zero. `density` is "surrogate", or "unchecked
-// surrogate", "doubtful surrogate" or "refused surrogate" by the verdict of the check.
+// surrogate", "doubtful surrogate" or "refused surrogate" by the verdict of the check, and "model"
+// if the model itself decided.
 #pragma once
 
 #include <filesystem>
@@ -14,6 +15,9 @@
 #include "correlation/posterior/posterior.h"
 
 namespace latsch::correlation {
+
+/// Returns what the samples are those of: "surrogate", "doubtful surrogate".
+const char* density_word(const Posterior& posterior);
 
 /// Returns STUDY.samples.csv.
 std::filesystem::path samples_file(const Study& study);

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/scratch_folder_testing.h"
 #include "correlation/observable/force_curve.h"
@@ -145,6 +148,94 @@ TEST(Posterior, ContinuesAfterAStopWithTheBitsOfAnUninterruptedSampling) {
       EXPECT_FALSE(recorded_posterior(study, journal).has_value());
     }
     EXPECT_EQ(sampled_springs(study, file).samples.u, whole.samples.u) << trials;
+  }
+}
+
+// The bands of both forces, by the quantiles of the same grid weighted by the density.
+TEST(SampledBands, OfACurvedValleyAreThoseOfQuadrature) {
+  const ScratchFolder folder;
+  Study study = serial_springs();
+  study.posterior.samples = 20'000;
+  study.posterior.seed = 1;
+  const Posterior posterior = sampled_springs(study, folder / "springs.latsch");
+  ASSERT_EQ(posterior.bands.size(), 2U);
+  constexpr int kCells = 400;
+  const Objective residuals = residual_objective(study);
+  for (const SampledBand& band : posterior.bands) {
+    std::vector<std::pair<double, double>> weighted;  // force, density
+    double all = 0.0, mean = 0.0, square = 0.0;
+    for (int i = 0; i < kCells * kCells; ++i) {
+      const DesignPoint point =
+          study.space.from_unit({(i / kCells + 0.5) / kCells, (i % kCells + 0.5) / kCells});
+      const Channels channels = *pressed_springs(point);
+      const double force = channels[band.experiment == 0 ? "press/force" : "alone/force"].front();
+      const double density = std::exp(-0.5 * residuals(point, channels)->value);
+      weighted.emplace_back(force, density);
+      all += density;
+      mean += density * force;
+      square += density * force * force;
+    }
+    const double deviation = std::sqrt(square / all - mean * mean / (all * all));
+    std::sort(weighted.begin(), weighted.end());
+    const auto quantile = [&](double p) {
+      double below = 0.0;
+      for (const auto& [force, density] : weighted)
+        if ((below += density) >= p * all) return force;
+      return weighted.back().first;
+    };
+    EXPECT_NEAR(band.lower[0], quantile(0.025), 0.15 * deviation) << band.experiment;
+    EXPECT_NEAR(band.median[0], quantile(0.5), 0.1 * deviation) << band.experiment;
+    EXPECT_NEAR(band.upper[0], quantile(0.975), 0.15 * deviation) << band.experiment;
+  }
+}
+
+/// Returns the study with chains on the model of a few trials.
+Study springs_with_chains(PosteriorMethod method, long chain_runs) {
+  Study study = serial_springs();
+  study.posterior.samples = 4000;
+  study.posterior.method = method;
+  study.posterior.chain_runs = chain_runs;
+  if (method == PosteriorMethod::model) study.posterior.runs = 0;
+  return study;
+}
+
+TEST(Posterior, OfDelayedAcceptanceIsThatOfQuadrature) {
+  const ScratchFolder folder;
+  const Study study = springs_with_chains(PosteriorMethod::delayed, 4000);
+  const Posterior posterior = sampled_springs(study, folder / "springs.latsch");
+  EXPECT_TRUE(posterior.is_mixed());
+  EXPECT_LE(posterior.chain_trials, 4000);
+  EXPECT_EQ(posterior.bands.size(), 2U);
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::VectorXd x = posterior.samples.u.row(i).transpose();
+    const double deviation = posterior.shapes[static_cast<std::size_t>(i)].deviation;
+    // ends of an effective number of 400 draws, the least that mixes, scatter by 0.13 deviations
+    for (const double p : {0.025, 0.5, 0.975})
+      EXPECT_NEAR(quantile_of(x, p), quadrature_quantile(study, i, p), 0.3 * deviation)
+          << i << ' ' << p;
+  }
+}
+
+// Chains on the model are in the journal like all trials: after a stop they take the same steps.
+TEST(Posterior, ChainsOnTheModelContinueAfterAStopWithTheSameBits) {
+  const ScratchFolder folder;
+  for (const PosteriorMethod method : {PosteriorMethod::delayed, PosteriorMethod::model}) {
+    const std::string method_name = name(method);
+    const Study study = springs_with_chains(method, 600);
+    const Posterior whole = sampled_springs(study, folder / (method_name + ".latsch"));
+    EXPECT_GT(whole.samples.size(), 0) << method_name;
+    const auto file = folder / (method_name + "_stopped.latsch");
+    {
+      Journal journal = Journal::open(file, kSprings);
+      InlineExecutor executor(pressed_springs);
+      RunOptions options;
+      options.stop_requested = [&] { return journal.size() >= 333; };
+      EXPECT_FALSE(sample_posterior(study, kFit, executor, journal, options).has_value());
+    }
+    EXPECT_EQ(sampled_springs(study, file).samples.u, whole.samples.u) << method_name;
+    const auto read = recorded_posterior(study, Journal::read(file, kSprings));
+    ASSERT_TRUE(read.has_value()) << method_name;
+    EXPECT_EQ(read->samples.u, whole.samples.u) << method_name;
   }
 }
 

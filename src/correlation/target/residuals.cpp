@@ -114,6 +114,13 @@ std::vector<Eigen::VectorXd> solved_changes(const std::vector<StudyExperiment>& 
 
 }  // namespace
 
+int solved_numbers(const StudyExperiment& experiment) {
+  if (!experiment.nuisance.held.empty()) return 0;
+  const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
+  return static_cast<int>(experiment.nuisance.numbers.size()) +
+         (curve && curve->measured().fits_delay ? 1 : 0);
+}
+
 ResidualTraits residual_traits(const Study& study) {
   const auto experiments = counting(study);
   const double mean = mean_count(experiments);

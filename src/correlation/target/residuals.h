@@ -31,6 +31,9 @@ namespace latsch::correlation {
 /// Returns 1 if the study states the noise of its experiments, nullopt if it has to be estimated.
 std::optional<double> residual_sigma(const Study& study);
 
+/// Returns how many nuisance numbers every trial solves for a recording; held ones do not count.
+int solved_numbers(const StudyExperiment& experiment);
+
 /// Returns the distribution of the residuals.
 ResidualTraits residual_traits(const Study& study);
 

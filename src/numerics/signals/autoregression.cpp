@@ -33,6 +33,17 @@ Eigen::MatrixXd Autoregression::whitened(const Eigen::MatrixXd& X) const {
   return E;
 }
 
+Eigen::MatrixXd Autoregression::unwhitened(const Eigen::MatrixXd& X) const {
+  Eigen::MatrixXd Y = X;
+  for (Eigen::Index j = 0; j < X.rows(); ++j) {
+    const auto k = static_cast<size_t>(std::min<Eigen::Index>(j, order()));
+    Y.row(j) *= std::sqrt(variances_[k]);
+    for (size_t i = 0; i < k; ++i)
+      Y.row(j) += predictors_[k][i] * Y.row(j - 1 - static_cast<Eigen::Index>(i));
+  }
+  return Y;
+}
+
 // With L^-1 = D^-1/2 (I - Phi), L' X = D^1/2 Y, where (I - Phi') Y = X is solved from the last row
 // up.
 Eigen::MatrixXd Autoregression::colored(const Eigen::MatrixXd& X) const {

@@ -29,6 +29,8 @@ class Autoregression {
   /// Returns L^-1 X, column by column. A column of noise that follows the model becomes white noise
   /// of variance 1.
   Eigen::MatrixXd whitened(const Eigen::MatrixXd& X) const;
+  /// Returns L X, which undoes whitened().
+  Eigen::MatrixXd unwhitened(const Eigen::MatrixXd& X) const;
   /// Returns L' X. The squared norm of the result for a column x is x' R x.
   Eigen::MatrixXd colored(const Eigen::MatrixXd& X) const;
   /// Returns ln det R for the given number of samples.

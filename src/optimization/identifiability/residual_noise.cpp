@@ -345,6 +345,16 @@ Eigen::MatrixXd ResidualNoise::whitened(const Eigen::MatrixXd& Y) const {
   return Z;
 }
 
+Eigen::MatrixXd ResidualNoise::unwhitened(const Eigen::MatrixXd& Z) const {
+  Eigen::MatrixXd Y = Z;
+  for (const Curve& curve : curves_) {
+    if (curve.process.order() == 0) continue;
+    const Eigen::MatrixXd own = Y(curve.rows, Eigen::all);
+    Y(curve.rows, Eigen::all) = curve.process.unwhitened(own);
+  }
+  return deviations_.asDiagonal() * Y;
+}
+
 Eigen::VectorXd ResidualNoise::effective_deviations() const {
   Eigen::VectorXd effective = deviations_;
   for (const Curve& curve : curves_) {

@@ -87,6 +87,8 @@ class ResidualNoise {
   /// Returns the columns of Y with uncorrelated rows of deviation 1: if y has the covariance D R D
   /// sigma^2, its column has the covariance sigma^2.
   Eigen::MatrixXd whitened(const Eigen::MatrixXd& Y) const;
+  /// Returns the columns that whitened() turns into those of Z.
+  Eigen::MatrixXd unwhitened(const Eigen::MatrixXd& Z) const;
   /// Returns for every residual its deviation, in units of sigma, times the square root of the
   /// number of neighboring samples that together hold as much information as one independent
   /// sample.

@@ -96,6 +96,12 @@ Eigen::MatrixXd ResidualSurrogate::weight_slopes(const Eigen::VectorXd& y) const
   return slopes;
 }
 
+Eigen::MatrixXd ResidualSurrogate::residuals_at(const Eigen::MatrixXd& points) const {
+  Eigen::MatrixXd W(basis_.cols(), points.cols());
+  for (Eigen::Index k = 0; k < points.cols(); ++k) W.col(k) = weights(points.col(k));
+  return basis_ * W;
+}
+
 double ResidualSurrogate::variance(const Eigen::VectorXd& y) const {
   return covariance(y.transpose())(0, 0);
 }

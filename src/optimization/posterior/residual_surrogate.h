@@ -71,6 +71,8 @@ class ResidualSurrogate {
   /// Returns the weights w(y) = (1, y, k(y)) and their slopes, one column for each component of y.
   Eigen::VectorXd weights(const Eigen::VectorXd& y) const;
   Eigen::MatrixXd weight_slopes(const Eigen::VectorXd& y) const;
+  /// Returns the residuals r(y) by (3) for points y, one in each column; m x points.
+  Eigen::MatrixXd residuals_at(const Eigen::MatrixXd& points) const;
   /// Returns R, where R w(y) are residuals with the same sums of squares and products as those of
   /// (3), at most as many as there are weights.
   const Eigen::MatrixXd& reduced() const { return reduced_; }

@@ -220,6 +220,12 @@ LogDensityAt SurrogateRuns::log_density() const {
   return [model = model_](const Eigen::VectorXd& u) { return model->at(u); };
 }
 
+Eigen::MatrixXd SurrogateRuns::residuals_at(const Eigen::MatrixXd& u) const {
+  Eigen::MatrixXd points(u.rows(), u.cols());
+  for (Eigen::Index k = 0; k < u.cols(); ++k) points.col(k) = fit_.frame.whitened(u.col(k));
+  return model_->surrogate.residuals_at(points);
+}
+
 Straightening SurrogateRuns::straightening() const {
   if (fit_.frame.center.size() > kMostStraightened) return {};
   return {[model = model_](const Eigen::VectorXd& u) { return model->coordinates(u); },

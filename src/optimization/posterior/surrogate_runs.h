@@ -95,6 +95,9 @@ class SurrogateRuns {
 
   /// Returns the logarithm of the density by the surrogate.
   LogDensityAt log_density() const;
+  /// Returns the whitened residuals by the surrogate at points of the unit cube, one in each
+  /// column.
+  Eigen::MatrixXd residuals_at(const Eigen::MatrixXd& u) const;
   /// Returns coordinates in which curved valleys of that density are straight; none for more than
   /// 12 variables.
   Straightening straightening() const;

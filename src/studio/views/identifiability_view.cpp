@@ -84,12 +84,9 @@ Json identifiability_view(const ShelvedStudy& shelved) {
   static KeptAnswers<Question, Json> pages(kPagesKept);
   return *pages.get({kept.what, state_of_predictions(*kept.study)}, [&] {
     const Journal journal = Journal::read(kept.study->run.journal);
-    Json view = of_page(correlation::identifiability_page(
-                            *kept.study,
-                            *kept.what,
-                            correlation::prediction_bands(*kept.study, *kept.what, journal)),
-                        "");
-    view["posterior"] = posterior_of(*kept.study, journal);
+    const auto bands = correlation::prediction_bands(*kept.study, *kept.what, journal);
+    Json view = of_page(correlation::identifiability_page(*kept.study, *kept.what, bands), "");
+    view["posterior"] = posterior_of(*kept.study, journal, bands);
     return view;
   });
 }

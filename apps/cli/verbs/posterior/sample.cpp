@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/text.h"
 #include "base/units.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
@@ -17,8 +18,11 @@
 #include "cli/run/interrupt.h"
 #include "cli/run/trials.h"
 #include "cli/run/workers.h"
+#include "correlation/doe/doe_conflict.h"
+#include "correlation/posterior/compared_bands.h"
 #include "correlation/posterior/posterior.h"
 #include "correlation/posterior/posterior_file.h"
+#include "correlation/posterior/posterior_price.h"
 #include "correlation/search/search_standing.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/target/best_trial.h"
@@ -28,6 +32,7 @@ namespace latsch::cli {
 namespace {
 
 using correlation::Posterior;
+using correlation::PosteriorMethod;
 using correlation::Study;
 
 void print_samples(const Study& study, const Posterior& posterior) {
@@ -84,19 +89,25 @@ void warn_of_fits_outside(const Study& study, const Posterior& posterior) {
 }
 
 void print_standing(const Study& study, const Posterior& posterior) {
-  say("\n{} trial{} beyond the fit{}; the surrogate learned from {}{}.\n",
+  const std::string chains =
+      posterior.method == PosteriorMethod::surrogate
+          ? ""
+          : fmt::format(", {} of them for the chains", posterior.chain_trials);
+  say("\n{} trial{} beyond the fit{}{}; the surrogate learned from {}{}.\n",
       posterior.trials,
       posterior.trials == 1 ? "" : "s",
+      chains,
       posterior.failed > 0 ? fmt::format(", of which {} failed", posterior.failed) : "",
       posterior.learned_from,
-      posterior.trials > 0 && !posterior.settled
+      posterior.trials > posterior.chain_trials && !posterior.settled
           ? "; the limit of runs ended the learning, not two good batches in a row"
           : "");
   const std::string verdict = correlation::verdict_text(posterior);
   const std::string without_period = verdict.substr(0, verdict.size() - 1);
   if (!posterior.is_mixed())
     complain(without_period);
-  else if (posterior.check.verdict == SurrogateVerdict::stands)
+  else if (posterior.check.verdict == SurrogateVerdict::stands ||
+           posterior.method != PosteriorMethod::surrogate)
     say("{}\n", verdict);
   else
     warn(without_period);
@@ -137,6 +148,9 @@ void answer_samples(const Study& study, const Posterior& posterior) {
          {"bulk", d.bulk},
          {"tail", d.tail}});
   }
+  answer()["method"] = correlation::name(posterior.method);
+  answer()["accepted"] = posterior.samples.accepted;
+  answer()["chain_trials"] = posterior.chain_trials;
   answer()["mixed"] = posterior.is_mixed();
   answer()["samples"] = posterior.samples.size();
   answer()["trials"] = posterior.trials;
@@ -148,11 +162,121 @@ void answer_samples(const Study& study, const Posterior& posterior) {
                        {"largest", posterior.check.largest}};
 }
 
-int sample(const std::string& file,
-           const experiment::Language& language,
-           int workers,
-           const std::string& output) {
-  Study study = correlation::read_study(file, language);
+/// Returns "19.2 .. 21 N" with the digits that the width supports.
+std::string band_text(double lower, double upper, const std::string& unit) {
+  if (!std::isfinite(upper - lower)) return "not known";
+  const double half = 0.5 * (upper - lower);
+  return fmt::format("{} .. {}{}",
+                     format_known(lower, half),
+                     format_known(upper, half),
+                     unit == "1" ? "" : " " + unit);
+}
+
+/// Prints, for each experiment, the value whose two bands differ most.
+void print_bands(const Study& study, const std::vector<correlation::ComparedBands>& bands) {
+  say("\n95 % bands of computed values, where the two differ most\n  {:<{}} {:<16} {:<28} {}\n",
+      "",
+      name_width(study.experiments),
+      "value",
+      "samples",
+      "linear");
+  for (const correlation::ComparedBands& band : bands) {
+    const auto most = band.most_different();
+    const std::string& name = study.experiments[static_cast<std::size_t>(band.experiment)].name;
+    if (!most) {
+      say("  {:<{}} the linear bands are not known: latsch identify {} computes them\n",
+          name,
+          name_width(study.experiments),
+          study.file.string());
+      continue;
+    }
+    const std::size_t k = *most;
+    say("  {:<{}} {:<16} {:<28} {}\n",
+        name,
+        name_width(study.experiments),
+        band.names[k],
+        band_text(band.lower[k], band.upper[k], band.unit),
+        band_text(band.linear_lower[k], band.linear_upper[k], band.unit));
+    answer()["bands"].push_back({{"experiment", name},
+                                 {"value", band.names[k]},
+                                 {"unit", band.unit},
+                                 {"interval", {band.lower[k], band.upper[k]}},
+                                 {"linear", {band.linear_lower[k], band.linear_upper[k]}}});
+  }
+  const auto is_predicted = [](const auto& one) { return !one.fitted; };
+  if (std::any_of(study.experiments.begin(), study.experiments.end(), is_predicted))
+    say("  Experiments that are only predicted have linear bands alone.\n");
+}
+
+void print_checks(const Study& study, const Posterior& posterior) {
+  say("\nPredictive check: rank of each experiment's chi^2 among those of data that the model "
+      "makes; {:g} to {:g} is expected\n",
+      correlation::kLeastRank,
+      correlation::kLargestRank);
+  for (const correlation::PredictiveCheck& check : posterior.checks) {
+    const std::string& name = study.experiments[static_cast<std::size_t>(check.experiment)].name;
+    say("  {:<{}} chi^2 {:.3g} a value; {}\n",
+        name,
+        name_width(study.experiments),
+        check.chi_square,
+        check.in_words());
+    answer()["predictive_checks"].push_back({{"experiment", name},
+                                             {"rank", check.rank ? Json(*check.rank) : Json()},
+                                             {"chi_square", check.chi_square},
+                                             {"refused", check.is_refused()}});
+  }
+}
+
+/// Prints the measured values that no point of the study's design of experiments reaches, or what
+/// is missing to tell them.
+void print_conflict_before_fit(const Study& study, const Journal& journal) {
+  const auto found =
+      study.doe ? correlation::doe_conflict(
+                      study, correlation::plan(*study.doe, study.space).points, journal)
+                : correlation::DoeConflict{
+                      .refusal =
+                          "the study has no [doe]; latsch doe with a scattered one of at least ten "
+                          "points for each variable tells it"};
+  say("\nMeasured values that no point of the design before the fit comes near, by three "
+      "deviations\n");
+  if (!found.refusal.empty()) {
+    answer()["conflict_refused"] = found.refusal;
+    say("  not told: {}\n", found.refusal);
+    return;
+  }
+  for (const correlation::UnreachedValues& row : found.rows) {
+    answer()["conflict"].push_back(answer_of(study, row));
+    say("  {:<{}} {}\n",
+        study.experiments[static_cast<std::size_t>(row.experiment)].name,
+        name_width(study.experiments),
+        correlation::in_words(study, row));
+  }
+}
+
+/// Prints and writes what the samples say about computed values, unless they are not those of the
+/// model.
+void tell_bands(const Study& study, const Posterior& posterior, const Journal& journal) {
+  if (!posterior.stands_for_model()) {
+    say("\nBands from the samples and the predictive check are not shown: the samples are not "
+        "those "
+        "of the model.\n");
+    return;
+  }
+  const auto bands =
+      correlation::compared_bands(study, posterior, correlation::recorded_bands(study, journal));
+  print_bands(study, bands);
+  print_checks(study, posterior);
+  const std::filesystem::path file = correlation::bands_file(study);
+  correlation::write_bands(study, posterior, bands, file);
+  say_written(file.string());
+}
+
+}  // namespace
+
+int sample(const std::string& file, const experiment::Language& language, const Sampling& asked) {
+  const auto& [workers, output, writes_report] = asked;
+  const Study as_read = correlation::read_study(file, language);
+  Study study = as_read;
   if (workers > 0) study.run.workers = workers;
   if (!std::filesystem::exists(study.run.journal))
     throw InputError(study.run.journal.string() +
@@ -178,6 +302,11 @@ int sample(const std::string& file,
     complain("no trial in " + study.run.journal.string() + " succeeded");
     return kFailed;
   }
+  const double seconds = correlation::median_trial_time(journal);
+  if (const std::string price = correlation::price_text(study, seconds); !price.empty())
+    say("{}\n", price);
+  answer()["price"] = {{"chain_runs", study.posterior.chain_runs},
+                       {"trial_s", std::isfinite(seconds) ? Json(seconds) : Json()}};
   catch_interrupts();
   const TrialsRun trials(workers_of_study, study);
   Executor& executor = workers_of_study.start(study);
@@ -194,17 +323,29 @@ int sample(const std::string& file,
   const Posterior& posterior = **found;
   print_samples(study, posterior);
   print_standing(study, posterior);
+  if (!posterior.stands_for_model() && posterior.method == PosteriorMethod::surrogate) {
+    Study delayed = study;
+    delayed.posterior.method = PosteriorMethod::delayed;
+    delayed.posterior.chain_runs = correlation::kDelayedRuns;
+    say("{}\n", correlation::price_text(delayed, seconds));
+  }
   warn_of_fits_outside(study, posterior);
   answer_samples(study, posterior);
+  tell_bands(study, posterior, journal);
+  print_conflict_before_fit(study, journal);
   const std::filesystem::path to =
       output.empty() ? correlation::samples_file(study) : std::filesystem::path(output);
   correlation::write_samples(study, posterior, to);
   say_written(to.string());
-  say("latsch report {} draws the samples beside the linear intervals.\n", study.file.string());
+  if (writes_report) {
+    workers_of_study.end();
+    if (const int code = write_report_of_run(study, as_read, journal, language); code != kDone)
+      return code;
+  } else {
+    say("latsch report {} draws the samples beside the linear intervals.\n", study.file.string());
+  }
   return posterior.is_mixed() ? kDone : kFailed;
 }
-
-}  // namespace
 
 void add_sample(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand(
@@ -213,7 +354,8 @@ void add_sample(CommandLine& app, Program& program) {
       "Example:\n  latsch sample studies/race_tire_mf/study.toml --workers 2\n\n"
       "Needs a finished latsch run. A surrogate of all residuals learns from the journal and from "
       "up to 50\n"
-      "further trials, and ten of them check it. The samples are written beside the study. "
+      "further trials, and ten of them check it. The samples, and bands of "
+      "computed\nvalues from them, are written beside the study. "
       "[posterior] in the\n"
       "study sets their number. The trials stay in the journal; interrupted, even killed, the same "
       "command\n"
@@ -225,8 +367,9 @@ void add_sample(CommandLine& app, Program& program) {
   verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
       .between(1, 1024);
   verb.add_option("-o,--output", *output, "CSV file of the samples; beside the study unless given");
-  verb.callback(
-      [=, &program] { program.exit_code = sample(*file, program.language, *workers, *output); });
+  verb.callback([=, &program] {
+    program.exit_code = sample(*file, program.language, {*workers, *output});
+  });
 }
 
 }  // namespace latsch::cli

@@ -341,8 +341,26 @@ export interface SampledVariable {
   draws: Value[]; // empty if others differ more from their linear intervals
 }
 
+/** 95 % bands of an experiment's computed values, linear and from samples; all but x as differences from `center`. */
+export interface SampledBand {
+  experiment: string;
+  title: string; // the experiment and what is subtracted
+  unit: string;
+  x_name: string;
+  x_unit: string;
+  x: Value[];
+  names: string[];
+  center: Value[];
+  measured: Value[];
+  linear_lower: Value[];
+  linear_upper: Value[];
+  lower: Value[];
+  upper: Value[];
+  values: number; // number of values; long curves are thinned
+}
+
 export interface Posterior {
-  verdict: 'stands' | 'doubtful' | 'refused' | 'unchecked';
+  verdict: 'stands' | 'doubtful' | 'refused' | 'unchecked' | 'model'; // model: it decided on the samples itself
   mixed: boolean;
   words: string;
   remarks: string[];
@@ -350,6 +368,7 @@ export interface Posterior {
   trials: number;
   failed: number;
   variables: SampledVariable[];
+  bands: SampledBand[]; // empty where the samples are not those of the model
 }
 
 export interface Identifiability {
