@@ -41,9 +41,8 @@ PosteriorFrame::PosteriorFrame(const Study& study,
   const Eigen::MatrixXd J = at.J(places, axes_);
   const Eigen::VectorXd r = at.r(places);
   const IdentificationOptions options = options_for(study, Depth::at_the_point);
-  solved_ = options.confidence.traits.solved;
-  ResidualTraits traits = options.confidence.traits.of(rows_);
-  traits.solved = solved_;
+  const ResidualTraits traits = options.confidence.traits.of(rows_);
+  solved_ = static_cast<int>(traits.solved.size());
   noise_.emplace(r, J, traits, options.confidence.sigma ? 0.0 : options.confidence.least_noise);
   r_ = noise_->whitened(r);
   J_ = noise_->whitened(J);
