@@ -90,7 +90,8 @@ FittedDensity PosteriorFrame::density(const Journal& journal,
   }
   if (!noise_->is_white() && !noise_->is_pattern())
     remarks.emplace_back(
-        "Neighboring values seem to share noise, as estimated at the fit. The density weighs the values "
+        "Neighboring values seem to share noise, as estimated at the fit. The density weighs the "
+        "values "
         "by "
         "it and the fit does not, so medians may lie beside the fit; and the samples do not know "
         "how uncertain the estimate is.");

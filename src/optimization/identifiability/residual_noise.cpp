@@ -26,9 +26,9 @@ constexpr Eigen::Index kSamplesAnOrder = 6;
 constexpr size_t kOrdersInVain = 2;
 constexpr double kMostZ = 4.5;  // largest z = atanh(kappa): |kappa| is at most 0.99975
 /// Largest deviation of the noise of a curve, as a multiple of the spread that its residuals show.
-/// A fit hides slow noise, but the data do not show noise that is hidden almost whole: its level may
-/// then be any number. Deviations beyond the limit cost kHiddenCost in the deviance for each unit of
-/// their logarithm.
+/// A fit hides slow noise, but the data do not show noise that is hidden almost whole: its level
+/// may then be any number. Deviations beyond the limit cost kHiddenCost in the deviance for each
+/// unit of their logarithm.
 constexpr double kMostHidden = 3.0, kHiddenCost = 1e4;
 /// Least degrees of freedom of an interval if correlations are uncertain. With fewer, an interval
 /// becomes infinite without containing the truth more often.
@@ -255,8 +255,8 @@ double ResidualNoise::sigma_of(const Sums& all) const {
 }
 
 /// Fits orders one after the other: each new partial correlation first alone, then together with
-/// the lower ones. `changes` are those of the curve that variables and solved unknowns cause. A spread at or
-/// below `least_seen` has no correlation.
+/// the lower ones. `changes` are those of the curve that variables and solved unknowns cause. A
+/// spread at or below `least_seen` has no correlation.
 void ResidualNoise::fit(Curve& curve, const Eigen::MatrixXd& changes, double least_seen) const {
   const Eigen::MatrixXd Q = basis_of(changes);
   const Eigen::VectorXd x = x_(curve.rows);
