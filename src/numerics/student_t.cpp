@@ -39,7 +39,13 @@ double incomplete_beta(double x, double a, double b) {
 
 double student_t_probability(double t, double nu) {
   assert(nu > 0.0);
-  if (std::isinf(nu)) return 0.5 * std::erfc(-t / std::numbers::sqrt2);
+  // Above this number the differences of the logarithms of gamma functions lose digits, and the
+  // approximation by the normal distribution [Abramowitz, Stegun, 26.7.8] has all of them.
+  constexpr double kNearlyNormal = 1e5;
+  if (nu > kNearlyNormal) {
+    const double z = t * (1.0 - 0.25 / nu) / std::sqrt(1.0 + 0.5 * t * t / nu);
+    return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+  }
   const double beyond = 0.5 * incomplete_beta(nu / (nu + t * t), 0.5 * nu, 0.5);  // 26.7.1
   return t < 0.0 ? beyond : 1.0 - beyond;
 }

@@ -25,7 +25,7 @@ constexpr Eigen::Index kSamplesAnOrder = 6;
 // Number of higher orders without improvement after which the search for the order ends.
 constexpr size_t kOrdersInVain = 2;
 constexpr double kMostZ = 4.5;  // largest z = atanh(kappa): |kappa| is at most 0.99975
-/// Largest deviation of the noise of a curve, as a multiple of the spread that its residuals show.
+/// Largest deviation of the noise, as a multiple of the spread that the residuals show.
 /// A fit hides slow noise, but the data do not show noise that is hidden almost whole: its level
 /// may then be any number. Deviations beyond the limit cost kHiddenCost in the deviance for each
 /// unit of their logarithm.
@@ -127,10 +127,6 @@ Eigen::MatrixXd changes_caused(const Eigen::MatrixXd& J,
   return caused;
 }
 
-Eigen::MatrixXd basis_of(const Eigen::MatrixXd& G) {
-  return G.cols() > 0 ? numerics::range_basis(G) : G;
-}
-
 }  // namespace
 
 ResidualTraits ResidualTraits::of(const std::vector<Eigen::Index>& rows) const {
@@ -154,9 +150,9 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
     deviations_ = to_vector(traits.deviations);
   }
   x_ = r.cwiseQuotient(deviations_);
-  const Eigen::MatrixXd G =
-      deviations_.cwiseInverse().asDiagonal() * changes_caused(J, traits.solved);
-  Q_ = basis_of(G);
+  const Eigen::MatrixXd caused = changes_caused(J, traits.solved);
+  Q_ = caused.cols() == 0 ? Eigen::MatrixXd(m, 0)
+                          : numerics::range_basis(deviations_.cwiseInverse().asDiagonal() * caused);
   freedom_ = static_cast<double>(m - Q_.cols());
   std::map<int, std::vector<Eigen::Index>> rows;
   for (Eigen::Index row = 0; row < m; ++row) {
@@ -171,29 +167,29 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
       alone_.insert(alone_.end(), own.begin(), own.end());
     }
   }
-  alone_sums_ = sums(alone_, Autoregression());
+  alone_sums_ = sums({alone_, Autoregression(), {}}, Autoregression());
   Sums all = alone_sums_;
   const auto add = [](Sums& to, const Sums& part, double sign) {
     to.A += sign * part.A;
     to.b += sign * part.b;
     to.c += sign * part.c;
+    to.log_determinant += sign * part.log_determinant;
   };
   for (const Curve& curve : curves_) {
-    curve_sums_.push_back(sums(curve.rows, curve.process));
+    curve_sums_.push_back(sums(curve, curve.process));
     add(all, curve_sums_.back(), 1.0);
   }
-  const double as_seen = sigma_of(all);
-  if (freedom_ > 0.0 && !curves_.empty() && as_seen > least_seen &&
-      !is_exact_but_for_few(x_, Q_, std::max(least_seen, kFarOff * as_seen))) {
+  seen_ = sigma_of(all);
+  if (freedom_ > 0.0 && !curves_.empty() && seen_ > least_seen &&
+      !is_exact_but_for_few(x_, Q_, std::max(least_seen, kFarOff * seen_))) {
     for (size_t k = 0; k < curves_.size(); ++k) {
       add(all, curve_sums_[k], -1.0);
-      fit(curves_[k], G(curves_[k].rows, Eigen::all), least_seen);
-      curve_sums_[k] = sums(curves_[k].rows, curves_[k].process);
+      fit(curves_[k], all);
+      curve_sums_[k] = sums(curves_[k], curves_[k].process);
       add(all, curve_sums_[k], 1.0);
     }
   }
   sigma_ = sigma_of(all);
-  seen_ = as_seen;
   if (!is_white() && forms_pattern()) take_for_pattern();
 }
 
@@ -237,14 +233,16 @@ bool ResidualNoise::is_white() const {
       curves_.begin(), curves_.end(), [](const Curve& c) { return c.process.order() == 0; });
 }
 
-ResidualNoise::Sums ResidualNoise::sums(const std::vector<Eigen::Index>& rows,
-                                        const Autoregression& process) const {
+ResidualNoise::Sums ResidualNoise::sums(const Curve& curve, const Autoregression& process) const {
   const Eigen::Index k = Q_.cols();
-  Eigen::MatrixXd own(std::ssize(rows), k + 1);
-  own << Q_(rows, Eigen::all), x_(rows);
+  Eigen::MatrixXd own(std::ssize(curve.rows), k + 1);
+  own << Q_(curve.rows, Eigen::all), x_(curve.rows);
   const Eigen::MatrixXd white = process.whitened(own);
   const Eigen::MatrixXd gram = white.transpose() * white;
-  return {gram.topLeftCorner(k, k), gram.topRightCorner(k, 1), gram(k, k)};
+  return {gram.topLeftCorner(k, k),
+          gram.topRightCorner(k, 1),
+          gram(k, k),
+          process.log_determinant(own.rows())};
 }
 
 double ResidualNoise::sigma_of(const Sums& all) const {
@@ -254,37 +252,37 @@ double ResidualNoise::sigma_of(const Sums& all) const {
   return std::sqrt(std::max(0.0, left) / freedom_);
 }
 
+double ResidualNoise::deviance(const Sums& all) const {
+  const double reached = all.b.size() > 0 ? numerics::Cholesky(all.A).log_determinant() : 0.0;
+  const double sigma = sigma_of(all);
+  return all.log_determinant + reached + 2.0 * freedom_ * std::log(sigma) +
+         std::max(0.0, kHiddenCost * std::log(sigma / (kMostHidden * seen_)));
+}
+
+double ResidualNoise::deviance_with(const Sums& rest,
+                                    const Curve& curve,
+                                    const std::vector<double>& z) const {
+  Sums all = sums(curve, process_of(z));
+  all.A += rest.A;
+  all.b += rest.b;
+  all.c += rest.c;
+  all.log_determinant += rest.log_determinant;
+  return deviance(all);
+}
+
 /// Fits orders one after the other: each new partial correlation first alone, then together with
-/// the lower ones. `changes` are those of the curve that variables and solved unknowns cause. A
-/// spread at or below `least_seen` has no correlation.
-void ResidualNoise::fit(Curve& curve, const Eigen::MatrixXd& changes, double least_seen) const {
-  const Eigen::MatrixXd Q = basis_of(changes);
-  const Eigen::VectorXd x = x_(curve.rows);
-  // The likelihood does not feel changes by Q; without them, little cancels.
-  const Eigen::VectorXd left = x - Q * (Q.transpose() * x);
-  const Eigen::Index m = left.size(), k = Q.cols();
-  const auto freedom = static_cast<double>(m - k);
-  if (!(left.squaredNorm() > least_seen * least_seen * freedom)) return;
-  const auto deviance = [&](const std::vector<double>& z) {
-    const Autoregression process = process_of(z);
-    Eigen::MatrixXd own(m, k + 1);
-    own << Q, left;
-    const Eigen::MatrixXd R = numerics::HouseholderQr(process.whitened(own)).R();
-    const Eigen::VectorXd logs = R.diagonal().cwiseAbs().array().log();
-    const double hidden = logs[k] - std::log(kMostHidden * left.norm());
-    return process.log_determinant(m) + 2.0 * logs.head(k).sum() + 2.0 * freedom * logs[k] +
-           std::max(0.0, kHiddenCost * hidden);
-  };
+/// the lower ones.
+void ResidualNoise::fit(Curve& curve, const Sums& rest) const {
   const size_t longest =
       std::min(kMostOrder, static_cast<size_t>(std::ssize(curve.rows) / kSamplesAnOrder));
   std::vector<double> z, best;
-  double least = deviance(z);
+  double least = deviance_with(rest, curve, z);
   for (size_t order = 1; order <= std::min(longest, best.size() + kOrdersInVain); ++order) {
     const auto search = [&](size_t i, double from, double to, int cuts) {
       z[i] = least_between(from, to, cuts, [&](double value) {
         std::vector<double> tried = z;
         tried[i] = value;
-        return deviance(tried);
+        return deviance_with(rest, curve, tried);
       });
     };
     z.push_back(0.0);
@@ -294,7 +292,7 @@ void ResidualNoise::fit(Curve& curve, const Eigen::MatrixXd& changes, double lea
         search(i, std::max(-kMostZ, z[i] - width), std::min(kMostZ, z[i] + width), kLaterCuts);
       }
     }
-    const double value = deviance(z) + 2.0 * static_cast<double>(order);
+    const double value = deviance_with(rest, curve, z) + 2.0 * static_cast<double>(order);
     if (value < least) {
       least = value;
       best = z;
@@ -307,7 +305,7 @@ void ResidualNoise::fit(Curve& curve, const Eigen::MatrixXd& changes, double lea
     std::vector<double> moved = best;
     moved[static_cast<size_t>(i)] += di;
     moved[static_cast<size_t>(j)] += dj;
-    return deviance(moved);
+    return deviance_with(rest, curve, moved);
   };
   const double h = kDerivative;
   for (Eigen::Index i = 0; i < p; ++i) {
@@ -374,7 +372,7 @@ double ResidualNoise::log_variance(const Eigen::VectorXd& y,
   const double before = curves_[curve].process.colored(own).squaredNorm();
   const double variance = colored(y).squaredNorm() - before + part;
   if (known) return std::log(variance);
-  Sums all = sums(curves_[curve].rows, process);
+  Sums all = sums(curves_[curve], process);
   all.A += rest.A;
   all.b += rest.b;
   all.c += rest.c;

@@ -6,24 +6,24 @@
 // noise is slow. The residuals of one curve, in the order of its samples, are modeled as an
 // autoregression (numerics/signals/autoregression.h) of an order up to kMostOrder; residuals
 // without a curve are independent. D holds the stated deviations of the residuals relative to each
-// other, R is the correlation matrix, r = D x and J = D G. The correlations of a curve of m samples
-// maximize the likelihood of the part of its x that the fit cannot change,
+// other, R is the correlation matrix, r = D x and J = D G. The correlations maximize the likelihood
+// of the part of r that the fit cannot change,
 //   -2 l = ln|R| + ln|G' R^-1 G| + (m - k) ln(x' P x),   P = R^-1 - R^-1 G (G' R^-1 G)^-1 G' R^-1
 // with k columns of G, a basis of the changes that variables and solved unknowns cause: variables
 // without an effect, or with that of others, do not count. This is the restricted likelihood
 // [Patterson, Thompson, Biometrika 58 (1971) 545]. It accounts for the fact that a fit follows its
-// noise, so that the residuals look less correlated than the noise is. Each curve has a spread of
-// its own there: with the common one, a curve with less noise than others would count as slow noise
-// of the common spread. The order is the one with the least -2 l + 2 p [Akaike, IEEE Trans.
-// Automat. Contr. 19 (1974) 716].
+// noise, so that the residuals look less correlated than the noise is. The order is the one with
+// the least -2 l + 2 p [Akaike, IEEE Trans. Automat. Contr. 19 (1974) 716].
 //
 // Exact values beside a few wrong ones, as after a fit with a robust loss, count as white, too.
 //
-// The deviation of a curve's noise is at most three times the spread that its residuals show, and
-// an interval has at least two degrees of freedom: without these limits noise that a fit could have
+// The deviation of the noise is at most three times the spread that the residuals show, and an
+// interval has at least two degrees of freedom: without these limits noise that a fit could have
 // hidden made many intervals infinite, which contained the truth no more often.
 //
-// Limits: neighbors count as equally far apart, and a curve with fewer than kFewestSamples samples
+// Limits: all curves have one spread in units of their deviations. If a curve has much less noise
+// than another, it counts as slow noise of this spread, and intervals are too wide; estimated noise
+// of the experiments avoids it. Neighbors count as equally far apart, and a curve with fewer than kFewestSamples samples
 // beyond the number of variables counts as white. Deviations that a model cannot reproduce look
 // like slow noise. If they are smooth along their curves, they are recognized as a pattern: an
 // autoregression would take them for noise so slow that its level may be any number, and every
@@ -108,13 +108,15 @@ class ResidualNoise {
   struct Sums {  // sums over the whitened rows of a curve
     Eigen::MatrixXd A;
     Eigen::VectorXd b;
-    double c = 0.0;
+    double c = 0.0, log_determinant = 0.0;
   };
 
-  Sums sums(const std::vector<Eigen::Index>& rows, const numerics::Autoregression& process) const;
+  Sums sums(const Curve& curve, const numerics::Autoregression& process) const;
+  double deviance(const Sums& all) const;
+  double deviance_with(const Sums& rest, const Curve& curve, const std::vector<double>& z) const;
   double sigma_of(const Sums& all) const;
   bool forms_pattern() const;
-  void fit(Curve& curve, const Eigen::MatrixXd& changes, double least_seen) const;
+  void fit(Curve& curve, const Sums& rest) const;
   double log_variance(const Eigen::VectorXd& y,
                       size_t curve,
                       const std::vector<double>& z,

@@ -113,21 +113,6 @@ TEST(ResidualNoise, IsTheSameWhetherAnUnknownIsSolvedOrSearched) {
   EXPECT_GE(white, 6) << "of ten curves of white noise";
 }
 
-// With one spread for all curves, that with less noise would count as slow noise of this spread.
-TEST(ResidualNoise, ACurveWithLessNoiseThanAnotherIsWhite) {
-  Eigen::MatrixXd J(2 * kSamplesOfCurve, 2);
-  J << level_and_slope(), 3.0 * level_and_slope();
-  ResidualTraits two{.curves = std::vector<int>(2 * kSamplesOfCurve, 0)};
-  std::fill(two.curves.begin() + kSamplesOfCurve, two.curves.end(), 1);
-  int white = 0;
-  for (int set = 0; set < 50; ++set) {
-    Eigen::VectorXd e(2 * kSamplesOfCurve);
-    e << 0.1 * slow_noise(0.0, RandomStream(23, set)), slow_noise(0.0, RandomStream(24, set));
-    white += ResidualNoise(e, J, two).is_white();
-  }
-  EXPECT_GE(white, 20) << "of 50; Akaike's criterion takes a fifth of white curves for colored";
-}
-
 TEST(ResidualTraits, OfSomeRowsKeepWhatWasSolved) {
   ResidualTraits traits = one_curve();
   traits.solved = {level_and_slope().col(1)};
