@@ -87,6 +87,19 @@ TEST_F(VirtualRecordingTest, IsRefusedByStudiesUntilItIsRecorded) {
   EXPECT_NE(refusal().find("does not say of which model"), std::string::npos) << refusal();
 }
 
+TEST_F(VirtualRecordingTest, IsOutOfDateOnceAValueIsChangedByHand) {
+  ASSERT_TRUE(record(only()));
+  std::string text = read_text_file(only().file);
+  std::string other_lines;
+  for (const char c : text) other_lines += c == '\n' ? "\r\n" : std::string(1, c);
+  write("measured/pulled.csv", other_lines);
+  EXPECT_EQ(why(), "") << "ends of lines are no values";
+  text.replace(text.find("170"), 3, "171");
+  write("measured/pulled.csv", text);
+  EXPECT_EQ(why(), kEdited);
+  EXPECT_NE(refusal().find(kEdited), std::string::npos) << refusal();
+}
+
 TEST_F(VirtualRecordingTest, RefusesATestThatIsNeitherNamedNorAFile) {
   std::string other = kVirtualStudy;
   other.replace(other.find("test = \"pulled\""), 15, "test = \"puled\"");

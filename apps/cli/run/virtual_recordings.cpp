@@ -36,20 +36,35 @@ void make_recording(const correlation::VirtualRecording& one, const std::filesys
 
 }  // namespace
 
+bool begin_recording(const std::filesystem::path& file,
+                     const std::string& in_words,
+                     const std::string& why) {
+  if (why.empty()) {
+    say("Recorded already: {} ({})\n", in_words, file.string());
+    return false;
+  }
+  say("Recording {}, because {}\n", in_words, why);
+  if (why == correlation::kEdited) {
+    const std::filesystem::path beside = file.string() + ".changed";
+    std::filesystem::rename(file, beside);
+    say("  the changed values stay as {}\n", beside.string());
+  }
+  return true;
+}
+
 void make_recordings(const std::filesystem::path& study, const experiment::Language& language) {
   for (const correlation::VirtualRecording& one :
        correlation::virtual_recordings(study, language)) {
     const std::string why = correlation::why_to_record(one.file, one.recipe);
-    if (why.empty()) continue;
-    if (launch().tasks > 1)
+    if (!why.empty() && launch().tasks > 1)
       throw InputError({study.string(), 0},
                        fmt::format("{} is virtual, and {}: one process records it before others "
                                    "share the trials; expected: latsch run {} --record",
                                    one.name,
                                    why,
                                    study.string()));
-    say("Recording {}, the {}, because {}\n", one.name, one.in_words(), why);
-    make_recording(one, study);
+    if (begin_recording(one.file, fmt::format("{}, the {}", one.name, one.in_words()), why))
+      make_recording(one, study);
   }
 }
 

@@ -112,6 +112,7 @@ class VirtualRecordings(unittest.TestCase):
             "test", "slick_ring.toml", '{kind = "load_deflection", deflections = ["5 mm", "10 mm", "15 mm"]}',
             "--quiet").splitlines()))
         self.assertEqual([row["force [N]"] for row in recorded], [row["force [N]"] for row in by_hand])
+        self.assertIn("Recorded already: measurement.pressed", self.latsch("run", "study.toml", "--record"))
         self.assertNotIn("Recording", self.latsch("run", "study.toml"))
         edit(self.folder / "slick_ring.toml", ('pressure = "1.2 bar"', 'pressure = "1.3 bar"'))
         self.assertIn("has changed since it was recorded", self.latsch("check", "study.toml", code=WRONG_INPUT))
@@ -130,6 +131,9 @@ class VirtualRecordings(unittest.TestCase):
         # The fitted model is another one than that before the fit: it has the stiffness that the fit has found.
         self.assertNotEqual(far["spring"], far["start"])
         self.assertLess(result["runs"][0]["variables"][0]["value"], 190.0)
+        said = self.latsch("check", "comparison.toml")
+        for words in ("spring           study.toml, has trials", "drum.csv, up to date", "its numbers from fit spring"):
+            self.assertIn(words, said)
         page = (self.folder / "comparison.html").read_text()
         for words in ("Over time", "Before the fit", "The same ring"):
             self.assertIn(words, page)
@@ -138,7 +142,13 @@ class VirtualRecordings(unittest.TestCase):
         self.assertNotIn("Recording", said)
         edit(self.folder / "drum.toml", ('speed = "60 km/h"', 'speed = "50 km/h"'))
         self.assertIn("has changed since it was recorded", self.latsch("compare", "comparison.toml", code=WRONG_INPUT))
+        self.assertIn("drum.csv, which latsch run records, because the model or the test has changed",
+                      self.latsch("check", "comparison.toml"))
         self.assertIn("Recording drum of Ring", self.latsch("run", "comparison.toml"))
+        edit(self.folder / "measured/drum.csv", ("\n0,", "\n1e-9,"))
+        said = self.latsch("run", "comparison.toml")
+        self.assertIn("its values have been changed since it was recorded", said)
+        self.assertIn("the changed values stay as measured/drum.csv.changed", said)
 
 
 if __name__ == "__main__":

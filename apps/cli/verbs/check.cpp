@@ -17,8 +17,10 @@
 #include "cli/console/tables.h"
 #include "cli/console/tire_faults.h"
 #include "cli/run/model_source.h"
+#include "cli/verbs/comparison/checked_comparison.h"
 #include "cli/verbs/verbs.h"
 #include "correlation/analysis/beyond_data.h"
+#include "correlation/comparison/model_comparison_file.h"
 #include "correlation/search/search_standing.h"
 #include "correlation/search/stage_runs.h"
 #include "correlation/search/study_method.h"
@@ -327,6 +329,11 @@ void warn_tire(const Study& study) {
 
 void check(const std::string& file, const experiment::Language& language) {
   if (is_model(file, language)) return check_model(file, language);
+  if (correlation::is_model_comparison(file)) {
+    check_comparison(file, language);
+    say("\n{} Next: latsch run {}, which runs its fits and compares\n", verdict(), file);
+    return;
+  }
   const Study study = correlation::read_study(file, language);
   reject_implausible(study);
   study.specimens->check(study);
@@ -369,15 +376,16 @@ void check(const std::string& file, const experiment::Language& language) {
 
 void add_check(CommandLine& app, Program& program) {
   Verb verb = app.add_subcommand("check",
-                                 "Reads a study, its model and its measurements, or a model alone, "
-                                 "and says what it understood");
+                                 "Reads a study, its model and its measurements, a model alone, or "
+                                 "a comparison of models, and says what it understood");
   verb.footer(
       "Examples:\n  latsch check studies/tire_b_twin/study.toml\n"
       "  latsch check studies/race_tire_mf/study.toml --derivatives");
   auto file = std::make_shared<std::string>();
   verb.add_option("study",
                   *file,
-                  "Study file (TOML); a model alone: a car, a suspension, a tire, .inp, .tir")
+                  "Study file (TOML); a model alone: a car, a suspension, a tire, .inp, .tir; a "
+                  "comparison of models")
       .required();
   auto derivatives = std::make_shared<bool>(false);
   verb.add_flag(

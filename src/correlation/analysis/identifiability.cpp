@@ -131,13 +131,52 @@ void remark_on_losses(const Confidence& c, Sentences& all) {
   }
 }
 
+/// Returns the root mean square of each experiment's residuals over their stated noise, as "; by
+/// experiment: force 9.1, modes 0.97", the largest first. It is empty if there is one experiment,
+/// and for rows that belong to several experiments.
+std::string excess_by_experiment(const Study& study, const Identification& identification) {
+  constexpr std::size_t kMostNamed = 6;
+  const Confidence& c = identification.confidence();
+  const Eigen::VectorXd& r = identification.linearization().r;
+  const auto& used = identification.residuals_used();
+  const std::vector<ResidualRow> rows = residual_rows(study);
+  if (std::ssize(used) != r.size()) return "";
+  std::vector<double> sums(study.experiments.size(), 0.0), counts(study.experiments.size(), 0.0);
+  for (Eigen::Index k = 0; k < r.size(); ++k) {
+    const int e = rows[static_cast<std::size_t>(used[static_cast<std::size_t>(k)])].experiment;
+    if (e < 0) continue;
+    sums[static_cast<std::size_t>(e)] += r[k] * r[k];
+    counts[static_cast<std::size_t>(e)] += 1.0;
+  }
+  std::vector<std::pair<double, std::string>> ratios;
+  for (std::size_t e = 0; e < sums.size(); ++e) {
+    const double weight = study.experiments[e].objective.weight;
+    if (counts[e] > 0.0 && weight > 0.0)
+      ratios.emplace_back(std::sqrt(sums[e] / (counts[e] * weight)) * c.excess / c.sigma,
+                          study.experiments[e].name);
+  }
+  if (ratios.size() < 2) return "";
+  std::stable_sort(ratios.begin(), ratios.end(), [](const auto& a, const auto& b) {
+    return a.first > b.first;
+  });
+  std::vector<std::string> named;
+  for (std::size_t k = 0; k < std::min(ratios.size(), kMostNamed); ++k)
+    named.push_back(fmt::format("{} {:.2g}", ratios[k].second, ratios[k].first));
+  if (ratios.size() > kMostNamed)
+    named.push_back(fmt::format("others at most {:.2g}", ratios[kMostNamed].first));
+  return fmt::format(", by experiment {}", fmt::join(named, ", "));
+}
+
 /// Adds remarks about the noise that the intervals assume.
-void remark_on_noise(const Confidence& c, Sentences& all) {
+void remark_on_noise(const Study& study, const Identifiability& what, Sentences& all) {
+  const Confidence& c = what.identification.confidence();
   if (c.excess > 1.0) {
     all.push_back(fmt::format(
-        "The residuals are {:.2g} times their stated noise: the model cannot follow the "
-        "measurement, or the search ended early. The intervals use the observed spread.",
-        c.excess));
+        "The residuals are {:.2g} times their stated noise{}: a stated noise is too small, the "
+        "model cannot follow the measurement, or the search ended early. The intervals of all "
+        "variables use the observed spread.",
+        c.excess,
+        excess_by_experiment(study, what.identification)));
   }
   if (std::isnan(c.sigma)) {
     all.emplace_back(
@@ -288,7 +327,7 @@ std::vector<std::string> remarks(const Study& study, const Identifiability& what
   const Confidence& c = what.identification.confidence();
   Sentences all;
   remark_on_losses(c, all);
-  remark_on_noise(c, all);
+  remark_on_noise(study, what, all);
   remark_on_exact_fit(study, what, all);
   remark_on_bounds(study, c, all);
   remark_on_variables(study, what, all);

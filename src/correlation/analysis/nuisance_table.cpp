@@ -116,8 +116,10 @@ void add_rows(const Study& study,
     row.is_determined = solved.is_determined;
     if (slopes) {
       const Eigen::VectorXd g = slopes->row(static_cast<Eigen::Index>(k)).transpose();
-      row.deviation =
-          std::sqrt(unit * unit * solved.deviation * solved.deviation + g.dot(c.covariance * g));
+      // Residuals beyond their stated noise widen the deviation; a prior still bounds it.
+      row.deviation = std::min(
+          row.number.prior,
+          std::sqrt(unit * unit * solved.deviation * solved.deviation + g.dot(c.covariance * g)));
     }
     rows.push_back(std::move(row));
   }

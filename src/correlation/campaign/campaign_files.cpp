@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <ostream>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 #include "base/file.h"
@@ -19,8 +22,13 @@ namespace fs = std::filesystem;
 constexpr const char* kOfDesign = "# A test chosen by latsch design";
 constexpr int kSettingDigits = 12;
 
+/// True if an earlier design wrote the file. It does not use read_text_file(), after which the file
+/// could not be replaced.
 bool is_of_design(const fs::path& file) {
-  return file.extension() == ".toml" && read_text_file(file).starts_with(kOfDesign);
+  std::ifstream in(file);
+  std::string words(std::string_view(kOfDesign).size(), ' ');
+  in.read(words.data(), std::ssize(words));
+  return file.extension() == ".toml" && words == kOfDesign;
 }
 
 }  // namespace
@@ -63,6 +71,12 @@ void write_campaign_tests(const Study& study, const Campaign& campaign, const fs
   if (fault)
     throw InputError("the folder " + folder.string() + " cannot be made (" + fault.message() +
                      "); name another one with -o");
+  for (std::size_t k = 0; k < campaign.tests.size(); ++k)
+    if (const fs::path file = folder / campaign_test_file(campaign, k);
+        fs::exists(file) && !is_of_design(file))
+      throw InputError(in_quotes(file.string()) +
+                       " was not written by latsch design and would be replaced; move it, or name "
+                       "another folder with -o");
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.is_regular_file() && is_of_design(entry.path())) fs::remove(entry.path());
   for (std::size_t k = 0; k < campaign.tests.size(); ++k) {

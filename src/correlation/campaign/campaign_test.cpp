@@ -34,8 +34,8 @@ class CampaignOfStudy : public FittedStudy {
     const auto put = [&](const std::string& before, const std::string& after) {
       text.replace(text.find(before), before.size(), after);
     };
-    put("initial = 0.7", "initial = 1.3\nprior = 1.3\nprior_sigma = \"30 %\"");
-    put("initial = -10", "initial = -22\nprior = -22\nprior_sigma = \"800 %\"");
+    put("initial = 0.7", "initial = 1.3\nprior = 1.3\nprior_sigma = 0.3");
+    put("initial = -10", "initial = -22\nprior = -22\nprior_sigma = 8");
     write("study.toml", text);
     return read_study(folder_ / "study.toml", experiment::language());
   }

@@ -272,15 +272,8 @@ std::string recipe_of_case(const ModelComparisonFile& file,
   return fingerprint(text);
 }
 
-std::vector<std::size_t> cases_to_record(const ModelComparisonFile& file,
-                                         const experiment::Language& language) {
-  std::vector<std::size_t> cases;
-  if (!file.is_virtual) return cases;
-  for (std::size_t i = 0; i < file.cases.size(); ++i)
-    if (file.cases[i].recording == file.cases[i].name &&
-        !why_to_record(recording_file(file, i), recipe_of_case(file, i, language)).empty())
-      cases.push_back(i);
-  return cases;
+bool is_recorded_here(const ModelComparisonFile& file, std::size_t index) {
+  return file.cases[index].recording == file.cases[index].name;
 }
 
 namespace {

@@ -88,9 +88,8 @@ std::filesystem::path recording_file(const ModelComparisonFile& file, std::size_
 std::string recipe_of_case(const ModelComparisonFile& file,
                            std::size_t index,
                            const experiment::Language& language);
-/// Returns the cases whose recordings are virtual and missing or out of date.
-std::vector<std::size_t> cases_to_record(const ModelComparisonFile& file,
-                                         const experiment::Language& language);
+/// True if the case has a recording of its own and no other case's.
+bool is_recorded_here(const ModelComparisonFile& file, std::size_t index);
 
 /// Reads the reference from its file if it has one; otherwise simulates it.
 Channels reference_of(const ModelComparisonFile& file,

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "base/document_record.h"
@@ -17,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRecipeMark = "; recipe ";
+constexpr std::string_view kRecipeMark = "; recipe ";
+constexpr std::string_view kValuesMark = "; values ";
 
 /// Reads a test from its keys, which stand in the study or in a file.
 experiment::ReadTest read_virtual_test(const Node& keys,
@@ -105,24 +109,34 @@ std::vector<VirtualRecording> virtual_recordings(const fs::path& study,
   return recordings;
 }
 
-std::string recipe_of(const fs::path& recording) {
-  std::ifstream in(recording);
-  std::string line;
-  if (!in || !std::getline(in, line) || !line.starts_with("#")) return "";
-  if (line.ends_with('\r')) line.pop_back();
-  const auto mark = line.rfind(kRecipeMark);
-  return mark == std::string::npos ? "" : line.substr(mark + std::string(kRecipeMark).size());
-}
-
-std::string recipe_line(const std::string& in_words, const std::string& recipe) {
-  return "Recorded by latsch run: " + in_words + kRecipeMark + recipe;
+std::string recording_text(const std::string& in_words,
+                           const std::string& recipe,
+                           const std::string& table) {
+  return fmt::format("# Recorded by latsch run: {}{}{}{}{}\n{}",
+                     in_words,
+                     kRecipeMark,
+                     recipe,
+                     kValuesMark,
+                     fingerprint(table),
+                     table);
 }
 
 std::string why_to_record(const fs::path& file, const std::string& recipe) {
   if (!fs::exists(file)) return "it has not been recorded";
-  const std::string stated = recipe_of(file);
-  if (stated.empty()) return "it does not say of which model and test it is";
-  return stated == recipe ? "" : "the model or the test has changed since it was recorded";
+  std::ifstream in(file);  // not read_text_file(), after which the file could not be replaced
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  std::erase(text, '\r');  // which some programs add to every line
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string first = text.substr(0, end);
+  const std::size_t recipe_mark = first.rfind(kRecipeMark), values_mark = first.rfind(kValuesMark);
+  if (!first.starts_with("#") || recipe_mark == first.npos || values_mark == first.npos ||
+      values_mark < recipe_mark)
+    return "it does not say of which model and test it is";
+  const std::size_t recipe_begin = recipe_mark + kRecipeMark.size();
+  if (first.substr(recipe_begin, values_mark - recipe_begin) != recipe)
+    return "the model or the test has changed since it was recorded";
+  const std::string table = text.substr(std::min(end + 1, text.size()));
+  return first.substr(values_mark + kValuesMark.size()) == fingerprint(table) ? "" : kEdited;
 }
 
 void refuse_outdated_recordings(const fs::path& study, const experiment::Language& language) {
@@ -161,8 +175,8 @@ Result<std::vector<std::string>> record(const VirtualRecording& recording) {
   fs::create_directories(recording.file.parent_path().empty() ? fs::path(".")
                                                               : recording.file.parent_path());
   write_text_file(recording.file,
-                  "# " + recipe_line(recording.in_words(), recording.recipe) + "\n" +
-                      formats::csv_text(*channels));
+                  recording_text(
+                      recording.in_words(), recording.recipe, formats::csv_text(*channels)));
   return limits;
 }
 

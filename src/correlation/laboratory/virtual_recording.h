@@ -6,8 +6,8 @@
 //   virtual = {model = "tire.toml", test = "pressed"}  # a [test.NAME] of the study, or a file
 //
 // The first line of the file states its recipe, a fingerprint of the model's numbers and of the
-// test. A file of another recipe is out of date: `latsch run` records it again, and every other
-// verb refuses it. The version of the program is not in the recipe, because a recording is data.
+// test, and a fingerprint of the values that follow. A file of another recipe or of other values is
+// out of date: `latsch run` records it again, and every other verb refuses it. The version of the program is not in the recipe, because a recording is data.
 #pragma once
 
 #include <filesystem>
@@ -43,11 +43,14 @@ struct VirtualRecording {
 std::vector<VirtualRecording> virtual_recordings(const std::filesystem::path& study,
                                                  const experiment::Language& language);
 
-/// Returns the recipe that the first line of a recording states; empty if there is no file or no
-/// recipe.
-std::string recipe_of(const std::filesystem::path& recording);
-/// Returns the first line of a recording with this recipe, without the mark of a comment.
-std::string recipe_line(const std::string& in_words, const std::string& recipe);
+/// Returns the text of a recording: a first line that states the recipe and a fingerprint of the
+/// table, then the table as CSV.
+std::string recording_text(const std::string& in_words,
+                           const std::string& recipe,
+                           const std::string& table);
+
+/// Clause of a recording whose values are not those that were recorded.
+inline constexpr const char* kEdited = "its values have been changed since it was recorded";
 
 /// Returns a clause that says why a file has to be recorded; empty if it is up to date.
 std::string why_to_record(const std::filesystem::path& file, const std::string& recipe);

@@ -39,6 +39,15 @@ bool is_share(const Node& table, const std::string& key) {
   }
 }
 
+/// True for a text such as "80 %".
+bool is_percentage(const Node& table, const std::string& key) {
+  try {
+    return table.text(key).ends_with('%');
+  } catch (const InputError&) {
+    return false;  // a plain number
+  }
+}
+
 }  // namespace
 
 DesignVariable read_variable(const Node& table, const Document& model) {
@@ -108,9 +117,19 @@ void read_prior(const Node& table, const std::string& unit, DesignVariable& vari
   if (prior.of_logarithm && !(prior.value > 0.0)) {
     table.reject("prior", "is not above 0, as a logarithmic variable has to be");
   }
-  if (is_share(table, "prior_sigma")) {
+  const bool is_plain = !prior.of_logarithm && unit == "1";
+  if (is_plain && is_percentage(table, "prior_sigma")) {
+    const double share = table.quantity("prior_sigma", "1", Range::positive());
+    table.reject("prior_sigma",
+                 fmt::format("is {}, which for a number without a unit may mean {:.6g} or that "
+                             "share of the prior, {:.6g}; expected one of these",
+                             in_quotes(table.text("prior_sigma")),
+                             share,
+                             share * std::abs(prior.value)));
+  }
+  if (!is_plain && is_share(table, "prior_sigma")) {
     prior.sigma = read_share(table, "prior_sigma", Range::positive(), unit);
-    if (!prior.of_logarithm && unit != "1") {
+    if (!prior.of_logarithm) {
       prior.sigma *= std::abs(prior.value);
       if (prior.sigma == 0.0) {
         table.reject("prior_sigma", "is a share of the prior, which is 0; expected one in " + unit);

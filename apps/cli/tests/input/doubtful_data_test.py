@@ -142,6 +142,14 @@ class Shares(Data):
         self.write("study.toml", STUDY.replace('initial = "180 N/mm"\n', 'initial = "180 N/mm"\n' + prior) + 'noise = "20 N"\n')
         self.assert_says(self.latsch("check", "study.toml", code=WRONG_INPUT), "prior_sigma", "2000 %")
 
+    def test_a_share_of_a_prior_without_a_unit_has_two_meanings(self):
+        mu = '[variable.mu]\npath = "LMUY"\nlower = 0.1\nupper = 30\ninitial = 1\nprior = 10\nprior_sigma = {}\n'
+        noise = 'noise = "20 N"\n'
+        self.assert_says(self.checked(noise + mu.format('"80 %"')), "may mean 0.8 or that share of the prior, 8")
+        self.checked(noise + mu.format(0.8), code=DONE)
+        self.checked(noise + mu.format(8), code=DONE)
+        self.checked(noise + mu.format('"80 %"') + 'scale = "logarithmic"\n', code=DONE)
+
     def test_a_whole_number_is_no_variable(self):
         mode = '[variable.q]\npath = "use_mode"\nlower = 0\nupper = 100\ninitial = 14\n'
         self.assert_says(self.checked(mode), "use_mode", "whole number")

@@ -179,6 +179,16 @@ class Design(unittest.TestCase):
         edit(self.study, (r"\[design\](.|\n)*", ""))
         self.assertIn("has no [design]", self.latsch("design", self.study, code=WRONG_INPUT))
 
+    def test_a_file_of_somebody_else_stays_and_nothing_is_written(self):
+        self.latsch("run", self.study)
+        mine = self.base / "mine"
+        mine.mkdir()
+        (mine / "test_02.toml").write_text("kind = 'mine'\n")
+        said = self.latsch("design", self.study, "-o", mine, code=WRONG_INPUT)
+        self.assertIn("test_02.toml\" was not written by latsch design", said)
+        self.assertEqual([file.name for file in mine.iterdir()], ["test_02.toml"])
+        self.assertFalse((self.base / "study.design.csv").exists())
+
     def test_limits_that_leave_nothing_are_told(self):
         self.latsch("run", self.study)
         self.assertIn("leave no settings", self.refusal("<= 15 kN deg", "<= -1 kN deg"))

@@ -137,6 +137,11 @@ class EstimatedNoise(unittest.TestCase):
                 self.assertTrue(a == b or abs(a - b) < 0.01 * abs(a - one["value"]), name)
             self.assertAlmostEqual(float(re.search(rf"^{name} *= *(\S+)", fitted, re.M)[1]), one["value"], places=12)
 
+    def test_the_experiment_whose_stated_noise_is_wrong_is_named(self):
+        text = self.study.read_text().replace('noise = "estimated"', 'noise = "1 %"')
+        self.study.write_text(text)
+        self.assertRegex(self.latsch("run", self.study), r"times their stated noise, by experiment Mz 6(\.\d)?, Fy (1|0\.9)")
+
     def test_what_cannot_be_estimated_is_said(self):
         text = self.study.read_text()
         self.study.write_text(text.replace('"estimated"', '"1 %"', 1))

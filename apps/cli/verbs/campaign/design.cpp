@@ -257,12 +257,12 @@ int design(const DesignOptions& options, const experiment::Language& language) {
   print_worth(plan.study, *campaign);
   warn_of_limits_in_tests(plan.study, plan.start, *campaign);
   answer_design(plan.study, plan.start, *campaign);
-  const auto table = correlation::campaign_table_file(as_read);
-  correlation::write_campaign_table(plan.study, *campaign, table);
-  say_written(table.string());
   const auto folder = options.output.empty() ? correlation::campaign_folder(as_read)
                                              : std::filesystem::path(options.output);
   correlation::write_campaign_tests(plan.study, *campaign, folder);
+  const auto table = correlation::campaign_table_file(as_read);
+  correlation::write_campaign_table(plan.study, *campaign, table);
+  say_written(table.string());
   say_written(folder.string());
   say("latsch test {} {} runs the first one.\n",
       as_read.file.string(),

@@ -192,20 +192,21 @@ void print_worth(const Study& study, const Campaign& campaign) {
     say("\nNo point of the grid {} is admitted, so there is nothing to compare with.\n",
         fmt::join(campaign.grid.levels, " x "));
   } else {
-    say("\nThe grid {} has {} points inside the limits; weighed as {} tests, it leaves intervals "
-        "of which those here are {:.2f} times, on average",
+    say("\nThe grid {} has {} points inside the limits. Intervals after the tests chosen here are "
+        "{:.2f} times as wide, on average, as after {} tests spread over this grid.",
         fmt::join(campaign.grid.levels, " x "),
         campaign.grid.points,
-        tests,
-        campaign.grid.interval_ratio);
+        campaign.grid.interval_ratio,
+        tests);
     if (settings.aim == CampaignAim::volume)
-      say("; it would need {:.2f} times as many tests for the same volume, without what is known "
-          "already.\n",
+      say(" The grid would need {:.2f} times as many tests for the same volume, without what is "
+          "known already.\n",
           campaign.grid.criterion_ratio);
     else if (settings.aim == CampaignAim::distinction)
-      say(", and 1/{:.2f} of the T.\n", campaign.grid.criterion_ratio);
+      say(" The T of the grid is 1/{:.2f} of the one here.\n", campaign.grid.criterion_ratio);
     else
-      say(", and {:.2f} times the criterion.\n", campaign.grid.criterion_ratio);
+      say(" The criterion, of which less is better, is {:.2f} times as large on the grid.\n",
+          campaign.grid.criterion_ratio);
   }
   if (campaign.rounding > 1.0 + 1e-3 || campaign.rounding < 1.0 - 1e-3)
     say("Rounding the settings changed the criterion by the factor {:.3f}.\n", campaign.rounding);

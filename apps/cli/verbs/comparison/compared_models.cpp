@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "cli/console/console.h"
 #include "cli/console/implausible.h"
+#include "cli/run/virtual_recordings.h"
 #include "correlation/comparison/comparison_effects.h"
 #include "correlation/comparison/model_comparison_page.h"
 #include "correlation/laboratory/virtual_recording.h"
@@ -39,10 +40,11 @@ void write_recording(const ModelComparisonFile& file,
     rounded.add(std::move(channel));
   }
   const auto to = folder / (file.cases[i].name + ".csv");
-  const std::string recipe =
-      correlation::recipe_line(fmt::format("{} in {}", file.reference.title, file.cases[i].name),
-                               correlation::recipe_of_case(file, i, language));
-  write_text_file(to, "# " + recipe + "\n" + formats::csv_text(rounded));
+  write_text_file(
+      to,
+      correlation::recording_text(fmt::format("{} in {}", file.reference.title, file.cases[i].name),
+                                  correlation::recipe_of_case(file, i, language),
+                                  formats::csv_text(rounded)));
   say_written(to.string());
 }
 
@@ -51,7 +53,7 @@ void write_recordings(const ModelComparisonFile& file,
                       const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (std::size_t i = 0; i < file.cases.size(); ++i)
-    if (file.cases[i].recording == file.cases[i].name) write_recording(file, i, language, folder);
+    if (correlation::is_recorded_here(file, i)) write_recording(file, i, language, folder);
 }
 
 Json json_of(const correlation::FactorialEffects& effects) {
@@ -97,9 +99,17 @@ Json json_of(const ModelComparisonFile& file, const ModelComparison& comparison,
 
 void record_reference(const std::string& name, const experiment::Language& language) {
   const ModelComparisonFile file = correlation::read_model_comparison(name, language);
-  for (const std::size_t i : correlation::cases_to_record(file, language)) {
+  if (!file.is_virtual) return;
+  for (std::size_t i = 0; i < file.cases.size(); ++i) {
+    if (!correlation::is_recorded_here(file, i)) continue;
+    const auto recording = correlation::recording_file(file, i);
+    const std::string why = correlation::why_to_record(
+        recording, correlation::recipe_of_case(file, i, language));
+    if (!begin_recording(recording,
+                         fmt::format("{} of {}", file.cases[i].name, file.reference.title),
+                         why))
+      continue;
     std::filesystem::create_directories(file.recordings);
-    say("Recording {} of {}\n", file.cases[i].name, file.reference.title);
     write_recording(file, i, language, file.recordings);
   }
 }

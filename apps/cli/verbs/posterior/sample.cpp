@@ -35,12 +35,19 @@ using correlation::Posterior;
 using correlation::PosteriorMethod;
 using correlation::Study;
 
+/// Says in words whose samples they are, since not all are those of the model.
+const char* whose(const Posterior& posterior) {
+  if (posterior.stands_for_model()) return "samples of the variables";
+  return posterior.is_mixed() ? "samples of a surrogate that does not stand for the model"
+                              : "samples of chains that do not mix";
+}
+
 void print_samples(const Study& study, const Posterior& posterior) {
   const std::vector<std::string> names = correlation::axis_names(study, posterior);
   const int width = name_width(study.space.variables());
-  say("\n{} samples of the variables, with 95 % intervals\n  {:<{}} {:<16} {:<28} {:<28} {:>6} "
-      "{:>6}  {}\n",
+  say("\n{} {}, with 95 % intervals\n  {:<{}} {:<16} {:<28} {:<28} {:>6} {:>6}  {}\n",
       posterior.samples.size(),
+      whose(posterior),
       "",
       width,
       "median",
@@ -62,7 +69,9 @@ void print_samples(const Study& study, const Posterior& posterior) {
         correlation::interval_text(study.space, posterior.axes[a], posterior.linear[a]),
         d.rhat,
         std::min(d.bulk, d.tail),
-        posterior.is_mixed() ? in_words(shape, names) : "not mixed");
+        posterior.stands_for_model() ? in_words(shape, names)
+        : posterior.is_mixed()       ? "not the model's"
+                                     : "not mixed");
   }
 }
 
@@ -143,7 +152,7 @@ void answer_samples(const Study& study, const Posterior& posterior) {
          {"median", shown_at(shape.median)},
          {"interval", {shown_at(shape.lower), shown_at(shape.upper)}},
          {"linear", {shown_at(posterior.linear[a].lower), shown_at(posterior.linear[a].upper)}},
-         {"shape", posterior.is_mixed() ? Json(in_words(shape, names)) : Json()},
+         {"shape", posterior.stands_for_model() ? Json(in_words(shape, names)) : Json()},
          {"rhat", d.rhat},
          {"bulk", d.bulk},
          {"tail", d.tail}});
@@ -152,6 +161,7 @@ void answer_samples(const Study& study, const Posterior& posterior) {
   answer()["accepted"] = posterior.samples.accepted;
   answer()["chain_trials"] = posterior.chain_trials;
   answer()["mixed"] = posterior.is_mixed();
+  answer()["stands_for_model"] = posterior.stands_for_model();
   answer()["samples"] = posterior.samples.size();
   answer()["trials"] = posterior.trials;
   answer()["failed"] = posterior.failed;
@@ -329,7 +339,7 @@ int sample(const std::string& file, const experiment::Language& language, const 
     delayed.posterior.chain_runs = correlation::kDelayedRuns;
     say("{}\n", correlation::price_text(delayed, seconds));
   }
-  warn_of_fits_outside(study, posterior);
+  if (posterior.stands_for_model()) warn_of_fits_outside(study, posterior);
   answer_samples(study, posterior);
   tell_bands(study, posterior, journal);
   print_conflict_before_fit(study, journal);
