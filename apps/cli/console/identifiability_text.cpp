@@ -130,7 +130,8 @@ void print_nuisance(const Study& study, const std::vector<correlation::Experimen
   bool is_first = true;
   for (size_t e = 0; e < bands.size(); ++e) {
     for (const correlation::NuisanceRow& row : bands[e].nuisance) {
-      if (is_first) say("\nNumbers of the recordings, solved at every trial, +- one standard deviation\n");
+      if (is_first)
+        say("\nNumbers of the recordings, solved at every trial, +- one standard deviation\n");
       is_first = false;
       say("  {:<16} {}\n", study.experiments[e].name, row.in_words());
     }

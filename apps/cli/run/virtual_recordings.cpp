@@ -6,6 +6,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "base/file.h"
 #include "cli/console/console.h"
 #include "correlation/laboratory/virtual_recording.h"
 #include "evaluation/executors/launch.h"
@@ -46,7 +47,7 @@ bool begin_recording(const std::filesystem::path& file,
   say("Recording {}, because {}\n", in_words, why);
   if (why == correlation::kEdited) {
     const std::filesystem::path beside = file.string() + ".changed";
-    std::filesystem::rename(file, beside);
+    move_file(file, beside);
     say("  the changed values stay as {}\n", beside.string());
   }
   return true;

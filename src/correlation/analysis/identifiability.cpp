@@ -156,9 +156,8 @@ std::string excess_by_experiment(const Study& study, const Identification& ident
                           study.experiments[e].name);
   }
   if (ratios.size() < 2) return "";
-  std::stable_sort(ratios.begin(), ratios.end(), [](const auto& a, const auto& b) {
-    return a.first > b.first;
-  });
+  std::stable_sort(
+      ratios.begin(), ratios.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> named;
   for (std::size_t k = 0; k < std::min(ratios.size(), kMostNamed); ++k)
     named.push_back(fmt::format("{} {:.2g}", ratios[k].second, ratios[k].first));

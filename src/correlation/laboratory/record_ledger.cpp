@@ -49,9 +49,14 @@ bool is_stated(const LabRecord& record, const std::string& column) {
   });
 }
 
+/// Names what a channel means. A column `t` in mm is no time: a written unit of another dimension
+/// contradicts the name, which then means nothing.
 void name_meaning(LedgerRow& row) {
   const auto known = recognized(row.taken_as);
-  if (known) row.meaning = known->meaning->words;
+  if (!known) return;
+  const auto unit = row.unit_written.empty() ? std::nullopt : Unit::find(row.unit_written);
+  if (!unit || unit->same_dimension(Unit::of(known->meaning->unit)))
+    row.meaning = known->meaning->words;
 }
 
 /// Marks the row of a known name as doubtful if its values have no unit or one of another

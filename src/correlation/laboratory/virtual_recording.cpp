@@ -174,9 +174,9 @@ Result<std::vector<std::string>> record(const VirtualRecording& recording) {
   if (!channels) return channels.failure();
   fs::create_directories(recording.file.parent_path().empty() ? fs::path(".")
                                                               : recording.file.parent_path());
-  write_text_file(recording.file,
-                  recording_text(
-                      recording.in_words(), recording.recipe, formats::csv_text(*channels)));
+  write_text_file(
+      recording.file,
+      recording_text(recording.in_words(), recording.recipe, formats::csv_text(*channels)));
   return limits;
 }
 

@@ -7,7 +7,8 @@
 //
 // The first line of the file states its recipe, a fingerprint of the model's numbers and of the
 // test, and a fingerprint of the values that follow. A file of another recipe or of other values is
-// out of date: `latsch run` records it again, and every other verb refuses it. The version of the program is not in the recipe, because a recording is data.
+// out of date: `latsch run` records it again, and every other verb refuses it. The version of the
+// program is not in the recipe, because a recording is data.
 #pragma once
 
 #include <filesystem>

@@ -11,6 +11,7 @@ namespace {
 
 constexpr long kMostOutstanding = 1024;
 constexpr long kMostRestarts = 1000;
+constexpr long kMostBudget = 10'000;
 constexpr long kMostIndividuals = 1'000'000;
 // Share of the noise's contribution to the target below which a gain is ignored. If values are in
 // units of their noise, a step of one standard deviation in one variable increases the target by 1.
@@ -45,15 +46,28 @@ void read_gss(const Node& node, GssOptions& d) {
   read_batch(node, d.outstanding);
 }
 
+/// Reads `global` and its budget. The seed is that of the method, if it has one.
+void read_basins(const Node& node, OptimizerSettings& settings) {
+  settings.by_basins = node.choice("global", {"none", "basins"}, "none") == "basins";
+  if (node.has("budget") && !settings.by_basins)
+    node.reject("budget", "is that of global = \"basins\", which is not asked for");
+  settings.basins.budget =
+      static_cast<int>(node.integer("budget", 1, kMostBudget, settings.basins.budget));
+}
+
 void read_trust_region(const Node& node, OptimizerSettings& settings) {
+  read_basins(node, settings);
   ResidualTrustRegionOptions& d = settings.residual_trust_region;
   read_lengths(node, 0.5, d.initial_radius, d.step_tolerance);
   read_batch(node, d.outstanding);
+  if (settings.by_basins) d.restarts = 0;  // a restart leaves a minimum for another
   d.restarts = static_cast<int>(node.integer("restarts", 0, kMostRestarts, d.restarts));
   d.seed = static_cast<std::uint64_t>(node.integer("seed", 0, kMostIndividuals, 1));
+  settings.basins.seed = d.seed;
 }
 
 void read_levenberg_marquardt(const Node& node, OptimizerSettings& settings) {
+  read_basins(node, settings);
   LevenbergMarquardtOptions& d = settings.levenberg_marquardt;
   read_lengths(node, 1.0, d.initial_step, d.step_tolerance);
   if (node.has("progress_tolerance"))
@@ -126,7 +140,8 @@ std::unique_ptr<Optimizer> make_ensemble(const DesignSpace& space,
 const MethodKey kInitialStep = {"initial_step", "0.1"},
                 kStepTolerance = {"step_tolerance", "0.001"}, kBatch = {"batch", "1"},
                 kOutstanding = {"outstanding", "1"}, kContraction = {"contraction", "0.25"},
-                kSufficientDecrease = {"sufficient_decrease", "0.01"}, kSeed = {"seed", "1"};
+                kSufficientDecrease = {"sufficient_decrease", "0.01"}, kSeed = {"seed", "1"},
+                kGlobal = {"global", "\"basins\""}, kBudget = {"budget", "100"};
 
 using Space = DesignSpace;
 using Settings = OptimizerSettings;
@@ -154,11 +169,14 @@ MethodKind trust_region_kind() {
            kStepTolerance,
            kBatch,
            kOutstanding,
+           kGlobal,
+           kBudget,
            {"restarts",
             "4",
             "residual_trust_region: most restarts, if the error exceeds the stated noise or, if "
             "none is stated, a thousandth of the first target: to leave local minima, or if "
-            "variables may be lost."},
+            "variables may be lost.",
+            "4; 0 with global"},
            kSeed},
           read_trust_region,
           make_trust_region};
@@ -175,7 +193,9 @@ MethodKind levenberg_marquardt_kind() {
             "0.001",
             "levenberg_marquardt: least gain of three steps together, as a share of the target, if "
             "the slopes predict little more.",
-            "that of one measured value"}},
+            "that of one measured value"},
+           kGlobal,
+           kBudget},
           read_levenberg_marquardt,
           make_levenberg_marquardt};
 }

@@ -81,11 +81,29 @@ MethodChoice choose_method(const ProblemTraits& traits) {
   return {Method::gss, "the target has no residuals; a search by directions tolerates kinks"};
 }
 
+namespace {
+
+/// Adds to the reason how the method searches for several basins, if the settings ask for it.
+MethodChoice with_basins(MethodChoice choice,
+                         const OptimizerSettings& settings,
+                         const ProblemTraits& traits) {
+  if (settings.by_basins)
+    choice.reason += fmt::format(
+        "; it searches for one minimum after the other, from points spread over the ranges, with "
+        "at "
+        "most {} trials",
+        settings.basins.budget * (traits.variables + 1));
+  return choice;
+}
+
+}  // namespace
+
 MethodChoice method_of(const OptimizerSettings& settings, const ProblemTraits& traits) {
-  if (settings.method == "auto") return choose_method(traits);
+  if (settings.method == "auto") return with_basins(choose_method(traits), settings, traits);
   for (const MethodKind& method : method_kinds()) {
     if (settings.method != method.name) continue;
-    if (method.method != Method::ensemble) return {method.method, "as the study says"};
+    if (method.method != Method::ensemble)
+      return with_basins({method.method, "as the study says"}, settings, traits);
     std::string members;
     for (const MemberSettings& member : settings.members) {
       members += fmt::format("{}{} ({}, priority {})",
@@ -106,7 +124,13 @@ std::unique_ptr<Optimizer> make_optimizer(Method method,
                                           const OptimizerSettings& settings,
                                           const ProblemTraits& traits) {
   check_constraints(method, traits);
-  return kind_of(method).make(space, settings, traits);
+  if (!settings.by_basins) return kind_of(method).make(space, settings, traits);
+  OptimizerSettings of_one = settings;
+  of_one.by_basins = false;
+  return std::make_unique<BasinSearch>(
+      space, settings.basins, [method, of_one, traits](const DesignSpace& from) {
+        return make_optimizer(method, from, of_one, traits);
+      });
 }
 
 }  // namespace latsch

@@ -10,6 +10,8 @@
 //   nelder_mead            only on request: few variables, no assumptions
 //   genetic                no residuals and many local minima, or too many variables for polling
 //   ensemble               only on request: several of these at once, each observing all points
+//
+// The first two methods search one basin after the other if the settings ask for it.
 #pragma once
 
 #include <memory>
@@ -23,6 +25,7 @@
 #include "optimization/direct_search/nelder_mead.h"
 #include "optimization/least_squares/levenberg_marquardt.h"
 #include "optimization/sqp/sqp.h"
+#include "optimization/strategy/basin_search.h"
 #include "optimization/strategy/ensemble.h"
 #include "optimization/trust_region/residual_trust_region.h"
 
@@ -76,7 +79,12 @@ struct MemberSettings;
 
 /// A method and its options. Only the options of the chosen method have an effect.
 struct OptimizerSettings {
-  std::string method = "auto";                            // "auto" or the name of a method
+  std::string method = "auto";  // "auto" or the name of a method
+  /// True: the method searches from points spread over the space, each of its searches for one
+  /// minimum (basin_search.h). Only methods that minimize residuals can. Restarts of the residual
+  /// trust region, which leave a minimum for another, should then be 0.
+  bool by_basins = false;
+  BasinSearchOptions basins = {};                         // options of the search by basins
   GssOptions gss = {};                                    // options of generating-set search
   ResidualTrustRegionOptions residual_trust_region = {};  // options of residual trust region
   LevenbergMarquardtOptions levenberg_marquardt = {};     // options of Levenberg-Marquardt

@@ -55,10 +55,9 @@ std::string source_in_words(const ModelComparisonFile& file,
   const std::string recording = correlation::recording_file(file, source).string();
   if (!file.is_virtual)
     return recording + (std::filesystem::exists(recording) ? "" : ", which does not exist");
-  const std::string why = correlation::why_to_record(
-      recording, correlation::recipe_of_case(file, source, language));
-  return recording +
-         (why.empty() ? ", up to date" : ", which latsch run records, because " + why);
+  const std::string why =
+      correlation::why_to_record(recording, correlation::recipe_of_case(file, source, language));
+  return recording + (why.empty() ? ", up to date" : ", which latsch run records, because " + why);
 }
 
 }  // namespace

@@ -103,11 +103,10 @@ void record_reference(const std::string& name, const experiment::Language& langu
   for (std::size_t i = 0; i < file.cases.size(); ++i) {
     if (!correlation::is_recorded_here(file, i)) continue;
     const auto recording = correlation::recording_file(file, i);
-    const std::string why = correlation::why_to_record(
-        recording, correlation::recipe_of_case(file, i, language));
-    if (!begin_recording(recording,
-                         fmt::format("{} of {}", file.cases[i].name, file.reference.title),
-                         why))
+    const std::string why =
+        correlation::why_to_record(recording, correlation::recipe_of_case(file, i, language));
+    if (!begin_recording(
+            recording, fmt::format("{} of {}", file.cases[i].name, file.reference.title), why))
       continue;
     std::filesystem::create_directories(file.recordings);
     write_recording(file, i, language, file.recordings);

@@ -80,6 +80,11 @@ priority = 2
                "not of members."},
               {"contraction", "Contraction of the step: gss, gss_nlc.", "0.25; of gss_nlc 0.5"},
               {"sufficient_decrease", "Sufficient decrease: gss, gss_nlc."},
+              {"global",
+               "With \"basins\" the method searches for one minimum after the other, from points "
+               "spread over the ranges, until few further basins are expected: "
+               "residual_trust_region, levenberg_marquardt. It says which basins it found."},
+              {"budget", "Most trials of global = \"basins\", in number of variables + 1."},
               {"seed", "Number that selects random points: residual_trust_region, genetic."},
               {"ends_with", "ensemble: with \"first\" it ends with the first member that ends."},
               {"member", "ensemble: tables `[optimizer.member.NAME]`, each an optimizer."},

@@ -27,7 +27,8 @@ the experiments, against which it is weighted.
               {"scale", "Scale on which the variable is searched."},
               {"prior", "Value that is known before.", "none"},
               {"prior_sigma",
-               "Standard deviation of the prior: a quantity, or a share of the value; a plain number "
+               "Standard deviation of the prior: a quantity, or a share of the value; a plain "
+               "number "
                "for a linear variable without a unit.",
                "none"},
               {"unit", "Unit of a variable of an outside program.", "that of `initial`"},

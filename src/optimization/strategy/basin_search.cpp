@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "optimization/strategy/basin_search.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/units.h"
+#include "optimization/design/sobol.h"
+#include "optimization/problem/infinity.h"
+#include "optimization/problem/pending_points.h"
+#include "optimization/problem/point_vector.h"
+
+namespace latsch {
+namespace {
+
+constexpr int kFirst = 3, kLater = 2, kProbe = 3, kDescent = 10, kTold = 8;  // trials, in n + 1
+constexpr int kPatience = 3, kMostRounds = 200;                              // rounds
+constexpr int kMostCrossings = 2;  // trials on the way to a minimum
+constexpr double kWorthIt = 1.5;   // factor of the best sum of squares of a probe
+constexpr double kBest = 0.25;     // share of the points that may start a search
+constexpr double kFewUnseen = 0.5;
+
+double square(const Score& score) { return to_vector(score.residuals).squaredNorm(); }
+
+}  // namespace
+
+double BasinSearch::Descent::sum_of_squares() const {
+  return best_score ? square(*best_score) : kInfinity;
+}
+
+BasinSearch::BasinSearch(const DesignSpace& space,
+                         const BasinSearchOptions& options,
+                         MakeOptimizer make_optimizer)
+    : space_(space),
+      options_(options),
+      make_optimizer_(std::move(make_optimizer)),
+      best_probe_(kInfinity) {
+  if (options_.budget < 1) throw InputError("basins: the budget is below 1");
+  if (space_.size() > kMostSobolVariables)
+    throw InputError(fmt::format(
+        "basins: there are {} variables, expected at most {}", space_.size(), kMostSobolVariables));
+  spread_points();
+}
+
+/// Adds the points of the next round that fulfill the constraints.
+void BasinSearch::spread_points() {
+  const int of_sequence = (kFirst + rounds_ * kLater) * (space_.size() + 1);
+  const int known = rounds_ == 0 ? 0 : of_sequence - kLater * (space_.size() + 1);
+  ++rounds_;
+  has_resumed_ = false;
+  const auto add = [&](const DesignPoint& point) {
+    points_.push_back({point, to_vector(space_.to_unit(point))});
+  };
+  if (points_.empty()) add(space_.initial());
+  const SamplingPlan plan = sobol(space_, of_sequence, options_.seed);
+  for (std::size_t i = static_cast<std::size_t>(known); i < plan.points.size(); ++i)
+    if (std::ssize(points_) < of_sequence && space_.contains(plan.points[i])) add(plan.points[i]);
+}
+
+std::vector<DesignPoint> BasinSearch::propose(int count) const {
+  Plan plan(count);
+  if (converged()) return {};
+  if (descent_) return descent_->optimizer->propose(count);
+  if (crossing_) {
+    plan.add(crossing_->point);
+    return plan.points();
+  }
+  for (std::size_t i = evaluated_; i < points_.size(); ++i)
+    if (!outcomes_.contains(points_[i].point.bits())) plan.add(points_[i].point);
+  return plan.points();
+}
+
+void BasinSearch::observe(const DesignPoint& point, const Result<Score>& outcome) {
+  if (outcome && outcome->residuals.empty())
+    throw InputError("basins: the score has no residuals, expected a sum over residuals");
+  const bool is_new = outcomes_.insert_or_assign(point.bits(), outcome).second;
+  if (is_new && outcome && space_.contains(point)) {
+    known_points_.push_back(point);
+    known_.push_back({to_vector(space_.to_unit(point)), to_vector(outcome->residuals)});
+  }
+  while (!converged() && use_known_outcome()) continue;
+}
+
+bool BasinSearch::is_spent() const {
+  return std::ssize(outcomes_) >=
+         static_cast<std::ptrdiff_t>(options_.budget) * (space_.size() + 1);
+}
+
+/// Goes on by one step. Returns false if the step needs an outcome that is not known.
+bool BasinSearch::use_known_outcome() {
+  if (is_spent()) {
+    if (descent_ && descent_->best_score && !descent_->is_probe) end_descent(add_basin(*descent_));
+    end(fmt::format("because its budget of {} (n + 1) trials is spent", options_.budget));
+    return true;
+  }
+  if (descent_) {
+    if (!outcomes_.contains(descent_->optimizer->propose(1).front().bits())) return false;
+    descend();
+  } else if (crossing_) {
+    if (!outcomes_.contains(crossing_->point.bits())) return false;
+    cross();
+  } else if (evaluated_ < points_.size()) {
+    if (!take_outcome(points_[evaluated_])) return false;
+    if (++evaluated_ == points_.size()) choose_candidates();
+  } else if (!begin_next()) {
+    end_round();
+  }
+  return true;
+}
+
+bool BasinSearch::take_outcome(Spread& point) const {
+  const auto found = outcomes_.find(point.point.bits());
+  if (found == outcomes_.end()) return false;
+  if (found->second) point.score = *found->second;
+  return true;
+}
+
+/// Returns the distance within which a better point keeps another from starting a search.
+double BasinSearch::radius() const {
+  const double N = static_cast<double>(std::count_if(
+      points_.begin(), points_.end(), [](const Spread& point) { return point.score.has_value(); }));
+  return N > 1.0 ? 0.5 * std::pow(std::log(N) / N, 1.0 / space_.size()) : 1.0;
+}
+
+void BasinSearch::choose_candidates() {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (points_[i].score) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return square(*points_[a].score) < square(*points_[b].score);
+  });
+  order.resize(static_cast<std::size_t>(std::ceil(kBest * static_cast<double>(order.size()))));
+  candidates_.clear();
+  const double near = radius();
+  for (const std::size_t i : order) {
+    Spread& point = points_[i];
+    link(point, near);
+    if (!point.has_searched && point.basin < 0 && point.linked_to < 0) candidates_.push_back(i);
+  }
+  std::reverse(candidates_.begin(), candidates_.end());
+}
+
+/// Links a point to the nearest better one within the radius, in the largest coordinate.
+void BasinSearch::link(Spread& point, double radius) const {
+  point.linked_to = -1;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    if (!points_[k].score || square(*points_[k].score) >= square(*point.score)) continue;
+    const double distance = (points_[k].u - point.u).lpNorm<Eigen::Infinity>();
+    if (distance >= radius) continue;
+    radius = distance;
+    point.linked_to = static_cast<int>(k);
+  }
+}
+
+bool BasinSearch::is_explained(std::size_t basin,
+                               const Eigen::VectorXd& u,
+                               const Score& score) const {
+  return is_explained_by(minima_[basin], {u, to_vector(score.residuals)}, known_);
+}
+
+int BasinSearch::explaining_basin(const Eigen::VectorXd& u, const Score& score) const {
+  for (std::size_t k = 0; k < minima_.size(); ++k)
+    if (is_explained(k, u, score)) return static_cast<int>(k);
+  return -1;
+}
+
+/// Begins a trial on the way, or the search, of the next candidate that no minimum explains.
+/// Returns false if there is none.
+bool BasinSearch::begin_next() {
+  while (!candidates_.empty()) {
+    const std::size_t i = candidates_.back();
+    candidates_.pop_back();
+    points_[i].basin = explaining_basin(points_[i].u, *points_[i].score);
+    if (points_[i].basin >= 0) continue;
+    if (!begin_crossing(i, 1)) begin_descent(i);
+    return true;
+  }
+  return false;
+}
+
+bool BasinSearch::begin_crossing(std::size_t i, int tries) {
+  if (minima_.empty() || tries > kMostCrossings) return false;
+  const Eigen::VectorXd& u = points_[i].u;
+  const auto nearest =
+      std::min_element(minima_.begin(), minima_.end(), [&](const auto& a, const auto& b) {
+        return (a.u - u).norm() < (b.u - u).norm();
+      });
+  const double share = 1.0 - std::pow(0.5, tries);  // of the way from the minimum
+  const Eigen::VectorXd at = nearest->u + share * (u - nearest->u);
+  const DesignPoint point = space_.from_unit({at.begin(), at.end()});
+  if (!space_.contains(point)) return false;
+  crossing_ = Crossing{i, static_cast<std::size_t>(nearest - minima_.begin()), tries, point};
+  return true;
+}
+
+/// Uses the trial on the way: the candidate belongs to the minimum if the minimum explains both.
+void BasinSearch::cross() {
+  const Crossing crossing = *std::exchange(crossing_, std::nullopt);
+  const Result<Score>& outcome = outcomes_.at(crossing.point.bits());
+  Spread& from = points_[crossing.from];
+  if (outcome && square(*outcome) < square(*from.score) &&
+      is_explained(crossing.basin, to_vector(space_.to_unit(crossing.point)), *outcome)) {
+    if (is_explained(crossing.basin, from.u, *from.score)) {
+      from.basin = static_cast<int>(crossing.basin);
+      return;
+    }
+    if (begin_crossing(crossing.from, crossing.tries + 1)) return;
+  }
+  begin_descent(crossing.from);
+}
+
+void BasinSearch::begin_descent(std::size_t i) {
+  Spread& from = points_[i];
+  from.has_searched = true;
+  descent_.emplace();
+  descent_->from = i;
+  descent_->limit = kProbe * (space_.size() + 1);
+  descent_->optimizer = make_optimizer_(space_.starting_at(from.point));
+  tell_worse(*descent_->optimizer, from);
+}
+
+/// Tells a search the known trials nearest to its start that are worse. From a better one it would
+/// go on there.
+void BasinSearch::tell_worse(Optimizer& optimizer, const Spread& from) const {
+  const double S = square(*from.score);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < known_.size(); ++k)
+    if (known_[k].r.squaredNorm() > S) order.emplace_back((known_[k].u - from.u).norm(), k);
+  std::sort(order.begin(), order.end());
+  order.resize(std::min(std::ssize(order), std::ptrdiff_t{kTold} * (space_.size() + 1)));
+  std::reverse(order.begin(), order.end());  // the nearest one comes last
+  for (const auto& [distance, k] : order)
+    optimizer.observe(known_points_[k], outcomes_.at(known_points_[k].bits()));
+}
+
+/// Tells the search one outcome, and ends it or lets it go on.
+void BasinSearch::descend() {
+  Descent& descent = *descent_;
+  const DesignPoint point = descent.optimizer->propose(1).front();
+  const Result<Score>& outcome = outcomes_.at(point.bits());
+  descent.optimizer->observe(point, outcome);
+  ++descent.trials;
+  if (outcome && square(*outcome) < descent.sum_of_squares()) {
+    descent.best = point;
+    descent.best_score = *outcome;
+  }
+  const bool has_ended = descent.optimizer->converged();
+  const bool may_be_explained = has_ended || descent.trials % (space_.size() + 1) == 0;
+  if (may_be_explained && end_if_explained()) return;
+  if (!has_ended && descent.trials < descent.limit) return;
+  if (descent.is_probe) return end_probe(descent);
+  const double S = descent.sum_of_squares();
+  const bool is_lowest = std::all_of(
+      minima_.begin(), minima_.end(), [&](const auto& one) { return S < one.r.squaredNorm(); });
+  if (!has_ended && is_lowest)
+    descent.limit += kDescent * (space_.size() + 1);
+  else
+    end_descent(descent.best_score ? add_basin(descent) : -1);
+}
+
+/// Lets a search go on after its probe if it is worth it; otherwise lets it wait.
+void BasinSearch::end_probe(Descent& descent) {
+  const double S = descent.sum_of_squares();
+  best_probe_ = std::min(best_probe_, S);
+  descent.is_probe = false;
+  if (!std::isfinite(S)) return end_descent(-1);
+  if (S > kWorthIt * best_probe_) {
+    waiting_.push_back(std::move(descent));
+    descent_.reset();
+  } else if (descent.optimizer->converged()) {
+    end_descent(add_basin(descent));
+  } else {
+    descent.limit += kDescent * (space_.size() + 1);
+  }
+}
+
+/// Ends the search if a known minimum explains its best point.
+bool BasinSearch::end_if_explained() {
+  if (!descent_->best_score) return false;
+  const int basin =
+      explaining_basin(to_vector(space_.to_unit(*descent_->best)), *descent_->best_score);
+  if (basin >= 0) end_descent(basin);
+  return basin >= 0;
+}
+
+void BasinSearch::end_descent(int basin) {
+  points_[descent_->from].basin = basin;
+  descent_.reset();
+}
+
+int BasinSearch::add_basin(const Descent& descent) {
+  basins_.push_back({*descent.best, descent.best_score->value, 0, descent.optimizer->converged()});
+  minima_.push_back(
+      {to_vector(space_.to_unit(*descent.best)), to_vector(descent.best_score->residuals)});
+  return static_cast<int>(basins_.size()) - 1;
+}
+
+/// Resumes the best search that waits and that no minimum explains. Returns false if there is none.
+bool BasinSearch::resume_best_waiting() {
+  while (!waiting_.empty()) {
+    const auto best =
+        std::min_element(waiting_.begin(), waiting_.end(), [](const Descent& a, const Descent& b) {
+          return a.sum_of_squares() < b.sum_of_squares();
+        });
+    descent_.emplace(std::move(*best));
+    waiting_.erase(best);
+    descent_->limit = descent_->trials + kDescent * (space_.size() + 1);
+    if (end_if_explained()) continue;
+    if (!descent_->optimizer->converged()) return true;
+    end_descent(add_basin(*descent_));
+  }
+  return false;
+}
+
+/// Ends the method if few basins are expected unseen; otherwise goes on.
+void BasinSearch::end_round() {
+  count_hits();
+  const bool is_enough = expected_unseen() < kFewUnseen;
+  if ((is_enough || (rounds_ >= kPatience && !has_resumed_)) && resume_best_waiting()) {
+    has_resumed_ = true;
+    return;
+  }
+  count_hits();
+  if (expected_unseen() < kFewUnseen)
+    end(fmt::format("because only {:.2g} further basins are expected", expected_unseen()));
+  else if (rounds_ >= kMostRounds)
+    end("after its largest number of rounds");
+  else
+    spread_points();
+}
+
+void BasinSearch::count_hits() {
+  for (FoundBasin& basin : basins_) basin.hits = 0;
+  for (Spread& point : points_)
+    if (point.score && point.basin < 0 && !point.has_searched)
+      point.basin = explaining_basin(point.u, *point.score);
+  for (const Spread& point : points_) {
+    const Spread* at = &point;
+    while (at->basin < 0 && at->linked_to >= 0)  // each one is linked to a better one
+      at = &points_[static_cast<std::size_t>(at->linked_to)];
+    if (at->basin >= 0) ++basins_[static_cast<std::size_t>(at->basin)].hits;
+  }
+}
+
+double BasinSearch::expected_unseen() const {
+  const double W = static_cast<double>(basins_.size());
+  double H = 0.0;
+  for (const FoundBasin& basin : basins_) H += basin.hits;
+  return W > 0.0 && H > W + 2.0 ? W * (W + 1.0) / (H - W - 2.0) : kInfinity;
+}
+
+std::vector<FoundBasin> BasinSearch::basins() const {
+  std::vector<FoundBasin> all = basins_;
+  std::stable_sort(all.begin(), all.end(), [](const FoundBasin& a, const FoundBasin& b) {
+    return a.value < b.value;
+  });
+  return all;
+}
+
+void BasinSearch::end(const std::string& why) {
+  count_hits();
+  constexpr std::size_t kMostTold = 5;
+  std::vector<std::string> told;
+  const std::vector<FoundBasin> found = basins();
+  for (std::size_t k = 0; k < std::min(found.size(), kMostTold); ++k) {
+    std::vector<std::string> values;
+    for (int i = 0; i < space_.size(); ++i)
+      values.push_back(fmt::format(
+          "{} {}",
+          space_[i].name,
+          format_quantity(
+              found[k].minimum.values[static_cast<std::size_t>(i)], space_[i].unit, 4)));
+    told.push_back(fmt::format("{:.4g} % ({} point{}{}) at {}",
+                               100.0 * found[k].value,
+                               found[k].hits,
+                               found[k].hits == 1 ? "" : "s",
+                               found[k].has_ended ? "" : ", not followed to its end",
+                               fmt::join(values, ", ")));
+  }
+  if (found.size() > kMostTold) told.push_back(fmt::format("{} others", found.size() - kMostTold));
+  ending_ = fmt::format(
+      "{}; {} basin{} found{}{}{}",
+      why,
+      found.size(),
+      found.size() == 1 ? "" : "s",
+      told.empty() ? "" : ": ",
+      fmt::join(told, "; "),
+      waiting_.empty() ? ""
+                       : fmt::format("; {} searches of worse targets were left", waiting_.size()));
+}
+
+}  // namespace latsch
