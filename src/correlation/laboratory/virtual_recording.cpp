@@ -125,7 +125,7 @@ std::string why_to_record(const fs::path& file, const std::string& recipe) {
   if (!fs::exists(file)) return "it has not been recorded";
   std::ifstream in(file);  // not read_text_file(), after which the file could not be replaced
   std::string text(std::istreambuf_iterator<char>(in), {});
-  std::erase(text, '\r');  // which some programs add to every line
+  std::erase(text, '\r');  // some programs add it to every line
   const std::size_t end = std::min(text.find('\n'), text.size());
   const std::string first = text.substr(0, end);
   const std::size_t recipe_mark = first.rfind(kRecipeMark), values_mark = first.rfind(kValuesMark);

@@ -189,7 +189,7 @@ bool BasinSearch::begin_crossing(std::size_t i, int tries) {
       std::min_element(minima_.begin(), minima_.end(), [&](const auto& a, const auto& b) {
         return (a.u - u).norm() < (b.u - u).norm();
       });
-  const double share = 1.0 - std::pow(0.5, tries);  // of the way from the minimum
+  const double share = 1.0 - std::pow(0.5, tries);  // share of the way from the minimum
   const Eigen::VectorXd at = nearest->u + share * (u - nearest->u);
   const DesignPoint point = space_.from_unit({at.begin(), at.end()});
   if (!space_.contains(point)) return false;

@@ -3,7 +3,7 @@
 // random starts, and what it costs where there is one basin.
 //
 // A run is solved once the sum of squares is at most a thousandth of the median at random points.
-// Budgets count in n + 1. The even kinds of problems (support/multimodal_problems.h) were available
+// Budgets count in n + 1. The even kinds of problems (multimodal_problems.h) were available
 // while constants were chosen, the odd ones are evaluated once, afterward. A basin that exists is a
 // minimum that more than 5 % of 100 random starts lead to.
 //
@@ -113,11 +113,11 @@ bool is_near(const DesignSpace& space, const DesignPoint& a, const DesignPoint& 
 }
 
 /// Returns the minima that more than 5 % of random starts lead to.
-std::vector<DesignPoint> large_basins(const MultimodalProblem& problem) {
-  constexpr int kStarts = 100, kShare = 5;
+std::vector<DesignPoint> large_basins(const MultimodalProblem& problem, int starts) {
+  constexpr double kShare = 0.05;
   RandomStream random(6, 0);
   std::vector<std::pair<DesignPoint, int>> ends;
-  for (int k = 0; k < kStarts; ++k) {
+  for (int k = 0; k < starts; ++k) {
     Search one;
     const auto method = local(problem.space.starting_at(random_point(problem.space, random)));
     run(*method, problem.residuals, 100 * (problem.n() + 1), one);
@@ -132,7 +132,7 @@ std::vector<DesignPoint> large_basins(const MultimodalProblem& problem) {
   }
   std::vector<DesignPoint> large;
   for (const auto& [point, count] : ends)
-    if (count > kShare) large.push_back(point);
+    if (count > kShare * starts) large.push_back(point);
   return large;
 }
 
@@ -142,7 +142,8 @@ struct Outcome {
   int worst_behind = 0;                // runs of eight that random starts solve and basins do not
 };
 
-void add_kind(int kind, int seeds, bool lists, Outcome& outcome) {
+void add_kind(int kind, const Options& options, bool lists, Outcome& outcome) {
+  const int seeds = options.size(kSeeds, 1), budget = options.size(kMost, 30);
   std::vector<double> basins, starts;
   int found = 0, exist = 0;
   std::string name, endings;
@@ -150,9 +151,9 @@ void add_kind(int kind, int seeds, bool lists, Outcome& outcome) {
     const auto problem = multimodal_problem(kind, static_cast<std::uint64_t>(seed));
     name = fmt::format("{} (n = {})", problem.name, problem.n());
     const double below = kSolved * median_of_random_points(problem);
-    const int most = kMost * (problem.n() + 1);
+    const int most = budget * (problem.n() + 1);
     BasinSearch method(
-        problem.space, {.budget = kMost, .seed = static_cast<std::uint64_t>(seed)}, local);
+        problem.space, {.budget = budget, .seed = static_cast<std::uint64_t>(seed)}, local);
     Search search;
     run(method, problem.residuals, most, search);
     basins.push_back(solved_after(search, below, problem.n()));
@@ -162,7 +163,7 @@ void add_kind(int kind, int seeds, bool lists, Outcome& outcome) {
                            static_cast<double>(search.values.size()) / (problem.n() + 1),
                            method.basins().size());
     if (seed > 2) continue;
-    for (const DesignPoint& large : large_basins(problem)) {
+    for (const DesignPoint& large : large_basins(problem, options.size(100, 5))) {
       ++exist;
       for (const FoundBasin& basin : method.basins())
         if (is_near(problem.space, basin.minimum, large)) {
@@ -206,9 +207,8 @@ double share(const std::vector<double>& times, int budget) {
 void multimodal_rows(Table& table, bool is_held_out, const Options& options, bool lists) {
   const std::string half = is_held_out ? "held-out" : "tuning";
   Outcome outcome;
-  const int seeds = options.size(kSeeds, 2);
   for (int kind = is_held_out ? 1 : 0; kind < options.size(kMultimodalKinds, 2); kind += 2)
-    add_kind(kind, seeds, lists, outcome);
+    add_kind(kind, options, lists, outcome);
   constexpr double kReach[] = {0.75, 0.86, 0.90};
   for (int b = 0; b < 3; ++b)
     table.full_row(fmt::format("{}, solved within {} (n + 1) (random starts {:.2f})",
@@ -238,9 +238,10 @@ void single_rows(Table& table, bool is_held_out, const Options& options, bool li
     Search plain, global;
     const auto method =
         make_optimizer(Method::residual_trust_region, problem.space, OptimizerSettings{}, traits);
-    run(*method, problem.residuals, kMost * (problem.n() + 1), plain);
-    BasinSearch basins(problem.space, {.budget = kMost, .seed = 1}, local);
-    run(basins, problem.residuals, kMost * (problem.n() + 1), global);
+    const int budget = options.size(kMost, 30);
+    run(*method, problem.residuals, budget * (problem.n() + 1), plain);
+    BasinSearch basins(problem.space, {.budget = budget, .seed = 1}, local);
+    run(basins, problem.residuals, budget * (problem.n() + 1), global);
     ratios.push_back(static_cast<double>(global.values.size()) /
                      static_cast<double>(plain.values.size()));
     if (lists)
