@@ -1,6 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Ask/tell optimizers by their names; options are the keys of [optimizer] in a study."""
+import keyword
+
 from latsch import _latsch, _toml
+
+
+def _lines(options):
+    """Returns the options as keys of a study. global_ is the key global, which is no name of an argument in Python."""
+    return _toml.lines({name[:-1] if name.endswith("_") and keyword.iskeyword(name[:-1]) else name: value
+                        for name, value in options.items()})
 
 
 def optimizer(space, method="auto", *, residuals=False, jacobian=False, constraints=False, failed_share=0.0, basins=1,
@@ -12,21 +20,22 @@ def optimizer(space, method="auto", *, residuals=False, jacobian=False, constrai
     points and number of basins in an earlier design of experiments.
 
     options: keys of [optimizer] in a study (`latsch help study`): initial_step, step_tolerance, outstanding, restarts, seed,
-    ...; lengths are shares of the ranges. Options of an ensemble: member={"wide": {"method": "genetic"}, "fine": {"method":
+    ...; lengths are shares of the ranges. global_="basins" with budget searches for several minima, and `ending` names
+    those found. Options of an ensemble: member={"wide": {"method": "genetic"}, "fine": {"method":
     "gss", "priority": 2}}, ends_with="all" or "first".
 
     Raises InputError for arguments that would be refused in a study.
     """
-    return _latsch._optimizer(space, method, _toml.lines(options), residuals, jacobian, constraints, failed_share, basins)
+    return _latsch._optimizer(space, method, _lines(options), residuals, jacobian, constraints, failed_share, basins)
 
 
 def cascade(space, method="gss", *, stages=2, tightening=0.25, **options):
     """Returns an optimizer that runs `stages` searches one after the other, each with bounds that are `tightening` times
     as wide around the best point of the stage before."""
-    return _latsch._cascade(space, method, _toml.lines(options), stages, tightening)
+    return _latsch._cascade(space, method, _lines(options), stages, tightening)
 
 
 def multi_start(space, starts, method="residual_trust_region", **options):
     """Returns an optimizer that runs one search after the other, from each of `starts` (k, n); no search knows the
     results of the others."""
-    return _latsch._multi_start(space, starts, method, _toml.lines(options))
+    return _latsch._multi_start(space, starts, method, _lines(options))

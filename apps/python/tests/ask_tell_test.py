@@ -51,6 +51,20 @@ class AskTell(unittest.TestCase):
             np.testing.assert_allclose(best, found, rtol=tolerance)
             self.assertTrue(optimizer.ending)
 
+    def test_several_minima_are_searched_for_and_named(self):
+        # Freudenstein and Roth: 0 at (5, 4) and 48.98 at (11.41, -0.897)
+        def two_minima(at):
+            x, y = at
+            return latsch.Score(residuals=np.array([-13 + x + ((5 - y) * y - 2) * y, -29 + x + ((y + 1) * y - 14) * y]))
+
+        box = latsch.DesignSpace([latsch.Variable("x", lower=-20, upper=20, initial=15),
+                                  latsch.Variable("y", lower=-6, upper=6, initial=-2)])
+        optimizer = latsch.optimizer(box, residuals=True, global_="basins", budget=100)
+        _, best = search(optimizer, two_minima)
+        np.testing.assert_allclose(best, [5, 4], atol=0.02)
+        self.assertIn("2 basins found", optimizer.ending)
+        self.assertRegex(optimizer.ending, r"target 4(8\.9|9)")
+
     def test_every_method_finds_the_minimum_of_a_bowl(self):
         target = np.array([0.7, 0.6, 0.4])
 

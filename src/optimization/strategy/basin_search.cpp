@@ -374,8 +374,8 @@ void BasinSearch::end(const std::string& why) {
           space_[i].name,
           format_quantity(
               found[k].minimum.values[static_cast<std::size_t>(i)], space_[i].unit, 4)));
-    told.push_back(fmt::format("{:.4g} % ({} point{}{}) at {}",
-                               100.0 * found[k].value,
+    told.push_back(fmt::format("target {:.4g} ({} point{}{}) at {}",
+                               found[k].value,
                                found[k].hits,
                                found[k].hits == 1 ? "" : "s",
                                found[k].has_ended ? "" : ", not followed to its end",
