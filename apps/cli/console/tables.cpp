@@ -18,9 +18,25 @@ std::string shown(const DesignVariable& variable, double value) {
   return format_quantity(value, variable.unit, 5);
 }
 
+namespace {
+
+/// Returns "; prior 30 N/mm +- 5 N/mm", or with a factor on a logarithmic scale; empty: no prior.
+std::string prior_text(const DesignVariable& variable) {
+  if (!variable.prior) return "";
+  const Prior& prior = *variable.prior;
+  return fmt::format(
+      "; prior {}, {}",
+      shown(variable, prior.value),
+      prior.of_logarithm
+          ? fmt::format("times or over {:.4g} for one standard deviation", 1.0 + prior.sigma)
+          : "standard deviation " + shown(variable, prior.sigma));
+}
+
+}  // namespace
+
 void print_variables(const DesignSpace& space) {
   for (const DesignVariable& variable : space.variables()) {
-    say("  {:<{}} {} from {} to {}, {}, at {}\n",
+    say("  {:<{}} {} from {} to {}, {}, at {}{}\n",
         variable.name,
         name_width(space.variables()),
         shown(variable, variable.initial),
@@ -28,7 +44,8 @@ void print_variables(const DesignSpace& space) {
         shown(variable, variable.upper),
         variable.scale == Scale::linear ? "linear" : "logarithmic",
         variable.paths.empty() ? "a hole in an input file"
-                               : fmt::format("{}", fmt::join(variable.paths, ", ")));
+                               : fmt::format("{}", fmt::join(variable.paths, ", ")),
+        prior_text(variable));
   }
 }
 

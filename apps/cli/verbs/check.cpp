@@ -329,6 +329,11 @@ void warn_tire(const Study& study) {
 
 void check(const std::string& file, const experiment::Language& language) {
   if (is_model(file, language)) return check_model(file, language);
+  if (const Node root = Document::read(file).root(); root.has("tire") && !root.has("experiment"))
+    throw InputError({file, 0},
+                     "is a comparison of tires, expected latsch compare " + file +
+                         ", which reads it; latsch check reads studies, models and comparisons of "
+                         "models");
   if (correlation::is_model_comparison(file)) {
     check_comparison(file, language);
     say("\n{} Next: latsch run {}, which runs its fits and compares\n", verdict(), file);
@@ -394,6 +399,9 @@ void add_check(CommandLine& app, Program& program) {
       "Compares the slopes that the model reports with differences, four trials for each variable");
   verb.callback([=, &program] {
     if (*derivatives) {
+      if (experiment::is_document(*file) && correlation::is_model_comparison(*file))
+        throw InputError({*file, 0},
+                         "is a comparison of models, expected a study for --derivatives");
       program.exit_code = check_derivatives(*file, program.language);
     } else {
       check(*file, program.language);

@@ -336,7 +336,8 @@ void add_test(CommandLine& app, Program& program) {
       "Toe-in, camber with the top outboard, caster with the top rearward, travel in bump, "
       "lengths\n"
       "and ratios are positive in all. What is typed in a test stays ISO.\n\n"
-      "-o FILE.tdx writes TYDEX 1.3: SI units, forces in the axes that their names state (FYW: "
+      "-o FILE.tdx writes TYDEX 1.3: SI units, angles of slip in degrees, forces in the axes that "
+      "their names state (FYW: "
       "W),\nsigns of ISO 8855.\n\n"
       "Examples:\n" +
       examples + "  latsch test --list");

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
+
 #include "correlation/rig_data/rig_tables.h"
 
 namespace latsch::correlation {
@@ -34,14 +37,33 @@ formats::TydexRecord tydex_of(const ProcessedRun& run,
   return record;
 }
 
+/// Throws InputError if the mean load of a passage is below 0: the signs are then not those of
+/// ISO 8855, which the file would state.
+void expect_pressed(const ProcessedPlateau& plateau) {
+  for (const ChannelAverage& channel : plateau.channels) {
+    if (channel.name != "Fz") continue;
+    const auto& mean = channel.average.mean;
+    const double load = std::accumulate(mean.begin(), mean.end(), 0.0) /
+                        std::max<double>(1.0, static_cast<double>(mean.size()));
+    if (load < 0.0)
+      throw InputError(fmt::format(
+          "Fz is {:.0f} N in the mean, so the signs of the recordings are not those of "
+          "ISO 8855, which a TYDEX file of --tydex states; expected channels with these "
+          "signs, for example Fz = \"-COLUMN\" in [channels] of the rig file",
+          load));
+  }
+}
+
 }  // namespace
 
 std::vector<NamedTydex> averages_in_tydex(const RigResults& results, const std::string& frame) {
   std::vector<NamedTydex> records;
   for (const ProcessedRun& run : results.runs)
-    for (const ProcessedPlateau& plateau : run.plateaus)
+    for (const ProcessedPlateau& plateau : run.plateaus) {
+      expect_pressed(plateau);
       records.push_back({"average_" + plateau_name(run.name, plateau.plateau.target) + ".tdx",
                          tydex_of(run, plateau, frame)});
+    }
   return records;
 }
 

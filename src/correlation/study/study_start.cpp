@@ -46,10 +46,10 @@ std::string in_words(const StartSettings& start) {
     case StartSettings::From::values:
       break;
     case StartSettings::From::journal:
-      return fmt::format("{} of the trials in the journal, all of which it observes",
+      return fmt::format("{} of the trials in the journal, and knows those near it",
                          several.empty() ? "the best" : several);
     case StartSettings::From::basins:
-      return fmt::format("{} of the design of experiments, all of which it observes",
+      return fmt::format("{} of the design of experiments, and knows its points near it",
                          several.empty() ? "the lowest minimum" : several);
   }
   return "";

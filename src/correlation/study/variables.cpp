@@ -122,7 +122,7 @@ void read_prior(const Node& table, const std::string& unit, DesignVariable& vari
     const double share = table.quantity("prior_sigma", "1", Range::positive());
     table.reject("prior_sigma",
                  fmt::format("is {}, which for a number without a unit may mean {:.6g} or that "
-                             "share of the prior, {:.6g}; expected one of these",
+                             "share of the prior, {:.6g}; expected a plain number",
                              in_quotes(table.text("prior_sigma")),
                              share,
                              share * std::abs(prior.value)));

@@ -2,13 +2,12 @@
 #include "optimization/strategy/basin_search.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "base/units.h"
+#include "base/random.h"
 #include "optimization/design/sobol.h"
 #include "optimization/problem/infinity.h"
 #include "optimization/problem/pending_points.h"
@@ -17,12 +16,30 @@
 namespace latsch {
 namespace {
 
-constexpr int kFirst = 3, kLater = 2, kProbe = 3, kDescent = 10, kTold = 8;  // trials, in n + 1
-constexpr int kPatience = 3, kMostRounds = 200;                              // rounds
-constexpr int kMostCrossings = 2;  // trials on the way to a minimum
+constexpr int kFirst = 3, kLater = 2, kProbe = 3, kDescent = 10,
+              kTold = 8;                         // in units of n + 1 trials
+constexpr int kPatience = 3, kMostRounds = 200;  // rounds
+constexpr int kMostCrossings = 2;  // trials on the way to a minimum, for each candidate
 constexpr double kWorthIt = 1.5;   // factor of the best sum of squares of a probe
 constexpr double kBest = 0.25;     // share of the points that may start a search
 constexpr double kFewUnseen = 0.5;
+// Errors with which a minimum explains a point that is spread over the space, and the best point of
+// a search: a search that comes near another minimum must not be ended by a rough model.
+constexpr double kErrorOfPoint = 0.5, kErrorOfSearch = 0.2;
+
+/// Returns the first points of a low-discrepancy sequence, or random ones if there are more variables
+/// than it has.
+SamplingPlan spread_over(const DesignSpace& space, int count, std::uint64_t seed) {
+  if (space.size() <= kMostSobolVariables) return sobol(space, count, seed);
+  SamplingPlan plan;
+  for (int k = 0; k < count; ++k) {
+    RandomStream random(seed, static_cast<std::uint64_t>(k));
+    std::vector<double> u(static_cast<std::size_t>(space.size()));
+    for (double& one : u) one = random.uniform();
+    plan.points.push_back(space.from_unit(u));
+  }
+  return plan;
+}
 
 double square(const Score& score) { return to_vector(score.residuals).squaredNorm(); }
 
@@ -56,7 +73,7 @@ void BasinSearch::spread_points() {
     points_.push_back({point, to_vector(space_.to_unit(point))});
   };
   if (points_.empty()) add(space_.initial());
-  const SamplingPlan plan = sobol(space_, of_sequence, options_.seed);
+  const SamplingPlan plan = spread_over(space_, of_sequence, options_.seed);
   for (std::size_t i = static_cast<std::size_t>(known); i < plan.points.size(); ++i)
     if (std::ssize(points_) < of_sequence && space_.contains(plan.points[i])) add(plan.points[i]);
 }
@@ -77,6 +94,7 @@ std::vector<DesignPoint> BasinSearch::propose(int count) const {
 void BasinSearch::observe(const DesignPoint& point, const Result<Score>& outcome) {
   if (outcome && outcome->residuals.empty())
     throw InputError("basins: the score has no residuals, expected a sum over residuals");
+  if (point == awaited()) ++trials_;
   const bool is_new = outcomes_.insert_or_assign(point.bits(), outcome).second;
   if (is_new && outcome && space_.contains(point)) {
     known_points_.push_back(point);
@@ -85,16 +103,19 @@ void BasinSearch::observe(const DesignPoint& point, const Result<Score>& outcome
   while (!converged() && use_known_outcome()) continue;
 }
 
-bool BasinSearch::is_spent() const {
-  return std::ssize(outcomes_) >=
-         static_cast<std::ptrdiff_t>(options_.budget) * (space_.size() + 1);
+/// Returns the point that the method asks for next.
+std::optional<DesignPoint> BasinSearch::awaited() const {
+  if (converged()) return std::nullopt;
+  if (descent_) return descent_->optimizer->propose(1).front();
+  if (crossing_) return crossing_->point;
+  return points_[evaluated_].point;
 }
 
 /// Goes on by one step. Returns false if the step needs an outcome that is not known.
 bool BasinSearch::use_known_outcome() {
   if (is_spent()) {
     if (descent_ && descent_->best_score && !descent_->is_probe) end_descent(add_basin(*descent_));
-    end(fmt::format("because its budget of {} (n + 1) trials is spent", options_.budget));
+    end(fmt::format("because its budget of {} trials is spent", trials_));
     return true;
   }
   if (descent_) {
@@ -158,13 +179,16 @@ void BasinSearch::link(Spread& point, double radius) const {
 
 bool BasinSearch::is_explained(std::size_t basin,
                                const Eigen::VectorXd& u,
-                               const Score& score) const {
-  return is_explained_by(minima_[basin], {u, to_vector(score.residuals)}, known_);
+                               const Score& score,
+                               double largest_error) const {
+  return is_explained_by(minima_[basin], {u, to_vector(score.residuals)}, known_, largest_error);
 }
 
-int BasinSearch::explaining_basin(const Eigen::VectorXd& u, const Score& score) const {
+int BasinSearch::explaining_basin(const Eigen::VectorXd& u,
+                                  const Score& score,
+                                  double largest_error) const {
   for (std::size_t k = 0; k < minima_.size(); ++k)
-    if (is_explained(k, u, score)) return static_cast<int>(k);
+    if (is_explained(k, u, score, largest_error)) return static_cast<int>(k);
   return -1;
 }
 
@@ -174,7 +198,7 @@ bool BasinSearch::begin_next() {
   while (!candidates_.empty()) {
     const std::size_t i = candidates_.back();
     candidates_.pop_back();
-    points_[i].basin = explaining_basin(points_[i].u, *points_[i].score);
+    points_[i].basin = explaining_basin(points_[i].u, *points_[i].score, kErrorOfPoint);
     if (points_[i].basin >= 0) continue;
     if (!begin_crossing(i, 1)) begin_descent(i);
     return true;
@@ -203,8 +227,9 @@ void BasinSearch::cross() {
   const Result<Score>& outcome = outcomes_.at(crossing.point.bits());
   Spread& from = points_[crossing.from];
   if (outcome && square(*outcome) < square(*from.score) &&
-      is_explained(crossing.basin, to_vector(space_.to_unit(crossing.point)), *outcome)) {
-    if (is_explained(crossing.basin, from.u, *from.score)) {
+      is_explained(
+          crossing.basin, to_vector(space_.to_unit(crossing.point)), *outcome, kErrorOfPoint)) {
+    if (is_explained(crossing.basin, from.u, *from.score, kErrorOfPoint)) {
       from.basin = static_cast<int>(crossing.basin);
       return;
     }
@@ -281,8 +306,8 @@ void BasinSearch::end_probe(Descent& descent) {
 /// Ends the search if a known minimum explains its best point.
 bool BasinSearch::end_if_explained() {
   if (!descent_->best_score) return false;
-  const int basin =
-      explaining_basin(to_vector(space_.to_unit(*descent_->best)), *descent_->best_score);
+  const int basin = explaining_basin(
+      to_vector(space_.to_unit(*descent_->best)), *descent_->best_score, kErrorOfSearch);
   if (basin >= 0) end_descent(basin);
   return basin >= 0;
 }
@@ -326,18 +351,32 @@ void BasinSearch::end_round() {
   }
   count_hits();
   if (expected_unseen() < kFewUnseen)
-    end(fmt::format("because only {:.2g} further basins are expected", expected_unseen()));
+    end(fmt::format(
+        "because {:.2g} further basins are expected by {}", expected_unseen(), evidence()));
   else if (rounds_ >= kMostRounds)
     end("after its largest number of rounds");
   else
     spread_points();
 }
 
+/// Returns what the expectation rests on: "9 points, 2 of which were followed to a minimum".
+std::string BasinSearch::evidence() const {
+  int hits = 0;
+  for (const FoundBasin& basin : basins_) hits += basin.hits;
+  const auto followed = std::count_if(points_.begin(), points_.end(), [](const Spread& point) {
+    return point.has_searched && point.basin >= 0;
+  });
+  return fmt::format("{} points, {} of which {} followed to a minimum",
+                     hits,
+                     followed,
+                     followed == 1 ? "was" : "were");
+}
+
 void BasinSearch::count_hits() {
   for (FoundBasin& basin : basins_) basin.hits = 0;
   for (Spread& point : points_)
     if (point.score && point.basin < 0 && !point.has_searched)
-      point.basin = explaining_basin(point.u, *point.score);
+      point.basin = explaining_basin(point.u, *point.score, kErrorOfPoint);
   for (const Spread& point : points_) {
     const Spread* at = &point;
     while (at->basin < 0 && at->linked_to >= 0)  // each one is linked to a better one
@@ -363,34 +402,12 @@ std::vector<FoundBasin> BasinSearch::basins() const {
 
 void BasinSearch::end(const std::string& why) {
   count_hits();
-  constexpr std::size_t kMostTold = 5;
-  std::vector<std::string> told;
-  const std::vector<FoundBasin> found = basins();
-  for (std::size_t k = 0; k < std::min(found.size(), kMostTold); ++k) {
-    std::vector<std::string> values;
-    for (int i = 0; i < space_.size(); ++i)
-      values.push_back(fmt::format(
-          "{} {}",
-          space_[i].name,
-          format_quantity(
-              found[k].minimum.values[static_cast<std::size_t>(i)], space_[i].unit, 4)));
-    told.push_back(fmt::format("target {:.4g} ({} point{}{}) at {}",
-                               found[k].value,
-                               found[k].hits,
-                               found[k].hits == 1 ? "" : "s",
-                               found[k].has_ended ? "" : ", not followed to its end",
-                               fmt::join(values, ", ")));
-  }
-  if (found.size() > kMostTold) told.push_back(fmt::format("{} others", found.size() - kMostTold));
-  ending_ = fmt::format(
-      "{}; {} basin{} found{}{}{}",
-      why,
-      found.size(),
-      found.size() == 1 ? "" : "s",
-      told.empty() ? "" : ": ",
-      fmt::join(told, "; "),
-      waiting_.empty() ? ""
-                       : fmt::format("; {} searches of worse targets were left", waiting_.size()));
+  ending_ = fmt::format("{}; {}", why, in_words(basins(), space_));
+  if (!waiting_.empty())
+    ending_ += fmt::format("; {} search{} of worse targets {} left",
+                           waiting_.size(),
+                           waiting_.size() == 1 ? "" : "es",
+                           waiting_.size() == 1 ? "was" : "were");
 }
 
 }  // namespace latsch

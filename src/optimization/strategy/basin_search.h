@@ -14,15 +14,18 @@
 //      it is the best of all; otherwise it waits. A search that a known minimum explains ends
 //      there. From round kPatience on, the best one that waits goes on;
 //   3. the method ends if fewer than half a basin is expected unseen. With W basins that H points
-//      belong to, W (H - 1) / (H - W - 2) basins are expected [Boender, Rinnooy Kan, Math. Program.
-//      37 (1987) 59]. Searches that wait go on before this end counts.
+//      belong to, W (H - 1) / (H - W - 2) basins are expected in all [Boender, Rinnooy Kan, Math.
+//      Program. 37 (1987) 59], W of which are seen. Searches that wait go on before this end
+//      counts.
 //
 // A point belongs to the basin whose minimum its search found, to one whose minimum explains it, or
-// to that of the better point beside it. Points that are explained cost no trial.
+// to that of the better point beside it. Most points are explained and cost no trial of their own.
 //
-// Limits: the rule knows nothing of basins so narrow that no point lies in them, and ripple on a
-// slope may be explained away (explained_point.h). Searches follow one another; idle workers
-// evaluate the further points of the round.
+// Limits: the rule counts points that are explained like points that were followed, so the
+// expectation is too low where the models explain too much: ripple on a slope, or two minima whose
+// sums of squares hardly differ (explained_point.h). It knows nothing of basins so narrow that no
+// point lies in them. Searches follow one another; idle workers evaluate what the present search
+// would propose next, or the points of the round.
 #pragma once
 
 #include <cstdint>
@@ -36,20 +39,13 @@
 #include "optimization/problem/design_space.h"
 #include "optimization/problem/optimizer.h"
 #include "optimization/strategy/explained_point.h"
+#include "optimization/strategy/found_basin.h"
 
 namespace latsch {
 
 struct BasinSearchOptions {
-  int budget = 100;        // most trials, in n + 1
+  int budget = 100;        // most trials that the method asks for, in units of n + 1
   std::uint64_t seed = 1;  // selects the points that are spread over the space
-};
-
-/// A minimum, and how many points belong to it.
-struct FoundBasin {
-  DesignPoint minimum;
-  double value = 0.0;  // target at the minimum
-  int hits = 0;
-  bool has_ended = false;  // false: its search was stopped after its trials
 };
 
 class BasinSearch : public Optimizer {
@@ -57,7 +53,7 @@ class BasinSearch : public Optimizer {
   /// Returns a search that starts at the initial point of the given space.
   using MakeOptimizer = std::function<std::unique_ptr<Optimizer>(const DesignSpace&)>;
 
-  /// Throws InputError for a budget below 1 and for more variables than the sequence has.
+  /// Throws InputError for a budget below 1.
   BasinSearch(const DesignSpace& space,
               const BasinSearchOptions& options,
               MakeOptimizer make_optimizer);
@@ -121,9 +117,14 @@ class BasinSearch : public Optimizer {
   bool resume_best_waiting();
   void end_round();
   void count_hits();
-  bool is_explained(std::size_t basin, const Eigen::VectorXd& u, const Score& score) const;
-  int explaining_basin(const Eigen::VectorXd& u, const Score& score) const;
-  bool is_spent() const;
+  std::string evidence() const;
+  bool is_explained(std::size_t basin,
+                    const Eigen::VectorXd& u,
+                    const Score& score,
+                    double largest_error) const;
+  int explaining_basin(const Eigen::VectorXd& u, const Score& score, double largest_error) const;
+  std::optional<DesignPoint> awaited() const;
+  bool is_spent() const { return trials_ >= options_.budget * (space_.size() + 1); }
   void end(const std::string& why);
 
   DesignSpace space_;
@@ -133,6 +134,7 @@ class BasinSearch : public Optimizer {
   std::vector<DesignPoint> known_points_;                    // those that did not fail, in order
   std::vector<KnownResiduals> known_;                        // their residuals
   std::vector<Spread> points_;
+  int trials_ = 0;                       // outcomes of points that the method asked for
   std::size_t evaluated_ = 0;            // number of points that are evaluated or have failed
   std::vector<std::size_t> candidates_;  // those of this round, the next one last
   std::optional<Crossing> crossing_;

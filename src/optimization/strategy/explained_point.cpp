@@ -9,9 +9,7 @@
 namespace latsch {
 namespace {
 
-// Largest error of the predicted residuals, as a share of their change since the minimum.
-constexpr double kExplained = 0.5;
-constexpr double kSame = 1e-3;       // distance in the unit cube below which points are one
+constexpr double kSame = 0.01;       // distance in the unit cube below which points are one
 constexpr std::ptrdiff_t kMost = 8;  // most trials of a model, in n + 1
 constexpr int kSteps = 16;           // on the way from the minimum to the point
 
@@ -47,7 +45,8 @@ ResidualSamples samples_of(const KnownResiduals& minimum,
 
 bool is_explained_by(const KnownResiduals& minimum,
                      const KnownResiduals& point,
-                     const std::vector<KnownResiduals>& known) {
+                     const std::vector<KnownResiduals>& known,
+                     double largest_error) {
   if (minimum.r.size() != point.r.size()) return false;
   const double h = (point.u - minimum.u).norm();
   if (h < kSame) return true;
@@ -56,7 +55,7 @@ bool is_explained_by(const KnownResiduals& minimum,
   const ResidualKriging model(samples, 0.0);
   const Eigen::VectorXd way = (point.u - minimum.u) / h;
   const double error = (model.residuals(way) - point.r).norm();
-  if (!(error <= kExplained * (point.r - minimum.r).norm())) return false;
+  if (!(error <= largest_error * (point.r - minimum.r).norm())) return false;
   double before = minimum.r.squaredNorm();
   for (int k = 1; k <= kSteps; ++k) {
     const double S = model.residuals(way * k / kSteps).squaredNorm();

@@ -11,6 +11,8 @@
 namespace latsch {
 namespace {
 
+constexpr double kError = 0.5;
+
 using Model = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
 std::vector<KnownResiduals> trials_of(const Model& model, int count) {
@@ -34,8 +36,8 @@ TEST(ExplainedPoint, IsAnywhereInTheOneBasinOfACurvedModel) {
   };
   const auto known = trials_of(model, 12);
   const KnownResiduals minimum = at(model, 0.3, 0.37);
-  EXPECT_TRUE(is_explained_by(minimum, at(model, 0.9, 0.8), known));
-  EXPECT_TRUE(is_explained_by(minimum, minimum, known));
+  EXPECT_TRUE(is_explained_by(minimum, at(model, 0.9, 0.8), known, kError));
+  EXPECT_TRUE(is_explained_by(minimum, minimum, known, kError));
 }
 
 TEST(ExplainedPoint, IsNotInTheBasinOfAnotherMinimum) {
@@ -44,13 +46,13 @@ TEST(ExplainedPoint, IsNotInTheBasinOfAnotherMinimum) {
   };
   const auto known = trials_of(model, 30);
   const KnownResiduals minimum = at(model, 1.0 / 3.0, 0.5);
-  EXPECT_FALSE(is_explained_by(minimum, at(model, 0.7, 0.52), known));
-  EXPECT_FALSE(is_explained_by(minimum, at(model, 0.62, 0.45), known));
+  EXPECT_FALSE(is_explained_by(minimum, at(model, 0.7, 0.52), known, kError));
+  EXPECT_FALSE(is_explained_by(minimum, at(model, 0.62, 0.45), known, kError));
 }
 
 TEST(ExplainedPoint, NeedsMoreTrialsThanVariables) {
   const Model model = [](const Eigen::VectorXd& u) { return Eigen::Vector2d(u[0], u[1]); };
-  EXPECT_FALSE(is_explained_by(at(model, 0, 0), at(model, 0.5, 0.5), trials_of(model, 2)));
+  EXPECT_FALSE(is_explained_by(at(model, 0, 0), at(model, 0.5, 0.5), trials_of(model, 2), kError));
 }
 
 }  // namespace

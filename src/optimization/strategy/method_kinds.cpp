@@ -46,13 +46,14 @@ void read_gss(const Node& node, GssOptions& d) {
   read_batch(node, d.outstanding);
 }
 
-/// Reads `global` and its budget. The seed is that of the method, if it has one.
+/// Reads `global` with its budget and seed.
 void read_basins(const Node& node, OptimizerSettings& settings) {
   settings.by_basins = node.choice("global", {"none", "basins"}, "none") == "basins";
   if (node.has("budget") && !settings.by_basins)
     node.reject("budget", "is that of global = \"basins\", which is not asked for");
   settings.basins.budget =
       static_cast<int>(node.integer("budget", 1, kMostBudget, settings.basins.budget));
+  settings.basins.seed = static_cast<std::uint64_t>(node.integer("seed", 0, kMostIndividuals, 1));
 }
 
 void read_trust_region(const Node& node, OptimizerSettings& settings) {
@@ -63,11 +64,12 @@ void read_trust_region(const Node& node, OptimizerSettings& settings) {
   if (settings.by_basins) d.restarts = 0;  // a restart leaves a minimum for another
   d.restarts = static_cast<int>(node.integer("restarts", 0, kMostRestarts, d.restarts));
   d.seed = static_cast<std::uint64_t>(node.integer("seed", 0, kMostIndividuals, 1));
-  settings.basins.seed = d.seed;
 }
 
 void read_levenberg_marquardt(const Node& node, OptimizerSettings& settings) {
   read_basins(node, settings);
+  if (node.has("seed") && !settings.by_basins)
+    node.reject("seed", "selects the points of global = \"basins\", which is not asked for");
   LevenbergMarquardtOptions& d = settings.levenberg_marquardt;
   read_lengths(node, 1.0, d.initial_step, d.step_tolerance);
   if (node.has("progress_tolerance"))
@@ -130,6 +132,12 @@ std::unique_ptr<Optimizer> make_ensemble(const DesignSpace& space,
     if (method == Method::ensemble) {
       throw InputError(fmt::format(
           "ensemble: member \"{}\" is an ensemble itself, expected another method", member.name));
+    }
+    if (member.settings.by_basins) {
+      throw InputError(
+          fmt::format("ensemble: member \"{}\" has global = \"basins\", whose count of basins an "
+                      "ensemble does not tell; ask for it without an ensemble",
+                      member.name));
     }
     members.push_back({make_optimizer(method, space, member.settings, traits), member.priority});
   }
@@ -195,7 +203,8 @@ MethodKind levenberg_marquardt_kind() {
             "the slopes predict little more.",
             "that of one measured value"},
            kGlobal,
-           kBudget},
+           kBudget,
+           kSeed},
           read_levenberg_marquardt,
           make_levenberg_marquardt};
 }

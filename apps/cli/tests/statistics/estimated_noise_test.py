@@ -138,9 +138,17 @@ class EstimatedNoise(unittest.TestCase):
             self.assertAlmostEqual(float(re.search(rf"^{name} *= *(\S+)", fitted, re.M)[1]), one["value"], places=12)
 
     def test_the_experiment_whose_stated_noise_is_wrong_is_named(self):
-        text = self.study.read_text().replace('noise = "estimated"', 'noise = "1 %"')
-        self.study.write_text(text)
-        self.assertRegex(self.latsch("run", self.study), r"times their stated noise, by experiment Mz 6(\.\d)?, Fy (1|0\.9)")
+        text = self.study.read_text()
+        self.study.write_text(text.replace('noise = "estimated"', 'noise = "1 %"'))
+        self.assertRegex(self.latsch("run", self.study), r"times their stated noise \(by source Mz 6(\.\d)?, Fy (1|0\.9)")
+        self.study.write_text(text.replace('noise = "estimated"', 'noise = "1 %"', 1).replace("estimated", "30 %"))
+        self.assertRegex(self.latsch("run", self.study, "--anew"), r"much less than their stated noise: Mz 0\.\d+ times")
+
+    def test_a_prior_that_the_data_contradict_is_named(self):
+        text = self.study.read_text().replace('noise = "estimated"', 'noise = "1 %"', 1).replace("estimated", "6 %")
+        self.study.write_text(text.replace('"PDY1", ', "") + "[variable.PDY1]\npath = \"PDY1\"\nlower = 0.5\nupper = 6\n"
+                              "initial = 1.2\nprior = 5\nprior_sigma = 0.2\n")
+        self.assertRegex(self.latsch("run", self.study), r"stated noise \(by source prior of PDY1 1\d")
 
     def test_what_cannot_be_estimated_is_said(self):
         text = self.study.read_text()

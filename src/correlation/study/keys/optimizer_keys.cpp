@@ -85,7 +85,9 @@ priority = 2
                "spread over the ranges, until few further basins are expected: "
                "residual_trust_region, levenberg_marquardt. It says which basins it found."},
               {"budget", "Most trials of global = \"basins\", in number of variables + 1."},
-              {"seed", "Number that selects random points: residual_trust_region, genetic."},
+              {"seed",
+               "Number that selects random points: residual_trust_region, genetic, and global = "
+               "\"basins\"."},
               {"ends_with", "ensemble: with \"first\" it ends with the first member that ends."},
               {"member", "ensemble: tables `[optimizer.member.NAME]`, each an optimizer."},
               {"priority", "Share of a member in the steps of an ensemble."},
