@@ -173,7 +173,7 @@ std::vector<NoiseRatio> noise_ratios(const Study& study, const Identification& i
   return all;
 }
 
-/// Returns for example ", of force 9.1, of modes 0.97"; empty if there is one experiment.
+/// Returns for example " (by source force 9.1, modes 0.97)"; empty if there is one experiment.
 std::string in_words(const std::vector<NoiseRatio>& ratios) {
   constexpr std::size_t kMostNamed = 6;
   if (ratios.size() < 2) return "";

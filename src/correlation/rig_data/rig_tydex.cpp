@@ -46,11 +46,11 @@ void expect_pressed(const ProcessedPlateau& plateau) {
     const double load = std::accumulate(mean.begin(), mean.end(), 0.0) /
                         std::max<double>(1.0, static_cast<double>(mean.size()));
     if (load < 0.0)
-      throw InputError(fmt::format(
-          "Fz is {:.0f} N in the mean, so the signs of the recordings are not those of "
-          "ISO 8855, which a TYDEX file of --tydex states; expected channels with these "
-          "signs, for example Fz = \"-COLUMN\" in [channels] of the rig file",
-          load));
+      throw InputError(
+          fmt::format("Fz is {:.0f} N in the mean, so the signs of the recordings are not those of "
+                      "ISO 8855, which a file of --tydex states; turn the signs of the recordings "
+                      "before, or leave --tydex out",
+                      load));
   }
 }
 

@@ -27,8 +27,8 @@ constexpr double kFewUnseen = 0.5;
 // a search: a search that comes near another minimum must not be ended by a rough model.
 constexpr double kErrorOfPoint = 0.5, kErrorOfSearch = 0.2;
 
-/// Returns the first points of a low-discrepancy sequence, or random ones if there are more variables
-/// than it has.
+/// Returns the first points of a low-discrepancy sequence, or random ones if there are more
+/// variables than it has.
 SamplingPlan spread_over(const DesignSpace& space, int count, std::uint64_t seed) {
   if (space.size() <= kMostSobolVariables) return sobol(space, count, seed);
   SamplingPlan plan;
