@@ -57,9 +57,6 @@ BasinSearch::BasinSearch(const DesignSpace& space,
       make_optimizer_(std::move(make_optimizer)),
       best_probe_(kInfinity) {
   if (options_.budget < 1) throw InputError("basins: the budget is below 1");
-  if (space_.size() > kMostSobolVariables)
-    throw InputError(fmt::format(
-        "basins: there are {} variables, expected at most {}", space_.size(), kMostSobolVariables));
   spread_points();
 }
 
