@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # tools/repack.sh FILE.deb...   compresses Debian packages again with a dictionary of 64 MB, so that the code that the program
-#                               and its libraries have in common is there once (latsch: 10.0 instead of 14 MB)
+#                               and its libraries have in common is there once (a package of 13.7 MB became one of 9.1)
 set -eu
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
