@@ -7,8 +7,6 @@
 # apt build: libsqlitecpp-dev libsqlite3-dev libudunits2-dev libopenblas-serial-dev libmetis-dev
 # MAT files: version 5 needs zlib, version 7.3 is HDF5 and read by matio:
 # apt build: zlib1g-dev libmatio-dev
-# Packages of co-simulation units (FMI) are ZIP files:
-# apt build: libzip-dev
 # The studio's server: Boost.Beast and Asio, headers alone:
 # apt build: libboost-dev
 # The page of the studio is built by npm (apps/web). The packages are installed only if the commands are missing, because
@@ -21,6 +19,8 @@
 # apt mpi: libopenmpi-dev openmpi-bin
 # Tests and benchmarks compare with these independent programs; the product does not use them:
 # apt test: libgtest-dev libgmock-dev calculix-ccx python3-scipy python3-numpy python3-pandas libnlopt-dev libxml2-utils python3-jsonschema
+# Packages of co-simulation units (FMI) are ZIP files, which this library reads again:
+# apt test: libzip-dev
 # The test oracle of mechanisms (verification/simbody), C++17 by itself; nothing else is linked with it:
 # apt test: libsimbody-dev
 # A file system in user space for the test of a journal on one:
@@ -66,17 +66,34 @@ add_library(udunits2 INTERFACE IMPORTED)
 target_link_libraries(udunits2 INTERFACE ${UDUNITS2_LIBRARY})
 target_include_directories(udunits2 INTERFACE ${UDUNITS2_INCLUDE})
 
+# MAT files of version 7.3. Programs contain matio and HDF5, because Debian's shared HDF5 needs libcurl and what that needs:
+# 5 MB of packages for reading files from the network, which Latsch does not do. The code of the archives is not
+# position-independent enough for shared libraries: Python's module uses matio's own, and latsch_all, which reads no
+# recordings, is linked without it (apps/exchange).
 find_library(MATIO_LIBRARY matio REQUIRED)
 find_path(MATIO_INCLUDE matio.h REQUIRED)
+find_library(MATIO_ARCHIVE libmatio.a)
+find_library(HDF5_ARCHIVE NAMES libhdf5_serial.a libhdf5.a)
+find_library(SZIP_ARCHIVE libsz.a)
+find_library(AEC_ARCHIVE libaec.a)
 add_library(matio INTERFACE IMPORTED)
-target_link_libraries(matio INTERFACE ${MATIO_LIBRARY})
+if(MATIO_ARCHIVE AND HDF5_ARCHIVE AND SZIP_ARCHIVE AND AEC_ARCHIVE)
+  target_link_libraries(matio INTERFACE
+    "$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${MATIO_ARCHIVE};${HDF5_ARCHIVE};${SZIP_ARCHIVE};${AEC_ARCHIVE};ZLIB::ZLIB;m;${CMAKE_DL_LIBS}>"
+    "$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,MODULE_LIBRARY>:${MATIO_LIBRARY}>")
+else()
+  message(STATUS "matio and HDF5 are shared libraries: their archives are not installed")
+  target_link_libraries(matio INTERFACE ${MATIO_LIBRARY})
+endif()
 target_include_directories(matio INTERFACE ${MATIO_INCLUDE})
 
-find_library(LIBZIP_LIBRARY zip REQUIRED)
-find_path(LIBZIP_INCLUDE zip.h REQUIRED)
-add_library(libzip INTERFACE IMPORTED)
-target_link_libraries(libzip INTERFACE ${LIBZIP_LIBRARY})
-target_include_directories(libzip INTERFACE ${LIBZIP_INCLUDE})
+if(LATSCH_TESTS)
+  find_library(LIBZIP_LIBRARY zip REQUIRED)
+  find_path(LIBZIP_INCLUDE zip.h REQUIRED)
+  add_library(libzip INTERFACE IMPORTED)
+  target_link_libraries(libzip INTERFACE ${LIBZIP_LIBRARY})
+  target_include_directories(libzip INTERFACE ${LIBZIP_INCLUDE})
+endif()
 
 # BLAS and LAPACK come from OpenBLAS in the build without threads, because a trial is one thread.
 find_library(OPENBLAS_LIBRARY openblas REQUIRED

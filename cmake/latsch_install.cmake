@@ -26,8 +26,10 @@ set(manual ${CMAKE_BINARY_DIR}/latsch.1)
 add_custom_command(OUTPUT ${manual}
                    COMMAND python3 ${CMAKE_SOURCE_DIR}/tools/man_page.py $<TARGET_FILE:latsch> ${manual}
                    DEPENDS latsch ${CMAKE_SOURCE_DIR}/tools/man_page.py VERBATIM)
-add_custom_target(latsch_manual ALL DEPENDS ${manual})
-install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+# Neither name nor time is stored, so equal texts give equal bytes.
+add_custom_command(OUTPUT ${manual}.gz COMMAND gzip -9nkf ${manual} DEPENDS ${manual} VERBATIM)
+add_custom_target(latsch_manual ALL DEPENDS ${manual}.gz)
+install(FILES ${manual}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${CMAKE_SOURCE_DIR}/cmake/package/latsch.bash DESTINATION share/bash-completion/completions RENAME latsch
         COMPONENT program)
 # The schemas of the program's files, for editors.

@@ -14,6 +14,10 @@ try() {
   echo "== $*"
   "$@" >/tmp/said 2>&1 || { cat /tmp/said; exit 1; }
 }
+echo "bytes to download, package by package:"
+{ stat -c '%s %n' /packages/latsch_*.deb
+  apt-get install --print-uris -y --no-install-recommends /packages/latsch_*.deb | awk "/^'http/ { print \$3, \$2 }"
+} | sort -rn | awk '{ print; sum += $1 } END { printf "%d in %d packages\n", sum, NR }'
 began=$(date +%s)
 install /packages/latsch_*.deb
 installed=$(date +%s)
@@ -25,6 +29,9 @@ echo "from the package to a program: $((installed - began)) s; from there to the
 latsch --version | grep 'MPI  *no'
 install /packages/*.deb
 latsch --version
+if latsch export /packages/tire.toml --fmu 3.0 --platforms linux -o linux.fmu >/dev/null && [ -e /usr/lib/latsch/latsch_sti.dll ]; then
+  try latsch export /packages/tire.toml --fmu 3.0 --platforms linux,windows -o both.fmu
+fi
 ldd /usr/bin/latsch | grep openblas-serial
 try latsch new my_tire --coarse
 try latsch check my_tire/study.toml
@@ -37,7 +44,7 @@ try latsch export /packages/tire.toml --fmu 3.0 -o tire.fmu
 try man -w latsch
 latsch serve /packages --no-browser >/tmp/serve.log 2>&1 &
 server=$!
-for second in 1 2 3 4 5; do
+for _ in 1 2 3 4 5; do
   grep -q http: /tmp/serve.log && break
   sleep 1
 done

@@ -66,7 +66,8 @@ void load(Seat& seat, const std::string& file, const std::string& road) {
                                    : tire_as_written(path);
   seat.tire = std::make_unique<SteppedTire>(found.tire.rolls->tire());
   seat.description = "Latsch: " + found.kind;
-  seat.road = road.empty() ? nullptr : std::shared_ptr(formats::read_road_file(road).road);
+  seat.road =
+      road.empty() ? nullptr : std::shared_ptr(formats::read_road_file(path_of_utf8(road)).road);
 }
 
 /// The arguments of the subroutine DTYRE, unchanged.

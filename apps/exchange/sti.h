@@ -25,6 +25,7 @@
 // All other elements are zero: that solver reads these positions. TYRMOD has 256 characters.
 #pragma once
 
+#include "exchange/exported.h"
 #include "exchange/unit/called_road.h"
 
 namespace latsch::exchange::sti {
@@ -66,11 +67,11 @@ using Dtyre = void(const int* ndev,
                    int* ierr);
 
 extern "C" {
-/// Symbols for Fortran compilers on Linux (with underscore) and for C.
-[[gnu::visibility("default")]] Dtyre dtyre_, dtyre;
+/// Symbols for Fortran compilers (GNU and, on Linux, Intel: with underscore) and for C.
+LATSCH_EXPORTED Dtyre dtyre_, dtyre;
 /// Returns the reason why IERR of the tire's last call was not 0; "" if it was 0. The text is valid
 /// until the next call for this tire.
-[[gnu::visibility("default")]] const char* latsch_sti_message(const int* idtyre);
+LATSCH_EXPORTED const char* latsch_sti_message(const int* idtyre);
 }
 
 }  // namespace latsch::exchange::sti

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of the server: a first script, further ones when they are needed (three.js), one style sheet.
+// The page of the server: a first script, further ones when they are needed (what draws in space), one style sheet.
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vite';
 
 import { drawnByProcessor } from './tools/drawn_by_processor.mjs';
-import { leanThree } from './tools/lean_three.mjs';
 
 export default defineConfig({
-  plugins: [drawnByProcessor(), leanThree(), svelte()],
+  plugins: [drawnByProcessor(), svelte()],
   base: '/',
   build: {
     outDir: process.env.LATSCH_WEB_OUT ?? 'dist',

@@ -4,10 +4,9 @@ import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vite';
 
 import { drawnByProcessor } from './tools/drawn_by_processor.mjs';
-import { leanThree } from './tools/lean_three.mjs';
 
 export default defineConfig({
-  plugins: [drawnByProcessor(), leanThree(), svelte()],
+  plugins: [drawnByProcessor(), svelte()],
   build: {
     outDir: `${process.env.LATSCH_WEB_OUT ?? 'dist'}/report`,
     emptyOutDir: true,

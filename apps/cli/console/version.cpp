@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 #include <metis.h>
 #include <sqlite3.h>
-#include <zip.h>
 #include <zlib.h>
 
 #include <boost/version.hpp>
@@ -42,9 +41,8 @@ std::string version_text() {
       "latsch {} ({}, kernels {})\n"
       "compiler   {} {}, C++{}\n"
       "kernels    {} on this processor; LATSCH_KERNELS forces one\n"
-      "libraries  Eigen {}.{}.{}, METIS {}.{}.{}, SQLite {}, Boost {}.{}.{}, fmt {}.{}.{}, libzip "
-      "{}, "
-      "zlib {}\n"
+      "libraries  Eigen {}.{}.{}, METIS {}.{}.{}, SQLite {}, Boost {}.{}.{}, fmt {}.{}.{}, zlib "
+      "{}\n"
       "           {}\n"
       "MPI        {}\n"
       "page       {}",
@@ -68,7 +66,6 @@ std::string version_text() {
       FMT_VERSION / 10000,
       FMT_VERSION / 100 % 100,
       FMT_VERSION % 100,
-      zip_libzip_version(),
       zlibVersion(),
       openblas_get_config(),
       has_message_passing() ? "yes" : "no: latsch_mpi.so is not installed",

@@ -81,8 +81,8 @@ std::vector<exchange::UnitLibrary> libraries(const FmuRequest& request, bool is_
                        "--platforms linux");
     if (!fs::exists(library_path(name + ".dll")))
       throw InputError({library_path(name + ".dll").string(), 0},
-                       "is not there: libraries for Windows are built by cmake --preset "
-                       "units-windows and put beside those for Linux (docs/exchange.md)");
+                       "is not there: the Debian package latsch-units-windows brings it; cmake "
+                       "--preset units-windows builds it, to be put there (docs/exchange.md)");
     found.push_back({library_path(name + ".dll"), true});
   }
   return found;
@@ -156,8 +156,11 @@ void say_sti(const std::string& file,
                      "is a study, which the library does not read: expected --output FOLDER, or "
                      "the file of a tire");
   }
-  say("library   {}\nfunction  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
+  const fs::path dll = library_path("latsch_sti.dll");
+  const bool has_windows = !folder.empty() && fs::exists(dll);
+  say("library   {}\n{}function  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
       library(folder.empty() ? "latsch_all.so" : "latsch_sti.so").string(),
+      has_windows ? "Windows   " + dll.string() + "\n" : "",
       named.string(),
       kind.describe(source.numbers));
 }

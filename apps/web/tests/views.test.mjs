@@ -26,13 +26,13 @@ export const claims = {
   'no violation of axe and no console error, light': allOf('light'),
   'no violation of axe and no console error, dark': allOf('dark'),
 
-  async 'three.js is not loaded before something is shown in space'({ browser, address }) {
+  async 'what draws in space is not loaded before something is shown in space'({ browser, address }) {
     const page = await newPage(browser);
     const asked = [];
     page.on('request', (request) => asked.push(request.url()));
     await page.goto(`${address}#/target?study=tire_b_twin/study.toml`);
     await settled(page);
-    const inSpace = (url) => /(stage|Space)-/.test(url); // the script that holds three.js, by the names of its parts
+    const inSpace = (url) => /(stage|Space)-/.test(url); // the script that draws in space, by the names of its parts
     assert.ok(!asked.some(inSpace), asked.join('\n'));
     await page.getByRole('button', { name: '3-D' }).click();
     await page.waitForSelector('canvas');

@@ -6,7 +6,7 @@
 //   binaries/win64/NAME.dll   or  binaries/x86_64-windows/NAME.dll
 //   resources/                              the unit's files, unit_folder.h
 //   documentation/externalDependencies.txt  libraries that the machine has to have
-//   documentation/licenses/licenses.txt     of the code inside a slim library
+//   documentation/licenses/licenses.txt     licenses of the code inside the libraries
 //
 // Equal content gives equal bytes, because all files have the same date.
 #pragma once

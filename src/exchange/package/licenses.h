@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The licenses of the code inside a slim library (apps/exchange/slim), as the package of a unit
-// carries them.
+// The licenses of the code inside the libraries of apps/exchange, as the package of a unit carries
+// them. The library with all models contains parts of the same programs; the shared libraries that
+// it needs are not in the package.
 #pragma once
 
 namespace latsch::exchange {
 
 /// Text of documentation/licenses/licenses.txt.
-inline constexpr const char* kLicensesOfSlimLibraries =
+inline constexpr const char* kLicensesOfLibraries =
     R"(The libraries in `binaries` are made of Latsch and of parts of the following programs.
 
 Latsch           Apache License 2.0, https://www.apache.org/licenses/LICENSE-2.0

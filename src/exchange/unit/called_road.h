@@ -4,6 +4,7 @@
 // not return are differences over 2 mm. The ground does not move.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "models/road/road.h"
@@ -33,7 +34,7 @@ using RoadCall = void(const double* time,
                       int* dflag,
                       double prsurf[],
                       int* ierr,
-                      long chrdst_length);
+                      std::ptrdiff_t chrdst_length);
 
 class CalledRoad final : public road::Road {
  public:

@@ -2,13 +2,14 @@
 // A mesh on the stage: its parts in colors of their own or all in those of a field, displaced or vibrating in a mode;
 // its rods (links of a suspension) in the colors of their forces; a step of a test, with arrows and the road below.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, type Object3D, PlaneGeometry, SRGBColorSpace, Vector3 } from 'three';
-
 import { diverging, kForceless, type Rgb, viridis } from '../lib/palette';
 import { partColor } from '../lib/part_colors';
 import { Arrows } from './arrows';
-import { Rods } from './rods';
+import type { Hit } from './picking';
+import { RodSet } from './rods';
 import { extentOf, fieldRange, type SceneData, type SceneFrame, type SceneMesh, type SceneSequence, signedRange, stepOf } from './scene_data';
+import { type Drawn, type Lines, type Numbers, numbers, type Rods, type Solid } from './things';
+import { bytesOf, length, linear, minus, plus, pointOf, times, type Vector } from './vectors';
 
 export interface Shown {
   what: SceneFrame | SceneSequence;
@@ -36,18 +37,19 @@ export interface Found {
 }
 
 export class ModelScene {
-  readonly objects: Object3D[] = [];
-  readonly mesh: Mesh;
+  readonly things: Drawn[] = [];
+  readonly mesh: Solid;
   readonly source: SceneMesh;
   readonly range: [number, number] | null;
   points: Float32Array; // points of the displayed step or frame
   values: Float32Array | null;
-  #positions: BufferAttribute;
-  #rods: Rods | null = null;
+  #positions: Numbers; // places at which the points are drawn
+  #center: Vector;
+  #rods: RodSet | null = null;
   #ends: number[] = []; // points of the rods, two each
   #names: string[] = []; // names of the rods
   #arrows: Arrows | null = null;
-  #road: Mesh | null = null;
+  #road: Solid | null = null;
   #thickness: number;
 
   constructor(
@@ -59,12 +61,12 @@ export class ModelScene {
     const first = isSequence(what) ? stepOf(what, 0) : { points: what.points, values: what.field?.values ?? null };
     this.points = first.points;
     this.values = first.values;
-    this.#positions = new BufferAttribute(new Float32Array(this.source.points.length), 3);
-    this.#positions.setUsage(DynamicDrawUsage);
+    this.#positions = numbers(new Float32Array(this.source.points.length));
+    const { center, radius } = extentOf(this.source.points);
+    this.#center = center;
     this.range = what.field && shown.hasField ? (isSequence(what) ? signedRange : fieldRange)(what.field.values) : null;
     this.mesh = this.#solid();
-    this.objects.push(this.mesh);
-    const { radius } = extentOf(this.source.points);
+    this.things.push(this.mesh);
     this.#thickness = 0.007 * radius;
     if (this.source.rods.length) this.#makeRods();
     if (shown.hasEdges) this.#edges();
@@ -73,7 +75,7 @@ export class ModelScene {
       if (what.ground !== null) this.#makeRoad(data.meshes[what.ground]!);
       this.show(0);
     } else {
-      if (what.ground !== null) this.objects.push(this.#level(what.ground));
+      if (what.ground !== null) this.things.push(this.#level(what.ground, radius));
       this.place(0);
     }
   }
@@ -86,8 +88,8 @@ export class ModelScene {
     this.points = now.points;
     this.values = now.values;
     this.place(0);
-    this.#arrows?.place(this.#positions, now.vectors, now.values);
-    this.#road?.position.setX(-what.origins[step]!);
+    this.#arrows?.place(this.#positions.data, now.vectors, now.values);
+    if (this.#road) this.#road.at = [-what.origins[step]!, 0, 0];
   }
 
   /** Places points at this sine of a mode's oscillation; without a mode at their positions in the frame. */
@@ -95,32 +97,28 @@ export class ModelScene {
     const { what, exaggeration } = this.shown;
     const rest = this.source.points;
     const swing = isSequence(what) ? null : what.swing;
-    const to = this.#positions.array;
+    const to = this.#positions.data;
     const share = swing ? sine * exaggeration : 0;
     const drawn = swing ? 1 : exaggeration;
     for (let k = 0; k < to.length; ++k) {
       to[k] = rest[k]! + drawn * (this.points[k]! - rest[k]!) + (swing ? share * swing[k]! : 0);
     }
-    this.#positions.needsUpdate = true;
-    this.mesh.geometry.boundingSphere = null;
+    ++this.#positions.version;
     this.#placeRods();
   }
 
-  /** Meshes that the probe searches. */
-  get bodies(): Mesh[] {
+  /** What the probe searches. */
+  get bodies(): (Solid | Rods)[] {
     const solid = this.source.triangles.length ? [this.mesh] : [];
-    return [...(this.#arrows ? [this.#arrows.shafts.mesh, this.#arrows.heads.mesh] : []), ...(this.#rods ? [this.#rods.mesh] : []), ...solid];
+    return [...(this.#arrows?.things ?? []), ...(this.#rods ? [this.#rods.thing] : []), ...solid];
   }
 
-  found(object: Object3D, instance: number | undefined, nearest: number, at: Vector3): Found {
-    const arrows = this.#arrows;
-    if (instance !== undefined && arrows && (object === arrows.shafts.mesh || object === arrows.heads.mesh)) {
-      return { point: arrows.sequence.arrows[instance]!.point, rod: null, arrow: instance };
-    }
-    if (instance === undefined || object !== this.#rods?.mesh) return { point: nearest, rod: null, arrow: null };
-    const [a, b] = [this.#ends[2 * instance]!, this.#ends[2 * instance + 1]!];
-    const distance = (k: number) => at.distanceToSquared(new Vector3().fromBufferAttribute(this.#positions, k));
-    return { point: distance(a) < distance(b) ? a : b, rod: this.#names[instance]!, arrow: null };
+  found({ object, nearest, point }: Hit): Found {
+    if (object.kind === 'solid') return { point: nearest, rod: null, arrow: null };
+    if (object !== this.#rods?.thing) return { point: this.#arrows!.sequence.arrows[nearest]!.point, rod: null, arrow: nearest };
+    const [a, b] = [this.#ends[2 * nearest]!, this.#ends[2 * nearest + 1]!];
+    const distance = (k: number) => length(minus(point, pointOf(this.#positions.data, k)));
+    return { point: distance(a) < distance(b) ? a : b, rod: this.#names[nearest]!, arrow: null };
   }
 
   /** The color of a force; without a value that of no force. */
@@ -129,33 +127,21 @@ export class ModelScene {
     return value === undefined || !Number.isFinite(value) || most === 0 ? kForceless : diverging(value / most, kForceless);
   }
 
-  #solid(): Mesh {
+  #solid(): Solid {
     const { what, hidden } = this.shown;
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', this.#positions);
-    geometry.setIndex(new BufferAttribute(this.source.triangles, 1));
-    const isColored = this.range !== null && !isSequence(what);
-    const side = { side: DoubleSide, flatShading: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-    if (isColored) geometry.setAttribute('color', this.#colors(this.range!));
-    const glass = isSequence(what) ? { transparent: true, opacity: kGlass, depthWrite: false } : {};
-    const materials = this.source.parts.map(({ name }) => new MeshLambertMaterial(isColored ? { ...side, vertexColors: true } : { ...side, ...glass, color: partColor(name) }));
-    this.source.parts.forEach((part, k) => {
-      if (!hidden.has(part.name)) geometry.addGroup(3 * part.first, 3 * part.count, k);
-    });
-    const mesh = new Mesh(geometry, materials);
-    mesh.frustumCulled = false;
-    return mesh;
+    const isGlass = isSequence(what);
+    const all = this.source.parts.map(({ name, first, count }) => ({ name, first: 3 * first, count: 3 * count, color: linear(bytesOf(partColor(name))) }));
+    return {
+      kind: 'solid', at: [0, 0, 0], center: this.#center, points: this.#positions, triangles: this.source.triangles, normals: null,
+      colors: this.range !== null && !isGlass ? this.#colors(this.range) : null, parts: all.filter(({ name }) => !hidden.has(name)),
+      opacity: isGlass ? kGlass : 1, isVeil: isGlass, hasBack: true, isLit: true, behind: 1,
+    };
   }
 
-  #colors([least, greatest]: [number, number]): BufferAttribute {
-    const values = this.values!;
-    const colors = new Float32Array(values.length * 3);
-    const color = new Color();
-    for (let k = 0; k < values.length; ++k) {
-      const [r, g, b] = viridis(greatest > least ? (values[k]! - least) / (greatest - least) : 0.5);
-      color.setRGB(r / 255, g / 255, b / 255, SRGBColorSpace).toArray(colors, 3 * k);
-    }
-    return new BufferAttribute(colors, 3);
+  #colors([least, greatest]: [number, number]): Numbers {
+    const colors = new Float32Array(this.values!.length * 3);
+    this.values!.forEach((value, k) => colors.set(linear(viridis(greatest > least ? (value - least) / (greatest - least) : 0.5)), 3 * k));
+    return numbers(colors);
   }
 
   #makeRods(): void {
@@ -165,8 +151,8 @@ export class ModelScene {
         this.#names.push(rod.name);
       }
     }
-    this.#rods = new Rods(this.#names.length);
-    this.objects.push(this.#rods.mesh);
+    this.#rods = new RodSet(this.#names.length);
+    this.things.push(this.#rods.thing);
   }
 
   #rodColor(a: number, b: number): Rgb {
@@ -178,10 +164,10 @@ export class ModelScene {
 
   #placeRods(): void {
     if (!this.#rods) return;
-    const [a, b] = [new Vector3(), new Vector3()];
+    const points = this.#positions.data;
     for (let k = 0; k < this.#names.length; ++k) {
       const [from, to] = [this.#ends[2 * k]!, this.#ends[2 * k + 1]!];
-      this.#rods.place(k, a.fromBufferAttribute(this.#positions, from), b.fromBufferAttribute(this.#positions, to), this.#thickness);
+      this.#rods.place(k, pointOf(points, from), pointOf(points, to), this.#thickness);
       this.#rods.paint(k, this.#rodColor(from, to));
     }
     this.#rods.placed();
@@ -196,26 +182,25 @@ export class ModelScene {
         return value !== undefined && Number.isFinite(value) ? this.#force(value) : this.shown.load;
       },
     });
-    this.objects.push(...this.#arrows.objects);
+    this.things.push(...this.#arrows.things);
   }
 
   #makeRoad(road: SceneMesh): void {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(road.points, 3));
-    geometry.setIndex(new BufferAttribute(road.triangles, 1));
     const heights = road.points.filter((_, k) => k % 3 === 2);
-    geometry.setAttribute('color', this.#reliefs(heights, fieldRange(heights)));
-    this.#road = new Mesh(geometry, new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, flatShading: true }));
-    this.#road.frustumCulled = false;
-    this.objects.push(this.#road);
+    this.#road = {
+      kind: 'solid', at: [0, 0, 0], center: extentOf(road.points).center, opacity: 1, points: numbers(road.points), triangles: road.triangles, normals: null,
+      colors: this.#reliefs(heights, fieldRange(heights)), parts: [{ first: 0, count: road.triangles.length, color: [0, 0, 0] }],
+      hasBack: true, isLit: true, behind: 0, isVeil: false,
+    };
+    this.things.push(this.#road);
   }
 
   /** Colors higher points darker: kerbs are low compared with a car. */
-  #reliefs(heights: Float32Array, [least, greatest]: [number, number]): BufferAttribute {
-    const [low, high, color] = [new Color(partColor('road')), new Color(kCrest), new Color()];
+  #reliefs(heights: Float32Array, [least, greatest]: [number, number]): Numbers {
+    const [low, high] = [linear(bytesOf(partColor('road'))), linear(bytesOf(kCrest))];
     const colors = new Float32Array(3 * heights.length);
-    heights.forEach((height, k) => color.lerpColors(low, high, greatest > least ? (height - least) / (greatest - least) : 0).toArray(colors, 3 * k));
-    return new BufferAttribute(colors, 3);
+    heights.forEach((height, k) => colors.set(plus(low, minus(high, low), greatest > least ? (height - least) / (greatest - least) : 0), 3 * k));
+    return numbers(colors);
   }
 
   /** Draws edges that belong to no rod. */
@@ -223,18 +208,17 @@ export class ModelScene {
     const isRod = new Set(this.source.rods.flatMap((rod) => Array.from({ length: rod.count }, (_, k) => rod.first + k)));
     const lines = this.source.edges.filter((_, k) => !isRod.has(k >> 1));
     if (!lines.length) return;
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', this.#positions);
-    geometry.setIndex(new BufferAttribute(lines, 1));
-    const made = new LineSegments(geometry, new LineBasicMaterial({ color: this.shown.ink, transparent: true, opacity: 0.35 }));
-    made.frustumCulled = false;
-    this.objects.push(made);
+    const edges: Lines = { kind: 'lines', at: [0, 0, 0], center: this.#center, opacity: 0.35, points: this.#positions, pairs: lines, color: linear(bytesOf(this.shown.ink)) };
+    this.things.push(edges);
   }
 
-  #level(height: number): Mesh {
-    const { center, radius } = extentOf(this.source.points);
-    const plane = new Mesh(new PlaneGeometry(2.4 * radius, 2.4 * radius), new MeshBasicMaterial({ color: this.shown.ink, transparent: true, opacity: 0.12, side: DoubleSide, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 4, polygonOffsetUnits: 4 }));
-    plane.position.set(center[0], center[1], height);
-    return plane;
+  /** The ground, a square around the model. */
+  #level(height: number, radius: number): Solid {
+    const [x, y] = this.#center;
+    const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].flatMap((corner) => [...times([corner[0]!, corner[1]!, 0], 1.2 * radius)]);
+    return {
+      kind: 'solid', at: [x, y, height], center: [0, 0, 0], opacity: 0.12, points: numbers(new Float32Array(corners)), triangles: new Uint32Array([0, 1, 2, 0, 2, 3]),
+      normals: null, colors: null, parts: [{ first: 0, count: 6, color: linear(bytesOf(this.shown.ink)) }], hasBack: true, isLit: false, behind: 4, isVeil: true,
+    };
   }
 }

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The target over two variables as a surface in a box of 2 x 2 x 1: height and color show the target on its scale.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, SphereGeometry, SRGBColorSpace } from 'three';
-
 import type { Surface, SurfaceAxis, Value } from '../lib/contract';
 import { named, number } from '../lib/numbers';
 import { viridis } from '../lib/palette';
 import type { Levels } from '../views/target/levels';
+import { ball as ballOf } from './shapes';
 import type { Label } from './stage';
+import { type Lines, numbers, type Solid } from './things';
+import { bytesOf, cross, linear, minus, plus, pointOf, unit, type Vector } from './vectors';
 
 type Place = [number, number, number];
+
+const kMiddle: Vector = [0, 0, 0.5]; // the middle of the box
 
 function along(axis: SurfaceAxis, value: number): number {
   const way = axis.scale === 'logarithmic' ? Math.log : (x: number) => x;
@@ -28,18 +31,16 @@ const edgePairs = (nx: number, ny: number) => {
   return pairs;
 };
 
-export function surfaceMesh(surface: Surface, levels: Levels, ink: string): { mesh: Mesh; grid: LineSegments } {
+export function surfaceMesh(surface: Surface, levels: Levels, ink: string): { mesh: Solid; grid: Lines } {
   const [nx, ny] = [surface.x.levels.length, surface.y.levels.length];
   const places = new Float32Array(nx * ny * 3);
   const colors = new Float32Array(nx * ny * 3);
   const isKnown = (k: number) => Number.isFinite(surface.target[Math.floor(k / ny)]?.[k % ny] ?? NaN);
-  const color = new Color();
   for (let k = 0; k < nx * ny; ++k) {
     const [i, j] = [Math.floor(k / ny), k % ny];
     const part = isKnown(k) ? levels.part(surface.target[i]![j]!) : 0;
     places.set([along(surface.x, surface.x.levels[i]!), along(surface.y, surface.y.levels[j]!), part], 3 * k);
-    const [r, g, b] = viridis(part);
-    color.setRGB(r / 255, g / 255, b / 255, SRGBColorSpace).toArray(colors, 3 * k);
+    colors.set(linear(viridis(part)), 3 * k);
   }
   const triangles: number[] = [];
   for (let i = 0; i + 1 < nx; ++i) {
@@ -48,29 +49,40 @@ export function surfaceMesh(surface: Surface, levels: Levels, ink: string): { me
       if ([a, b, c, d].every(isKnown)) triangles.push(a, b, c, a, c, d);
     }
   }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(places, 3));
-  geometry.setAttribute('color', new BufferAttribute(colors, 3));
-  geometry.setIndex(triangles);
-  geometry.computeVertexNormals();
-  const mesh = new Mesh(geometry, new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
-  const lines = new BufferGeometry();
-  lines.setAttribute('position', geometry.getAttribute('position'));
-  lines.setIndex(edgePairs(nx, ny).filter((_, k, all) => isKnown(all[k - (k % 2)]!) && isKnown(all[k - (k % 2) + 1]!)));
-  const grid = new LineSegments(lines, new LineBasicMaterial({ color: ink, transparent: true, opacity: 0.35 }));
-  return { mesh, grid };
+  const points = numbers(places);
+  const drawn = new Uint32Array(triangles);
+  const mesh: Solid = {
+    kind: 'solid', at: [0, 0, 0], center: kMiddle, opacity: 1, points, triangles: drawn, normals: numbers(normalsOf(places, drawn)), colors: numbers(colors),
+    parts: [{ first: 0, count: drawn.length, color: [0, 0, 0] }], hasBack: true, isLit: true, behind: 1, isVeil: false,
+  };
+  const pairs = edgePairs(nx, ny).filter((_, k, all) => isKnown(all[k - (k % 2)]!) && isKnown(all[k - (k % 2) + 1]!));
+  return { mesh, grid: { kind: 'lines', at: [0, 0, 0], center: kMiddle, opacity: 0.35, points, pairs: new Uint32Array(pairs), color: linear(bytesOf(ink)) } };
+}
+
+/** Normals of the points: the mean of their triangles' normals, weighted by area. */
+function normalsOf(places: Float32Array, triangles: Uint32Array): Float32Array {
+  const sums = new Float32Array(places.length);
+  for (let at = 0; at < triangles.length; at += 3) {
+    const corners = triangles.subarray(at, at + 3);
+    const [a, b, c] = Array.from(corners, (k) => pointOf(places, k)) as [Vector, Vector, Vector];
+    const normal = cross(minus(b, a), minus(c, a));
+    for (const k of corners) sums.set(plus(pointOf(sums, k), normal), 3 * k);
+  }
+  for (let k = 0; 3 * k < sums.length; ++k) {
+    const sum = pointOf(sums, k);
+    if (sum.some((x) => x !== 0)) sums.set(unit(sum), 3 * k);
+  }
+  return sums;
 }
 
 /** The frame below the surface and around it. */
-export function box(ink: string): LineSegments {
-  const geometry = new BufferGeometry();
+export function box(ink: string): Lines {
   const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]] as const;
   const places = corners.flatMap(([x, y], k) => {
     const [nextX, nextY] = corners[(k + 1) % 4]!;
     return [x, y, 0, nextX, nextY, 0, x, y, 0, x, y, 1];
   });
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
-  return new LineSegments(geometry, new LineBasicMaterial({ color: ink, transparent: true, opacity: 0.4 }));
+  return { kind: 'lines', at: [0, 0, 0], center: kMiddle, opacity: 0.4, points: numbers(new Float32Array(places)), pairs: null, color: linear(bytesOf(ink)) };
 }
 
 export function labels(surface: Surface, levels: Levels): Label[] {
@@ -97,8 +109,10 @@ export function placeOn(surface: Surface, levels: Levels, [x, y]: [Value, Value]
   return value === null || value === undefined ? null : [along(surface.x, x), along(surface.y, y), levels.part(value)];
 }
 
-export function ball(at: Place, color: string, radius: number): Mesh {
-  const mesh = new Mesh(new SphereGeometry(radius, 20, 14), new MeshLambertMaterial({ color }));
-  mesh.position.set(...at);
-  return mesh;
+export function ball(at: Place, color: string, radius: number): Solid {
+  const { points, normals, triangles } = ballOf(radius, 20, 14);
+  return {
+    kind: 'solid', at, center: [0, 0, 0], opacity: 1, points: numbers(points), normals: numbers(normals), colors: null, triangles,
+    parts: [{ first: 0, count: triangles.length, color: linear(bytesOf(color)) }], hasBack: false, isLit: true, behind: 0, isVeil: false,
+  };
 }

@@ -2,25 +2,25 @@
 // A camera that orbits a point, z up: drag rotates, right or shift drag moves, the wheel zooms; arrow keys rotate, +
 // and - zoom, 0 shows all.
 
-import { type PerspectiveCamera, Vector3 } from 'three';
+import type { Camera } from './camera';
+import { plus, type Vector } from './vectors';
 
 const kTurn = 0.008; // rad per pixel
 const kKeyTurn = 0.12; // rad per key press
 
 export class Orbit {
-  #target = new Vector3();
+  #target: Vector = [0, 0, 0];
   #distance = 3;
   #azimuth = -0.9;
   #height = 0.5;
-  #home = { target: new Vector3(), distance: 3, azimuth: -0.9, height: 0.5 };
+  #home = { target: [0, 0, 0] as Vector, distance: 3, azimuth: -0.9, height: 0.5 };
   #ends: (() => void)[] = [];
 
   constructor(
-    readonly camera: PerspectiveCamera,
+    readonly camera: Camera,
     readonly element: HTMLElement,
     readonly onchange: () => void,
   ) {
-    camera.up.set(0, 0, 1);
     this.#listen('pointerdown', (event) => this.#grab(event));
     this.#listen('wheel', (event) => {
       event.preventDefault();
@@ -31,16 +31,15 @@ export class Orbit {
   }
 
   /** Shows everything within `radius` around `center` from this side; key "0" returns to this view. */
-  show(center: Vector3, radius: number, azimuth = -0.9, height = 0.45): void {
-    const distance = (1.1 * radius) / Math.sin((this.camera.fov * Math.PI) / 360);
-    this.#home = { target: center.clone(), distance, azimuth, height };
-    this.camera.near = distance / 100;
-    this.camera.far = distance * 20;
+  show(center: Vector, radius: number, azimuth = -0.9, height = 0.45): void {
+    const distance = (1.1 * radius) / this.camera.sine;
+    this.#home = { target: center, distance, azimuth, height };
+    this.camera.setReach(distance / 100, distance * 20);
     this.home();
   }
 
   home(): void {
-    this.#target.copy(this.#home.target);
+    this.#target = this.#home.target;
     this.#distance = this.#home.distance;
     this.#azimuth = this.#home.azimuth;
     this.#height = this.#home.height;
@@ -104,23 +103,15 @@ export class Orbit {
   }
 
   #move(dx: number, dy: number): void {
-    const size = (2 * this.#distance * Math.tan((this.camera.fov * Math.PI) / 360)) / this.element.clientHeight;
-    const right = new Vector3().setFromMatrixColumn(this.camera.matrix, 0);
-    const up = new Vector3().setFromMatrixColumn(this.camera.matrix, 1);
-    this.#target.addScaledVector(right, -dx * size).addScaledVector(up, dy * size);
+    const size = (2 * this.#distance * this.camera.tangent) / this.element.clientHeight;
+    this.#target = plus(plus(this.#target, this.camera.right, -dx * size), this.camera.up, dy * size);
     this.#place();
   }
 
   #place(): void {
     const flat = this.#distance * Math.cos(this.#height);
-    this.camera.position.set(
-      this.#target.x + flat * Math.cos(this.#azimuth),
-      this.#target.y + flat * Math.sin(this.#azimuth),
-      this.#target.z + this.#distance * Math.sin(this.#height),
-    );
-    this.camera.lookAt(this.#target);
-    this.camera.updateMatrix();
-    this.camera.updateProjectionMatrix();
+    const from: Vector = [flat * Math.cos(this.#azimuth), flat * Math.sin(this.#azimuth), this.#distance * Math.sin(this.#height)];
+    this.camera.look(plus(this.#target, from), this.#target);
     this.onchange();
   }
 }
