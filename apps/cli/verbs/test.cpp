@@ -15,9 +15,11 @@
 #include <string_view>
 #include <utility>
 
+#include "base/clock.h"
 #include "base/document.h"
 #include "base/error.h"
 #include "base/file.h"
+#include "base/progress.h"
 #include "base/text.h"
 #include "cli/console/answers.h"
 #include "cli/console/console.h"
@@ -200,6 +202,33 @@ struct Unsuccessful {
   Failure failure;
 };
 
+/// Shows how many samples of a long test are known, unless a terminal shows the samples themselves.
+class SampleNote {
+ public:
+  SampleNote(const experiment::Test& test, const TestOptions& options)
+      : total_(test.samples().value_or(0)),
+        is_shown_(!options.output.empty() || answers_in_json() || !is_terminal(1)) {}
+
+  void add(const Channels& block) {
+    if (block.empty()) return;
+    done_ += std::ssize(block.all().front().values);
+    // A test that is long and whose samples come all at the end has nothing to show.
+    const bool is_short = clock_() - start_ < kPatience || (total_ > 0 && done_ >= total_);
+    if (!is_shown_ || (is_short && !has_shown_)) return;
+    has_shown_ = true;
+    note_.update(done_, total_, "");
+  }
+
+ private:
+  static constexpr double kPatience = 5.0;  // s, before a test counts as long
+
+  long total_, done_ = 0;
+  bool is_shown_, has_shown_ = false;
+  Clock clock_ = steady_clock();
+  double start_ = clock_();
+  RunningNote note_;  // its time counts from the start
+};
+
 /// Runs the test and writes its channels. Samples are written in blocks, so the memory that is
 /// needed does not depend on the length of the recording.
 int run_and_give(const TestOptions& options,
@@ -209,9 +238,11 @@ int run_and_give(const TestOptions& options,
   std::vector<std::string> notes;
   const auto view = experiment::sign_view(options.signs);
   const auto run = [&](const std::function<void(const Channels&)>& tell) {
+    SampleNote progress(test, options);
     const auto done =
         language.run_in_blocks(*model.kind, model.numbers, test, [&](const Channels& block) {
           tell(experiment::in_signs(block, test, view));
+          progress.add(block);
         });
     if (!done) throw Unsuccessful{done.failure()};
     notes = *done;

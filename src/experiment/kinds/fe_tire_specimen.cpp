@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "experiment/kinds/fe_variations.h"
 #include "experiment/rigs/fe_rolling/ground_friction.h"
+#include "experiment/rigs/fe_rolling/slip_record.h"
 #include "experiment/rigs/fe_rolling/steady_table.h"
 #include "experiment/rigs/fe_tire/rolling_rig.h"
 #include "experiment/rigs/slip/rolling_stiffness.h"
@@ -173,6 +174,25 @@ Result<std::vector<std::string>> FeTireSpecimen::steady_in_blocks(
 std::vector<std::string> FeTireSpecimen::limits_in(const formats::CsvTable& states,
                                                    const SteadyConditions& conditions) {
   return remarks_on_table(*rig_, states, conditions);
+}
+
+Result<Channels> FeTireSpecimen::slip_history(const formats::CsvTable& states,
+                                              const SlipHistoryConditions& conditions,
+                                              const Asked&,
+                                              std::vector<std::string>& remarks) {
+  return roll_record(*rig_, states, conditions, remarks);
+}
+
+Status FeTireSpecimen::history_in_blocks(const formats::CsvTable& states,
+                                         const SlipHistoryConditions& conditions,
+                                         const std::function<void(const Channels&)>& tell,
+                                         std::vector<std::string>& remarks) {
+  return roll_record(*rig_, states, conditions, tell, remarks);
+}
+
+std::vector<std::string> FeTireSpecimen::limits_in_history(
+    const formats::CsvTable& states, const SlipHistoryConditions& conditions) const {
+  return remarks_on_record(*rig_, states, conditions);
 }
 
 bool rolls(const Test& test) {

@@ -45,6 +45,7 @@ class FeTireSpecimen : public Specimen,
                        public IsFeTire,
                        public HasFootprint,
                        public HasSteadyStates,
+                       public LagsBehindSlips,
                        public Rolls,
                        public TakesConditions {
  public:
@@ -72,6 +73,17 @@ class FeTireSpecimen : public Specimen,
       const std::function<void(const Channels&)>& tell) override;
   std::vector<std::string> limits_in(const formats::CsvTable& states,
                                      const SteadyConditions& conditions) override;
+  /// Rolls in time (rigs/fe_rolling/slip_record.h). No derivatives are known.
+  Result<Channels> slip_history(const formats::CsvTable& states,
+                                const SlipHistoryConditions& conditions,
+                                const Asked& asked,
+                                std::vector<std::string>& remarks) override;
+  Status history_in_blocks(const formats::CsvTable& states,
+                           const SlipHistoryConditions& conditions,
+                           const std::function<void(const Channels&)>& tell,
+                           std::vector<std::string>& remarks) override;
+  std::vector<std::string> limits_in_history(
+      const formats::CsvTable& states, const SlipHistoryConditions& conditions) const override;
   /// Returns a tire in time (models/fe_tire/passage/fe_rolling_tire.h). It has a mesh of its own
   /// and needs the specimen no longer.
   std::unique_ptr<Tire> tire(const Inflation& pressure = {}) const override;

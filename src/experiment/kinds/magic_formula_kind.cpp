@@ -129,7 +129,9 @@ class MagicFormulaSpecimen : public RollingSpecimen,
       sentences.push_back(std::move(none));
     return sentences;
   }
-  std::vector<std::string> limits_in_history(const formats::CsvTable& table) const override {
+  std::vector<std::string> limits_in_history(
+      const formats::CsvTable& table, const SlipHistoryConditions& conditions) const override {
+    refuse_step(conditions);
     const auto states = slip_states(table, parameters_).states;
     StatesBeyond beyond;
     beyond.add(states, parameters_);
@@ -147,7 +149,11 @@ class MagicFormulaSpecimen : public RollingSpecimen,
     return with_slopes(
         answers(tire, given.states), tire, given.states, asked.channels, asked.paths);
   }
-  Channels slip_history(const formats::CsvTable& table, const Asked& asked) const override {
+  Result<Channels> slip_history(const formats::CsvTable& table,
+                                const SlipHistoryConditions& conditions,
+                                const Asked& asked,
+                                std::vector<std::string>&) override {
+    refuse_step(conditions);
     return lagging_answers(MagicFormula(parameters_, {}),
                            slip_states(table, parameters_).states,
                            table.numbers("time", "s"),
@@ -156,6 +162,13 @@ class MagicFormulaSpecimen : public RollingSpecimen,
   }
 
  private:
+  static void refuse_step(const SlipHistoryConditions& conditions) {
+    if (!conditions.step) return;
+    throw InputError(fmt::format(
+        "the step of a slip_history is {:.4g} ms, and a Magic Formula has no steps of time, since "
+        "its lag is exact between samples: expected no `step`",
+        1e3 * *conditions.step));
+  }
   void refuse_soft_pressures(const formats::CsvTable& table) const {
     const std::vector<double> pressures = values_of(table, "p");
     for (std::size_t row = 0; row < pressures.size(); ++row)

@@ -120,12 +120,27 @@ struct LagsBehindSlips {
   virtual ~LagsBehindSlips() = default;
   /// Returns the limits of the model, as sentences, for a table of states with times, which
   /// slip_history() computes.
-  virtual std::vector<std::string> limits_in_history(const formats::CsvTable& /*states*/) const {
+  virtual std::vector<std::string> limits_in_history(const formats::CsvTable& /*states*/,
+                                                     const SlipHistoryConditions&) const {
     return {};
   }
-  /// Computes a table of states with times, with lagging slips (rigs/slip/slip_lag.h) and the
-  /// requested derivatives.
-  virtual Channels slip_history(const formats::CsvTable& states, const Asked&) const = 0;
+  /// Computes a table of states with times in which forces lag, and the requested derivatives.
+  /// `remarks` receives sentences that are known after the run alone. Throws InputError, which
+  /// names the row, for a state that the specimen does not take.
+  virtual Result<Channels> slip_history(const formats::CsvTable& states,
+                                        const SlipHistoryConditions&,
+                                        const Asked&,
+                                        std::vector<std::string>& remarks) = 0;
+  /// Computes the table and passes the channels to `tell` in the order of the samples.
+  virtual Status history_in_blocks(const formats::CsvTable& states,
+                                   const SlipHistoryConditions& conditions,
+                                   const std::function<void(const Channels&)>& tell,
+                                   std::vector<std::string>& remarks) {
+    const auto channels = slip_history(states, conditions, {}, remarks);
+    if (!channels) return channels.failure();
+    tell(*channels);
+    return {};
+  }
 };
 
 /// A corner of a suspension on a rig that holds the chassis fixed and applies loads to the wheel.

@@ -306,8 +306,8 @@ TEST_F(EveryTest, SteadyStatesAreForTiresThatHaveThem) {
   EXPECT_TRUE(can(*language().find_kind("inp_tire"), *steady));
 }
 
-// The coefficients of a Magic Formula contain its friction, and only a Magic Formula has a lag.
-TEST_F(EveryTest, FrictionOfSteadyStatesIsForFiniteElementsAndLagForTheMagicFormula) {
+// The coefficients of a Magic Formula contain its friction, and its lag has no steps of time.
+TEST_F(EveryTest, FrictionAndStepsOfTimeAreForFiniteElements) {
   const auto tir = write("tire.tir", kTir);
   write("states.csv", "time [s],Fz [kN],alpha [deg]\n0,4,2\n0.1,4,-2\n");
   const SpecimenKind &formula = *language().find_kind("magic_formula"),
@@ -324,13 +324,15 @@ TEST_F(EveryTest, FrictionOfSteadyStatesIsForFiniteElementsAndLagForTheMagicForm
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("takes friction"), std::string::npos) << error.what();
   }
-  const auto history = test("kind = \"slip_history\"\nstates = \"states.csv\"\n");
-  EXPECT_TRUE(can(formula, *history));
+  const std::string lagging = "kind = \"slip_history\"\nstates = \"states.csv\"\n";
+  const auto history = test(lagging), in_steps = test(lagging + "step = \"1 ms\"\n");
+  EXPECT_TRUE(can(formula, *history) && can(fe, *history));
+  EXPECT_FALSE(can(formula, *test(lagging + "friction = 0.9\n")));
   try {
-    (void)language().run(fe, fe.read(kStudies / "tires/race_16x7.5-10.toml"), *history);
+    (void)language().run(formula, formula.read(tir), *in_steps);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("lags behind slips"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("expected no `step`"), std::string::npos)
         << error.what();
   }
   EXPECT_NE(complaint(plain + "friction = 6\n").find("friction"), std::string::npos);

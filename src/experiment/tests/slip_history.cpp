@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// kind = "slip_history": slips as recorded, sample by sample, with the lag of the tire's relaxation
-// lengths (rigs/slip/slip_lag.h).
+// kind = "slip_history": slips as recorded, sample by sample, which the tire's forces follow.
 //
-// Channels are those of steady_states, and the lagged slips "kappa" and "alpha". Relaxation lengths
-// are those of the tire: of formula 6 from LATERAL_STIFFNESS and LONGITUDINAL_STIFFNESS, none if
-// these are 0; of 5.2 from PTX1 to PTX3, PTY1 and PTY2.
+// A Magic Formula lags by its relaxation lengths (rigs/slip/slip_lag.h), and has the lagged slips
+// "kappa" and "alpha" as channels besides those of steady_states. Formula 6 has its lengths from
+// LATERAL_STIFFNESS and LONGITUDINAL_STIFFNESS, none if these are 0, formula 5.2 from PTX1 to PTX3,
+// PTY1 and PTY2. A finite-element tire rolls in time (rigs/fe_rolling/slip_record.h).
 //
 // The keys are in experiment/tests/keys/slip_history_keys.cpp.
 #include <fmt/format.h>
@@ -14,6 +14,7 @@
 #include "base/file.h"
 #include "experiment/language/capabilities.h"
 #include "experiment/language/known_limits.h"
+#include "experiment/rigs/duration_limit.h"
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_lag.h"
 #include "experiment/rigs/slip/slip_states.h"
@@ -27,8 +28,13 @@ constexpr const char* kNoTurnSlip =
 
 class SlipHistoryTest : public Test, public TellsLimits {
  public:
-  SlipHistoryTest(const std::string& text, const std::string& name, bool is_measured)
-      : history_(formats::CsvTable::parse(text, name)), is_measured_(is_measured) {
+  SlipHistoryTest(const std::string& text,
+                  const std::string& name,
+                  const SlipHistoryConditions& conditions,
+                  bool is_measured)
+      : history_(formats::CsvTable::parse(text, name)),
+        conditions_(conditions),
+        is_measured_(is_measured) {
     std::size_t sample = 0;
     if (const std::string why = no_record(history_.numbers("time", "s"), sample); !why.empty())
       throw InputError(history_.place(static_cast<int>(sample)), why);
@@ -50,7 +56,10 @@ class SlipHistoryTest : public Test, public TellsLimits {
     channels.push_back({"alpha", "rad"});
     return channels;
   }
-  std::vector<std::string> needs() const override { return kSlipHistoryTest.needs; }
+  std::vector<std::string> needs() const override {
+    if (conditions_.friction) return {TakesConditions::kName};
+    return kSlipHistoryTest.needs;
+  }
   std::vector<Ledger> ledgers(const std::string& by) const override {
     if (is_measured_) return {};  // the measurement has a ledger of its own
     Ledger ledger = ledger_of_states(history_, by, kNoTurnSlip);
@@ -62,39 +71,53 @@ class SlipHistoryTest : public Test, public TellsLimits {
   }
   std::optional<long> samples() const override { return history_.rows(); }
   std::vector<std::string> limits(Specimen& specimen) const override {
-    return specimen.find<LagsBehindSlips>()->limits_in_history(history_);
+    return specimen.find<LagsBehindSlips>()->limits_in_history(history_, conditions_);
   }
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
-    const auto notes = Test::run_in_blocks(specimen, tell);
-    if (!notes) return notes;
-    return limits(specimen);
+    std::vector<std::string> notes = limits(specimen);
+    const Status done =
+        specimen.find<LagsBehindSlips>()->history_in_blocks(history_, conditions_, tell, notes);
+    if (!done) return done.failure();
+    return notes;
   }
-  Result<Channels> run(Specimen& specimen) const override {
-    return specimen.find<LagsBehindSlips>()->slip_history(history_, {});
+  Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
+  bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
+    return !kind.has(IsFeTire::kName);
   }
-  bool tells_slopes(const SpecimenKind&, const std::string&) const override { return true; }
   Result<Channels> run_with_slopes(Specimen& specimen, const Asked& asked) const override {
-    return specimen.find<LagsBehindSlips>()->slip_history(history_, asked);
+    std::vector<std::string> remarks;
+    auto channels =
+        specimen.find<LagsBehindSlips>()->slip_history(history_, conditions_, asked, remarks);
+    for (const std::string& remark : remarks) record_limit(specimen, remark);
+    return channels;
   }
 
  private:
   formats::CsvTable history_;
+  SlipHistoryConditions conditions_;
   bool is_measured_;  // true: from a measurement of the study, not a file
 };
 
 std::unique_ptr<Test> read_slip_history(const Node& root, const TestSource& source) {
   constexpr std::size_t kLargest = std::size_t{256} << 20;  // bytes
+  SlipHistoryConditions conditions;
+  if (root.has("friction"))
+    conditions.friction = root.quantity("friction", "1", Range::between(0.0, 5.0));
+  if (root.has("step"))
+    conditions.step = root.quantity("step", "s", Range::between(kShortestStep, 0.1));
   if (const auto measured = find_measured(root, "states")) {
     std::vector<MeasuredCondition> wanted = {{"time", "s", true}};
     for (const MeasuredCondition& state : measured_states(kNoTurnSlip)) wanted.push_back(state);
     return std::make_unique<SlipHistoryTest>(
         formats::csv_text(take_measured(*measured, wanted, source.measured)),
         measured->text("from"),
+        conditions,
         true);
   }
   const auto file = source.file(root, "states");
-  return std::make_unique<SlipHistoryTest>(read_text_file(file, kLargest), file.string(), false);
+  return std::make_unique<SlipHistoryTest>(
+      read_text_file(file, kLargest), file.string(), conditions, false);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class RollingResponse(Coarse):
         self.assertEqual(found["frequency"], [1e-3, 1.0])
         self.assertAlmostEqual(found["path_frequency"][1], 2 * math.pi / (60 / 3.6), delta=1e-12)
         for slip, key, step, unit, forces in (("alpha", "alpha", 2e-4, "rad", ("Fy", "Mz")), ("kappa", "kappa", 2e-5, "", ("Fx",)),
-                                              ("gamma", "camber", 1e-3, "rad", ("Fy", "Mx")), ("phit", "turn_slip", 1e-3, "1/m", ("Mz",))):
+                                              ("gamma", "camber", 1e-3, "rad", ("Fy", "Mx", "Mz")), ("phit", "turn_slip", 1e-3, "1/m", ("Mz",))):
             values = ", ".join(f'"{value:g} {unit}"' if unit else f"{value:g}" for value in (step, -step))
             kappa = "" if slip == "kappa" else ", kappa = 0"
             steady = self.channels('{kind = "rolling", %s, %s = [%s]%s}' % (STATE, key, values, kappa))

@@ -13,6 +13,7 @@ from cli_testing import WRONG_INPUT, Coarse
 
 TREE = pathlib.Path(__file__).resolve().parents[4]
 STEADY = '{kind = "steady_states", states = "%s"%s}'
+HISTORY = '{kind = "slip_history", states = "%s"%s}'
 
 
 class SteadyTire(Coarse):
@@ -80,11 +81,30 @@ exponent = 2
         self.assertAlmostEqual(found["cornering_stiffness"][0] / (-(pair["Fy"][0] - pair["Fy"][1]) / (2 * angle)), 1.0, delta=1e-6)
         self.assertIn("friction 1 is taken", self.latsch("test", self.folder / "tire.toml", keys))
 
+    def test_a_record_is_rolled_in_time_and_lags(self):
+        rows = "".join(f"{0.01 * k:.2f},2,{min(k, 2)}\n" for k in range(12))
+        table = self.states("time [s],Fz [kN],alpha [deg]\n" + rows)
+        test = HISTORY % (table, ', step = "5 ms"')
+        found = self.channels(test)
+        self.assertEqual(set(found), {"Fx", "Fy", "Fz", "Mx", "My", "Mz", "R_e", "R_l", "length", "width", "omega"})
+        self.assertEqual(len(found["Fy"]), 12)
+        steady = self.channels(STEADY % (self.states("Fz [kN],alpha [deg]\n2,0\n2,2\n", "ends.csv"), ""))
+        for force in ("Fx", "Fy", "Fz", "Mz"):
+            self.assertAlmostEqual(found[force][0], steady[force][0], delta=1.0)
+        reached = [(Fy - steady["Fy"][0]) / (steady["Fy"][1] - steady["Fy"][0]) for Fy in found["Fy"]]
+        self.assertTrue(0.0 < reached[1] < 0.5 and 0.1 < reached[2] < 0.9, reached)  # 0.17 m of road a sample
+        self.assertAlmostEqual(reached[-1], 1.0, delta=0.05)
+        said = self.latsch("test", self.folder / "tire.toml", test)
+        for part in ("22 steps of 5 ms", "without turn slip", "kappa = 0", "friction 1 is taken"):
+            self.assertIn(part, said)
+
     def test_what_such_a_tire_does_not_do_is_refused_in_words(self):
         table = self.states("time [s],Fz [kN],alpha [deg]\n0,2,1\n0.1,2,2\n")
         for keys, *parts in ((STEADY % (table, ', angles = "tangent"'), "tangent", "direct"),
                              (STEADY % (table, ", friction = 7"), "friction", "0 to 5"),
-                             ('{kind = "slip_history", states = "%s"}' % table, "finite-element tire", "lags behind slips")):
+                             (HISTORY % (table, ', step = "0 s"'), "step"),
+                             (HISTORY % (table, ", friction = 0"), "friction", "above 0"),
+                             (HISTORY % (table, ', stpe = "1 ms"'), "stpe", "step")):
             with self.subTest(keys):
                 said = self.latsch("test", self.folder / "tire.toml", keys, code=WRONG_INPUT)
                 for part in parts:

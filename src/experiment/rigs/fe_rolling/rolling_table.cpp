@@ -35,7 +35,7 @@ void check(const RollingRow& row, const Place& place) {
 
 std::vector<RollingRow> rows_of(const formats::CsvTable& table, const TableReading& reading) {
   const auto count = static_cast<std::size_t>(table.rows());
-  if (count > kMostRollingRows)
+  if (!reading.is_record && count > kMostRollingRows)
     throw InputError(table.header_place(),
                      fmt::format("the table has {} states, expected at most {}, because each takes "
                                  "a finite-element tire seconds",

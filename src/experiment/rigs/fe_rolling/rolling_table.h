@@ -25,6 +25,8 @@ struct TableReading {
   bool takes_turn_slip = true;       // false: the column phit is not used
   /// True if the wheel rolls freely where the table has no column kappa; false: with kappa = 0.
   bool is_free_without_kappa = true;
+  /// True if the states are samples of a record in time, whose number has another limit.
+  bool is_record = false;
 };
 
 /// Returns the states of a table. Throws InputError, which names the line of the table, for a state

@@ -315,11 +315,13 @@ double highest_pressure(const RollingTest& test, double own) {
   return pressure;
 }
 
-RollingPatch patch_of(const RollingState& state) {
+RollingPatch patch_of(const RollingState& state) { return patch_of(state.patch); }
+
+RollingPatch patch_of(const std::vector<fe_tire::RollingPatchPoint>& points) {
   Eigen::Vector2d least = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d most = -least;
   double load = 0.0, sticking = 0.0;
-  for (const fe_tire::RollingPatchPoint& point : state.patch) {
+  for (const fe_tire::RollingPatchPoint& point : points) {
     least = least.cwiseMin(Eigen::Vector2d(point.x, point.y));
     most = most.cwiseMax(Eigen::Vector2d(point.x, point.y));
     load += point.pressure * point.area;

@@ -65,6 +65,7 @@ struct RollingPatch {
   double length = 0.0, width = 0.0;  // m
   double sticking = 0.0;
 };
+RollingPatch patch_of(const std::vector<fe_tire::RollingPatchPoint>& points);
 RollingPatch patch_of(const fe_tire::RollingState& state);
 
 /// Channels of the test, one value for each state: the states "alpha" (rad), "kappa" (against the

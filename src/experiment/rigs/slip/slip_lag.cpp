@@ -11,6 +11,19 @@
 #include "models/magic_formula/magic_formula_slopes.h"
 
 namespace latsch {
+std::vector<bool> gaps_of(const std::vector<double>& times) {
+  constexpr double kMost = 3.0;  // in units of the median step
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  if (steps.empty()) return {true};
+  std::vector<double> sorted = steps;
+  const auto middle = sorted.begin() + std::ssize(sorted) / 2;
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  std::vector<bool> gaps = {true};
+  for (const double step : steps) gaps.push_back(!(step > 0.0 && step <= kMost * *middle));
+  return gaps;
+}
+
 namespace {
 
 using magic_formula::MagicFormula;
@@ -28,20 +41,6 @@ struct Length {
   std::vector<double> sigma;
   Eigen::MatrixXd slopes;
 };
-
-/// Returns for each time step whether it is a gap, after which the slips start anew.
-std::vector<bool> gaps_of(const std::vector<double>& times) {
-  constexpr double kMost = 3.0;  // in units of the median step
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-  if (steps.empty()) return {true};
-  std::vector<double> sorted = steps;
-  const auto middle = sorted.begin() + std::ssize(sorted) / 2;
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  std::vector<bool> gaps = {true};
-  for (const double step : steps) gaps.push_back(!(step > 0.0 && step <= kMost * *middle));
-  return gaps;
-}
 
 /// Solves dx/ds + x = u over the distance s from 0 to a, where u changes linearly from u0 to u1.
 struct LagStep {
@@ -86,7 +85,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Describes the first gaps: "behind sample 12 (0.2 s), ...".
+}  // namespace
+
 std::string gaps_in_words(const std::vector<double>& times) {
   constexpr int kNamed = 3;
   const auto gaps = gaps_of(times);
@@ -108,8 +108,6 @@ std::string gaps_in_words(const std::vector<double>& times) {
       count > kNamed ? ", ..." : "",
       count == 1 ? "it" : "each");
 }
-
-}  // namespace
 
 std::string no_record(const std::vector<double>& times, std::size_t& sample) {
   sample = 0;

@@ -31,6 +31,12 @@ std::vector<std::string> lag_limits(const magic_formula::MagicFormula& tire,
 /// go backward or repeat; empty if they can. `sample` receives the index of the first such sample.
 std::string no_record(const std::vector<double>& times, std::size_t& sample);
 
+/// Returns for each sample whether it begins anew: the first one, and every one behind a step of
+/// time that is backward, repeated or more than three times the median step.
+std::vector<bool> gaps_of(const std::vector<double>& times);
+/// Returns a sentence that names the first of these steps; empty if there is none.
+std::string gaps_in_words(const std::vector<double>& times);
+
 /// Returns the channels of slip_states.h, sample by sample, with the lagged slips as "kappa" and
 /// "alpha" (rad); slopes of `channels` in `parameters`, if any are requested.
 Channels lagging_answers(const magic_formula::MagicFormula& tire,

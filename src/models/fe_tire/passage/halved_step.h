@@ -24,6 +24,7 @@ Result<TransientForces> in_halves(const Step& step,
   WheelMoment middle = to;
   middle.of = between(now.of, to.of, 0.5);
   middle.place = between(now.place, to.place, 0.5);
+  if (now.load && to.load) middle.load = 0.5 * (*now.load + *to.load);
   const auto half = make(middle);
   if (!half) return half;
   auto end = make(to);

@@ -168,9 +168,7 @@ Result<TransientForces> ReducedPassage::Impl::step(const WheelMoment& to, double
   const ReducedTire& tire = *now.tire;
   auto& [of_tire, matrices, roller] = workspace(h);
   const BossakStep& rule = matrices.rule;
-  RollingCase of = to.of;
-  of.load.reset();
-  of.drive.reset();
+  RollingCase of = case_of(to);
   double spin_rate = to.wheel ? now.spin_rate : (of.spin - now.spin) / h;
   const auto ground = to.ground ? to.ground->below(to.place) : nullptr;
   const PassingMoment moment{*now.past, h, ground.get(), to.place};
@@ -190,6 +188,7 @@ Result<TransientForces> ReducedPassage::Impl::step(const WheelMoment& to, double
     const Eigen::Matrix3Xd u = tire.u + w.reshaped(3, tire.u.cols());
     auto found = roller.solve(of, u, c, now.load, settings.enough, states, work.passes, &moment);
     if (!found) return found.failure();
+    of.height = found->of.height;
     const BossakStep::Motion q = rule.at(now.q, free + matrices.from_tread * (found->c - tire.c));
     const Eigen::Vector<double, 6> sums = inertia(matrices, given, q);
     // Forces that the tire lacks at the displacements of the contact.
@@ -220,6 +219,7 @@ Result<TransientForces> ReducedPassage::Impl::step(const WheelMoment& to, double
     now.spin = of.spin;
     now.spin_rate = spin_rate;
     now.wheel = to;
+    now.wheel.of.height = of.height;
     now.wheel.ground = nullptr;  // it may not outlive this call
     return reached;
   }

@@ -177,9 +177,7 @@ double RollingTransient::Impl::reach() const {
 /// One step of Newton's method after the other, up to the equilibrium at the end of the step.
 Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, double h) {
   const BossakStep rule(h, settings.rho);
-  RollingCase of = to.of;
-  of.load.reset();
-  of.drive.reset();
+  RollingCase of = case_of(to);
   Iterate at{{rule.predicted(now.motion), {}, {}}, now.alpha, {}, {}, {}, of.spin, 0.0};
   const auto set_spin = [&](double rate) {
     at.spin_rate = rate;
@@ -220,6 +218,7 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       states = now.grip;
       continue;
     }
+    of.height = found->of.height;
     const auto share = move(at, rule, to, *found);
     if (!share) return share.failure();
     const double spin = at.spin;
@@ -246,6 +245,7 @@ Result<TransientForces> RollingTransient::Impl::step(const WheelMoment& to, doub
       now.spin = at.spin;
       now.spin_rate = at.spin_rate;
       now.wheel = to;
+      now.wheel.of.height = of.height;
       now.wheel.ground = nullptr;  // it may not outlive this call
       now.tangent = factored;
       now.factored_step = factored_step;

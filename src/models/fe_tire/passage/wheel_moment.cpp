@@ -23,6 +23,7 @@ TransientForces on_hub(const RollingCase& of,
                        const Eigen::Vector3d& moment_of_inertia) {
   TransientForces found;
   found.ground = ground;
+  found.height = of.height;
   const PosedGround posed({}, {.height = of.height, .camber = of.camber});
   const Eigen::Vector3d hub = posed.in_ground(Eigen::Vector3d::Zero());
   const Eigen::Vector3d down = posed.in_ground(-Eigen::Vector3d::UnitZ()) - hub;
@@ -31,6 +32,13 @@ TransientForces on_hub(const RollingCase& of,
   found.force = posed.to_wheel(ground.force) - inertia;
   found.moment = posed.to_wheel(about_hub) - moment_of_inertia;
   return found;
+}
+
+RollingCase case_of(const WheelMoment& to) {
+  RollingCase of = to.of;
+  of.load = to.load;
+  of.drive.reset();
+  return of;
 }
 
 Status check_reach(const std::vector<RollingPatchPoint>& patch, double reach, double touching) {

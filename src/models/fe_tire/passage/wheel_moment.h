@@ -38,6 +38,9 @@ struct WheelMoment {
   Eigen::Vector3d turning = Eigen::Vector3d::Zero(), turning_rate = Eigen::Vector3d::Zero();
   /// Set: the spin of `of` is not used, it follows from the moments.
   std::optional<SpinningWheel> wheel = {};
+  /// Set: the ground rises below the wheel until it carries this load, N; the height of `of` is a
+  /// start.
+  std::optional<double> load = {};
 };
 
 /// Forces of the tire at the end of a step.
@@ -47,6 +50,7 @@ struct TransientForces {
   RollingForces ground;                              // forces of the ground on the tire
   std::vector<RollingPatchPoint> patch;              // points in contact
   double spin = 0.0, spin_rate = 0.0;                // rad/s, rad/s^2
+  double height = 0.0;                               // m, of the wheel center over the ground
   int iterations = 0, factors = 0, passes = 0;       // work of the step
 };
 
@@ -63,5 +67,7 @@ Status check_reach(const std::vector<RollingPatchPoint>& patch, double reach, do
 inline constexpr double kSlowest = 4.0;
 /// Fails if the wheel spins too slowly, rad/s.
 Status check_spin(double spin, double first_spin);
+/// Returns the case of a step to this wheel: no drive, and a load if the ground follows one.
+RollingCase case_of(const WheelMoment& to);
 
 }  // namespace latsch::fe_tire

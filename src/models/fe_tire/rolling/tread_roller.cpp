@@ -108,7 +108,7 @@ Result<TreadRoller::Found> TreadRoller::solve(const RollingCase& of,
   TreadBody body(tread_, lines_, ground, surface, kNormalPenalty, motion, u, near_);
   if (moment != nullptr)
     body.set_upstream(moment->past.upstream(body.points(), body.lines(), moment->step));
-  if (body.rows().empty() && moment == nullptr)
+  if (body.rows().empty() && (moment == nullptr || of.load))
     return Failure{fmt::format("the tread is off the ground, {:.4g} mm below the wheel center",
                                1e3 * of.height)};
   body.ask(of.load, of.drive);
