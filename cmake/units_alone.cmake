@@ -30,7 +30,7 @@ function(latsch_module folder)
   elseif(name STREQUAL "numerics")
     list(FILTER sources INCLUDE REGEX "/kernels/|/dense/(lu|general_eigen)\\.cpp$")
   elseif(name STREQUAL "formats")
-    list(FILTER sources INCLUDE REGEX "/formats/(road/|text/(letter_case|teim_orbit|text_encoding)\\.cpp$)")
+    list(FILTER sources INCLUDE REGEX "/formats/(road/|text/(file_marks|letter_case|teim_orbit|text_encoding)\\.cpp$)")
   elseif(name STREQUAL "ring_tire")  # the modes of a standing ring need the sparse part of numerics
     list(FILTER sources EXCLUDE REGEX "/standing_modes\\.cpp$")
   elseif(name STREQUAL "exchange")

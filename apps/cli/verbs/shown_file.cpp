@@ -15,12 +15,12 @@
 #include "correlation/laboratory/measurement.h"
 #include "experiment/kinds/inp_numbers.h"
 #include "formats/deck/inp_deck.h"
-#include "formats/recorders/file_marks.h"
 #include "formats/recorders/recorded_file.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/lab_table.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/tydex_file.h"
+#include "formats/text/file_marks.h"
 #include "models/road/road_reader.h"
 
 namespace latsch::cli {

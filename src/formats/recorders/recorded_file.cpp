@@ -10,12 +10,12 @@
 #include "base/error.h"
 #include "base/mapped_file.h"
 #include "base/text.h"
-#include "formats/recorders/file_marks.h"
 #include "formats/recorders/mdf_file.h"
 #include "formats/recorders/motec_file.h"
 #include "formats/recorders/rpc_file.h"
 #include "formats/recorders/tdms_file.h"
 #include "formats/recorders/uff_file.h"
+#include "formats/text/file_marks.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
 

@@ -17,7 +17,6 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
-#include "formats/recorders/file_marks.h"
 #include "formats/recorders/mdf_file.h"
 #include "formats/recorders/motec_file.h"
 #include "formats/recorders/rpc_file.h"
@@ -25,6 +24,7 @@
 #include "formats/recorders/tdms_segments.h"
 #include "formats/recorders/uff_file.h"
 #include "formats/tables/lab_table.h"
+#include "formats/text/file_marks.h"
 
 namespace latsch::formats {
 namespace {

@@ -12,6 +12,7 @@
 #include "base/unit_reading.h"
 #include "formats/tables/csv_header.h"
 #include "formats/text/csv_fields.h"
+#include "formats/text/cut_end.h"
 #include "formats/text/fortran_number.h"
 #include "formats/text/text_encoding.h"
 #include "measurement/meaning/channel_words.h"
@@ -46,9 +47,13 @@ CsvTable CsvTable::parse(std::shared_ptr<const MappedFile> source, std::string f
   CsvFields::Row row;
   CsvFields::Mark mark = fields.mark();
   while (fields.next(row)) {
-    if (row.cells.size() != header.columns.size())
+    if (row.cells.size() != header.columns.size()) {
+      const bool is_cut = row.cells.size() < header.columns.size() &&
+                          CutEnd::lacks_line_end(table.source_->text(), fields.mark().at);
       throw InputError({table.file_, row.line},
-                       wrong_number_of_fields(row.cells.size(), header, fields.separator()));
+                       (is_cut ? kCutWithin : "") +
+                           wrong_number_of_fields(row.cells.size(), header, fields.separator()));
+    }
     if (table.rows_++ % kStride == 0) table.marks_.push_back(mark);
     mark = fields.mark();
   }

@@ -12,7 +12,6 @@
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "base/utf8.h"
-#include "formats/recorders/file_marks.h"
 #include "formats/recorders/recorded_file.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/lab_columns.h"
@@ -20,6 +19,8 @@
 #include "formats/tables/mat_runs.h"
 #include "formats/tables/recorder_table.h"
 #include "formats/tables/tydex_file.h"
+#include "formats/text/cut_end.h"
+#include "formats/text/file_marks.h"
 #include "formats/text/fortran_number.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
@@ -50,12 +51,26 @@ void expect_no_part(const std::filesystem::path& file, const std::string& part) 
                          in_quotes(part + ".Fz"));
 }
 
+/// Returns the table. If the file is cut off within its last row, that row is left out and a doubt
+/// says so.
+CsvTable recorded_csv(const std::filesystem::path& file, std::vector<LedgerDoubt>& doubts) {
+  const auto source = std::make_shared<const MappedFile>(file, kLargestLabFile);
+  try {
+    return CsvTable::parse(source, file.string());
+  } catch (const InputError& error) {
+    if (std::string_view(error.what()).find(kCutWithin) == std::string_view::npos) throw;
+    doubts.push_back(doubt_of_cut_row(error.place()));
+  }
+  const std::string_view text = source->text();
+  return CsvTable::parse(std::string(text.substr(0, text.rfind('\n') + 1)), file.string());
+}
+
 LabTable read_csv(const std::filesystem::path& file,
                   const Units& units,
                   const ExpectedUnit& expected,
                   const std::string& part) {
-  const CsvTable csv = CsvTable::read(file);
   LabTable table = table_of(file);
+  const CsvTable csv = recorded_csv(file, table.doubts);
   std::vector<CsvTable::Wanted> wanted;
   std::vector<LabColumn> columns;
   for (TableColumn source : csv.header()) {
@@ -233,9 +248,16 @@ LabTable read_dat(const std::filesystem::path& file,
       throw InputError({table.file, line.number},
                        fmt::format("has more than {} columns", kMostColumns));
   std::vector<LabColumn> columns = header_of(before, tabs);
+  const bool has_line_end = text.back() == '\n';
+  CutEnd end;
   for (auto line = numbers; line != lines.end(); ++line) {
     const auto fields = fields_of(line->text, tabs);
     const bool ends_in_tab = fields.size() == columns.size() + 1 && fields.back().empty();
+    if (fields.size() < columns.size() && line + 1 == lines.end() && !has_line_end &&
+        line != numbers) {
+      table.doubts.push_back(doubt_of_cut_row({table.file, line->number}));
+      break;
+    }
     if (fields.size() != columns.size() && !ends_in_tab)
       throw InputError({table.file, line->number},
                        fmt::format("has {} {}, expected {} as in the line of names",
@@ -245,7 +267,10 @@ LabTable read_dat(const std::filesystem::path& file,
     table.lines.push_back(line->number);
     for (std::size_t k = 0; k < columns.size(); ++k)
       columns[k].values.push_back(cell_of_dat(fields[k], columns[k], {table.file, line->number}));
+    end.take(fields[columns.size() - 1]);
   }
+  if (table.doubts.empty() && !has_line_end && end.is_shortened())
+    table.doubts.push_back(doubt_of_cut_number({table.file, lines.back().number}));
   const int header = columns.front().source.line;
   add_columns(std::move(columns), stated, expected, {table.file, header}, table);
   return table;

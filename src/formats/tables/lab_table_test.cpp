@@ -5,11 +5,14 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <numbers>
 
 #include "base/file.h"
 #include "base/scratch_folder_testing.h"
 #include "formats/tables/csv_table.h"
+#include "formats/tables/mat_file.h"
+#include "formats/tables/tydex_file.h"
 
 namespace latsch::formats {
 namespace {
@@ -154,6 +157,64 @@ TEST_F(LabTables, AFileOfZerosIsNoText) {
   for (const char* name : {"z.csv", "z.dat", "z.tdx"}) {
     const std::string said = complaint(name, std::string(4096, '\0'));
     EXPECT_NE(said.find("holds a zero byte"), std::string::npos) << said;
+  }
+}
+
+TEST_F(LabTables, ABinaryFileThatIsNamedAsATextIsRefusedByWhatItIs) {
+  for (const char* name : {"b.csv", "b.txt", "b.dat", "b.tdx", "b.mat"}) {
+    write_text_file(folder_ / name, std::string("TDSm\x0e\0\0\0\x69\x12\0\0", 12));
+    for (const auto& reader : {std::function([](const auto& file) { read_lab_table(file); }),
+                               std::function([](const auto& file) {
+                                 const std::string ending = file.extension().string();
+                                 if (ending == ".mat") MatFile::read(file);
+                                 if (ending == ".tdx") TydexFile::read(file);
+                                 if (ending == ".csv" || ending == ".txt") CsvTable::read(file);
+                                 if (ending == ".dat") read_lab_table(file);
+                               })}) {
+      std::string said;
+      try {
+        reader(folder_ / name);
+      } catch (const InputError& error) {
+        said = error.what();
+      }
+      EXPECT_NE(said.find("is a TDMS file by its first bytes, but ends in"), std::string::npos)
+          << name << ": " << said;
+    }
+  }
+}
+
+TEST_F(LabTables, ATextThatEndsWithinARowLeavesTheRowOutAndSaysSo) {
+  const auto doubt_of = [](const LabTable& table) {
+    return table.doubts.empty() ? std::string() : table.doubts.front().sentence;
+  };
+  const std::string dat = "run\nET\tFZ\nsec\tN\n0\t1\n1\t2\n2";
+  for (const auto& [name, text] :
+       {std::pair("a.csv", std::string("t [s],Fz [N]\n0,1\n1,2\n2")), std::pair("a.dat", dat)}) {
+    const LabTable table = read(name, text);
+    EXPECT_EQ(table.lines.size(), 2u) << name;
+    EXPECT_EQ(doubt_of(table), "the file is cut off within this line, which is left out") << name;
+    EXPECT_EQ(table.doubts.front().place.line, name == std::string("a.csv") ? 4 : 6);
+    // With a line end the row is whole, and wrong.
+    EXPECT_NE(complaint(name, text + "\n").find("has 1 field, expected 2"), std::string::npos);
+  }
+  // The last number may be cut: the row counts. A whole file may end without a line end.
+  const std::string head = dat.substr(0, 16);
+  const LabTable shortened = read("b.dat", head + "0\t1.25\n1\t2.75\n2\t3.2");
+  EXPECT_EQ(shortened.lines.size(), 3u);
+  EXPECT_NE(doubt_of(shortened).find("fewer decimals"), std::string::npos);
+  EXPECT_EQ(doubt_of(read("c.dat", head + "0\t1.25\n1\t2.75\n2\t3.25")), "");
+  EXPECT_EQ(doubt_of(read("d.dat", head + "0\t1.25\n1\t2.7\n2\t3")), "");
+  EXPECT_EQ(doubt_of(read("e.dat", head + "0\t1.25\n1\t2.75\n2\t3.2\n")), "");
+}
+
+TEST_F(LabTables, ATableOfAMeasurementThatIsCutOffIsRefused) {
+  try {
+    CsvTable::parse("a [mm],b [N]\n1,2\n3", "t.csv");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(
+        std::string(error.what()).find("t.csv:3: the file is cut off within this line: has 1"), 0u)
+        << error.what();
   }
 }
 

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "formats/tables/mat_v5.h"
+#include "formats/text/file_marks.h"
 
 namespace latsch::formats {
 namespace {
@@ -144,6 +145,7 @@ bool MatVariable::is_vector() const {
 
 MatFile MatFile::read(const std::filesystem::path& file) {
   const std::string bytes = read_settled_file(file, kLargestMatFile);
+  expect_content_of_ending(file, bytes);
   if (bytes.starts_with("MATLAB 7.3")) {
     MatFile result;
     result.file = file.string();

@@ -10,12 +10,13 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "formats/recorders/file_marks.h"
 #include "formats/tables/csv_header.h"
 #include "formats/tables/lab_table.h"
 #include "formats/tables/mat_file.h"
 #include "formats/tables/tydex_file.h"
 #include "formats/text/csv_fields.h"
+#include "formats/text/cut_end.h"
+#include "formats/text/file_marks.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
 
@@ -96,7 +97,8 @@ Recording parse(std::shared_ptr<const MappedFile> source,
                 const std::string& file,
                 const std::map<std::string, std::string>& units) {
   const std::size_t size = source->text().size();
-  CsvFields fields(utf8_file(std::move(source), file), file);
+  const std::shared_ptr<const MappedFile> text = utf8_file(std::move(source), file);
+  CsvFields fields(text, file);
   const bool decimal_comma = fields.separator() != ',';
   const CsvHeader header = read_csv_header(fields, file);
   std::vector<Column> columns = columns_of(header, units, file);
@@ -106,13 +108,26 @@ Recording parse(std::shared_ptr<const MappedFile> source,
   for (Column& column : columns) column.values.reserve(size / (kUsualCell * columns.size()));
   DecimalMarks marks(file);
   std::string scratch;
-  for (CsvFields::Row row; fields.next(row);) {
+  Recording recording;
+  const auto lacks_line_end = [&] {
+    return CutEnd::lacks_line_end(text->text(), fields.mark().at);
+  };
+  CsvFields::Row row;
+  CutEnd end;
+  while (fields.next(row)) {
+    // a recording has no gaps, so an empty cell at the end of the text is the beginning of one
+    if (lacks_line_end() && (row.cells.size() < columns.size() || row.cells.back().empty())) {
+      recording.doubts.push_back(doubt_of_cut_row({file, row.line}));
+      break;
+    }
     if (row.cells.size() != columns.size())
       throw InputError({file, row.line},
                        wrong_number_of_fields(row.cells.size(), header, fields.separator()));
     take_row(row, decimal_comma, file, columns, marks, scratch);
+    end.take(row.cells.back());
   }
-  Recording recording;
+  if (recording.doubts.empty() && lacks_line_end() && end.is_shortened())
+    recording.doubts.push_back(doubt_of_cut_number({file, row.line}));
   recording.header_line = header.columns.front().unit_line;
   for (Column& column : columns) {
     if (!column.fault.empty()) {
@@ -126,8 +141,11 @@ Recording parse(std::shared_ptr<const MappedFile> source,
   return recording;
 }
 
-/// Returns the channels; throws for the first column that was left out.
+/// Returns the channels; throws for the first column that was left out, and for a file that was not
+/// read whole.
 Channels whole(Recording recording, const std::string& file) {
+  if (!recording.doubts.empty())
+    throw InputError(recording.doubts.front().place, recording.doubts.front().sentence);
   if (!recording.left_out.empty())
     throw InputError({file, recording.header_line}, recording.left_out.begin()->second);
   return std::move(recording.channels);

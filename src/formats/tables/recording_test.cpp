@@ -60,6 +60,20 @@ TEST(Recording, IsRefusedInWords) {
   EXPECT_THROW(read_recording("run.xls"), InputError);
 }
 
+TEST(Recording, ThatEndsWithinARowIsReadWithoutTheRowAndSaysSo) {
+  const ScratchFolder folder;
+  for (const char* end : {"0.2", "0.2,"}) {
+    write_text_file(folder / "cut.csv", std::string("t [s],F [N]\n0,1\n0.1,2\n") + end);
+    const Recording recording = read_whole_recording(folder / "cut.csv");
+    EXPECT_EQ(recording.channels["F"], (std::vector<double>{1.0, 2.0}));
+    ASSERT_EQ(recording.doubts.size(), 1u);
+    EXPECT_EQ(recording.doubts.front().sentence,
+              "the file is cut off within this line, which is left out");
+    EXPECT_EQ(recording.doubts.front().place.line, 4);
+    EXPECT_THROW(read_recording(folder / "cut.csv"), InputError);  // channels alone cannot say it
+  }
+}
+
 // Every kind of file that read_lab_table() reads can be a recording.
 TEST(Recording, IsEveryKindOfLaboratoryFile) {
   const ScratchFolder folder;

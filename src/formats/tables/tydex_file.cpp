@@ -11,6 +11,8 @@
 #include "base/mapped_file.h"
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "formats/text/cut_end.h"
+#include "formats/text/file_marks.h"
 #include "formats/text/letter_case.h"
 #include "formats/text/text_encoding.h"
 #include "measurement/meaning/natural_unit.h"
@@ -317,8 +319,10 @@ class Reading {
   void take_sample(std::string_view line) {
     split_words(line, words_);
     if (words_.size() != raw_.size() && !split_by_columns(line)) {
+      const bool is_cut = at_ > text_.size();  // the last line, without a line end
       fail(line_,
-           fmt::format("has {} numbers, expected one for each of the {} channels",
+           fmt::format("{}has {} numbers, expected one for each of the {} channels",
+                       is_cut ? kCutWithin : "",
                        words_.size(),
                        raw_.size()));
     }
@@ -403,7 +407,9 @@ class Reading {
 }  // namespace
 
 TydexFile TydexFile::read(const std::filesystem::path& file) {
-  return parse(read_settled_file(file, kLargestTydex), file.string());
+  std::string text = read_settled_file(file, kLargestTydex);
+  expect_content_of_ending(file, text);
+  return parse(std::move(text), file.string());
 }
 
 TydexFile TydexFile::parse(std::string text, std::string file_name) {

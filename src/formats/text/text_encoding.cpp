@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
+#include "formats/text/file_marks.h"
 
 namespace latsch::formats {
 namespace {
@@ -95,6 +96,7 @@ std::string utf8_text(std::string bytes, const std::string& file) {
 std::shared_ptr<const MappedFile> utf8_file(std::shared_ptr<const MappedFile> source,
                                             const std::string& file) {
   const std::string_view bytes = source->text();
+  expect_content_of_ending(file, bytes);
   expect_text(bytes, file);
   const bool is_kept = is_ascii(bytes) || is_utf8(bytes);
   source->let_go(bytes.size());

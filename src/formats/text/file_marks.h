@@ -19,6 +19,10 @@ struct FileMark {
 /// Returns the kind of a file by its first bytes; nullptr for any other. 512 bytes are enough.
 const FileMark* find_file_mark(std::string_view head);
 
+/// Throws InputError if a text begins with the first bytes of another kind of file than its
+/// extension says.
+void expect_content_of_ending(const std::filesystem::path& file, std::string_view head);
+
 /// Throws InputError if the first bytes of a regular file are those of another kind than its
 /// extension says. Does nothing for a file that does not exist or cannot be read.
 void expect_content_of_ending(const std::filesystem::path& file);

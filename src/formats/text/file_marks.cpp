@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "formats/recorders/file_marks.h"
+#include "formats/text/file_marks.h"
 
 #include <fmt/format.h>
 
@@ -65,14 +65,8 @@ const FileMark* find_file_mark(std::string_view head) {
   return begins_as_universal_file(head) ? &universal : nullptr;
 }
 
-void expect_content_of_ending(const std::filesystem::path& file) {
-  std::error_code none;
-  if (!std::filesystem::is_regular_file(file, none)) return;
-  std::ifstream in(file, std::ios::binary);
-  std::string head(kHeadBytes, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  const FileMark* mark = find_file_mark(head);
+void expect_content_of_ending(const std::filesystem::path& file, std::string_view head) {
+  const FileMark* mark = find_file_mark(head.substr(0, kHeadBytes));
   if (!mark) return;
   const std::string ending = lower(file.extension().string());
   const auto& endings = mark->endings;
@@ -87,6 +81,16 @@ void expect_content_of_ending(const std::filesystem::path& file) {
                         mark->words,
                         name,
                         list_of(endings)));
+}
+
+void expect_content_of_ending(const std::filesystem::path& file) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) return;
+  std::ifstream in(file, std::ios::binary);
+  std::string head(kHeadBytes, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  expect_content_of_ending(file, head);
 }
 
 }  // namespace latsch::formats
