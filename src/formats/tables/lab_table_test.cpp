@@ -163,14 +163,16 @@ TEST_F(LabTables, AFileOfZerosIsNoText) {
 TEST_F(LabTables, ABinaryFileThatIsNamedAsATextIsRefusedByWhatItIs) {
   for (const char* name : {"b.csv", "b.txt", "b.dat", "b.tdx", "b.mat"}) {
     write_text_file(folder_ / name, std::string("TDSm\x0e\0\0\0\x69\x12\0\0", 12));
-    for (const auto& reader : {std::function([](const auto& file) { read_lab_table(file); }),
-                               std::function([](const auto& file) {
-                                 const std::string ending = file.extension().string();
-                                 if (ending == ".mat") MatFile::read(file);
-                                 if (ending == ".tdx") TydexFile::read(file);
-                                 if (ending == ".csv" || ending == ".txt") CsvTable::read(file);
-                                 if (ending == ".dat") read_lab_table(file);
-                               })}) {
+    using Reader = std::function<void(const std::filesystem::path&)>;
+    const Reader any = [](const std::filesystem::path& file) { read_lab_table(file); };
+    const Reader own = [](const std::filesystem::path& file) {
+      const std::string ending = file.extension().string();
+      if (ending == ".mat") MatFile::read(file);
+      if (ending == ".tdx") TydexFile::read(file);
+      if (ending == ".csv" || ending == ".txt") CsvTable::read(file);
+      if (ending == ".dat") read_lab_table(file);
+    };
+    for (const Reader& reader : {any, own}) {
       std::string said;
       try {
         reader(folder_ / name);

@@ -238,7 +238,7 @@ void BasinSearch::cross() {
 void BasinSearch::begin_descent(std::size_t i) {
   Spread& from = points_[i];
   from.has_searched = true;
-  descent_.emplace();
+  descent_ = Descent();
   descent_->from = i;
   descent_->limit = kProbe * (space_.size() + 1);
   descent_->optimizer = make_optimizer_(space_.starting_at(from.point));

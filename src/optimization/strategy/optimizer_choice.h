@@ -91,8 +91,8 @@ struct OptimizerSettings {
   NelderMeadOptions nelder_mead = {};                     // options of Nelder-Mead
   GeneticOptions genetic = {};                            // options of genetic algorithm
   SqpOptions sqp = {};                                    // options of SQP
-  GssNlcOptions gss_nlc = {};                // options of generating-set search with constraints
-  std::vector<MemberSettings> members = {};  // members of an ensemble
+  GssNlcOptions gss_nlc = {};           // options of generating-set search with constraints
+  std::vector<MemberSettings> members;  // members of an ensemble
   Ensemble::End ensemble_end = Ensemble::End::all;  // condition for the end of an ensemble
 };
 
