@@ -40,9 +40,9 @@ struct UnreachedValues {
 };
 
 struct DoeConflict {
-  std::vector<UnreachedValues> rows;  // one for each fitted experiment
-  int points = 0;                     // points of the design that succeeded
-  std::string refusal;                // why nothing is told; empty if it is
+  std::vector<UnreachedValues> rows = {};  // one for each fitted experiment
+  int points = 0;                          // points of the design that succeeded
+  std::string refusal = {};                // why nothing is told; empty if it is
 };
 
 /// Returns the values that no point of the design reaches, from the trials of the journal.

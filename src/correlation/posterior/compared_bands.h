@@ -22,13 +22,13 @@ namespace latsch::correlation {
 /// Bands of one experiment; all values in `unit`, one for each row of its observable.
 struct ComparedBands {
   int experiment = 0;  // index in the study
-  std::string unit;
-  std::vector<std::string> names;  // "10 mm"
-  std::string x_name, x_unit;      // abscissa of a curve; "value" without one
-  std::vector<double> x;           // in x_unit; the number of the value without an abscissa
-  std::vector<double> measured, computed;
-  std::vector<double> linear_lower, linear_upper;
-  std::vector<double> lower, median, upper;
+  std::string unit = {};
+  std::vector<std::string> names = {};   // "10 mm"
+  std::string x_name = {}, x_unit = {};  // abscissa of a curve; "value" without one
+  std::vector<double> x = {};            // in x_unit; the number of the value without an abscissa
+  std::vector<double> measured = {}, computed = {};
+  std::vector<double> linear_lower = {}, linear_upper = {};
+  std::vector<double> lower = {}, median = {}, upper = {};
 
   /// Returns the index of the value whose band from samples is widest beside the linear one, or
   /// narrowest if it is narrower by a larger factor; nullopt if no value has both bands.

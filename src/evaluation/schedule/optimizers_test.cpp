@@ -56,9 +56,13 @@ std::vector<DesignPoint> path(const std::string& method,
   settings.gss.outstanding = outstanding;
   settings.residual_trust_region.outstanding = outstanding;
   settings.residual_trust_region.restarts = 1;
-  settings.members = {{"directions", 2, {.method = "gss"}}, {"quadratic", 1, {.method = "sqp"}}};
+  OptimizerSettings gss, sqp;
+  gss.method = "gss";
+  sqp.method = "sqp";
+  settings.members = {{"directions", 2, gss}, {"quadratic", 1, sqp}};
+  settings.method = method;
   const auto optimizer = make_optimizer(
-      method_of({.method = method},
+      method_of(settings,
                 {.variables = 3, .has_linear_constraints = !optimizers_space.constraints().empty()})
           .method,
       optimizers_space,

@@ -124,15 +124,21 @@ TEST(MethodChoice, GoesByWhatIsKnownAndSaysWhy) {
   EXPECT_NE(failing.reason.find("70 %"), std::string::npos);
 }
 
+OptimizerSettings settings_of(const std::string& method) {
+  OptimizerSettings settings;
+  settings.method = method;
+  return settings;
+}
+
 TEST(MethodChoice, MakesEveryMethodAndRefusesOthers) {
   const DesignSpace space = box({0.5, 0.5}, 0.0, 1.0);
   for (const std::string& name : method_names()) {
-    const MethodChoice choice = method_of({.method = name}, {.variables = 2});
+    const MethodChoice choice = method_of(settings_of(name), {.variables = 2});
     OptimizerSettings settings;
     settings.members = {{"one", 1, {}}};
     EXPECT_EQ(make_optimizer(choice.method, space, settings)->propose(1).front(), space.initial());
   }
-  EXPECT_THROW(method_of({.method = "simplex"}, {}), InputError);
+  EXPECT_THROW(method_of(settings_of("simplex"), {}), InputError);
 }
 
 TEST(MethodChoice, KnowsWhoKnowsConstraints) {
@@ -145,7 +151,7 @@ TEST(MethodChoice, KnowsWhoKnowsConstraints) {
   EXPECT_EQ(choose_method(nonlinear).method, Method::sqp);
   EXPECT_THROW(make_optimizer(Method::nelder_mead, space, {}, nonlinear), InputError);
   OptimizerSettings both;
-  both.members = {{"a", 1, {.method = "gss_nlc"}}, {"b", 1, {.method = "genetic"}}};
+  both.members = {{"a", 1, settings_of("gss_nlc")}, {"b", 1, settings_of("genetic")}};
   EXPECT_THROW(make_optimizer(Method::ensemble, space, both, nonlinear), InputError);
 }
 

@@ -75,9 +75,9 @@ class BasinSearch : public Optimizer {
   struct Spread {
     DesignPoint point;
     Eigen::VectorXd u;
-    std::optional<Score> score;  // nullopt: not evaluated yet, or failed
-    int basin = -1;              // basin that it belongs to; -1: not known
-    int linked_to = -1;          // better point beside it; -1: none
+    std::optional<Score> score = {};  // nullopt: not evaluated yet, or failed
+    int basin = -1;                   // basin that it belongs to; -1: not known
+    int linked_to = -1;               // better point beside it; -1: none
     bool has_searched = false;
   };
   /// A search for a minimum.
