@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "correlation/analysis/identification_rounds.h"
 #include "correlation/analysis/identification_start.h"
+#include "correlation/analysis/noise_ratios.h"
 #include "correlation/analysis/refined_shift.h"
 #include "correlation/target/best_trial.h"
 #include "correlation/target/residuals.h"
@@ -131,79 +132,6 @@ void remark_on_losses(const Confidence& c, Sentences& all) {
   }
 }
 
-/// Residuals of an experiment, or the one of a prior, beside their stated noise.
-struct NoiseRatio {
-  std::string name;
-  double ratio = 0.0;   // root mean square over the stated noise
-  double values = 0.0;  // their number
-};
-
-/// Returns the ratios of the experiments and of priors that are missed by more than three
-/// deviations, the largest first; empty if rows belong to several experiments.
-std::vector<NoiseRatio> noise_ratios(const Study& study, const Identification& identification) {
-  constexpr double kFar = 3.0;  // deviations of a prior
-  const Confidence& c = identification.confidence();
-  const Eigen::VectorXd& r = identification.linearization().r;
-  const auto& used = identification.residuals_used();
-  const std::vector<ResidualRow> rows = residual_rows(study);
-  if (std::ssize(used) != r.size()) return {};
-  std::vector<NoiseRatio> all(study.experiments.size());
-  for (Eigen::Index k = 0; k < r.size(); ++k) {
-    const ResidualRow& row = rows[static_cast<std::size_t>(used[static_cast<std::size_t>(k)])];
-    const double ratio = std::abs(r[k]) * c.excess / c.sigma;
-    if (row.experiment < 0) {
-      if (ratio > kFar) all.push_back({row.name, ratio, 1.0});
-      continue;
-    }
-    NoiseRatio& one = all[static_cast<std::size_t>(row.experiment)];
-    one.ratio += ratio * ratio;
-    one.values += 1.0;
-  }
-  for (std::size_t e = 0; e < study.experiments.size(); ++e) {
-    const double weight = study.experiments[e].objective.weight;
-    if (weight > 0.0 && all[e].values > 0.0)
-      all[e].ratio = std::sqrt(all[e].ratio / (all[e].values * weight));
-    else
-      all[e].values = 0.0;
-    all[e].name = study.experiments[e].name;
-  }
-  std::erase_if(all, [](const NoiseRatio& one) { return one.values == 0.0; });
-  std::stable_sort(
-      all.begin(), all.end(), [](const auto& x, const auto& y) { return x.ratio > y.ratio; });
-  return all;
-}
-
-/// Returns for example " (by source force 9.1, modes 0.97)"; empty if there is one experiment.
-std::string in_words(const std::vector<NoiseRatio>& ratios) {
-  constexpr std::size_t kMostNamed = 6;
-  if (ratios.size() < 2) return "";
-  std::string text;
-  for (std::size_t k = 0; k < std::min(ratios.size(), kMostNamed); ++k)
-    text += fmt::format(", {} {:.2g}", ratios[k].name, ratios[k].ratio);
-  if (ratios.size() > kMostNamed)
-    text += fmt::format(", others at most {:.2g}", ratios[kMostNamed].ratio);
-  return " (by source" + text.substr(1) + ")";
-}
-
-/// Adds a remark on experiments whose residuals are so far below their stated noise that chance
-/// does not explain it.
-void remark_on_large_noise(const Study& study,
-                           const std::vector<NoiseRatio>& ratios,
-                           Sentences& all) {
-  constexpr double kFewest = 20.0, kSmall = 0.5;
-  std::vector<std::string> named;
-  for (const NoiseRatio& one : ratios)
-    for (const StudyExperiment& experiment : study.experiments)
-      if (experiment.name == one.name && experiment.noise && one.values >= kFewest &&
-          one.ratio < kSmall)
-        named.push_back(fmt::format("{} {:.2g}", one.name, one.ratio));
-  if (named.empty()) return;
-  all.push_back(fmt::format(
-      "Residuals are much less than their stated noise: {} times. That noise is stated too large, "
-      "which weighs these values too little, or the values were smoothed.",
-      fmt::join(named, ", ")));
-}
-
 /// Adds remarks about the noise that the intervals assume.
 void remark_on_noise(const Study& study, const Identifiability& what, Sentences& all) {
   const Confidence& c = what.identification.confidence();
@@ -218,7 +146,8 @@ void remark_on_noise(const Study& study, const Identifiability& what, Sentences&
         c.excess,
         in_words(ratios)));
   }
-  remark_on_large_noise(study, ratios, all);
+  if (const std::string words = large_noise_in_words(study, ratios); !words.empty())
+    all.push_back(words);
   if (std::isnan(c.sigma)) {
     all.emplace_back(
         "There are no more measured values than variables, so the fit does not show how exact "
