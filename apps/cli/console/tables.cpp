@@ -20,7 +20,8 @@ std::string shown(const DesignVariable& variable, double value) {
 
 namespace {
 
-/// Returns "; prior 30 N/mm +- 5 N/mm", or with a factor on a logarithmic scale; empty: no prior.
+/// Returns "; prior 30 N/mm, standard deviation 5 N/mm", or a factor in place of the deviation on a
+/// logarithmic scale; empty if there is no prior.
 std::string prior_text(const DesignVariable& variable) {
   if (!variable.prior) return "";
   const Prior& prior = *variable.prior;

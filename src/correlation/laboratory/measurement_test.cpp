@@ -325,6 +325,14 @@ TEST_F(LabMeasurement, TakesAUnitFromTheEndOfAName) {
   EXPECT_EQ(run.unit("who_deg"), "1");  // the unit of an unknown name is not interpreted
 }
 
+// A unit of another dimension contradicts a name of one letter: t in mm is a trail.
+TEST_F(LabMeasurement, TakesNoLengthForATime) {
+  write_text_file(folder_ / "trail.csv", "Fy [N],t [mm]\n800,30\n-790,31\n");
+  EXPECT_EQ(read_measured_file(folder_ / "trail.csv").ledger.find_written("t")->meaning, "");
+  write_text_file(folder_ / "time.csv", "Fy [N],t [ms]\n800,30\n-790,31\n");
+  EXPECT_EQ(read_measured_file(folder_ / "time.csv").ledger.find_written("t")->meaning, "time");
+}
+
 // The function that reads one file of any kind, without a study, returns channels, ledger and
 // doubts.
 TEST_F(LabMeasurement, OfAnyFileHasALedger) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "correlation/laboratory/channel_names.h"
 #include "correlation/rig_data/rig_tables.h"
 
 namespace latsch::correlation {
@@ -41,7 +42,7 @@ formats::TydexRecord tydex_of(const ProcessedRun& run,
 /// ISO 8855, which the file would state.
 void expect_pressed(const ProcessedPlateau& plateau) {
   for (const ChannelAverage& channel : plateau.channels) {
-    if (channel.name != "Fz") continue;
+    if (force_without_frame(channel.name) != "Fz") continue;
     const auto& mean = channel.average.mean;
     const double load = std::accumulate(mean.begin(), mean.end(), 0.0) /
                         std::max<double>(1.0, static_cast<double>(mean.size()));

@@ -348,8 +348,9 @@ void BasinSearch::end_round() {
   }
   count_hits();
   if (expected_unseen() < kFewUnseen)
-    end(fmt::format(
-        "because {:.2g} further basins are expected by {}", expected_unseen(), evidence()));
+    end(fmt::format("because {:.2g} further basins are expected, judging by {}",
+                    expected_unseen(),
+                    evidence()));
   else if (rounds_ >= kMostRounds)
     end("after its largest number of rounds");
   else

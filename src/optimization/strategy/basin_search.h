@@ -19,7 +19,7 @@
 //      counts.
 //
 // A point belongs to the basin whose minimum its search found, to one whose minimum explains it, or
-// to that of the better point beside it. Most points are explained and cost no trial of their own.
+// to that of the better point beside it. A point that is explained costs no search of its own.
 //
 // Limits: the rule counts points that are explained like points that were followed, so the
 // expectation is too low where the models explain too much: ripple on a slope, or two minima whose

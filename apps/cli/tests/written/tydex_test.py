@@ -118,6 +118,16 @@ class Tydex(unittest.TestCase):
             self.assertAlmostEqual(float(entries["TRAJVELW"]), float(file.stem.split("_")[-1].removesuffix("kph")) / 3.6,
                                    delta=1e-6)
         self.assertEqual(said.count("are in axes H"), 1)
+        for file in self.folder.glob("*_*.csv"):  # the runs, not the hammer
+            head, *lines = file.read_text().splitlines()
+            names = head.split(",")
+            where = [k for k, name in enumerate(names) if name.startswith("Fz")]
+            rows = [line.split(",") for line in lines]
+            for k in where:
+                for row in rows:
+                    row[k] = str(-float(row[k]))
+            file.write_text("\n".join([head] + [",".join(row) for row in rows]) + "\n")
+        self.assertIn("are not those of ISO 8855", self.latsch("process", "rig.toml", "--tydex", "H", code=WRONG_INPUT))
         self.assertIn("not in {W,H,C}", self.latsch("process", "rig.toml", "--tydex", "X", code=WRONG_INPUT))
 
     def test_what_does_not_fit_is_refused(self):
