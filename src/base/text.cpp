@@ -96,6 +96,10 @@ std::string list_of(const std::vector<std::string>& words) {
   return result;
 }
 
+std::string counted(std::size_t count, const std::string& word) {
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
 std::string format_number(double value) { return fmt::format("{}", value); }
 
 std::string format_number(double value, int digits) {

@@ -27,6 +27,9 @@ std::string in_quotes(std::string_view text);
 /// Returns the words as a list: `"a", "b" or "c"`.
 std::string list_of(const std::vector<std::string>& words);
 
+/// Returns the number with the word, which gets an "s" unless the number is 1: "1 step", "3 steps".
+std::string counted(std::size_t count, const std::string& word);
+
 /// Returns the fewest digits that give the same bits when read: 0.1, 2.6, 1e-12.
 std::string format_number(double value);
 /// Returns the value with at most `digits` significant digits.

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -60,6 +62,23 @@ const CLI::Validator kNotEmpty(
     "",
     "not empty");
 
+/// Returns the ending of the file's name with its point, in lower case: ".csv"; "" without one.
+std::string ending_of(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  for (char& letter : ending) letter = static_cast<char>(std::tolower(letter));
+  return ending;
+}
+
+bool is_among(const std::string& word, const std::vector<std::string>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Endings that tell a reader, or another program, the format of a file.
+const std::vector<std::string> kEndings{
+    ".csv", ".tdx",  ".tydex", ".tda", ".tdb",  ".mat", ".mf4", ".uff", ".unv", ".tdms", ".rsp",
+    ".ld",  ".tir",  ".toml",  ".inp", ".html", ".htm", ".vtu", ".vtk", ".fmu", ".rdf",  ".crg",
+    ".bus", ".xlsx", ".xls",   ".ods", ".json", ".xml", ".pdf", ".png", ".svg", ".zip",  ".md"};
+
 /// Returns the long names of the options, and the names of the positional arguments, that the user
 /// gave.
 std::vector<std::string> given_options(const CLI::App& verb) {
@@ -95,6 +114,16 @@ Option& Option::or_alone(const std::string& value) {
 
 Option& Option::capture_default_str() {
   option_->capture_default_str();
+  return *this;
+}
+
+Option& Option::written_as(const std::string& format, const std::vector<std::string>& endings) {
+  option_->check([=](const std::string& file) {
+    const std::string ending = ending_of(file);
+    if (is_among(ending, endings) || !is_among(ending, kEndings)) return std::string();
+    return "writes " + format + ", and " + in_quotes(file) +
+           " ends as a file of another format; expected a name that ends in " + list_of(endings);
+  });
   return *this;
 }
 
@@ -193,10 +222,6 @@ std::vector<std::string> words_of(int argc, char** argv) {
   return words;
 }
 
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 }  // namespace
 
 bool CommandLine::give_text(const CLI::ParseError& request) {
@@ -213,7 +238,7 @@ bool CommandLine::run(int argc, char** argv) {
   // If the command line cannot be parsed, the error is still printed in the requested form: as JSON
   // or as text.
   CommonOptions asked;
-  asked.json = contains(words, "--json");
+  asked.json = is_among("--json", words);
   const std::string first = words.empty() || words[0] == "--json" ? "" : words[0];
   open_console(asked, first, "");
   if (!first.empty() && !known(*app_, first)) return false;

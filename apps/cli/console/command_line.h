@@ -30,6 +30,9 @@ class Option {
   /// Sets the value that the option has if it is given without a value.
   Option& or_alone(const std::string& value);
   Option& capture_default_str();  // --help shows the default value
+  /// Marks a file that is written in the stated format, such as "CSV". A name is refused if its
+  /// ending belongs to another format, such as "out.xlsx"; an unknown ending is taken.
+  Option& written_as(const std::string& format, const std::vector<std::string>& endings);
 
  private:
   CLI::Option* option_;

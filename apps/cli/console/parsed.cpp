@@ -16,6 +16,15 @@ double parse_option(const std::string& option,
   return line.root().quantity(option, unit, range);
 }
 
+double parse_share_option(const std::string& option, const std::string& text) {
+  const double share = parse_option(option, text, "1");
+  if (share > 1.0 && parse_number(text))
+    throw InputError(option + " " + text + ": without a unit this is " +
+                     format_number(100.0 * share) + " %; expected \"" + format_number(share) +
+                     " %\", or \"" + format_number(100.0 * share) + " %\" if that is meant");
+  return share;
+}
+
 void set_variable(const DesignSpace& space, const std::string& assignment, DesignPoint& point) {
   const size_t equal = assignment.find('=');
   if (equal == std::string::npos) {

@@ -63,6 +63,7 @@ class Extent(Coarse):
         self.assert_says(text, "Targets of at most 100 %: 9 points", "sidewall extends over its whole range")
         self.assert_says(self.latsch("doe", self.study, "--levels", "3", "--level", "0.0001 %"), "No point has a target")
         self.assert_says(self.latsch("doe", self.study, "--levels", "3", "--level", "2 mm", code=WRONG_INPUT), "level")
+        self.assert_says(self.latsch("doe", self.study, "--levels", "3", "--level", "2", code=WRONG_INPUT), 'expected "2 %"')
 
 
 if __name__ == "__main__":

@@ -174,7 +174,8 @@ void add_compare(CommandLine& app, Program& program) {
   auto measurements = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();
   verb.add_option("comparison", *file, "Comparison file (TOML)").required();
-  verb.add_option("-o,--output", *output, "Page to write (HTML); beside the file unless given");
+  verb.add_option("-o,--output", *output, "Page to write (HTML); beside the file unless given")
+      .written_as("HTML", {".html", ".htm"});
   verb.add_option("--write-measurements",
                   *measurements,
                   "Write the specimen's results in every test to this folder, and end");

@@ -334,7 +334,7 @@ void add_doe(CommandLine& app, Program& program) {
                             program.language,
                             *levels,
                             *workers,
-                            level->empty() ? 0.0 : parse_option("--level", *level, "1"),
+                            level->empty() ? 0.0 : parse_share_option("--level", *level),
                             *retries_failed);
   });
 }

@@ -279,8 +279,10 @@ void add_export(CommandLine& app, Program& program) {
       "  latsch export studies/ring_tires/passenger_205_55R16.toml --sti -o tire_sti");
   auto options = std::make_shared<ExportOptions>();
   verb.add_option("file", options->file, "Model file or study file").required();
-  verb.add_option("--vtu", options->vtu, "ParaView file to write");
-  verb.add_option("--ccx", options->ccx, "CalculiX deck to write");
+  verb.add_option("--vtu", options->vtu, "ParaView file to write")
+      .written_as("a ParaView file", {".vtu"});
+  verb.add_option("--ccx", options->ccx, "CalculiX deck to write")
+      .written_as("a CalculiX deck", {".inp"});
   verb.add_option("--model", options->model, "Model file to write, with the identified values");
   verb.add_option("--pressure",
                   options->pressure,

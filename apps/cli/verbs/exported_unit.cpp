@@ -137,6 +137,8 @@ void say_sti(const std::string& file,
     throw InputError({file, 0}, "is a " + kind.in_words() + ", which does not roll");
   kind.check(source.numbers);
   warn_of_doubts(correlation::ledgers_of_file(file, "the model"));
+  // A missing library is found before anything is written.
+  const fs::path so = library(folder.empty() ? "latsch_all.so" : "latsch_sti.so");
   fs::path named = fs::absolute(file);
   if (!folder.empty()) {
     if (!exchange::is_slim(kind, source.numbers))
@@ -159,7 +161,7 @@ void say_sti(const std::string& file,
   const fs::path dll = library_path("latsch_sti.dll");
   const bool has_windows = !folder.empty() && fs::exists(dll);
   say("library   {}\n{}function  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
-      library(folder.empty() ? "latsch_all.so" : "latsch_sti.so").string(),
+      so.string(),
       has_windows ? "Windows   " + dll.string() + "\n" : "",
       named.string(),
       kind.describe(source.numbers));

@@ -226,7 +226,8 @@ void add_identify(CommandLine& app, Program& program) {
   verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
       .between(1, 1024);
   auto output = std::make_shared<std::string>();
-  verb.add_option("-o,--output", *output, "HTML file of the report; beside the study unless given");
+  verb.add_option("-o,--output", *output, "HTML file of the report; beside the study unless given")
+      .written_as("HTML", {".html", ".htm"});
   verb.add_flag("--short", *short_form, "Intervals only, one more trial a variable");
   verb.callback([=, &program] {
     program.exit_code = identify(*file, program.language, *workers, !*short_form, *output);

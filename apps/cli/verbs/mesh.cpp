@@ -228,7 +228,8 @@ void add_mesh(CommandLine& app, Program& program) {
           options->refinement,
           "Splits every element into this number of parts in each direction; 1 unless given")
       .between(1, 8);
-  verb.add_option("--vtu", options->vtu, "ParaView file to write");
+  verb.add_option("--vtu", options->vtu, "ParaView file to write")
+      .written_as("a ParaView file", {".vtu"});
   verb.add_flag("--convergence", options->convergence, "Compares with refined meshes");
   verb.add_option(
       "--deflection",
@@ -251,7 +252,8 @@ void add_mesh(CommandLine& app, Program& program) {
       .between(3, 8);
   verb.add_option("--place-columns",
                   options->place_columns,
-                  "Tire file to write, with columns of elements placed by their effect");
+                  "Tire file to write, with columns of elements placed by their effect")
+      .written_as("TOML", {".toml"});
   verb.add_option("--unknowns",
                   options->unknowns,
                   "Greatest number of unknowns, for --place-columns; the present number unless "

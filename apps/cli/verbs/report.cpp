@@ -34,7 +34,8 @@ void add_report(CommandLine& app, Program& program) {
   auto file = std::make_shared<std::string>();
   verb.add_option("study", *file, "Study file (TOML)").required();
   auto output = std::make_shared<std::string>();
-  verb.add_option("-o,--output", *output, "HTML file to write; beside the study unless given");
+  verb.add_option("-o,--output", *output, "HTML file to write; beside the study unless given")
+      .written_as("HTML", {".html", ".htm"});
   auto on_the_ground = std::make_shared<bool>(false);
   verb.add_flag("--convergence",
                 *on_the_ground,

@@ -180,10 +180,12 @@ void add_road(CommandLine& app, Program& program) {
   verb.add_option("road", options->road, "Road file").required();
   verb.add_option("points", options->points, "Table of points (CSV)");
   verb.add_option("--time", options->time, "Time of all points, such as \"0.2 s\"");
-  verb.add_option("--output", options->output, "File to write; else the terminal");
+  verb.add_option("--output", options->output, "CSV file to write; else the terminal")
+      .written_as("CSV", {".csv"});
   verb.add_option("--triangles",
                   options->triangles,
-                  "Adams road file of nodes and triangles to write, for a kerb");
+                  "Adams road file of nodes and triangles to write, for a kerb")
+      .written_as("an Adams road", {".rdf"});
   const bool alone = false;
   verb.forms({{"prints the road at points", {"points"}, {"--time", "--output"}, alone},
               {"writes triangles", {"--triangles"}, {}, alone}});

@@ -58,10 +58,10 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
   answer()["trials"] = journal.size();
   answer()["journal"] = study.run.journal.string();
   answer()["variables"] = answer_of(study.space, best.point);
-  say("\n{} trials in {}\n\nBest of {} steps: target {:.4f} %\n",
-      journal.size(),
+  say("\n{} in {}\n\nBest of {}: target {:.4f} %\n",
+      counted(journal.size(), "trial"),
       study.run.journal.string(),
-      run.steps.size(),
+      counted(run.steps.size(), "step"),
       best.outcome->value * 100.0);
   answer()["ending"] = run.ending;
   say("The search ended {}\n", run.ending);
@@ -310,8 +310,8 @@ class StagesOnWorkers {
   }
 
   void print_end(const Run& run) const {
-    say("Best of {} steps: target {:.4f} %\nThe search ended {}\n",
-        run.steps.size(),
+    say("Best of {}: target {:.4f} %\nThe search ended {}\n",
+        counted(run.steps.size(), "step"),
         100.0 * run.best()->outcome->value,
         run.ending);
     print_point(study_.space, run.best()->point);

@@ -171,7 +171,8 @@ void add_show(CommandLine& app, Program& program) {
   auto file = std::make_shared<std::string>();
   auto html = std::make_shared<std::string>();
   verb.add_option("file", *file, "File to look at").required();
-  verb.add_option("--html", *html, "Page with plots and tables to write");
+  verb.add_option("--html", *html, "Page with plots and tables to write")
+      .written_as("HTML", {".html", ".htm"});
   auto axes = std::make_shared<std::string>();
   verb.add_option("--axes",
                   *axes,

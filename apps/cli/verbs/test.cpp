@@ -152,6 +152,36 @@ void append(const Channels& block, Channels& all) {
   all = std::move(longer);
 }
 
+/// Returns the channels with the states that the test was given in a table, such as its slip
+/// angles, before them: a TYDEX file has nothing else that tells to which state a force belongs.
+Channels with_states(const experiment::Test& test, const Channels& channels) {
+  struct State {
+    const char *name, *unit;
+  };
+  constexpr State kStates[] = {
+      {"alpha", "rad"}, {"kappa", "1"}, {"gamma", "rad"}, {"p", "Pa"}, {"Vx", "m/s"}};
+  Channels all;
+  for (const State& state : kStates) {
+    std::vector<double> values = test.driven_at(state.name);
+    if (!values.empty() && !channels.find(state.name))
+      all.add({.name = state.name, .unit = state.unit, .values = std::move(values)});
+  }
+  for (const Channel& channel : channels.all()) all.add(channel);
+  return all;
+}
+
+/// Throws InputError if TYDEX defines none of the names, because the file would be read by nobody:
+/// it is a format for measurements of tires.
+void expect_names_of_tydex(const formats::TydexRecord& record, const std::string& file) {
+  const formats::WrittenTydex written =
+      formats::tydex_text(record, formats::TydexDigits::columns_of_ten);
+  for (const auto& name : written.names)
+    if (name.is_defined && name.channel != "time") return;
+  throw InputError("-o " + file +
+                   ": TYDEX is a format for measurements of tires, and it defines a name for no "
+                   "channel of this test; expected a file that ends in \".csv\"");
+}
+
 /// Writes the channels as a TYDEX file, whose names state the frame of each force.
 void write_tydex_of(const TestOptions& options,
                     const experiment::Test& test,
@@ -162,13 +192,14 @@ void write_tydex_of(const TestOptions& options,
                      "Test: " + test.in_words(),
                      "Model: " + options.model};
   const std::vector<experiment::ChannelInfo> known = test.channels();
-  for (const Channel& channel : channels.all()) {
+  record.channels = with_states(test, channels);
+  for (const Channel& channel : record.channels.all()) {
     const auto info = std::ranges::find(known, channel.name, &experiment::ChannelInfo::name);
     record.frames.push_back(info == known.end() ? std::string() : info->frame);
   }
-  record.channels = channels;
   record.constants = {{"TESTRIG", "Test rig", "", "virtual: " + test.in_words()},
                       {"IDENTITY", "Identity of tyre", "", options.model}};
+  expect_names_of_tydex(record, options.output);
   const auto digits =
       options.all_digits ? formats::TydexDigits::all : formats::TydexDigits::columns_of_ten;
   say_remarks(write_tydex(std::move(record), digits, options.output), "--all-digits");
@@ -376,13 +407,16 @@ void add_test(CommandLine& app, Program& program) {
   verb.add_option("model", options->model, "Model or study");
   verb.add_option("test", options->test, "Test file, or its keys in braces");
   verb.add_option(
-      "-o,--output", options->output, "CSV or TYDEX (.tdx) file to write; else the terminal");
+          "-o,--output", options->output, "CSV or TYDEX (.tdx) file to write; else the terminal")
+      .written_as("CSV or TYDEX", {".csv", ".tdx", ".tydex", ".tda", ".tdb"});
   verb.add_option("--kind", options->kind, "Kind of model, for a file that can be read as several")
       .one_of(program.language.kind_names());
-  verb.add_option("--html", options->html, "Page with pictures to write");
+  verb.add_option("--html", options->html, "Page with pictures to write")
+      .written_as("HTML", {".html", ".htm"});
   verb.add_option("--details",
                   options->details,
-                  "CSV file for results beyond the channels, such as the pressures of a footprint");
+                  "CSV file for results beyond the channels, such as the pressures of a footprint")
+      .written_as("CSV", {".csv"});
   verb.add_option(
           "--signs", options->signs, "Signs of the output of a suspension's test; iso unless given")
       .one_of(experiment::sign_view_names());

@@ -145,7 +145,8 @@ void add_validate(CommandLine& app, Program& program) {
        kind = std::make_shared<std::string>(), page = std::make_shared<std::string>();
   verb.add_option("model", *model, "Model or study").required();
   verb.add_option("suite", *suite, "Suite of checks (TOML)").required();
-  verb.add_option("-o,--output", *page, "Page to write (HTML); beside the suite unless given");
+  verb.add_option("-o,--output", *page, "Page to write (HTML); beside the suite unless given")
+      .written_as("HTML", {".html", ".htm"});
   verb.add_option("--kind", *kind, "Kind of model, for a file that can be read as several")
       .one_of(program.language.kind_names());
   verb.callback([=, &program] {

@@ -127,16 +127,16 @@ NuisanceNumber read_number(const Node& table,
   if (kind == NuisanceKind::gain && number.prior > kLargestGain)
     table.reject(
         key,
-        fmt::format("is {}, a deviation of {:g} % of the recording; expected a share of up to "
-                    "{:g} %, such as \"1 %\", or \"free\"",
-                    in_quotes(table.text(key)),
+        fmt::format("is the deviation of a gain of {:g} %; expected a share of up to {:g} %, such "
+                    "as \"1 %\", or \"free\"",
                     100.0 * number.prior,
                     100.0 * kLargestGain));
   if (number.prior > kLongest * length)
     table.reject(key,
-                 fmt::format("is {}, longer than a tenth of the record, which is {:g} {}; expected "
-                             "a smaller deviation, or a longer record",
-                             in_quotes(table.text(key)),
+                 fmt::format("is {:g} {}, longer than a tenth of the record, which is {:g} {}; "
+                             "expected a smaller deviation, or a longer record",
+                             number.prior,
+                             unit_of(kind, observable),
                              length,
                              unit_of(kind, observable)));
   if (!has_noise)

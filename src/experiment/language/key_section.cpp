@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/language/key_section.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -133,6 +136,18 @@ void add_root_keys(const KeySection& section,
 
 }  // namespace
 
+namespace {
+
+/// Returns the names in alphabetic order, each once.
+std::string listed(std::vector<std::string> names) {
+  std::ranges::sort(names);
+  const auto again = std::ranges::unique(names);
+  names.erase(again.begin(), again.end());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
 void refuse_unknown_keys(const Node& table, const KeySection& section) {
   std::vector<const KeySection*> seen;
   std::vector<std::string> names = {"kind"};
@@ -141,7 +156,10 @@ void refuse_unknown_keys(const Node& table, const KeySection& section) {
   for (const std::string& key : table.keys()) {
     if (std::ranges::find(names, key) != names.end()) continue;
     const std::string path = table.path().empty() ? key : table.path() + "." + key;
-    throw InputError(table.place(key), "unknown key " + in_quotes(path) + did_you_mean(key, names));
+    const std::string guess = did_you_mean(key, names);
+    throw InputError(table.place(key),
+                     "unknown key " + in_quotes(path) +
+                         (guess.empty() ? "; the keys here are " + listed(names) : guess));
   }
 }
 

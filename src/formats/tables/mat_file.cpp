@@ -5,7 +5,9 @@
 #include <matio.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "base/error.h"
@@ -21,6 +23,36 @@ namespace {
 constexpr std::size_t kLargestMatFile = 512u << 20;  // bytes
 constexpr int kDeepestStruct = 16;
 constexpr std::size_t kMostVectors = 10000;
+
+constexpr std::size_t kHeaderOfMatlab = 512;  // bytes before HDF5 begins
+
+/// Returns the size in bytes that the file states in the first block of its HDF5 part; nothing if
+/// it has no such block. [HDF5 File Format Specification, II.A, superblock]
+std::optional<std::uint64_t> stated_size(std::string_view bytes) {
+  constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
+  constexpr std::size_t kEndInOld = 40, kEndInNew = 28;  // versions 0 and 1; 2 and 3
+  if (bytes.size() < kHeaderOfMatlab + kEndInOld + 8) return std::nullopt;
+  const std::string_view block = bytes.substr(kHeaderOfMatlab);
+  if (!block.starts_with(kSignature)) return std::nullopt;
+  const bool is_old = block[8] < 2;
+  if (block[is_old ? 13 : 9] != 8) return std::nullopt;  // bytes of an address
+  std::uint64_t size = 0;
+  for (int i = 7; i >= 0; --i)
+    size = size << 8 | static_cast<unsigned char>(block[(is_old ? kEndInOld : kEndInNew) + i]);
+  return size;
+}
+
+/// Throws InputError if the file has fewer bytes than it states.
+void expect_whole(std::string_view bytes, const std::string& file) {
+  const auto size = stated_size(bytes);
+  if (!size)
+    throw InputError({file, 0},
+                     "begins as a MAT file of version 7.3, but has no HDF5 part: is it cut off?");
+  if (bytes.size() < *size)
+    throw InputError(
+        {file, 0},
+        fmt::format("is cut off: it has {} of the {} bytes that it states", bytes.size(), *size));
+}
 
 /// Converts the variables that the library matio returns for a file of version 7.3.
 class Hdf5Reading {
@@ -147,9 +179,12 @@ MatFile MatFile::read(const std::filesystem::path& file) {
   const std::string bytes = read_settled_file(file, kLargestMatFile);
   expect_content_of_ending(file, bytes);
   if (bytes.starts_with("MATLAB 7.3")) {
+    expect_whole(bytes, file.string());
     MatFile result;
     result.file = file.string();
     Hdf5Reading(result).run();
+    if (result.variables.empty() && result.left_out.empty())
+      throw InputError({result.file, 0}, "has no variable that can be read");
     return result;
   }
   return parse(bytes, file.string());

@@ -105,6 +105,24 @@ TEST_F(MatFiles, OfVersion73AreReadThroughHdf5) {
             (std::vector<double>{1000.0, 2000.0, 3000.0}));
 }
 
+TEST_F(MatFiles, OfVersion73AreRefusedWhereverTheyAreCutOff) {
+  const auto path = folder_ / "v73.mat", cut = folder_ / "cut.mat";
+  mat_t* mat = Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT73);
+  ASSERT_TRUE(mat);
+  std::vector<double> force(500, 1.0);
+  std::size_t size[] = {force.size(), 1};
+  matvar_t* variable = Mat_VarCreate("Fz", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size, force.data(), 0);
+  ASSERT_EQ(Mat_VarWrite(mat, variable, MAT_COMPRESSION_NONE), 0);
+  Mat_VarFree(variable);
+  Mat_Close(mat);
+  const std::string bytes = read_text_file(path);
+  EXPECT_EQ(MatFile::read(path).variables.size(), 1u);
+  for (std::size_t length = 20; length < bytes.size(); length += 61) {
+    write_text_file(cut, bytes.substr(0, length));
+    EXPECT_THROW(MatFile::read(cut), InputError) << length;
+  }
+}
+
 TEST_F(MatFiles, CutOffAnywhereAreRefused) {
   if (!run("/usr/bin/python3", kScript))
     GTEST_SKIP() << "SciPy is not installed (Debian: python3-scipy)";

@@ -21,7 +21,8 @@ STUDIES = pathlib.Path(__file__).resolve().parents[4] / "studies"
 RING = STUDIES / "ring_tires" / "passenger_205_55R16.toml"
 FORMULA = STUDIES / "tire_model_comparison" / "magic_formula.tir"
 SWEEP = '{kind = "slip_sweep", load = "4 kN", speed = "30 km/h", alpha = ["-6 deg", "6 deg"], duration = "0.4 s"%s}'
-UNITS = {"s": 1.0, "m": 1.0, "m/s": 1.0, "N": 1.0, "Nm": 1.0, "-": 1.0, "deg": math.pi / 180.0, "Pa": 1.0, "rad/s": 1.0}
+UNITS = {"s": 1.0, "m": 1.0, "m/s": 1.0, "N": 1.0, "Nm": 1.0, "-": 1.0, "deg": math.pi / 180.0, "Pa": 1.0, "rad/s": 1.0, "N/rad": 1.0,
+         "N/m": 1.0, "1/m": 1.0}
 
 
 def tydex(file, by_columns=True):
@@ -137,7 +138,19 @@ class Tydex(unittest.TestCase):
         corner = STUDIES / "compliance" / "corner.toml"
         self.assertIn("signs of ISO 8855", self.latsch("test", corner, '{kind = "kc", Fz = "1 kN"}', "--signs", "sae", "-o",
                                                        "x.tdx", code=WRONG_INPUT))
+        self.assertIn("defines a name for no channel", self.latsch("test", RING, '{kind = "modes"}', "-o", "x.tdx", code=WRONG_INPUT))
+        self.assertIn("writes CSV or TYDEX", self.latsch("test", RING, '{kind = "modes"}', "-o", "x.XLSX", code=WRONG_INPUT))
         self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_states_of_a_table_stand_beside_their_forces(self):
+        (self.folder / "states.csv").write_text("Fz [kN],alpha [deg],p [bar]\n4,2,2.2\n4,-1.5,2.2\n3,1,2.4\n")
+        self.latsch("test", FORMULA, '{kind = "steady_states", states = "states.csv"}', "-o", "x.tdx")
+        found, _, _ = tydex(self.folder / "x.tdx")
+        for name, expected in (("SLIPANGL", [math.radians(a) for a in (2, -1.5, 1)]), ("INFLPRES", [2.2e5, 2.2e5, 2.4e5]),
+                               ("FZW", [4000, 4000, 3000])):
+            for value, right in zip(found[name], expected, strict=True):
+                self.assertAlmostEqual(value, right, delta=1e-6 * abs(right))
+        self.assertLess(found["FYW"][0] * found["FYW"][1], 0)
 
 
 if __name__ == "__main__":

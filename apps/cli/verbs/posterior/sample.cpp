@@ -376,7 +376,8 @@ void add_sample(CommandLine& app, Program& program) {
   verb.add_option("study", *file, "Study file (TOML)").required();
   verb.add_option("--workers", *workers, "Worker processes, instead of the study's")
       .between(1, 1024);
-  verb.add_option("-o,--output", *output, "CSV file of the samples; beside the study unless given");
+  verb.add_option("-o,--output", *output, "CSV file of the samples; beside the study unless given")
+      .written_as("CSV", {".csv"});
   verb.callback([=, &program] {
     program.exit_code = sample(*file, program.language, {*workers, *output});
   });

@@ -191,7 +191,8 @@ void add_select(CommandLine& app, Program& program) {
       .between(1, 1024);
   verb.add_option("-o,--output",
                   *output,
-                  "File of the study of the kept variables, in the folder of the study");
+                  "File of the study of the kept variables, in the folder of the study")
+      .written_as("TOML", {".toml"});
   verb.callback(
       [=, &program] { program.exit_code = select(*file, program.language, *workers, *output); });
 }

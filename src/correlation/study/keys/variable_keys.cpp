@@ -27,9 +27,8 @@ the experiments, against which it is weighted.
               {"scale", "Scale on which the variable is searched."},
               {"prior", "Value that is known before.", "none"},
               {"prior_sigma",
-               "Standard deviation of the prior: a quantity, or a share of the value; a plain "
-               "number "
-               "for a linear variable without a unit.",
+               "Standard deviation of the prior: a quantity, or a share of the value. For a linear "
+               "variable without a unit it is no share but a plain number, which may be above 1.",
                "none"},
               {"unit", "Unit of a variable of an outside program.", "that of `initial`"},
           },
