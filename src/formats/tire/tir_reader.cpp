@@ -490,15 +490,24 @@ class TirReader {
            "such as PHY1 and PKY1 are taken in radians");
   }
 
-  /// Reports missing coefficients of combined slip (R...): without them braking and steering forces
-  /// do not reduce each other.
+  /// Reports missing coefficients of combined slip (R...): without them a force is not reduced by
+  /// the other slip.
   void report_combined_slip() {
     const Parameters& p = tir_.parameters;
-    const bool forces = (p.PDX1 != 0.0) && (p.PDY1 != 0.0);
-    if (forces && p.RBX1 == 0.0 && p.RBY1 == 0.0)
-      note(0,
-           "there is no combined slip: RBX1 and RBY1 are 0 or missing, so that braking and "
-           "steering do not diminish each other's forces");
+    if (p.PDX1 == 0.0 || p.PDY1 == 0.0) return;
+    if (p.RBX1 == 0.0 && p.RBY1 == 0.0)
+      return note(0,
+                  "there is no combined slip: RBX1 and RBY1 are 0 or missing, so that braking and "
+                  "steering do not diminish each other's forces");
+    const auto is_whole = [&](const char* name, double value, const char* without) {
+      if (value == 0.0)
+        note(0, std::string(name) + " is 0 or missing, so that " + without);
+      return value != 0.0;
+    };
+    const char* const fx = "steering does not diminish the longitudinal force";
+    const char* const fy = "braking does not diminish the side force";
+    if (is_whole("RBX1", p.RBX1, fx)) is_whole("RCX1", p.RCX1, fx);
+    if (is_whole("RBY1", p.RBY1, fy)) is_whole("RCY1", p.RCY1, fy);
   }
 
   /// Reports missing coefficients in one note for each quantity that needs them.
@@ -515,6 +524,7 @@ class TirReader {
     if (tir_.parameters.version != Version::mf52) {
       groups.push_back({{"Q_RA1"}, ""});
       groups.push_back({{"Q_RB1"}, ""});
+      if (tir_.parameters.QSY1 != 0.0) groups.push_back({{"QSY7"}, "growth of the rolling resistance with the load"});
       groups.push_back({{"LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS"}, ""});
       groups.push_back({{"NOMPRES"}, ""});
     }

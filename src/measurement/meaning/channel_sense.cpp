@@ -161,6 +161,11 @@ Eigen::Matrix3d axes_of(AxisConvention convention) {
 ChannelSenses channel_senses(std::string_view name) {
   for (const auto& [begin, acting] : kActing)
     if (name.starts_with(begin)) return {S::same, acting};
+  if (const auto found = recognized(name)) {
+    const std::string_view meant = found->meaning->name;
+    if (meant == "NFX") return {S::along_x, S::load};
+    if (meant == "NFY") return {S::along_y, S::load};
+  }
   if (name == "roll_steer") return {S::about_z, S::about_x};
   constexpr std::string_view kBy = "_by_";
   const std::size_t by = name.find(kBy);

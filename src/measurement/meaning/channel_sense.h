@@ -16,8 +16,8 @@
 // Quantities that are defined without axes are the same in every convention: kappa, pressure,
 // radii, temperatures, the speed of rotation (positive rolling forward), toe (front inboard),
 // camber of a suspension (top outboard), caster (top rearward), travel, heights of road and posts
-// (upward). A slope "dy_by_Fy" has the product of both signs. A channel with an unknown name keeps
-// its sign, and the ledger says so.
+// (upward). A slope "dy_by_Fy" has the product of both signs, and so has a force over the load,
+// such as NFX. A channel with an unknown name keeps its sign, and the ledger says so.
 #pragma once
 
 #include <string_view>

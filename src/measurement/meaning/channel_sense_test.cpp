@@ -131,8 +131,18 @@ TEST(ChannelSense, WhatIsDefinedWithoutAxesIsKnownAndStays) {
   }
 }
 
+TEST(ChannelSense, AForceOverTheLoadIsTurnedAsBoth) {
+  // The tire test consortium writes FX/FZ and FY/FZ in the axes of SAE, with a load below 0.
+  EXPECT_EQ(sign("NFX", AxisConvention::sae), -1.0);
+  EXPECT_EQ(sign("NFY", AxisConvention::sae), 1.0);
+  EXPECT_EQ(sign("NFX", AxisConvention::adapted_sae), 1.0);
+  EXPECT_EQ(sign("NFY", AxisConvention::adapted_sae), -1.0);
+  for (const AxisConvention convention : kConventions)
+    EXPECT_EQ(sign("NFY", convention), sign("Fy", convention) * sign("Fz", convention));
+}
+
 TEST(ChannelSense, AnUnknownNameIsNotTurnedAndSaysSo) {
-  for (const char* name : {"NFX", "left_pad", "dy_by_nothing", "FREQ"}) {
+  for (const char* name : {"left_pad", "dy_by_nothing", "FREQ"}) {
     EXPECT_FALSE(channel_senses(name).is_known()) << name;
     EXPECT_EQ(sign(name, AxisConvention::sae), 1.0) << name;
   }

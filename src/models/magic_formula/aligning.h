@@ -4,8 +4,9 @@
 // (4.E31)-(4.E49), (4.E71)-(4.E78) [Pacejka 2012] in the form of [Besselink et al. 2010]: trail
 // (A58), (A60) with gamma in place of the book's |gamma|, equivalent slip angles (A54), (A55), arm
 // s (A56). The trail contains LFZO, as in MF-Tyre. MF 5.2 multiplies the trail by the actual side
-// force, 6.1 and 6.2 by that at gamma = 0 (4.E74). The torque of turning on the spot and of turn
-// slip is (4.91)-(4.103); (4.99) is evaluated as in MF-Tyre.
+// force, 6.1 and 6.2 by that at gamma = 0 (4.E74). MF 5.2 has the inclination times LGAZ in every
+// term but the arm s. The torque of turning on the spot and of turn slip is (4.91)-(4.103); (4.99)
+// is evaluated as in MF-Tyre.
 #if defined(LATSCH_MAGIC_FORMULA_ALIGNING) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_ALIGNING
 #undef LATSCH_MAGIC_FORMULA_ALIGNING
@@ -81,10 +82,10 @@ LATSCH_INLINE R residual_peak(const TireOf<R>& tire,
                               const OperatingPoint<R>& o,
                               const R& zeta2) {
   const auto& p = tire.p;
-  const R& g = o.gamma_star;
+  const R g = o.gamma_star * (tire.mf52 ? p.LGAZ : 1.0);
   const R camber =
       ((p.QDZ8 + p.QDZ9 * o.dfz) * (1.0 + p.PPZ2 * o.dpi) + (p.QDZ10 + p.QDZ11 * o.dfz) * abs(g)) *
-      g * (tire.mf52 ? p.LGAZ : 1.0) * p.LKZC;
+      g * p.LKZC;
   const double zeta0 = conventions.turn_slip ? 0.0 : 1.0;  // (4.83)
   return o.Fz_moment * p.UNLOADED_RADIUS *
          ((p.QDZ6 + p.QDZ7 * o.dfz) * p.LRES * zeta2 + camber * zeta0) * o.LMUY_star * o.sign_Vx *
@@ -132,8 +133,9 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireOf<R>& tire,
   const auto& p = tire.p;
   const R &dfz = o.dfz, &dpi = o.dpi;
   const R gamma = o.gamma * (tire.mf52 ? p.LGAZ : 1.0);
+  const R gamma_star = o.gamma_star * (tire.mf52 ? p.LGAZ : 1.0);
   Aligning<R> z;
-  const R SHt = p.QHZ1 + p.QHZ2 * dfz + (p.QHZ3 + p.QHZ4 * dfz) * o.gamma_star;  // (4.E35)
+  const R SHt = p.QHZ1 + p.QHZ2 * dfz + (p.QHZ3 + p.QHZ4 * dfz) * gamma_star;  // (4.E35)
   const R alphat = o.alpha_star + SHt;                                           // (4.E34)
   const R alphar = o.alpha_star + pure.SHy + pure.SVy * pure.per_Kya_prime;      // (4.E37), (4.E38)
   const R Bt = (p.QBZ1 + p.QBZ2 * dfz + p.QBZ3 * dfz * dfz) *
@@ -150,7 +152,7 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireOf<R>& tire,
   z.alphar_eq = select(alphar == 0.0, R(0.0), with_sign(arcs[0], alphar));        // (A54)
   const R alphat_eq = select(alphat == 0.0, R(0.0), with_sign(arcs[1], alphat));  // (A55)
   R Et = (p.QEZ1 + p.QEZ2 * dfz + p.QEZ3 * dfz * dfz) *
-         (1.0 + (p.QEZ4 + p.QEZ5 * o.gamma_star) * (2.0 / kPi) * arcs[2]);
+         (1.0 + (p.QEZ4 + p.QEZ5 * gamma_star) * (2.0 / kPi) * arcs[2]);
   if (conventions.limits) Et = at_most_one(Et);  // (4.E44)
   shapes.set(Shapes<R>::kTrail, Bt * alphat_eq, Ct, Et);
   return z;
@@ -168,7 +170,6 @@ LATSCH_INLINE void finish(const TireOf<R>& tire,
                           Aligning<R>& z) {
   const auto& p = tire.p;
   const ConstantOf<R> R0 = p.UNLOADED_RADIUS;
-  const R gamma = o.gamma * (tire.mf52 ? p.LGAZ : 1.0);
   SpinTorque<R> turning{R(1.0), R(0.0), R(0.0)};
   R zeta5 = R(1.0);
   if (conventions.turn_slip) {
@@ -184,7 +185,7 @@ LATSCH_INLINE void finish(const TireOf<R>& tire,
   z.t = z.Dt * zeta5 * shapes.cosine[Shapes<R>::kTrail] * o.cos_alpha_prime * p.LFZO *
         o.fade;  // (4.E73)
   const R s =
-      R0 * (p.SSZ1 + p.SSZ2 * combined.Fy * tire.per_FNOMIN + (p.SSZ3 + p.SSZ4 * o.dfz) * gamma) *
+      R0 * (p.SSZ1 + p.SSZ2 * combined.Fy * tire.per_FNOMIN + (p.SSZ3 + p.SSZ4 * o.dfz) * o.gamma) *
       p.LS;                                                                             // (A56)
   const R side = tire.mf52 ? combined.Fy - combined.SVyk : combined.Gyk * upright_Fy0;  // (4.E74)
   z.Mz = -z.t * side + z.Mzr + s * Fx;                                                  // (4.E71)

@@ -18,6 +18,13 @@ Conventions usable(Conventions conventions, const Parameters& parameters) {
   return conventions;
 }
 
+/// Returns the parameters without the least load of the file if limits are off: the inputs are then
+/// used as they are. The other ranges act in the kernels, which know the conventions.
+Parameters limited(Parameters parameters, const Conventions& conventions) {
+  if (!conventions.limits) parameters.FZMIN = 0.0;
+  return parameters;
+}
+
 /// Returns true if the deflection is computed outside of the vectorized kernels.
 bool deflects_otherwise(const Parameters& p) {
   return p.version == Version::mf62 || has_load_curve(p);
@@ -43,8 +50,8 @@ void add_deflection(const Parameters& parameters,
 }  // namespace
 
 MagicFormula::MagicFormula(const Parameters& parameters, const Conventions& conventions)
-    : parameters_(parameters),
-      tire_(parameters, parameters.version),
+    : parameters_(limited(parameters, conventions)),
+      tire_(parameters_, parameters.version),
       conventions_(usable(conventions, parameters)) {}
 
 SteadyState MagicFormula::evaluate(const State& state) const {

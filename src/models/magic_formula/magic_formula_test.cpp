@@ -44,6 +44,52 @@ TEST(MagicFormula, StiffnessesAreTheSlopesAtZeroSlip) {
   EXPECT_NEAR(s.sigma_y, std::abs(s.Kya) / 1.5e5, 1e-15);                       // (19)
 }
 
+TEST(MagicFormula, WithoutLimitsALoadBelowTheRangeIsUsedAsItIs) {
+  Parameters p = round_tire();
+  Conventions off;
+  off.limits = false;
+  for (const Version version : {Version::mf61, Version::mf62}) {
+    p.version = version;
+    p.FZMIN = 0.0;
+    const MagicFormula without(p, off);
+    p.FZMIN = 500.0;
+    const MagicFormula tire(p, off), limited(p);
+    const State light{50.0, 0.02, 0.03, 0.05, 0.0, 20.0, 2.2e5};
+    const SteadyState s = tire.evaluate(light), expected = without.evaluate(light);
+    EXPECT_EQ(std::memcmp(&s, &expected, sizeof s), 0);
+    if (version == Version::mf61) EXPECT_LT(s.rho, 0.2 * limited.evaluate(light).rho);
+    EXPECT_NEAR(tire.evaluate({0.0, 0.0, 0.0, 0.0, 0.0, 20.0, 2.2e5}).rho, 0.0, 1e-11);
+  }
+}
+
+/// MF 5.2 has gamma_z = LGAZ gamma in every term of the pure aligning moment [Adams/Tire, PAC2002,
+/// aligning moment]: a tire with LGAZ has the moment of one without it whose coefficients of gamma
+/// are multiplied instead.
+TEST(MagicFormula, TheInclinationOfTheAligningMomentIsScaledInEveryTerm) {
+  constexpr double kScale = 0.7;
+  Parameters scaled = round_tire();
+  scaled.version = Version::mf52;
+  scaled.QHZ3 = 0.3, scaled.QHZ4 = 0.1, scaled.QEZ4 = 0.2, scaled.QEZ5 = -1.5;
+  scaled.QBZ4 = 0.4, scaled.QBZ5 = -0.3, scaled.QDZ3 = 0.5, scaled.QDZ4 = -2.0;
+  scaled.QDZ8 = -0.4, scaled.QDZ9 = 0.1, scaled.SSZ3 = 0.2, scaled.SSZ4 = 0.1;
+  Parameters plain = scaled;
+  scaled.LGAZ = kScale;
+  for (double* linear : {&plain.QHZ3, &plain.QHZ4, &plain.QEZ5, &plain.QBZ4, &plain.QBZ5,
+                         &plain.QDZ3, &plain.QDZ8, &plain.QDZ9})
+    *linear *= kScale;
+  plain.QDZ4 *= kScale * kScale, plain.QDZ10 *= kScale * kScale;
+  const MagicFormula tire(scaled), other(plain);
+  double effect = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    State state = random_state(i);
+    const double Mz = tire.evaluate(state).Mz;
+    EXPECT_NEAR(Mz, other.evaluate(state).Mz, 1e-9 * (1.0 + std::abs(Mz)));
+    state.gamma = 0.0;
+    effect = std::max(effect, std::abs(Mz - tire.evaluate(state).Mz));
+  }
+  EXPECT_GT(effect, 10.0);  // N m
+}
+
 TEST(MagicFormula, ThePeakIsFrictionTimesLoad) {
   const MagicFormula tire(round_tire());
   double largest = 0.0;
