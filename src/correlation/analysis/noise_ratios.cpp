@@ -60,8 +60,8 @@ std::string large_noise_in_words(const Study& study, const std::vector<NoiseRati
   std::vector<std::string> named;
   for (const NoiseRatio& one : ratios)
     for (const StudyExperiment& experiment : study.experiments)
-      if (experiment.name == one.name && experiment.noise && !experiment.estimates_noise && one.values >= kFewest &&
-          one.ratio < kSmall)
+      if (experiment.name == one.name && experiment.noise && !experiment.estimates_noise &&
+          one.values >= kFewest && one.ratio < kSmall)
         named.push_back(fmt::format("{} {:.2g}", one.name, one.ratio));
   if (named.empty()) return "";
   return fmt::format(

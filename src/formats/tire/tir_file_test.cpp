@@ -383,6 +383,12 @@ TEST(TirFile, ScalesRangesAndStrayLinesAreCheckedForWhatTheyMean) {
   // refused, even if the key is not used.
   EXPECT_NE(tir_complaint(with("[VERTICAL]\nXYZ = 1\nXYZ = 2\n")).find("keep one of them"),
             std::string::npos);
+  EXPECT_NE(tir_complaint(with("[MODEL]\nTYRESIDE='LEFT'\n")).find("keep one of them"),
+            std::string::npos);
+  EXPECT_NE(tir_complaint(with("[DIMENSION]\nRIM_RADIUS = 2000\n"))
+                .find("expected less than UNLOADED_RADIUS"),
+            std::string::npos)
+      << tir_complaint(with("[DIMENSION]\nRIM_RADIUS = 2000\n"));
 }
 
 TEST(TirFile, CoefficientsOfAnotherVersionAreNotUsedAndTold) {
@@ -477,6 +483,33 @@ TEST(TirFile, ARangeInDegreesBesideRadiansIsTold) {
             std::string::npos);
   EXPECT_EQ(doubts_of(with_range("degrees", "ALPMIN=-15\nALPMAX=15")), "");
   EXPECT_EQ(doubts_of(with_range("radians", "ALPMIN=-3.15\nALPMAX=3.15")), "");
+  EXPECT_NE(doubts_of(with_range("degrees", "ALPMAX=15\nKPUMAX=150")).find("is it in percent"),
+            std::string::npos);
+  EXPECT_EQ(doubts_of(with_range("degrees", "ALPMAX=15\nKPUMAX=1.5")), "");
+}
+
+TEST(TirFile, ACoefficientWithoutWhichSlipsDoNotActOnEachOtherIsTold) {
+  const auto notes_with = [](const std::string& coefficients) {
+    std::string all;
+    for (const std::string& note : parse_tir(kSmall + coefficients, "t.tir").notes)
+      all += note + "\n";
+    return all;
+  };
+  const std::string forces =
+      "[LATERAL_COEFFICIENTS]\nPDY1 = 1\n[LONGITUDINAL_COEFFICIENTS]\nPDX1 = 1.1\nRBX1 = "
+      "12\n%1[LATERAL_COEFFICIENTS]\nRBY1 = 10\n%2";
+  const auto told = [&](const std::string& x, const std::string& y) {
+    std::string text = forces;
+    text.replace(text.find("%1"), 2, x);
+    text.replace(text.find("%2"), 2, y);
+    return notes_with(text);
+  };
+  const std::string none = told("", ""), whole = told("RCX1 = 1\n", "RCY1 = 1\n");
+  EXPECT_NE(none.find("RCX1 is 0 or missing, so that steering does not diminish"), none.npos)
+      << none;
+  EXPECT_NE(none.find("RCY1 is 0 or missing, so that braking does not diminish"), none.npos)
+      << none;
+  EXPECT_EQ(whole.find("is 0 or missing"), whole.npos) << whole;
 }
 
 TEST(TirFile, AUseModeThatIsNotComputedIsTold) {

@@ -242,6 +242,8 @@ class TirReader {
         throw InputError(
             section.place(entry.line),
             fmt::format("{} stands in [{}], expected [MODEL]", entry.key, section.name()));
+      const auto [before, first] = model_words_.emplace(entry.key, &entry);
+      if (!first && before->second->value != entry.value) twice(section, *before->second, entry);
       tir_.keys.push_back({section.name(), entry.key, entry.line, entry.key, ""});
       return;
     }
@@ -430,6 +432,13 @@ class TirReader {
   }
 
   void check_ranges() {
+    const Parameters& p = tir_.parameters;
+    if (p.RIM_RADIUS >= p.UNLOADED_RADIUS)
+      throw InputError(place_of("RIM_RADIUS"),
+                       fmt::format("RIM_RADIUS is {:.4g} mm, expected less than UNLOADED_RADIUS, "
+                                   "which is {:.4g} mm",
+                                   1e3 * p.RIM_RADIUS,
+                                   1e3 * p.UNLOADED_RADIUS));
     for (const auto& [lower, upper] : kRanges) {
       const double low = tir_.parameters.*magic_formula::find_parameter(lower)->member;
       const double high = tir_.parameters.*magic_formula::find_parameter(upper)->member;
@@ -440,9 +449,22 @@ class TirReader {
     }
   }
 
-  /// Adds a doubt about a range in degrees although ANGLE is 'radians': it would cover every
-  /// possible state.
+  /// Adds a doubt about a range of slips in percent, or of angles in degrees although ANGLE is
+  /// 'radians': such a range would cover every possible state.
   void check_angles() {
+    constexpr double kMostSlip = 5.0;  // files state up to 1.5
+    for (const char* name : {"KPUMIN", "KPUMAX"}) {
+      const double value = tir_.parameters.*magic_formula::find_parameter(name)->member;
+      if (!found_.contains(name) || std::abs(value) <= kMostSlip) continue;
+      doubt(name,
+            found_.at(name)->line,
+            fmt::format("{} is {}, a slip of {:.0f} %: is it in percent? {} % are {:.4g}",
+                        name,
+                        found_.at(name)->value,
+                        100.0 * value,
+                        found_.at(name)->value,
+                        0.01 * value));
+    }
     // rad; files without real limits state up to 180 degrees.
     constexpr double kMostAngle = 3.2;
     for (const auto& [lower, upper] : {std::pair{"ALPMIN", "ALPMAX"}, {"CAMMIN", "CAMMAX"}})
@@ -500,8 +522,7 @@ class TirReader {
                   "there is no combined slip: RBX1 and RBY1 are 0 or missing, so that braking and "
                   "steering do not diminish each other's forces");
     const auto is_whole = [&](const char* name, double value, const char* without) {
-      if (value == 0.0)
-        note(0, std::string(name) + " is 0 or missing, so that " + without);
+      if (value == 0.0) note(0, std::string(name) + " is 0 or missing, so that " + without);
       return value != 0.0;
     };
     const char* const fx = "steering does not diminish the longitudinal force";
@@ -524,7 +545,8 @@ class TirReader {
     if (tir_.parameters.version != Version::mf52) {
       groups.push_back({{"Q_RA1"}, ""});
       groups.push_back({{"Q_RB1"}, ""});
-      if (tir_.parameters.QSY1 != 0.0) groups.push_back({{"QSY7"}, "growth of the rolling resistance with the load"});
+      if (tir_.parameters.QSY1 != 0.0)
+        groups.push_back({{"QSY7"}, "growth of the rolling resistance with the load"});
       groups.push_back({{"LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS"}, ""});
       groups.push_back({{"NOMPRES"}, ""});
     }
@@ -545,8 +567,9 @@ class TirReader {
   TirFile& tir_;
   TeimOrbitUnits units_;
   std::map<std::string, const TeimOrbitEntry*> found_;
-  std::map<std::string, std::pair<double, int>> scales_;  // value, line
-  long unknown_ = 0;                                      // keys that are not known
+  std::map<std::string_view, const TeimOrbitEntry*> model_words_;  // keys of all [MODEL] sections
+  std::map<std::string, std::pair<double, int>> scales_;           // value, line
+  long unknown_ = 0;                                               // keys that are not known
   int line_of_more_unknown_ = 0;  // line of the first one that is not noted by itself
 };
 

@@ -194,8 +194,6 @@ void examine_sizes(const Parameters& p,
   }
   examine_masses(p, note);
   examine_inertias(p, note);
-  if (p.RIM_RADIUS >= p.UNLOADED_RADIUS)
-    note("RIM_RADIUS", "RIM_RADIUS is not below UNLOADED_RADIUS");
   examine_turn_slip(p, note);
   for (const Factor& factor : kFactors)
     if (is_given(factor.name) && value_of(p, factor.name) == 0.0)

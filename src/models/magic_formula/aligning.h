@@ -136,8 +136,8 @@ LATSCH_INLINE Aligning<R> aligning_terms(const TireOf<R>& tire,
   const R gamma_star = o.gamma_star * (tire.mf52 ? p.LGAZ : 1.0);
   Aligning<R> z;
   const R SHt = p.QHZ1 + p.QHZ2 * dfz + (p.QHZ3 + p.QHZ4 * dfz) * gamma_star;  // (4.E35)
-  const R alphat = o.alpha_star + SHt;                                           // (4.E34)
-  const R alphar = o.alpha_star + pure.SHy + pure.SVy * pure.per_Kya_prime;      // (4.E37), (4.E38)
+  const R alphat = o.alpha_star + SHt;                                         // (4.E34)
+  const R alphar = o.alpha_star + pure.SHy + pure.SVy * pure.per_Kya_prime;    // (4.E37), (4.E38)
   const R Bt = (p.QBZ1 + p.QBZ2 * dfz + p.QBZ3 * dfz * dfz) *
                (1.0 + p.QBZ4 * gamma + p.QBZ5 * abs(gamma)) * p.LKY * o.per_LMUY_star;  // (A58)
   const R Ct = R(p.QCZ1);                                                               // (4.E41)

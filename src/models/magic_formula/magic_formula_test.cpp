@@ -74,8 +74,14 @@ TEST(MagicFormula, TheInclinationOfTheAligningMomentIsScaledInEveryTerm) {
   scaled.QDZ8 = -0.4, scaled.QDZ9 = 0.1, scaled.SSZ3 = 0.2, scaled.SSZ4 = 0.1;
   Parameters plain = scaled;
   scaled.LGAZ = kScale;
-  for (double* linear : {&plain.QHZ3, &plain.QHZ4, &plain.QEZ5, &plain.QBZ4, &plain.QBZ5,
-                         &plain.QDZ3, &plain.QDZ8, &plain.QDZ9})
+  for (double* linear : {&plain.QHZ3,
+                         &plain.QHZ4,
+                         &plain.QEZ5,
+                         &plain.QBZ4,
+                         &plain.QBZ5,
+                         &plain.QDZ3,
+                         &plain.QDZ8,
+                         &plain.QDZ9})
     *linear *= kScale;
   plain.QDZ4 *= kScale * kScale, plain.QDZ10 *= kScale * kScale;
   const MagicFormula tire(scaled), other(plain);
