@@ -42,6 +42,20 @@ std::string no_turn_slip_in(const MagicFormula& tire, const Conventions& asked) 
       missing);
 }
 
+/// Returns what has to be known of turn slip in these states, one sentence each.
+std::vector<std::string> turn_slip_in(const MagicFormula& tire,
+                                      const formats::CsvTable& table,
+                                      const Conventions& asked) {
+  if (std::string none = no_turn_slip_in(tire, asked); !none.empty()) return {none};
+  const Conventions& conventions = tire.conventions();
+  if (!conventions.turn_slip || conventions.spin_of_book) return {};
+  const std::vector<double> gamma = values_of(table, "gamma");
+  if (std::ranges::all_of(gamma, [](double g) { return g == 0.0; })) return {};
+  return {
+      "turn_slip = \"on\" has the camber's sign of the published equations, as MFeval: the camber "
+      "force points to the other side than without turn slip; turn_slip = \"book\" keeps its side"};
+}
+
 class MagicFormulaSpecimen : public RollingSpecimen,
                              public HasSteadyStates,
                              public LagsBehindSlips,
@@ -113,8 +127,8 @@ class MagicFormulaSpecimen : public RollingSpecimen,
       notes.push_back(table.file() + ": " + assumed);
     if (!values_of(table, "p").empty() && !magic_formula::pressure_acts(parameters_))
       notes.push_back("column p has no effect: " + magic_formula::no_pressure_in_words());
-    if (std::string none = no_turn_slip_in(tire, conditions.conventions); !none.empty())
-      notes.push_back(std::move(none));
+    for (std::string& one : turn_slip_in(tire, table, conditions.conventions))
+      notes.push_back(std::move(one));
     return notes;
   }
   std::vector<std::string> limits_in(const formats::CsvTable& table,
@@ -124,9 +138,9 @@ class MagicFormulaSpecimen : public RollingSpecimen,
     for_slip_states(
         table, parameters_, kBlock, [&](auto& states) { beyond.add(states, parameters_); });
     std::vector<std::string> sentences = beyond.sentences(parameters_, conventions.limits);
-    if (std::string none = no_turn_slip_in(MagicFormula(parameters_, conventions), conventions);
-        !none.empty())
-      sentences.push_back(std::move(none));
+    for (std::string& one :
+         turn_slip_in(MagicFormula(parameters_, conventions), table, conventions))
+      sentences.push_back(std::move(one));
     return sentences;
   }
   std::vector<std::string> limits_in_history(

@@ -120,7 +120,9 @@ Conventions read_conventions(const Node& root) {
   conventions.limits = root.choice("limits", {"on", "off"}, "on") == "on";
   if (root.choice("angles", {"direct", "tangent"}, "direct") == "tangent")
     conventions.angles = Angles::tangent;
-  conventions.turn_slip = root.choice("turn_slip", {"off", "on"}, "off") == "on";
+  const std::string turn_slip = root.choice("turn_slip", {"off", "on", "book"}, "off");
+  conventions.turn_slip = turn_slip != "off";
+  conventions.spin_of_book = turn_slip == "book";
   conventions.mirrored = root.choice("side", {"measured", "other"}, "measured") == "other";
   return conventions;
 }

@@ -5,8 +5,9 @@
 // (A58), (A60) with gamma in place of the book's |gamma|, equivalent slip angles (A54), (A55), arm
 // s (A56). The trail contains LFZO, as in MF-Tyre. MF 5.2 multiplies the trail by the actual side
 // force, 6.1 and 6.2 by that at gamma = 0 (4.E74). MF 5.2 has the inclination times LGAZ in every
-// term but the arm s. The torque of turning on the spot and of turn slip is (4.91)-(4.103); (4.99)
-// is evaluated as in MF-Tyre.
+// term but the arm s. The torque of turning on the spot and of turn slip is (4.91)-(4.103); (4.93)
+// has the turn slip alone and (4.99) is evaluated as in MF-Tyre, unless the conventions ask for the
+// spin of the book: it keeps the torque of camber, too.
 #if defined(LATSCH_MAGIC_FORMULA_ALIGNING) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_MAGIC_FORMULA_ALIGNING
 #undef LATSCH_MAGIC_FORMULA_ALIGNING
@@ -45,6 +46,7 @@ LATSCH_INLINE R cosine_of_share(const R& x, const R& a) {
 
 template <class R>
 LATSCH_INLINE SpinTorque<R> spin_torque(const TireOf<R>& tire,
+                                        const Conventions& conventions,
                                         const OperatingPoint<R>& o,
                                         const PureLateral<R>& y,
                                         const R& Gyk) {
@@ -58,10 +60,14 @@ LATSCH_INLINE SpinTorque<R> spin_torque(const TireOf<R>& tire,
   const R Mzp_inf = select(at_rest > 0.0, at_rest, none);  // (4.95)
   const ConstantOf<R> CDrp = p.QDRP1;                      // (4.96)
   const R DDrp = Mzp_inf / sin(R(0.5 * kPi * CDrp));       // (4.94)
-  const R Kzgr0 = Fz * R0 * (p.QDZ8 * p.QDZ9 * o.dfz + (p.QDZ10 + p.QDZ11 * o.dfz * abs(o.gamma))) *
-                  p.LKZC;                                                          // (4.99)
+  const bool of_book = conventions.spin_of_book;
+  const R by_gamma = of_book
+                         ? R((p.QDZ8 + p.QDZ9 * o.dfz) * (1.0 + p.PPZ2 * o.dpi) +
+                             (p.QDZ10 + p.QDZ11 * o.dfz) * abs(o.gamma))
+                         : R(p.QDZ8 * p.QDZ9 * o.dfz + (p.QDZ10 + p.QDZ11 * o.dfz * abs(o.gamma)));
+  const R Kzgr0 = Fz * R0 * by_gamma * p.LKZC;                                     // (4.99)
   const R BDrp = Kzgr0 / (CDrp * DDrp * not_zero<R>(1.0 - o.epsilon_gamma));       // (4.98)
-  s.Drp = DDrp * sin(CDrp * atan(BDrp * R0 * o.phit));                             // (4.93)
+  s.Drp = DDrp * sin(CDrp * atan(BDrp * R0 * (of_book ? o.phi : o.phit)));         // (4.93)
   const R Mzp90 = Mzp_inf * (2.0 / kPi) * atan(p.QCRP2 * R0 * abs(o.phit)) * Gyk;  // (4.103)
   // On a straight path numerator and denominator of the quotient Mz_phi90 / |D_rphi| vanish. Its
   // limit is the quotient of their derivatives.
@@ -174,7 +180,7 @@ LATSCH_INLINE void finish(const TireOf<R>& tire,
   R zeta5 = R(1.0);
   if (conventions.turn_slip) {
     zeta5 = cos_atan(p.QDTP1 * R0 * o.phi);  // (4.91)
-    turning = spin_torque(tire, o, pure, combined.Gyk);
+    turning = spin_torque(tire, conventions, o, pure, combined.Gyk);
   }
   const R Dr = residual_peak(tire, conventions, o, pure.zeta2) + turning.Drp;  // (4.E47)
   const R Br =

@@ -62,6 +62,54 @@ TEST(MagicFormula, WithoutLimitsALoadBelowTheRangeIsUsedAsItIs) {
   }
 }
 
+/// The stiffness against spin is that of the camber force over 1 - epsilon_gamma (4.89), and so is
+/// that of the residual torque (4.98): the spin of a small camber gives force and torque of the
+/// camber without turn slip.
+TEST(MagicFormula, TheSpinOfCamberGivesItsForceAndTorqueWithTheSignOfTheBook) {
+  Parameters p = round_tire();
+  p.PVY3 = 0.0;
+  struct Slopes {
+    double Fy, Mzr;
+  };
+  const auto by_camber = [&](bool turn_slip, bool of_book) -> Slopes {
+    Conventions conventions;
+    conventions.turn_slip = turn_slip;
+    conventions.spin_of_book = of_book;
+    constexpr double kSmall = 1e-4;
+    const MagicFormula tire(p, conventions);
+    const State leaning{4000.0, 0.0, 0.0, kSmall, 0.0, 20.0, 2.2e5};
+    State upright = leaning;
+    upright.gamma = 0.0;
+    const SteadyState a = tire.evaluate(leaning), b = tire.evaluate(upright);
+    return {(a.Fy - b.Fy) / kSmall, (a.Mzr - b.Mzr) / kSmall};
+  };
+  const Slopes without = by_camber(false, false), book = by_camber(true, true);
+  EXPECT_LT(without.Fy, -1000.0);  // N/rad, toward the side to which the tire leans
+  EXPECT_LT(without.Mzr, -50.0);   // N m/rad
+  // The spin is omega sin(gamma)/V, and omega is V/Re, a little more than V/R0.
+  EXPECT_NEAR(book.Fy / without.Fy, 1.0, 0.05);
+  EXPECT_NEAR(book.Mzr / without.Mzr, 1.0, 0.05);
+  EXPECT_NEAR(by_camber(true, false).Fy / without.Fy, -1.0, 0.05);
+}
+
+/// A tire that leans into its turn rolls like a cone: at sin(gamma)(1 - epsilon) omega = -V phit, a
+/// right turn having phit above 0, it has the side force of an upright tire on a straight path.
+TEST(MagicFormula, ATireThatLeansIntoItsTurnHasNoSpinWithTheSignOfTheBook) {
+  Parameters p = round_tire();
+  p.PVY3 = 0.0;
+  Conventions conventions;
+  conventions.turn_slip = conventions.spin_of_book = true;
+  const MagicFormula tire(p, conventions);
+  State cone{4000.0, 0.0, 0.0, 0.1, 0.0, 20.0, 2.2e5}, flat = cone;
+  flat.gamma = 0.0;
+  const SteadyState straight = tire.evaluate(flat);
+  cone.phit = std::sin(cone.gamma) * straight.omega / cone.Vx;  // round_tire has epsilon 0.5
+  cone.phit *= 1.0 - p.PECP1;
+  flat.phit = cone.phit;
+  EXPECT_GT(std::abs(tire.evaluate(flat).Fy - straight.Fy), 100.0);
+  EXPECT_NEAR(tire.evaluate(cone).Fy, straight.Fy, 2.0);
+}
+
 /// MF 5.2 has gamma_z = LGAZ gamma in every term of the pure aligning moment [Adams/Tire, PAC2002,
 /// aligning moment]: a tire with LGAZ has the moment of one without it whose coefficients of gamma
 /// are multiplied instead.

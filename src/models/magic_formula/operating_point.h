@@ -226,15 +226,16 @@ LATSCH_INLINE void roll(const TireOf<R>& tire, OperatingPoint<R>& o) {
 }
 
 /// Computes the spin of the tire by its curved path and by camber (4.76), and the camber reduction
-/// factor (4.90).
+/// factor (4.90). `of_book`: conventions.h.
 template <class R>
-LATSCH_INLINE void spin(const CoefficientsFor<R>& p, OperatingPoint<R>& o) {
+LATSCH_INLINE void spin(const CoefficientsFor<R>& p, bool of_book, OperatingPoint<R>& o) {
   o.epsilon_gamma = p.PECP1 * (1.0 + p.PECP2 * o.dfz);  // (4.90)
   const R V = abs(o.Vx) * sqrt(1.0 + o.tan_alpha * o.tan_alpha);
   const R Vc_prime = select(abs(o.Vx) < p.VXLOW, p.VXLOW * sign_or_one(o.Vx), V);
   // The z axis points up here, so the turn slip has the opposite sign of the book's (4.75).
-  o.phi =
-      -o.phit - (1.0 - o.epsilon_gamma) * o.omega * sin(o.gamma) / not_zero<R>(Vc_prime);  // (4.76)
+  const R by_camber =
+      (1.0 - o.epsilon_gamma) * o.omega * sin(o.gamma) / not_zero<R>(Vc_prime);  // (4.76)
+  o.phi = of_book ? -o.phit + by_camber : -o.phit - by_camber;
 }
 
 template <class R>
@@ -296,7 +297,7 @@ LATSCH_INLINE void find_operating_point(const TireOf<R>& tire,
   o.cos_alpha_prime = o.Vx / (Vc + kEpsilon);  // (4.E6)
   friction_scales(tire, conventions.A_mu, o);
   roll(tire, o);
-  if (conventions.turn_slip) spin(p, o);
+  if (conventions.turn_slip) spin(p, conventions.spin_of_book, o);
 }
 
 /// The curves of one state, each of the form C atan(Bx - E (Bx - atan Bx)) (4.E9). They are

@@ -402,6 +402,30 @@ std::vector<std::string> for_slip_states(const formats::CsvTable& table,
   return unused;
 }
 
+namespace {
+
+/// Returns a sentence that names the columns of states without a unit and the units in which they
+/// are read; empty if there are none.
+std::string assumed_units(const formats::CsvTable& table, const std::vector<Meant>& meant) {
+  std::vector<std::string> names, units;
+  for (const auto& [column, state] : meant) {
+    const bool is_bare = state && table.unit(column).empty() &&
+                         std::string_view("1") != state->unit &&
+                         unit_in_name(table, column, state->unit).empty();
+    if (!is_bare) continue;
+    names.push_back(column);
+    units.push_back(state->unit);
+  }
+  if (names.empty()) return "";
+  return fmt::format("{} {} taken in {}, because {} no unit",
+                     fmt::join(names, ", "),
+                     names.size() == 1 ? "is" : "are",
+                     fmt::join(units, ", "),
+                     names.size() == 1 ? "the column has" : "the columns have");
+}
+
+}  // namespace
+
 std::string assumed_states(const formats::CsvTable& table, const Parameters& tire) {
   std::vector<std::string> assumed;
   const auto meant = meant_by(table);
@@ -414,11 +438,14 @@ std::string assumed_states(const formats::CsvTable& table, const Parameters& tir
                                                           : "0";
     assumed.push_back(fmt::format("{} = {}", state.name, value));
   }
-  if (assumed.empty()) return "";
-  return fmt::format("{} {} taken, because the table has no column of {}",
+  const std::string bare = assumed_units(table, meant);
+  if (assumed.empty()) return bare;
+  return fmt::format("{} {} taken, because the table has no column of {}{}{}",
                      fmt::join(assumed, ", "),
                      assumed.size() == 1 ? "is" : "are",
-                     assumed.size() == 1 ? "it" : "them");
+                     assumed.size() == 1 ? "it" : "them",
+                     bare.empty() ? "" : "; ",
+                     bare);
 }
 
 SlipStates slip_states(const formats::CsvTable& table, const Parameters& tire) {

@@ -49,8 +49,8 @@ std::vector<std::string> for_slip_states(
 /// Reads all states. Throws InputError naming file and line.
 SlipStates slip_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
 
-/// Returns a sentence that names the states that a table lacks and the values assumed for them;
-/// empty if it lacks none. Turn slip (phit) is not named, because a table without it is one of
+/// Returns a sentence that names the states that a table lacks and the values assumed for them, and
+/// the columns without a unit and the units assumed for them; empty if nothing is assumed. Turn slip (phit) is not named, because a table without it is one of
 /// straight rolling.
 std::string assumed_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
 

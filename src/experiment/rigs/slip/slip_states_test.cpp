@@ -90,6 +90,19 @@ TEST(SlipStates, AreNeverLeftOutSilently) {
   EXPECT_EQ(ledger.find_taken("Fz")->used_by, std::vector<std::string>{"test steady"});
 }
 
+TEST(SlipStates, ColumnsWithoutAUnitAreToldWithTheUnitThatIsTaken) {
+  const auto said = [](const char* text) {
+    return assumed_states(CsvTable::parse(text, "s.csv"), tire());
+  };
+  EXPECT_NE(said("Fz,alpha,kappa [1],p [bar]\n4000,0.2,0,2\n")
+                .find("; Fz, alpha are taken in N, rad, because the columns have no unit"),
+            std::string::npos)
+      << said("Fz,alpha,kappa [1],p [bar]\n4000,0.2,0,2\n");
+  EXPECT_EQ(said("Fz [N],alpha,kappa,gamma [deg],Vx [m/s],p [bar]\n4000,0.2,0,0,10,2\n"),
+            "alpha is taken in rad, because the column has no unit");
+  EXPECT_EQ(said("Fz [N],alpha [deg],kappa,gamma [deg],Vx [m/s],p [bar]\n4000,1,0,0,10,2\n"), "");
+}
+
 TEST(SlipStates, HaveLoadsAboveZero) {
   const Ledger ledger =
       ledger_of_states(CsvTable::parse("Fz [N],alpha [deg]\n-4000,2\n-4000,1\n", "s.csv"), "test");

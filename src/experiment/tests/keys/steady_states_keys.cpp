@@ -34,7 +34,10 @@ memory, and must not be written to while it is read.
                "\"on\" limits inputs to the ranges of the tire's file and fades them below its "
                "VXLOW."},
               {"angles", "Angles as they are, or \"tangent\": tan(alpha), sin(gamma) instead."},
-              {"turn_slip", "\"on\" computes forces and moments of turning by phit."},
+              {"turn_slip",
+               "\"on\" computes forces and moments of turning by phit. The sign of the camber is "
+               "then that of the published equations, which turns the camber force around; "
+               "\"book\" has the sign that keeps it."},
               {"friction",
                "Friction of a finite-element tire with the ground; a Magic Formula has that of its "
                "coefficients, and refuses it.",
