@@ -95,7 +95,7 @@ LOUD = [complex(-1 - 2 ** -10 * i, 0) for i in range(7)]
 touching = text_58(1, 2, True, X, LOUD, unit="NONE", quantity=12)
 touching = touching.replace(b" -1.0", b"--1.0").replace(b"--1.0", b" -1.0")
 write("units.uff", UNITS + touching, [("time 1", "time", "s", X),
-                                      ("time 1", "12+Z", "0.001 m s^-2", [float(f"{v.real:.5e}") for v in LOUD])])
+                                      ("time 1", "12+Z", "m s^-2", [0.001 * float(f"{v.real:.5e}") for v in LOUD])])
 kinds = [(2, "auto spectrum 12+Z", ""), (3, "cross spectrum 12+Z/1-X", ""), (4, "frf 12+Z/1-X", ""),
          (6, "coherence 12+Z/1-X", ""), (12, "spectrum 12+Z", "")]
 write("functions.uff",

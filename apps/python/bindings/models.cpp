@@ -12,6 +12,8 @@
 #include "bindings/bindings.h"
 #include "bindings/failures.h"
 #include "bindings/long_call.h"
+#include "correlation/study/ledgers/file_ledgers.h"
+#include "correlation/study/ledgers/study_ledgers.h"
 #include "experiment/language/usual_numbers.h"
 
 namespace latsch::python {
@@ -32,12 +34,23 @@ const SpecimenKind& kind_called(const std::string& name) {
   throw InputError("there is no kind of model \"" + name + "\", expected one of " + all);
 }
 
+void warn_in_python(const std::string& sentence) {
+  if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+/// Warns of what the terminal's `latsch test` warns of: unusual numbers and doubts about the file.
 Model read_model(const std::filesystem::path& file, const std::optional<std::string>& kind) {
   const SpecimenKind& of = kind ? kind_called(*kind) : language().kind_of_file(file);
   Model model{of, of.read(file)};
   for (const experiment::Finding& one : findings_of_model(of, model.numbers(), file))
-    if (PyErr_WarnEx(PyExc_UserWarning, (one.place.text() + ": " + one.sentence).c_str(), 1) != 0)
-      throw py::error_already_set();
+    warn_in_python(in_words(one));
+  const auto ledgers = correlation::ledgers_of_file(file, "the model");
+  correlation::refuse_doubtful(ledgers);
+  for (const Ledger& ledger : ledgers)
+    for (const LedgerDoubt& doubt : ledger.doubts) {
+      const std::string place = doubt.place.text();
+      warn_in_python((place.empty() ? "" : place + ": ") + doubt.sentence);
+    }
   return model;
 }
 

@@ -4,6 +4,7 @@
 parameters set by path, threads and Ctrl-C."""
 import json
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -44,6 +45,9 @@ class Models(unittest.TestCase):
             tir = pathlib.Path(folder) / "tire.tir"
             tir.write_text("".join(line for line in TIR.read_text().splitlines(True) if not line.startswith("PCX1")))
             with self.assertWarnsRegex(UserWarning, "there is no PCX1"):
+                latsch.read_model(str(tir))
+            tir.write_text(re.sub("USE_MODE.*", "USE_MODE = -2", TIR.read_text()))
+            with self.assertWarnsRegex(UserWarning, "USE_MODE"):
                 latsch.read_model(str(tir))
 
     def test_channels_are_those_of_the_program(self):

@@ -160,7 +160,7 @@ std::string fitted_tir_text(const Document& numbers, const Provenance& provenanc
   std::vector<std::string> header = provenance.header;
   header.push_back(
       "Behind each value: fitted (by this study), kept from the model file, or assumed. "
-      "A coefficient that is not listed is 0, a scaling factor 1: assumed.");
+      "A coefficient that is not listed is 0: assumed.");
   const std::string name = on_one_line(provenance.model_name);
   try {
     const formats::TirFile tir = formats::read_tir(provenance.model_file);
@@ -175,8 +175,8 @@ std::string fitted_tir_text(const Document& numbers, const Provenance& provenanc
     const std::string key(field.name);
     const auto fitted = provenance.origins.find(key);
     const bool is_written = p.*field.member != field.fallback ||
-                            fitted != provenance.origins.end() || key == "NOMPRES" ||
-                            key == "INFLPRES" || key == "LONGVL";
+                            fitted != provenance.origins.end() ||
+                            formats::is_always_written(field, p.version);
     if (!is_written) continue;
     remarks.of_keys[key] = on_one_line(
         fitted != provenance.origins.end() ? fitted->second : origin_of(key, stated, name));

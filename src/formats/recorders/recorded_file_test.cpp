@@ -157,6 +157,15 @@ TEST_F(WrittenRecordings, SayWhatIsLeftOut) {
   EXPECT_EQ(file.left_out.at("long"), "has values of variable length");
   EXPECT_EQ(file.left_out.at("bits"), "has numbers of 65 bits, expected 1 to 64");
   EXPECT_EQ(file.left_out.at("array"), "is an array");
+  // A label that is no unit of the kind of quantity is taken, with a doubt.
+  std::string strange = bytes("text_2_even.uff");
+  for (std::size_t at = strange.find("N                   "); at != strange.npos;
+       at = strange.find("N                   ", at + 1))
+    strange.replace(at, 4, "deg ");
+  const RecordedFile doubted = parse_uff(strange, "strange");
+  ASSERT_EQ(doubted.doubts.size(), 1u);
+  EXPECT_THAT(doubted.doubts[0], HasSubstr("says \"deg\""));
+  EXPECT_THAT(doubted.doubts[0], HasSubstr("no unit of its kind of quantity"));
   const RecordedFile functions = parse_uff(bytes("functions.uff"), "functions");
   ASSERT_EQ(functions.left_out.size(), 1u);
   EXPECT_EQ(functions.left_out.begin()->second, "is of type 9, expected 1, 2, 3, 4, 6 or 12");

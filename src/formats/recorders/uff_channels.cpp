@@ -70,11 +70,23 @@ std::string uff_name(const UffFunction& function) {
 
 }  // namespace
 
+void UffChannels::doubt_label(const UffAxis& axis,
+                              const UffFunction& function,
+                              const char* sentence) {
+  if (is_doubted_) return;
+  is_doubted_ = true;
+  file_.doubts.push_back(
+      fmt::format("the label of an axis says {} (line {}), {}: the label is taken",
+                  in_quotes(axis.unit),
+                  function.line,
+                  sentence));
+}
+
 /// Returns the unit of an axis in words of UDUNITS. If the label is no unit, it follows from the
-/// kind of quantity and the factors of data set 164.
-std::string UffChannels::unit_of(const UffAxis& axis,
-                                 const UffFunction& function,
-                                 std::string& remark) {
+/// kind of quantity, and the factors of data set 164 convert the numbers to SI.
+UffChannels::AxisUnit UffChannels::unit_of(const UffAxis& axis,
+                                           const UffFunction& function,
+                                           std::string& remark) {
   const auto known =
       std::find_if(kQuantities.begin(), kQuantities.end(), [&](const UffQuantity& one) {
         return one.number == axis.quantity;
@@ -83,25 +95,25 @@ std::string UffChannels::unit_of(const UffAxis& axis,
   const double factor =
       is_known ? std::pow(length_, known->length) * std::pow(force_, known->force) : 1.0;
   if (!axis.unit.empty()) {
-    if (!is_known) return axis.unit;
+    if (!is_known) return {axis.unit};
     const auto unit = find_unit(axis.unit, Unit::of(known->si_unit));
-    if (!unit || !unit->same_dimension(Unit::of(known->si_unit))) return axis.unit;
+    if (!unit) return {axis.unit};
+    if (!unit->same_dimension(Unit::of(known->si_unit))) {
+      if (!Unit::of(known->si_unit).dimensionless())
+        doubt_label(axis, function, "which is no unit of its kind of quantity");
+      return {axis.unit};
+    }
     const double in_si = unit->to_si(1.0L) * factor;
     constexpr double kRounding = 1e-4;
-    if (factor != 1.0 && std::abs(in_si - 1.0) > kRounding && !is_doubted_) {
-      is_doubted_ = true;
-      file_.doubts.push_back(
-          fmt::format("the label of an axis says {} (line {}), which is not the unit of data set "
-                      "164: the label is taken",
-                      in_quotes(axis.unit),
-                      function.line));
-    }
-    return unit->text();
+    if (factor != 1.0 && std::abs(in_si - 1.0) > kRounding)
+      doubt_label(axis, function, "which is not the unit of data set 164");
+    return {unit->text()};
   }
-  if (!is_known) return "";
+  if (!is_known) return {};
   remark = "the unit is that of data set 164 for the kind of quantity";
-  if (factor == 1.0) return known->si_unit;
-  return fmt::format("{} {}", format_number(1.0 / factor), known->si_unit);
+  if (factor != 1.0)
+    remark += fmt::format(": {} {}, converted", format_number(1.0 / factor, 6), known->si_unit);
+  return {known->si_unit, 1.0 / factor};
 }
 
 std::string UffChannels::place_of(long label) const {
@@ -155,11 +167,16 @@ void UffChannels::add(UffFunction& function) {
   }
   RecordedGroup& group = group_of(function);
   RecordedChannel channel{uff_name(function)};
-  channel.unit = unit_of(function.ordinate, function, channel.remark);
-  std::string unused;
-  if (const std::string below = unit_of(function.denominator, function, unused);
-      !below.empty() && below != "1" && function.kind == 4)
-    channel.unit = fmt::format("({})/({})", channel.unit.empty() ? "1" : channel.unit, below);
+  const AxisUnit above = unit_of(function.ordinate, function, channel.remark);
+  channel.unit = above.unit;
+  double factor = above.factor;
+  if (function.kind == 4) {
+    std::string unused;
+    const AxisUnit below = unit_of(function.denominator, function, unused);
+    if (!below.unit.empty() && below.unit != "1")
+      channel.unit = fmt::format("({})/({})", above.unit.empty() ? "1" : above.unit, below.unit);
+    factor /= below.factor;
+  }
   if (const std::string place = place_of(function.point); !place.empty())
     channel.remark += (channel.remark.empty() ? "" : "; ") + place;
   if (!function.title.empty() && channel.name.find(function.title) == std::string::npos)
@@ -171,7 +188,7 @@ void UffChannels::add(UffFunction& function) {
     one.name += part;
     one.values.reserve(function.samples);
     for (std::size_t i = 0; i < function.samples; ++i)
-      one.values.push_back(function.numbers[i * per + skip + offset]);
+      one.values.push_back(factor * function.numbers[i * per + skip + offset]);
     group.channels.push_back(std::move(one));
   };
   budget_.take(function.samples * (per - skip));

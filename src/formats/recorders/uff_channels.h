@@ -52,7 +52,14 @@ class UffChannels {
   void add(UffFunction& function);
 
  private:
-  std::string unit_of(const UffAxis& axis, const UffFunction& function, std::string& remark);
+  /// A unit and the factor that converts numbers of the file to it.
+  struct AxisUnit {
+    std::string unit;
+    double factor = 1.0;
+  };
+  AxisUnit unit_of(const UffAxis& axis, const UffFunction& function, std::string& remark);
+  /// Adds a doubt about the label of an axis, at most one for each file.
+  void doubt_label(const UffAxis& axis, const UffFunction& function, const char* sentence);
   std::string place_of(long label) const;
   RecordedGroup& group_of(const UffFunction& function);
 

@@ -112,6 +112,21 @@ std::string head_of(std::string_view section, const TirRemarks& remarks) {
   return text;
 }
 
+}  // namespace
+
+bool is_always_written(const ParameterField& field, Version version) {
+  const bool is_mf52 = version == Version::mf52;
+  for (const char* name : {"NOMPRES", "INFLPRES", "LONGVL", "VXLOW"})
+    if (field.name == name) return true;
+  for (const char* name : {"PKY4", "Q_RE0"})
+    if (field.name == name) return !is_mf52;
+  for (const char* name : {"LGAX", "LGAY", "LGAZ"})
+    if (field.name == name) return is_mf52;
+  return field.section == "SCALING_COEFFICIENTS" && field.fallback != 0.0;
+}
+
+namespace {
+
 /// Returns the parameters below the heads of their sections, in the order of the fields. The head
 /// of MODEL has been written before.
 std::string sections_of(const Parameters& p, const TirRemarks& remarks) {
@@ -124,8 +139,7 @@ std::string sections_of(const Parameters& p, const TirRemarks& remarks) {
     }
     last_field_of = field.section;
     const double value = p.*field.member;
-    const bool is_needed = value != field.fallback || field.name == "NOMPRES" ||
-                           field.name == "INFLPRES" || field.name == "LONGVL" ||
+    const bool is_needed = value != field.fallback || is_always_written(field, p.version) ||
                            remarks.of_keys.contains(field.name);
     if (!is_needed || !std::isfinite(value)) continue;
     if (field.section != section) text += head_of(field.section, remarks);

@@ -77,6 +77,10 @@ struct TirRemarks {
   std::map<std::string, std::string, std::less<>> of_sections;
 };
 
+/// True for a parameter that is written whatever its value, because other programs may take 0 for
+/// one that is missing: scaling factors, PKY4, Q_RE0, VXLOW, speed and pressures.
+bool is_always_written(const magic_formula::ParameterField& field, magic_formula::Version version);
+
 /// Returns a new file in SI; reading it gives the same parameters.
 std::string tir_text(const magic_formula::Parameters& parameters, const TirRemarks& remarks = {});
 

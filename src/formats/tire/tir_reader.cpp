@@ -546,7 +546,7 @@ class TirReader {
       groups.push_back({{"Q_RA1"}, ""});
       groups.push_back({{"Q_RB1"}, ""});
       if (tir_.parameters.QSY1 != 0.0)
-        groups.push_back({{"QSY7"}, "growth of the rolling resistance with the load"});
+        groups.push_back({{"QSY7"}, "rolling resistance that grows with the load"});
       groups.push_back({{"LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS"}, ""});
       groups.push_back({{"NOMPRES"}, ""});
     }
