@@ -10,6 +10,7 @@
 
 #include "base/document_parts.h"
 #include "base/text.h"
+#include "experiment/kinds/car_doubts.h"
 #include "experiment/kinds/hardpoint_doubts.h"
 #include "experiment/kinds/pictures/films_of_tests.h"
 #include "experiment/kinds/pictures/suspension_scene.h"
@@ -164,35 +165,6 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   car::RollingCar car_;  // adds its tires to the members above, so it is the last one
 };
 
-/// Says if the floor of the car as drawn lies outside of the heights of its map of air forces.
-std::vector<std::string> doubts_about_floor(const Document& car) {
-  std::vector<std::string> doubts;
-  const std::vector<std::string> paths = car.paths();
-  for (std::size_t axle = 0; axle < 2; ++axle) {
-    const std::string column = fmt::format(".{}", axle), floor = "aero.floor" + column;
-    if (std::ranges::find(paths, floor) == paths.end()) continue;
-    double least = HUGE_VAL, most = -HUGE_VAL;
-    int rows = 0;
-    for (const std::string& path : paths) {
-      if (!path.starts_with("aero.map.") || !path.ends_with(column)) continue;
-      least = std::min(least, car.get(path));
-      most = std::max(most, car.get(path));
-      ++rows;
-    }
-    const double height = car.get(floor);
-    if (rows < 2 || (height >= least && height <= most)) continue;  // one row is a constant
-    doubts.push_back(
-        fmt::format("aero.floor is {:.4g} mm at the {} axle of the car as drawn, outside of the "
-                    "heights {:.4g} to {:.4g} mm of aero.map: the coefficients are those of the "
-                    "map's edge; is the floor measured from the plane of the map?",
-                    1e3 * height,
-                    kAxles[axle],
-                    1e3 * least,
-                    1e3 * most));
-  }
-  return doubts;
-}
-
 class CarKind : public SpecimenKind {
  public:
   std::string name() const override { return "car"; }
@@ -250,7 +222,7 @@ class CarKind : public SpecimenKind {
       for (std::string& note : part.kind->notes(part.file)) notes.push_back(std::move(note));
     }
     const Document written = Document::read(file);
-    for (const std::string& doubt : doubts_about_floor(written))
+    for (const std::string& doubt : doubts_about_car(written, read(file)))
       notes.push_back(file.string() + ": " + doubt);
     for (const char* axle : kAxles) {
       const std::string suspension = std::string(axle) + "_suspension";

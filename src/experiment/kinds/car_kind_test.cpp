@@ -271,6 +271,28 @@ TEST_F(CarFile, HardpointsOfNoSuspensionAreDoubtedInACarAsInTheirOwnFile) {
       << of_tables[0];
 }
 
+TEST_F(CarFile, NumbersThatDoNotFitEachOtherAreDoubted) {
+  const fs::path kerb = fs::path(LATSCH_SOURCE_DIR) / "studies/kerb";
+  const SpecimenKind& kind = *language().find_kind("car");
+  for (const char* name : {"front_rigid.toml", "rear_rigid.toml", "slick.tir"})
+    fs::copy_file(kerb / name, folder_ / name, fs::copy_options::overwrite_existing);
+  const auto notes = [&](const std::string& from, const std::string& to) {
+    std::string text = read_text_file(kerb / "baseline.toml"), all;
+    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+    write_text_file(folder_ / "car.toml", text);
+    for (const std::string& note : kind.notes(folder_ / "car.toml")) all += note + "\n";
+    return all;
+  };
+  EXPECT_EQ(notes("x", "x"), "");
+  for (const auto& [from, to, said] :
+       {std::array{"\"0.28 m\"", "\"0.28 mm\"", "chassis.center is 0.28 mm above the ground"},
+        {"[\"0.75 m\"", "[\"0.75 mm\"", "chassis.center is at x = 0.75 mm"},
+        {"\"0.23 kg m^2\"", "\"23 kg m^2\"", "inertia.wheel_spin is 23 kg m^2"},
+        {" m/s\"", " mm/s\"", "spring.damper has"}})
+    EXPECT_NE(notes(from, to).find(said), std::string::npos) << to << ": " << notes(from, to);
+}
+
 TEST_F(CarFile, AFloorOutsideOfTheMapIsDoubted) {
   write_slick("tire.tir", "LEFT");
   const SpecimenKind& kind = *language().find_kind("car");

@@ -135,6 +135,32 @@ TEST(HardpointsOfNoSuspension, AreDoubted) {
   expect_note("trackrod_inner = [\"1490.000 mm\", \"266.310 mm\"",
               "trackrod_inner = [\"1490.000 mm\", \"2663.10 mm\"",
               "the inner end of link trackrod is");
+  expect_note("trackrod_inner = [\"1490.000 mm\", \"266.310 mm\"",
+              "trackrod_inner = [\"1490.000 mm\", \"-266.310 mm\"",
+              "266.3 mm beyond the middle of the car");
+  expect_note("trackrod_inner = [\"1490.000 mm\", \"266.310 mm\"",
+              "trackrod_inner = [\"14900.00 mm\", \"266.310 mm\"",
+              "the inner end of link trackrod is 13");
+}
+
+TEST(HardpointsOfNoSuspension, AreDoubtedIfAllAreInAnotherUnit) {
+  for (const auto& [unit, radius] : {std::pair{"in", "5969 mm above"}, {"cm", "2350 mm above"}}) {
+    std::string text = read_text_file(
+        std::filesystem::path(LATSCH_SOURCE_DIR) / "studies/kerb/front.toml", 1u << 20);
+    const std::size_t begin = text.find("[hardpoint]"), end = text.find("\n[", begin);
+    std::string points = text.substr(begin, end - begin);
+    for (std::size_t at = points.find("mm\""); at != points.npos; at = points.find("mm\"", at + 1))
+      points.replace(at, 2, unit);
+    text.replace(begin, end - begin, points);
+    const ScratchFolder folder;
+    write_text_file(folder.path() / "front.toml", text);
+    std::string all;
+    for (const std::string& note :
+         language().find_kind("suspension")->notes(folder.path() / "front.toml"))
+      all += note + "\n";
+    EXPECT_NE(all.find(radius), std::string::npos) << all;
+    EXPECT_NE(all.find("are all coordinates in another unit?"), std::string::npos) << all;
+  }
 }
 
 }  // namespace
