@@ -137,7 +137,7 @@ TEST(HardpointsOfNoSuspension, AreDoubted) {
               "the inner end of link trackrod is");
   expect_note("trackrod_inner = [\"1490.000 mm\", \"266.310 mm\"",
               "trackrod_inner = [\"1490.000 mm\", \"-266.310 mm\"",
-              "266.3 mm beyond the middle of the car");
+              "266.31 mm beyond the middle of the car");
   expect_note("trackrod_inner = [\"1490.000 mm\", \"266.310 mm\"",
               "trackrod_inner = [\"14900.00 mm\", \"266.310 mm\"",
               "the inner end of link trackrod is 13");

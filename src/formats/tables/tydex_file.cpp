@@ -188,13 +188,16 @@ class Reading {
     if (entry.name.empty()) {
       fail(line_, "is " + in_quotes(line) + ", expected a name in columns 1 to 10");
     }
-    const auto same = std::find_if(
-        entries.begin(), entries.end(), [&](const auto& e) { return e.name == entry.name; });
-    if (same != entries.end()) {
-      fail(line_, fmt::format("{} comes twice, first in line {}", entry.name, same->line));
-    }
+    const auto [same, is_first] = lines_[&entries].emplace(entry.name, entry.line);
+    if (!is_first)
+      fail(line_, fmt::format("{} comes twice, first in line {}", entry.name, same->second));
     const auto number = number_of(entry.text);
     const TydexName* known = find_tydex_name(entry.name);
+    if (known && !known->si_unit.empty() && !number && is_stated(entry.text))
+      file_.doubts.push_back({entry.name,
+                              "constant " + entry.name + " is " + in_quotes(entry.text) +
+                                  ", expected a number: it is not used",
+                              {file_.file, entry.line}});
     if (number && std::isfinite(static_cast<double>(*number)) &&
         !(known && known->si_unit.empty())) {
       if (const std::string fault = fault_of_own(entry.name, entry.unit); !fault.empty()) {
@@ -207,6 +210,11 @@ class Reading {
       entry.si_unit = si_unit(unit.dimension());
     }
     entries.push_back(std::move(entry));
+  }
+
+  /// Returns false for a text that says that there is no value.
+  static bool is_stated(const std::string& text) {
+    return !text.empty() && capitals(text) != "NOTAVAIL" && text != "-";
   }
 
   void leave_out(const TydexFile::Entry& entry, const std::string& why) {
@@ -399,6 +407,8 @@ class Reading {
   int line_of_data_ = 0;
   int lines_behind_end_ = 0, first_behind_end_ = 0;
   std::set<std::string> seen_, names_;
+  // lines of the entries of header and constants, by list and name
+  std::map<const std::vector<TydexFile::Entry>*, std::map<std::string, int>> lines_;
   std::vector<Unit> units_;
   std::vector<Channel> raw_;
   std::vector<std::string_view> words_;

@@ -274,5 +274,23 @@ TEST(TydexFile, ChannelsBesideTheirColumnsAreRefusedByThatReason) {
                          "has its fields beside their columns");
 }
 
+TEST(TydexFile, AConstantThatIsNoNumberIsDoubted) {
+  const std::string text =
+      "**HEADER\n"
+      "RELEASE   Release of TYDEX-Format                 1.3\n"
+      "**CONSTANTS\n"
+      "LONGVEL   Longitudinal velocity         km/h      1.234,5\n"
+      "INFLPRES  Inflation pressure            bar       NOTAVAIL\n"
+      "LOCATION  Location                                anywhere\n"
+      "**MEASURCHANNELS\n"
+      "FYW       lateral force                 N         1         0         0\n"
+      "**MEASURDATA\n1\n2\n**END\n";
+  const TydexFile file = TydexFile::parse(text, "x.tdx");
+  ASSERT_EQ(file.doubts.size(), 1u);
+  EXPECT_EQ(file.doubts[0].name, "LONGVEL");
+  EXPECT_EQ(file.doubts[0].sentence,
+            "constant LONGVEL is \"1.234,5\", expected a number: it is not used");
+}
+
 }  // namespace
 }  // namespace latsch::formats
