@@ -127,6 +127,8 @@ std::vector<std::string> doubts_of(const RigFile& rig, const RigResults& results
     if (const auto reason = negative_load(rig.force, run.record.channel(rig.force)))
       doubts.push_back("run " + run.name + ": " + rig.force + " " + *reason +
                        " The tables keep the signs of the file");
+    if (const auto reason = unlike_load(rig.force, run.record.channel(rig.force), std::nullopt))
+      doubts.push_back("run " + run.name + ": " + rig.force + " " + *reason);
     judge_spectrum(rig, run, doubts);
     for (const ProcessedPlateau& plateau : run.plateaus) judge_plateau(rig, run, plateau, doubts);
   }

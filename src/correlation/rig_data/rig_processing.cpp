@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "formats/tables/recording.h"
 #include "measurement/bootstrap.h"
+#include "measurement/meaning/channel_words.h"
 #include "measurement/meaning/wheel_load.h"
 #include "measurement/pulse_speed.h"
 #include "numerics/signals/sample_count.h"
@@ -85,7 +86,27 @@ ProcessedPlateau process_plateau(const RigFile& rig,
 std::string unit_without_statement(const RigFile& rig, const std::string& name) {
   if (name == rig.time) return "s";
   if (name == rig.speed) return "m/s";
-  return name == rig.force ? "N" : "";
+  if (name == rig.force) return "N";
+  const bool is_averaged = std::ranges::find(rig.also, name) != rig.also.end();
+  const auto known = recognized(name);
+  return is_averaged && known && known->meaning->unit != std::string_view("1")
+             ? std::string(known->meaning->unit)
+             : "";
+}
+
+/// Returns a sentence on a channel whose unit does not fit its name, such as a force in psi; empty
+/// for any other one.
+std::string fault_of_unit(const RigFile& rig, const std::string& name, const std::string& written) {
+  const std::string expected = unit_without_statement(rig, name);
+  const auto unit = Unit::find(written);
+  if (expected.empty() || written.empty() || !unit || unit->same_dimension(Unit::of(expected)))
+    return "";
+  return fmt::format(
+      "column {} is in {}, which is not {}, as the name says; it is averaged as it "
+      "is written",
+      in_quotes(name),
+      in_quotes(written),
+      words_for(Unit::of(expected)).noun);
 }
 
 /// Adds which group of a recorder's file was taken, if the rig file names none.
@@ -133,6 +154,8 @@ Ledger ledger_of_recording(const RigFile& rig,
     if (is_time || std::find(needed.begin(), needed.end(), column.name) != needed.end()) {
       row.taken_as = is_time ? "time" : column.name == rig.speed ? "speed" : column.name;
       Ledger::use(row, by);
+      if (const std::string fault = fault_of_unit(rig, column.name, column.unit); !fault.empty())
+        ledger.doubts.push_back({column.name, fault, {file.string(), column.line}});
       const std::string assumed = unit_without_statement(rig, column.name);
       if (column.unit.empty() && !assumed.empty()) {
         row.remark = "no unit: " + assumed + " is taken";
@@ -195,7 +218,13 @@ DrumRecord read_record(const RigFile& rig,
   Channels channels;
   for (const Channel& channel : all.all()) {
     const bool asked_for = std::find(needed.begin(), needed.end(), channel.name) != needed.end();
-    if (asked_for || !time || channel.values.size() == time->values.size()) channels.add(channel);
+    if (!asked_for && time && channel.values.size() != time->values.size()) continue;
+    Channel taken = channel;
+    // The ledger says which unit is taken for a channel that states none.
+    if (const std::string assumed = unit_without_statement(rig, channel.name);
+        asked_for && channel.unit == "1" && !assumed.empty())
+      taken.unit = assumed;
+    channels.add(std::move(taken));
   }
   return drum_record(channels, rig.time, file.string());
 }
