@@ -78,6 +78,8 @@ def write_all(write):
               segment(objects, rows_of(order, columns), DESCRIBES | NEW_LIST | HAS_DATA | INTERLEAVED | end), rows)
         write(f"kinds_{name}.tdms", segment(objects, b"".join(pack(order, *one) for one in columns),
                                             DESCRIBES | NEW_LIST | HAS_DATA | end), rows)
+    part = [("/'hub'", NO_DATA, {}), ("/'hub'/'Fz'", (10, 1000), {"wf_increment": 0.0, "unit_string": "N"})]
+    write("part.tdms", segment(part, pack("<", 10, fz[:6]), DESCRIBES | NEW_LIST | HAS_DATA), [("hub", "Fz", "N", fz[:6])])
     # Groups of two rates, the second one 0.25 s later; a quote in a name; channels that are left out between others.
     start, later = (3800000000, 0), (3800000000, 1 << 62)
     slow = dict(wf_increment=0.01, wf_start_time=later, unit_string="degC")

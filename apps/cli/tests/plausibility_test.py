@@ -142,6 +142,8 @@ class ModelsAlone(unittest.TestCase):
                 ('extension = "2 MN"', 'extension = "2 N"', '"2 MN" would be usual'),
                 ('stiffness = "0.55 MN/m.2"', 'stiffness = "550 N/m^2"', '"550 kN/m^2" would be usual'),
                 ('damping = "90 N s/m.2"', 'damping = "90 MN s/m^2"', "a sidewall's damping"),  # a sibling
+                ('time_constant = "15.4 ms"', 'time_constant = "15.4 s"', '"15.4 ms" would be usual'),
+                ('progressive_travel = "40 mm"', 'progressive_travel = "40 m"', '"40 mm" would be usual'),
                 ('torsion = "5 kN/rad"', 'torsion = "5000 MN/rad"', "a sidewall's torsion")):
             with self.subTest(new=new):
                 ring = self.changed(self.RING, (pattern, new))
@@ -152,6 +154,9 @@ class ModelsAlone(unittest.TestCase):
             unusual = self.changed(self.RING, ('pressure = "2.4 bar"', f'pressure = "{pressure}"'))
             self.assertIn("warning: ", self.run_it("check", unusual))
             self.assertIn("warning: ", self.run_it("test", unusual, self.PRESSED))
+        for pattern, new, says in (('bending_in_plane = "1.8 N m.2"', 'bending_in_plane = "1.8 kN m^2"', "0.001 to 300 N m^2"),
+                                   ('damping_time = "0.1 ms"', 'damping_time = "0.1 s"', '"0.1 ms" would be usual')):
+            self.assertIn(says, self.run_it("check", self.changed(self.RING, (pattern, new))))
 
     def test_a_finite_element_tire_with_numbers_that_no_tire_has(self):
         for pattern, new, says in (

@@ -424,7 +424,9 @@ MeasuredFile read_measured_file(const fs::path& file, std::optional<AxisConventi
                      "has names of columns and no row of numbers: was its end cut off?");
   MeasuredFile read{measurement.channels(), measurement.ledgers().front()};
   for (const ChannelDoubt& gap : gaps_in(read.channels))
-    read.ledger.doubts.push_back({gap.channel, gap.sentence, measurement.place(gap.sample)});
+    read.ledger.doubts.push_back({gap.channel,
+                                  "column " + in_quotes(gap.channel) + " " + gap.sentence,
+                                  measurement.place(gap.sample)});
   return read;
 }
 

@@ -146,7 +146,7 @@ TEST_F(WrittenRecordings, AreReadBackToTheLastBit) {
     for (const RecordedGroup& group : file.groups)
       EXPECT_EQ(taken[group.name], group.channels.size()) << group.name;
   }
-  EXPECT_EQ(files, 66);
+  EXPECT_EQ(files, 67);
 }
 
 TEST_F(WrittenRecordings, SayWhatIsLeftOut) {
@@ -192,6 +192,12 @@ TEST_F(WrittenRecordings, SayThatTheyWereStillBeingWrittenOrAreCut) {
   EXPECT_THAT(open.doubts[0], HasSubstr("was not closed"));
   EXPECT_EQ(open.doubts[1],
             "the last 9 bytes of the segment at byte 0 are no whole record and are not read");
+  // A segment of one channel that is closed, and has fewer values than it states.
+  const RecordedFile part = parse_tdms(bytes("part.tdms"), "part");
+  ASSERT_EQ(part.doubts.size(), 2u);
+  EXPECT_EQ(part.doubts[0],
+            "the last part of the segment at byte 0 has 6 of the 1000 values that it states");
+  EXPECT_THAT(part.doubts[1], HasSubstr("states a step of 0 (wf_increment)"));
   const RecordedFile short_tdms = parse_tdms(bytes("cut.tdms"), "cut");
   ASSERT_EQ(short_tdms.doubts.size(), 2u);
   EXPECT_THAT(short_tdms.doubts[0], HasSubstr("states 334 bytes and has 329"));

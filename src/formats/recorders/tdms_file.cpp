@@ -77,6 +77,7 @@ class TdmsGroups {
         first_start_ = first_start_ ? std::min(*first_start_, *wave->start) : *wave->start;
     for (TdmsObject& object : objects_) {
       if (object.names.empty()) take_facts(object);
+      if (object.names.size() == 2) doubt_step(object);
       if (object.names.size() == 2) take_channel(object);
     }
     for (RecordedGroup& group : file_.groups)
@@ -88,6 +89,18 @@ class TdmsGroups {
     for (const auto& [name, property] : root.properties)
       if (!property.text.empty() && file_.facts.size() < kMostTdmsFacts)
         file_.facts.push_back(recorded_text(name, file_.file) + ": " + property.text);
+  }
+
+  /// Doubts a channel whose step of time is no step: it has no time then.
+  void doubt_step(const TdmsObject& object) {
+    const auto step = number_of_property(object, "wf_increment");
+    if (!step || object.count == 0 || tdms_wave(object)) return;
+    file_.doubts.push_back(fmt::format(
+        "channel {} of group {} states a step of {} (wf_increment), which is no step of "
+        "time: its time is not known",
+        in_quotes(recorded_text(object.names[1], file_.file)),
+        in_quotes(recorded_text(object.names[0], file_.file)),
+        *step));
   }
 
   void take_channel(TdmsObject& object) {

@@ -382,6 +382,13 @@ std::size_t TdmsSegments::take_chunks(const Segment& segment) {
   const std::size_t rest = segment.end - at;
   const std::size_t width = tdms_type(objects_[data_.front()].index->type)->bytes;
   if (data_.size() > 1 || width == 0) return rest;
+  if (rest > 0 && !segment.is_open)
+    doubt(
+        fmt::format("the last part of the segment at byte {} has {} of the {} values that it "
+                    "states",
+                    segment.at,
+                    rest / width,
+                    objects_[data_.front()].index->count));
   take(segment, data_.front(), at, width, rest / width);
   return rest % width;
 }

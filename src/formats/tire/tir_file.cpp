@@ -120,7 +120,7 @@ bool is_always_written(const ParameterField& field, Version version) {
     if (field.name == name) return true;
   for (const char* name : {"PKY4", "Q_RE0"})
     if (field.name == name) return !is_mf52;
-  for (const char* name : {"LGAX", "LGAY", "LGAZ"})
+  for (const char* name : {"LGAX", "LGAY", "LGAZ", "LSGKP", "LSGAL"})
     if (field.name == name) return is_mf52;
   return field.section == "SCALING_COEFFICIENTS" && field.fallback != 0.0;
 }

@@ -403,6 +403,10 @@ TEST(TirFile, CoefficientsOfAnotherVersionAreNotUsedAndTold) {
     return std::string();
   };
   const std::string of_61 = "PKY6=-2\nPKY7=0\n", of_52 = "PHY3=0.03\nPTY1=2\n";
+  EXPECT_EQ(doubt(ledger_with("61", "LGAZ=1\nLSGAL=1\n")), "");
+  EXPECT_EQ(
+      doubt(ledger_with("61", "LGAZ=0.8\nLSGAL=0.9\n")),
+      "LGAZ, LSGAL have no effect in MF 6.1 and 6.2, which the file states: is FITTYP right?");
   EXPECT_EQ(doubt(ledger_with("61", of_61)), "");
   EXPECT_EQ(doubt(ledger_with("52", of_52)), "");
   const Ledger old = ledger_with("52", of_61), recent = ledger_with("61", of_52);

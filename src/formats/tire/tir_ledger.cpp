@@ -71,10 +71,17 @@ constexpr OfOneVersion kOfOneVersion[] = {
     {"PTX2", true, "relaxation lengths come from LONGITUDINAL_STIFFNESS"},
     {"PTX3", true, "relaxation lengths come from LONGITUDINAL_STIFFNESS"},
     {"PTY1", true, "relaxation lengths come from LATERAL_STIFFNESS"},
-    {"PTY2", true, "relaxation lengths come from LATERAL_STIFFNESS"}};
+    {"PTY2", true, "relaxation lengths come from LATERAL_STIFFNESS"},
+    {"LSGKP", true, "relaxation lengths come from LONGITUDINAL_STIFFNESS"},
+    {"LSGAL", true, "relaxation lengths come from LATERAL_STIFFNESS"},
+    {"LGAX", true, "the inclination has no scaling factors"},
+    {"LGAY", true, "LKYC scales the camber stiffness"},
+    {"LGAZ", true, "LKZC scales the camber torque"},
+    {"Q_A1", true, "Q_RA1 and Q_RB1 are those of the contact patch"},
+    {"Q_A2", true, "Q_RA2 and Q_RB2 are those of the contact patch"}};
 
-/// Takes coefficients of another version than the file's for unused, and doubts those that are not
-/// 0.
+/// Takes coefficients of another version than the file's for unused, and doubts those whose value
+/// is not that of a file without them.
 void add_other_version(const TirFile& tir, Ledger& ledger) {
   const bool is_mf52 = tir.parameters.version == magic_formula::Version::mf52;
   const char* const version = is_mf52 ? "MF 5.2" : "MF 6.1 and 6.2";
@@ -88,7 +95,8 @@ void add_other_version(const TirFile& tir, Ledger& ledger) {
     row.state = LedgerState::not_used;
     row.used_by.clear();
     row.remark = fmt::format("has no effect in {}: {}", version, one->instead);
-    if (tir.parameters.*magic_formula::find_parameter(one->name)->member == 0.0) continue;
+    const auto* field = magic_formula::find_parameter(one->name);
+    if (tir.parameters.*field->member == field->fallback) continue;
     names += (names.empty() ? "" : ", ") + row.written;
     if (line == 0) line = row.line;
   }

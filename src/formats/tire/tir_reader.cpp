@@ -100,6 +100,24 @@ std::string suggestion(const std::string& key) {
   return ", did you mean " + in_quotes(*best) + "?";
 }
 
+/// Returns the SI unit behind a number, with a blank before it; "" for a plain number.
+std::string unit_behind(ParameterUnit unit) {
+  switch (unit) {
+    case ParameterUnit::pressure:
+      return " Pa";
+    case ParameterUnit::velocity:
+      return " m/s";
+    case ParameterUnit::length:
+      return " m";
+    case ParameterUnit::force:
+      return " N";
+    case ParameterUnit::stiffness:
+      return " N/m";
+    default:
+      return "";
+  }
+}
+
 class TirReader {
  public:
   explicit TirReader(TirFile& tir)
@@ -406,6 +424,7 @@ class TirReader {
                                          : scales_.contains(std::string(name));
       if (acts) acting.push_back(name);
     }
+    tells_pressure_ = !acting.empty();
     if (!acting.empty())
       note(0,
            fmt::format("there is no {}; taken as {} Pa, from which {} count{}",
@@ -556,10 +575,13 @@ class TirReader {
         if (!found_.contains(name)) missing.push_back(name);
       if (missing.empty()) continue;
       const ParameterField* field = magic_formula::find_parameter(missing.front());
+      const bool is_told = missing.front() == "NOMPRES" && tells_pressure_;
+      if (is_told) continue;
       note(0,
-           fmt::format("there is no {}; taken as {}{}",
+           fmt::format("there is no {}; taken as {}{}{}",
                        fmt::join(missing, ", "),
                        format_number(tir_.parameters.*field->member),
+                       unit_behind(field->unit),
                        group.without.empty() ? "" : ": the tire has no " + group.without));
     }
   }
@@ -569,7 +591,8 @@ class TirReader {
   std::map<std::string, const TeimOrbitEntry*> found_;
   std::map<std::string_view, const TeimOrbitEntry*> model_words_;  // keys of all [MODEL] sections
   std::map<std::string, std::pair<double, int>> scales_;           // value, line
-  long unknown_ = 0;                                               // keys that are not known
+  bool tells_pressure_ = false;   // true: a note on the pressures has been made
+  long unknown_ = 0;              // keys that are not known
   int line_of_more_unknown_ = 0;  // line of the first one that is not noted by itself
 };
 
