@@ -90,10 +90,42 @@ void expect_curve(const Measurement& measured, const TireTest& test) {
                    "neither slip angle nor slip goes through a sweep: there is no curve to fit");
 }
 
+/// Loads and loaded radii, which determine stiffness and free radius.
+struct RecordedRadius {
+  std::vector<double> load, radius;  // N, m
+  bool at_nominal_pressure = false;  // true: samples at other pressures are left out
+};
+
+double nominal_pressure(const TireTest& t) { return std::round(t.median("p") / 1e3) * 1e3; }
+
+/// Returns the recorded loaded radius. The stiffness depends on the pressure, so if the pressure
+/// varies, only samples near NOMPRES count; all count if those have no spread of loads.
+RecordedRadius recorded_radius(const TireTest& t) {
+  constexpr double kNear = 0.04;         // of the nominal pressure
+  constexpr double kLeastSpread = 0.15;  // of the largest load
+  constexpr std::size_t kFewest = 20;
+  RecordedRadius all{t.of("Fz"), t.of("loaded_radius")};
+  if (!t.has("p")) return all;
+  const std::vector<double> p = t.of("p");
+  const double nominal = nominal_pressure(t);
+  RecordedRadius near;
+  for (std::size_t i = 0; i < all.load.size(); ++i) {
+    if (std::abs(p[i] - nominal) > kNear * nominal) continue;
+    near.load.push_back(all.load[i]);
+    near.radius.push_back(all.radius[i]);
+  }
+  if (near.load.size() == all.load.size() || near.load.size() < kFewest) return all;
+  const auto [least, most] = std::minmax_element(near.load.begin(), near.load.end());
+  if (*most - *least < kLeastSpread * *most) return all;
+  near.at_nominal_pressure = true;
+  return near;
+}
+
 /// Returns the vertical stiffness, N/m, if the recorded loaded radius falls with the load.
 std::optional<double> recorded_stiffness(const TireTest& t) {
   if (!t.has("loaded_radius")) return std::nullopt;
-  const double slope = line_through(t.of("Fz"), t.of("loaded_radius")).first;
+  const RecordedRadius recorded = recorded_radius(t);
+  const double slope = line_through(recorded.load, recorded.radius).first;
   return slope < 0.0 ? std::optional(-1.0 / slope) : std::nullopt;
 }
 
@@ -118,10 +150,12 @@ magic_formula::Parameters start_of(const TireTest& t,
   magic_formula::Parameters p;
   const auto rounded = [](double x, double to) { return std::round(x / to) * to; };
   p.FNOMIN = std::max(100.0, rounded(t.median("Fz"), 100.0));
-  p.NOMPRES = p.INFLPRES = t.has("p") ? rounded(t.median("p"), 1e3) : p.NOMPRES;
+  p.NOMPRES = p.INFLPRES = t.has("p") ? nominal_pressure(t) : p.NOMPRES;
   if (t.has("Vx")) p.LONGVL = rounded(std::abs(t.median("Vx")), 0.01);
-  if (t.has("loaded_radius"))
-    p.UNLOADED_RADIUS = rounded(line_through(t.of("Fz"), t.of("loaded_radius")).second, 1e-4);
+  if (t.has("loaded_radius")) {
+    const RecordedRadius recorded = recorded_radius(t);
+    p.UNLOADED_RADIUS = rounded(line_through(recorded.load, recorded.radius).second, 1e-4);
+  }
   if (unloaded_radius) p.UNLOADED_RADIUS = *unloaded_radius;
   if (!unloaded_radius && !t.has("loaded_radius"))
     throw InputError(
@@ -463,7 +497,10 @@ std::string tire_text(const TireTest& t,
   }
   if (t.has("Vx")) seen("LONGVL", "from the recordings: median speed");
   if (recorded_stiffness(t))
-    seen("VERTICAL_STIFFNESS", "from the recordings: load over loaded radius");
+    seen("VERTICAL_STIFFNESS",
+         recorded_radius(t).at_nominal_pressure
+             ? "from the recordings near NOMPRES: load over loaded radius"
+             : "from the recordings: load over loaded radius");
   seen(
       "UNLOADED_RADIUS",
       test.unloaded_radius ? "given by the user" : "from the recordings: loaded radius at no load");

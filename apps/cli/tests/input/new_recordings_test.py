@@ -50,6 +50,20 @@ class Recordings(doubtful_data_test.Data):
         self.assert_says(self.new("back", V=-1), "warning", "km/h")
         self.assert_says(self.new("heavy", FZ=100, FY=100), "warning", "is it in N, kN or lbf?")
 
+    def test_the_vertical_stiffness_is_that_at_the_nominal_pressure(self):
+        rows = []
+        for pressure in (180e3, 220e3, 220e3):
+            for load in (2000, 4000, 6000):
+                for k in range(100):
+                    alpha, stiffness = 8 * math.sin(0.0628 * k), 209e3 * (1 + 0.7 * (pressure / 220e3 - 1))
+                    rows.append(f"{alpha:.4f},{load},{-0.9 * load * math.tanh(0.4 * alpha):.2f},{pressure / 1e3},60,"
+                                f"{0.3135 - load / stiffness:.6f},{0.01 * len(rows):.2f}")
+        self.write("p.csv", "SA [deg],FZ [N],FY [N],P [kPa],V [km/h],RL [m],ET [s]\n" + "\n".join(rows) + "\n")
+        self.latsch("new", "p", "--magic-formula", "p.csv")
+        tire = (self.folder / "p" / "tire.tir").read_text()
+        self.assertRegex(tire, r"VERTICAL_STIFFNESS *= 209000  \$ from the recordings near NOMPRES")
+        self.assertRegex(tire, r"UNLOADED_RADIUS *= 0.3135 ")
+
     def test_an_error_names_the_option_or_the_file_that_exists(self):
         self.new("r")
         for arguments, part in ((["r.csv", "r.csv"], '--magic-formula names "r.csv" twice'),
