@@ -335,6 +335,32 @@ void lay_out(const CampaignPlan& plan,
   }
 }
 
+/// Returns the settings at both ends of which the first and the last test measure the same values
+/// with the same slopes: what the campaign states for them is arbitrary. Slopes that are kriged tell
+/// nothing of the kind.
+std::vector<std::string> idle_settings(const CampaignPlan& plan, const Campaign& found) {
+  constexpr double kSame = 1e-9;  // of the length of values and slopes
+  std::vector<std::string> idle;
+  if (!plan.computes_slopes || found.tests.empty()) return idle;
+  const auto same = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    return a.rows() == b.rows() && a.cols() == b.cols() && (a - b).norm() <= kSame * a.norm();
+  };
+  const auto& settings = plan.study.campaign->settings;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    bool is_idle = true;
+    for (const CampaignTest* test : {&found.tests.front(), &found.tests.back()}) {
+      std::vector<double> values = test->values;
+      values[i] = settings[i].lower;
+      const auto low = plan.slopes->at(values);
+      values[i] = settings[i].upper;
+      const auto high = plan.slopes->at(values);
+      is_idle = is_idle && low && high && same(low->y, high->y) && same(low->J, high->J);
+    }
+    if (is_idle) idle.push_back(settings[i].name);
+  }
+  return idle;
+}
+
 }  // namespace
 
 Result<Campaign> plan_campaign(const CampaignPlan& plan, int count) {
@@ -376,6 +402,7 @@ Result<Campaign> plan_campaign(const CampaignPlan& plan, int count) {
   found.rounding = choice.criterion(tests) / choice.criterion(exact);
   found.untouched = untouched_directions(plan, choice, count);
   lay_out(plan, choice, tests, found);
+  found.idle = idle_settings(plan, found);
   found.grid = compare_with_grid(choice, campaign, places, tests);
   look_at_ends(plan, choice, places, tests, found);
   found.failed = places.failed();

@@ -60,6 +60,7 @@ struct Campaign {
   int ends = 0, ends_kept = 0;  // ends of intervals looked at, and where the first three stay
   std::string why_no_ends;      // why no ends were looked at; empty: they were
   std::vector<std::string> untouched;  // directions that nothing determines but the bounds
+  std::vector<std::string> idle;       // settings that change nothing that is measured
   int failed = 0;                      // places at which the model failed
   std::string first_failure;
   std::vector<double> largest;     // largest value of each channel, SI; 0 if no noise is a share

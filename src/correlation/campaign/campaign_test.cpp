@@ -206,6 +206,8 @@ TEST_F(CampaignOfStudy, WhatCannotBeDesignedIsRefusedWithAReason) {
   says("[design]\ntest = \"steady\"\nsettings = {Fz = [\"2 bar\", \"6 bar\"]}\n", "bar");
   says("[design]\ntest = \"steady\"\nsettings = {Fz = [\"6 kN\", \"2 kN\"]}\n", "no range");
   says("[design]\ntest = \"steady\"\nsettings = {Fz = [\"-2 kN\", \"2 kN\"]}\n", "-2 kN");
+  says("[design]\ntest = \"steady\"\nsettings = {alpha = [\"-10 rad\", \"10 rad\"]}\n",
+       "-90 .. 90 deg");
   says(design("criterion = \"I\"\n"), "of is missing");
   says(design("criterion = \"c\"\n"), "of is missing");
   says(design("criterion = \"T\"\n"), "against is missing");
@@ -215,6 +217,15 @@ TEST_F(CampaignOfStudy, WhatCannotBeDesignedIsRefusedWithAReason) {
   says(design("measures = [\"Fyy\"]\n"), "did you mean \"Fy\"?");
   says(design("cost = {pressure = 3}\n"), "none of the settings");
   says(design("count = 0\n"), "count");
+}
+
+TEST_F(CampaignOfStudy, SettingsWithoutEffectAreNamed) {
+  EXPECT_TRUE(campaign_of(with_design(design("")), 3).idle.empty());
+  // The cornering stiffness is that at no slip, whatever the slip angle.
+  const Study study = with_design(
+      "[design]\ntest = \"steady\"\nnoise = \"500 N/rad\"\nmeasures = [\"Kya\"]\n"
+      "settings = {Fz = [\"2 kN\", \"6 kN\"], alpha = [\"-12 deg\", \"12 deg\"]}\n");
+  EXPECT_EQ(campaign_of(study, 3).idle, std::vector<std::string>{"alpha"});
 }
 
 TEST_F(CampaignOfStudy, LimitsThatLeaveNothingAreAFailure) {

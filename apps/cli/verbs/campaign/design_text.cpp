@@ -225,6 +225,14 @@ void print_worth(const Study& study, const Campaign& campaign) {
                     "first one: {}",
                     campaign.failed,
                     campaign.first_failure));
+  if (!campaign.idle.empty())
+    warn(
+        fmt::format("{} {} nothing that is measured: any value of {} range is as good; leave {} "
+                    "out of settings, or measure another channel",
+                    fmt::join(campaign.idle, ", "),
+                    campaign.idle.size() == 1 ? "changes" : "change",
+                    campaign.idle.size() == 1 ? "its" : "their",
+                    campaign.idle.size() == 1 ? "it" : "them"));
   if (!campaign.untouched.empty())
     warn(
         fmt::format("neither the data nor {} tests at any settings tell as much as the bounds "
@@ -275,6 +283,7 @@ void answer_design(const Study& study, const CampaignStart& start, const Campaig
   answer()["ends"] = {{"looked_at", campaign.ends}, {"kept", campaign.ends_kept}};
   answer()["failed"] = campaign.failed;
   answer()["untouched"] = campaign.untouched;
+  answer()["without_effect"] = campaign.idle;
 }
 
 }  // namespace latsch::cli

@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "correlation/study/study.h"
 #include "experiment/language/usual_numbers.h"
+#include "measurement/meaning/channel_checks.h"
 #include "measurement/meaning/natural_unit.h"
 
 namespace latsch::correlation {
@@ -80,6 +81,14 @@ void check_end(const Node& settings,
                     fmt::format("has {}, but {}",
                                 format_quantity(value, setting.unit, 5),
                                 experiment::usual_in_words(*usual)));
+  // A state that is a channel must be possible as one.
+  Channels alone;
+  alone.add({.name = last, .unit = movable.unit(setting.path), .values = {value}});
+  for (const ChannelDoubt& doubt : doubts_about(alone))
+    if (doubt.is_error)
+      settings.reject(
+          setting.name,
+          fmt::format("has {}, which {}", format_quantity(value, setting.unit, 5), doubt.sentence));
   experiment::MovableTest moved = movable;
   moved.set(setting.path, value);
   try {
