@@ -16,6 +16,12 @@ Loads and travels of the right wheel are equal to those of the left in mode "par
 and Mz mirrored) and opposite in mode "opposed"; in mode "single" there is no load, and the pad
 holds the wheel at its initial height.
 
+All motion counts from the place of the car's file. Without travel there are no pads: the springs
+have no preload there, and Fz is what is added to the wheel's load at rest, so that of a recording
+has to be without it. With travel the springs carry the car's weight, the force of a pad at no
+travel is the wheel's load at rest, and a pad also pulls: a negative force means that a wheel would
+lift.
+
 The channels are the stated quantities, rack, and for both wheels dx, dy, dz, camber, toe, caster
 (dx_L .. caster_R; signs as in test kc), the springs' extension and the pads' force.
 `latsch test --details FILE` writes the 12 x 12 compliance matrix of every state and the
