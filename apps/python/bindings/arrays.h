@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "optimization/problem/design_point.h"
 #include "optimization/problem/design_space.h"
 
@@ -57,6 +58,21 @@ inline DesignPoint point(const Array& values, int variables) {
                      std::to_string(variables) + ",), found " +
                      py::str(values.attr("shape")).cast<std::string>());
   return {vector(values)};
+}
+
+/// Reads a point (n,) of the space. Throws InputError that names the first variable outside of its
+/// bounds.
+inline DesignPoint point_within(const DesignSpace& space, const Array& values) {
+  DesignPoint read = point(values, space.size());
+  for (int i = 0; i < space.size(); ++i) {
+    const DesignVariable& variable = space[i];
+    const double value = read.values[static_cast<std::size_t>(i)];
+    if (!(value >= variable.lower && value <= variable.upper))
+      throw InputError("the point has " + variable.name + " = " + format_number(value) +
+                       ", outside of its bounds " + format_number(variable.lower) + " to " +
+                       format_number(variable.upper));
+  }
+  return read;
 }
 
 /// Reads a matrix of `rows` x `columns`. Throws InputError, which names the argument, for another

@@ -102,9 +102,7 @@ SpacedConfidence confidence_at(const DesignSpace& space,
                                const std::vector<int>& curves,
                                const std::string& loss,
                                const std::optional<double>& loss_scale) {
-  const DesignPoint center = point(at, space.size());
-  if (!space.place(center))
-    throw InputError("a value of the point is not finite, or not positive on a logarithmic scale");
+  const DesignPoint center = point_within(space, at);
   const Score score = score_of(residuals, jacobian, space.size());
   ConfidenceOptions asked = options(sigma, level, deviations, curves);
   check_traits(asked.traits, score.residuals.size());

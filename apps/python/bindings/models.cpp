@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "base/toml/toml_text.h"
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
 #include "bindings/failures.h"
@@ -40,6 +41,10 @@ void warn_in_python(const std::string& sentence) {
 
 /// Warns of what the terminal's `latsch test` warns of: unusual numbers and doubts about the file.
 Model read_model(const std::filesystem::path& file, const std::optional<std::string>& kind) {
+  if (!kind && file.extension() == ".toml" && Document::read(file).root().has("experiment"))
+    throw InputError({file.string(), 0},
+                     "is a study: read_study(file) reads it, and its method model(point) returns "
+                     "the model");
   const SpecimenKind& of = kind ? kind_called(*kind) : language().kind_of_file(file);
   Model model{of, of.read(file)};
   for (const experiment::Finding& one : findings_of_model(of, model.numbers(), file))
@@ -189,6 +194,16 @@ void bind_models(py::module_& module) {
           [](Model& m, const std::string& path, double value) { m.numbers().set(path, value); },
           py::arg("path"),
           py::arg("value"))
+      .def(
+          "__setitem__",
+          [](Model& m, const std::string& path, const std::string& quantity) {
+            const std::string line = "value = " + toml_text(quantity);
+            const Document read = Document::parse(line, path);
+            m.numbers().set(path, read.root().quantity("value", m.numbers().unit(path), Range{}));
+          },
+          py::arg("path"),
+          py::arg("quantity"),
+          "Sets a number: one in SI, or a text with a unit such as \"100 kN/mm\".")
       .def(
           "unit",
           [](const Model& m, const std::string& path) { return m.numbers().unit(path); },

@@ -180,7 +180,9 @@ Score score(const py::object& value,
     made.jacobian = vector(J);
   }
   if (!value.is_none()) {
-    made.value = value.cast<double>();
+    if (!py::isinstance<py::float_>(value) && !py::hasattr(value, "__float__"))
+      throw InputError("value: expected a number, found " + py::repr(value).cast<std::string>());
+    made.value = py::float_(value).cast<double>();
   } else if (!residuals.is_none()) {
     for (const double r : made.residuals) made.value += r * r;
   } else {

@@ -176,7 +176,7 @@ void bind_spaces(py::module_& module) {
       .def(
           "starting_at",
           [](const DesignSpace& space, const Array& at) {
-            return space.starting_at(point(at, space.size()));
+            return space.starting_at(point_within(space, at));
           },
           py::arg("point"),
           "Returns the same space with this initial point.")

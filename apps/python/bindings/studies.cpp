@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "base/text.h"
@@ -74,8 +75,11 @@ struct Trials {
   std::map<std::string, std::vector<std::vector<double>>> rows;  // empty: failed
   std::map<std::string, std::string> units;
 
+  std::set<std::string> seen;  // names of all channels of the trials
+
   void add_channels(const Channels& found, const std::vector<std::string>& names, bool all) {
     for (const Channel& channel : found.all()) {
+      seen.insert(channel.name);
       if (!all && std::find(names.begin(), names.end(), channel.name) == names.end()) continue;
       auto& column = rows[channel.name];
       if (column.empty()) {
@@ -113,6 +117,11 @@ Trials trials_of(const Study& as_written, const std::vector<std::string>& names,
     if (channels) trials.add_channels(*channels, names, all);
   });
   for (auto& [name, column] : trials.rows) column.resize(trials.points.size());
+  const std::vector<std::string> seen(trials.seen.begin(), trials.seen.end());
+  for (const std::string& name : names)
+    if (!seen.empty() && !trials.seen.contains(name))
+      throw InputError("no trial has a channel " + in_quotes(name) + did_you_mean(name, seen) +
+                       "; there are " + list_of(seen));
   return trials;
 }
 

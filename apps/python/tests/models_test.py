@@ -65,6 +65,10 @@ class Models(unittest.TestCase):
         copy = model.copy()
         model[path] = 1.23e7
         self.assertEqual(model[path], 1.23e7)
+        model[path] = "12.3 kN/mm"
+        self.assertEqual(model[path], 1.23e7)
+        with self.assertRaisesRegex(latsch.InputError, "bar"):
+            model[path] = "2 bar"
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "changed.toml"
             file.write_text(model.text())
@@ -113,6 +117,8 @@ class Models(unittest.TestCase):
                      lambda: latsch.test(CORNER, SIDE_FORCE, slopes=["bushing.lbj.w"]),
                      lambda: latsch.test(TIR, {"kind": "rolling_stiffness", "load": "4 kN", "speed": "60 km/h"},
                                          kind="magic_formula", slopes=["PKY1"]),
+                     lambda: latsch.read_model(ROOT / "studies/compliance/study.toml"),
+                     lambda: latsch.Score(value="a"),
                      lambda: latsch.read_model(CORNER, "bicycle")):
             with self.assertRaises(latsch.InputError):
                 call()

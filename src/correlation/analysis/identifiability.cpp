@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <set>
 
 #include "base/text.h"
@@ -132,6 +133,19 @@ void remark_on_losses(const Confidence& c, Sentences& all) {
   }
 }
 
+/// Returns the root mean square of all residuals over their stated noise if chance does not explain
+/// it; else 1, also without a stated noise or with a robust loss.
+double rms_over_stated_noise(const Study& study, const Identification& identification) {
+  constexpr double kOfSharedNoise = 4.0;  // neighbors that share noise are fewer values
+  const Confidence& c = identification.confidence();
+  const Eigen::VectorXd& r = identification.linearization().r;
+  const std::optional<double> sigma = residual_sigma(study);
+  if (!sigma || c.with_loss > 0 || r.size() == 0) return 1.0;
+  const double ratio = r.squaredNorm() / (static_cast<double>(r.size()) * *sigma * *sigma);
+  const double rare = rare_ratio(static_cast<double>(r.size()));
+  return ratio > (c.is_colored ? std::max(rare, kOfSharedNoise) : rare) ? std::sqrt(ratio) : 1.0;
+}
+
 /// Adds remarks about the noise that the intervals assume.
 void remark_on_noise(const Study& study, const Identifiability& what, Sentences& all) {
   const Confidence& c = what.identification.confidence();
@@ -144,6 +158,17 @@ void remark_on_noise(const Study& study, const Identifiability& what, Sentences&
         "prior is too small, the model cannot follow the measurement, or the search ended early. "
         "The intervals of all variables use the observed spread.",
         c.excess,
+        in_words(ratios)));
+  }
+  const double whole = c.excess > 1.0 ? 1.0 : rms_over_stated_noise(study, what.identification);
+  if (whole > 1.0) {
+    all.push_back(fmt::format(
+        "The residuals are {:.2g} times their stated noise{}, although their slopes promise values "
+        "that explain them: bounds, or an early end of the search, keep the fit from them. The "
+        "intervals count the stated noise alone and do not say how far the values are from those "
+        "of "
+        "a model that fits.",
+        whole,
         in_words(ratios)));
   }
   if (const std::string words = large_noise_in_words(study, ratios); !words.empty())

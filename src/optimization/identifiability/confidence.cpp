@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/dense/orthogonal_factors.h"
 #include "numerics/dense/singular_values.h"
 #include "numerics/student_t.h"
 #include "optimization/identifiability/robust_rows.h"
@@ -75,7 +76,9 @@ Eigen::VectorXd represented(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) 
 /// Returns the part of column j that is orthogonal to the columns of A.
 Eigen::VectorXd beside(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
   if (A.cols() == 0) return j;
-  return j - A * represented(A, j);
+  // Columns may depend on each other, as those of two bushings in a row do.
+  const Eigen::MatrixXd Q = numerics::range_basis(A);
+  return j - Q * (Q.transpose() * j);
 }
 
 /// Returns the bound that a variable is on, if S grows from this bound inward. `way` is the

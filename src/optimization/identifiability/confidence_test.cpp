@@ -95,6 +95,19 @@ TEST(Confidence, WhatABoundKeepsFromBeingReachedIsNoNoise) {
   EXPECT_NEAR(confidence(at).sigma, 0.01 * std::sqrt(40.0 / 38.0), 1e-12);
 }
 
+// Two variables whose effects are the same, such as two bushings in a row, are at their bounds. Both
+// together explain what one does, so the share is that of one of them.
+TEST(Confidence, TheShareBeyondBoundsCountsEqualEffectsOnce) {
+  Linearization at{Eigen::Vector3d(0, 0, 0.4), Eigen::VectorXd::Zero(40), Eigen::MatrixXd(40, 3)};
+  for (int j = 0; j < 40; ++j) {
+    at.J.row(j) << (j < 20 ? 1.0 : 0.0), (j < 20 ? 2.0 : 0.0), (j < 20 ? 0.0 : 1.0);
+    at.r[j] = 0.01 * (j % 2 == 0 ? 1.0 : -1.0) + (j < 20 ? 0.3 : 0.0);
+  }
+  const Confidence c = confidence(at, {.sigma = 0.01});
+  EXPECT_EQ(c.held, (std::vector<Bound>{Bound::lower, Bound::lower, Bound::none}));
+  EXPECT_NEAR(c.share_beyond_bounds, 1.0 - 40 * 1e-4 / (40 * 1e-4 + 20 * 0.09), 1e-9);
+}
+
 TEST(Confidence, AsManyResidualsAsVariablesLeaveNothingToEstimateTheirSpreadFrom) {
   Linearization at{Eigen::Vector2d(0.5, 0.4), Eigen::Vector2d::Zero(), Eigen::Matrix2d::Identity()};
   EXPECT_TRUE(std::isnan(confidence(at).sigma));
