@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/units.h"
 #include "models/fe_tire/rolling/rolling_tire.h"
@@ -16,7 +17,7 @@ using fe_tire::RollingCase;
 using fe_tire::SlipInput;
 
 /// Most halvings of a swing in the search for one over which response and chord agree.
-constexpr int kMostHalvings = 10;
+constexpr int kMostHalvings = 6;
 
 /// Returns the case of a state with its slip changed, at the same speed along the heading.
 RollingCase swung(const fe_tire::RollingState& state, SlipInput slip, double by, bool follows) {
@@ -94,17 +95,11 @@ std::vector<std::string> swings_in_words(TireRig& rig,
       return std::abs(slope - value) <= kToldDifference * std::abs(value);
     };
     if (agrees(*over)) continue;
-    std::string words = fmt::format(
-        "{}: {} at 0 Hz, but {} between steady states {} to both sides; {} of {} "
-        "points slide at the limit of friction {:g}, and the response holds for swings "
-        "in which hardly any point changes between sticking and sliding",
-        what,
-        in_words(slope),
-        in_words(*over),
-        swing_in_words(swing),
-        slides,
-        state.patch.size(),
-        state.of.friction.at_rest);
+    std::string words = fmt::format("{}: {} at 0 Hz, but {} between steady states {} to both sides",
+                                    what,
+                                    in_words(slope),
+                                    in_words(*over),
+                                    swing_in_words(swing));
     bool found = false;
     for (int half = 0; half < kMostHalvings && !found; ++half) {
       swing *= 0.5;
@@ -112,16 +107,23 @@ std::vector<std::string> swings_in_words(TireRig& rig,
       if (!smaller) break;
       found = agrees(*smaller);
     }
-    words += found ? fmt::format(": up to {} both agree within {:g} %",
-                                 swing_in_words(swing),
-                                 100.0 * kToldDifference)
-                   : fmt::format(": they differ by more than {:g} % down to {}{}",
-                                 100.0 * kToldDifference,
-                                 swing_in_words(swing),
-                                 rig.losses().is_elastic() ? "" : ", since losses are left out");
-    sentences.push_back(words +
-                        "; a test slip_history with the swing of the measurement has no such "
-                        "limit, and more elements below the tread widen it");
+    const std::string least = swing_in_words(swing);
+    if (found)
+      words += fmt::format(
+          "; {} of {} points slide at the limit of friction {:g}, and the response holds for "
+          "swings in which hardly any point changes between sticking and sliding: up to {} both "
+          "agree within {:g} %; a test slip_history with the swing of the measurement has no such "
+          "limit, and more elements below the tread widen it",
+          slides,
+          state.patch.size(),
+          state.of.friction.at_rest,
+          least,
+          100.0 * kToldDifference);
+    else if (rig.losses().is_elastic())
+      words += fmt::format(", and they still differ at {}", least);
+    else
+      words += ", because the response leaves losses out";
+    sentences.push_back(std::move(words));
   }
   return sentences;
 }
