@@ -19,6 +19,9 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr int kMostOfReduced = 12;
+/// Least residual of the first contact of a step, relative to the load: its places are not yet those
+/// to which it moves the points.
+constexpr double kEnoughAtFirst = 1e-4;
 constexpr std::size_t kMostWorkspaces = 8;  // one takes some 30 MB
 /// Change of the spin in an iteration, relative, at which it has settled.
 constexpr double kReducedSpinSettled = 2e-5;
@@ -197,15 +200,10 @@ Result<TransientForces> ReducedPassage::Impl::step(const WheelMoment& to, double
     // Places of points on the ground are those at u, so what is found is a start, and it is settled
     // if it holds at the places to which it moves them.
     const int solved = work.passes;
-    auto found = patch.solve(of,
-                             u,
-                             c,
-                             now.load,
-                             settings.enough,
-                             states,
-                             work.passes,
-                             moment,
-                             work.iterations > 1 ? settings.enough : 0.0);
+    const bool is_first = work.iterations == 1;
+    const double enough = is_first ? std::max(kEnoughAtFirst, settings.enough) : settings.enough;
+    auto found = patch.solve(
+        of, u, c, now.load, enough, states, work.passes, moment, is_first ? 0.0 : settings.enough);
     if (!found) return found.failure();
     of.height = found->of.height;
     const BossakStep::Motion q = rule.at(now.q, free + matrices.from_tread * (found->c - tire.c));
@@ -219,7 +217,7 @@ Result<TransientForces> ReducedPassage::Impl::step(const WheelMoment& to, double
       spin_rate += change;
       spin_error = std::abs(0.5 * h * change / of.spin);
     }
-    const bool is_settled = work.iterations > 1 && work.passes == solved;
+    const bool is_settled = !is_first && work.passes == solved;
     if (!is_settled || spin_error > kReducedSpinSettled) continue;
     if (const Status within = check_reach(found->patch, tire.reach, full.touching()); !within)
       return within.failure();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "numerics/sparse/front_algebra.h"
 
@@ -105,36 +106,58 @@ bool FlexibleTread::solve(const Eigen::VectorXd& f,
                           Eigen::VectorXd& df) {
   df = R;
   const std::vector<TreadBody::Part> parts = body_.by_nodes(moved_rows(f), input, tractions);
+  // Active rows in the order of the parts, which go across the tread: C is then a band.
   std::vector<int> place(body_.rows().size(), -1);  // a row's place among the active ones
   std::vector<int> active, columns;                 // rows of the body, and of F
   for (const TreadBody::Part& part : parts)
-    for (const int row : part.rows) place[row] = 0;
-  for (std::size_t row = 0; row < place.size(); ++row) {
-    if (place[row] < 0) continue;
-    place[row] = static_cast<int>(active.size());
-    active.push_back(static_cast<int>(row));
-    columns.push_back(body_.rows()[row]);
-  }
+    for (const int row : part.rows) {
+      if (place[row] >= 0) continue;
+      place[row] = static_cast<int>(active.size());
+      active.push_back(row);
+      columns.push_back(body_.rows()[row]);
+    }
   if (active.empty()) return !load_;
   const int n = static_cast<int>(active.size());
+  Eigen::MatrixXf C = Eigen::MatrixXf::Zero(n, n);
+  std::vector<std::pair<int, int>> reach(active.size(), {n, 0});  // columns of each row of C
+  for (const TreadBody::Part& part : parts) {
+    std::vector<int> places;
+    for (const int row : part.rows) places.push_back(place[row]);
+    const auto [least, most] = std::ranges::minmax(places);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      auto& [first, last] = reach[places[k]];
+      first = std::min(first, least);
+      last = std::max(last, most + 1);
+      for (std::size_t i = 0; i < places.size(); ++i)
+        C(places[i], places[k]) +=
+            static_cast<float>(part.C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)));
+    }
+  }
+  Eigen::MatrixXf F(n, n), J(n, n), product;
+  for (int k = 0; k < n; ++k) {
+    const float* of = F_.col(columns[k]).data();
+    for (int i = 0; i < n; ++i) F(i, k) = of[columns[i]];
+  }
+  for (int first = 0, last = 0; first < n; first = last) {
+    while (last < n && reach[last] == reach[first]) ++last;
+    const auto [from, to] = reach[first];
+    const int rows = last - first;
+    product.resize(rows, n);
+    numerics::multiply(rows, n, to - from, &C(first, from), n, &F(from, 0), n, product.data());
+    J.middleRows(first, rows) = -product;
+  }
+  J.diagonal().array() += 1.0F;
   // Forces of nodes that have come off the ground vanish at once, which moves the others.
   Eigen::VectorXd others = R.head(size());
   others(active).setZero();
   const Eigen::VectorXd by_others = by_forces(body_.rows(), others);
-  Eigen::MatrixXf J = Eigen::MatrixXf::Identity(n, n), product, C, F;
   Eigen::VectorXd r = R(active), lifted = Eigen::VectorXd::Zero(n);
   for (const TreadBody::Part& part : parts) {
-    const int m = static_cast<int>(part.rows.size());
-    std::vector<int> rows, places;  // those of F and of J
+    std::vector<int> rows, places;
     for (const int row : part.rows) {
       rows.push_back(body_.rows()[row]);
       places.push_back(place[row]);
     }
-    C = part.C.cast<float>();
-    F = F_(rows, columns);
-    product.resize(m, n);
-    numerics::multiply(m, n, m, C.data(), m, F.data(), m, product.data());
-    J(places, Eigen::all) -= product;
     r(places) += part.C * Eigen::VectorXd(by_others(rows));
     if (load_) lifted(places) += part.C * Eigen::VectorXd(up_(part.rows));
   }

@@ -7,8 +7,8 @@
 // at the displacements u; c: the forces of the ground. F may be unsymmetric. C has rows and columns
 // of the nodes below points that touch alone, so each solution is of their size: nothing is
 // eliminated, and the factorization is a tenth of that with all nodes below which the ground is
-// near. A load is carried by the height, the unknown behind f: the rise of the wheel center, m, moves
-// all nodes along the ground's z.
+// near. A load is carried by the height, the unknown behind f: the rise of the wheel center, m,
+// moves all nodes along the ground's z.
 #pragma once
 
 #include <Eigen/Core>

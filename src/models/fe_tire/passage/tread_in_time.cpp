@@ -13,6 +13,10 @@
 namespace latsch::fe_tire {
 namespace {
 
+/// Residual, relative to the load, below which the single precision of the flexibility does not let
+/// it fall for a change of the forces as large as the load.
+constexpr double kRoundingOfFlexibility = 1e-6;
+
 /// Returns the contact at the start of a search if friction (F.5) at its places leaves an accepted
 /// residual, N.
 std::optional<RollingContactState> settled_at(const FlexibleTread& tread,
@@ -51,8 +55,8 @@ Result<TreadInTime::Found> TreadInTime::solve(const RollingCase& of,
   body.set_force_scale(load);
   FlexibleTread tread(body, F_, g, of.load);
   const RollingGrip grip(body.lines(), of.friction, kAlongPenalty);
-  const RollingContactOptions limits =
-      search_limits(enough, static_cast<int>(std::ssize(body.points())));
+  RollingContactOptions limits = search_limits(enough, static_cast<int>(std::ssize(body.points())));
+  limits.rounding = kRoundingOfFlexibility;
   if (body.rows().empty() && of.load)
     return Failure{fmt::format("the tread is off the ground, {:.4g} mm below the wheel center",
                                1e3 * of.height)};

@@ -38,12 +38,13 @@ class TreadInTime {
   void begin() { spent_ = 0; }
 
   /// Finds the forces c of the ground and d = F (g - c), where g are those that the tread's nodes
-  /// carry at the displacements u [3 x nodes]. The spin is that of the case, and so is the height, unless
-  /// the case has a load. `states`: of
-  /// all points of the tread; the start, then those found. `load`, N: the size of the ground's
-  /// forces. `enough`: accepted residual relative to it. `passes` counts solutions. `settled`: with
-  /// less residual, relative to the load, g itself is the contact, at the places of the points on
-  /// the ground that belong to u, and nothing is solved. A Failure says why there is no contact.
+  /// carry at the displacements u [3 x nodes]. The spin is that of the case, and so is the height,
+  /// unless the case has a load. `states`: of all points of the tread; the start, then those found.
+  /// `load`, N: the size of the ground's forces. `enough`: accepted residual relative to it, which
+  /// single precision limits to 1e-6 of the change of the forces. `passes` counts solutions.
+  /// `settled`: with less residual, relative to the load, g itself is the contact, at the places of
+  /// the points on the ground that belong to u, and nothing is solved. A Failure says why there is
+  /// no contact.
   Result<Found> solve(const RollingCase& of,
                       const Eigen::Matrix3Xd& u,
                       const Eigen::VectorXd& g,
