@@ -74,7 +74,7 @@ TEST(TreadInTime, FindsTheContactOfTheCondensedTread) {
         flexible.solve(of, tire.u, tire.c, tread.load(), 1e-5, other, solves, moment);
     ASSERT_TRUE(expected) << expected.failure().reason;
     ASSERT_TRUE(found) << found.failure().reason;
-    EXPECT_GT((expected->c - tire.c).norm(), 0.05 * tread.load());
+    EXPECT_GT((expected->c - tire.c).norm(), 0.01 * tread.load());
     EXPECT_LT((found->c - expected->c).norm(), 1e-4 * tread.load());
     EXPECT_LT((found->d - expected->d).norm(), 1e-4 * expected->d.norm());
     EXPECT_LT((found->forces.force - expected->forces.force).norm(), 1e-4 * tread.load());
