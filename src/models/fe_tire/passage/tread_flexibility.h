@@ -2,7 +2,7 @@
 // The tread of a tire that is linear within a step of time, as a body that rolls
 // (rolling_contact.h), by its flexibility F in place of the stiffness of tread_body.h:
 //
-//   R(f) = f - c(u + F (f - g)),   dR/df = 1 - C F,   C = dc/du                               (V.12)
+//   R(f) = f - c(u + F (f - g)),   dR/df = 1 - C F,   C = dc/du                              (V.12)
 // f: forces that the nodes of the tread carry, the unknowns of the search; g: those that they carry
 // at the displacements u; c: the forces of the ground. F may be unsymmetric. C has rows and columns
 // of the nodes below points that touch alone, so each solution is of their size: nothing is
