@@ -19,8 +19,8 @@ namespace latsch::fe_tire {
 namespace {
 
 constexpr int kMostOfReduced = 12;
-/// Least residual of the first contact of a step, relative to the load: its places are not yet those
-/// to which it moves the points.
+/// Least residual of the first contact of a step, relative to the load: its places are not yet
+/// those to which it moves the points.
 constexpr double kEnoughAtFirst = 1e-4;
 constexpr std::size_t kMostWorkspaces = 8;  // one takes some 30 MB
 /// Change of the spin in an iteration, relative, at which it has settled.
