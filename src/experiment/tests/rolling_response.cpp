@@ -22,6 +22,8 @@ namespace {
 
 /// Highest frequency, Hz; a mesh mostly allows less.
 constexpr double kHighestOfSlips = 200.0;
+/// Friction above which the swing of a response is told to be small.
+constexpr double kMuchFriction = 1.5;
 
 class FeRollingResponseTest : public RollsFeTire {
  public:
@@ -57,17 +59,23 @@ class FeRollingResponseTest : public RollsFeTire {
     return std::ssize(rolling().rows) * std::ssize(test_.frequencies);
   }
   std::vector<std::string> limits(Specimen& specimen) const override {
-    std::vector<std::string> limits = {
-        "rolling_response: the inertia of the change is left out, gyroscopic forces of the belt "
-        "included, so responses hold far below the lowest mode of the tire on the ground (test "
-        "modes)"};
-    if (has_losses(specimen))
-      limits.emplace_back(
-          "rolling_response: rubber and cords relax in the steady state; its change has their "
-          "storage moduli at twice the frequency of rotation and no losses, so that slopes differ "
-          "from those of steady forces, by 12 % of Fy at a loss factor of 0.15");
-    for (std::string& limit : RollsFeTire::limits(specimen)) limits.push_back(std::move(limit));
+    std::vector<std::string> limits = limits_but_swings(specimen);
+    if (std::string words = swings_with_much_friction(specimen); !words.empty())
+      limits.push_back(std::move(words));
     return limits;
+  }
+  /// Adds over which swings the response holds, which takes steady states besides.
+  Result<std::vector<std::string>> run_in_blocks(
+      Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
+    std::vector<std::string> remarks;
+    const auto found = specimen.find<IsFeTire>()->drive(
+        [&](TireRig& rig, fe_tire::TireSlopes*) { return rolling_response(rig, test_, &remarks); },
+        rolling().pressure.has_value(),
+        {});
+    if (!found) return found.failure();
+    tell(*found);
+    for (std::string& limit : limits_but_swings(specimen)) remarks.push_back(std::move(limit));
+    return remarks;
   }
   Result<Details> details(Specimen& specimen) const override {
     const auto found = run(specimen);
@@ -81,6 +89,37 @@ class FeRollingResponseTest : public RollsFeTire {
   }
 
  private:
+  std::vector<std::string> limits_but_swings(Specimen& specimen) const {
+    std::vector<std::string> limits = {
+        "rolling_response: the inertia of the change is left out, gyroscopic forces of the belt "
+        "included, so responses hold far below the lowest mode of the tire on the ground (test "
+        "modes)"};
+    if (has_losses(specimen))
+      limits.emplace_back(
+          "rolling_response: rubber and cords relax in the steady state; its change has their "
+          "storage moduli at twice the frequency of rotation and no losses, so that slopes differ "
+          "from those of steady forces, by 12 % of Fy at a loss factor of 0.15");
+    for (std::string& limit : RollsFeTire::limits(specimen)) limits.push_back(std::move(limit));
+    return limits;
+  }
+  /// Returns a sentence if friction is far above that of usual ground, else nothing.
+  std::string swings_with_much_friction(Specimen& specimen) const {
+    double friction = 0.0;
+    (void)specimen.find<IsFeTire>()->drive(
+        [&](TireRig& rig, fe_tire::TireSlopes*) -> Result<Channels> {
+          friction = friction_of(rig, test_.states.friction).at_rest;
+          return Channels();
+        },
+        true,
+        {});
+    if (friction <= kMuchFriction) return "";
+    return fmt::format(
+        "rolling_response: with friction {0:g} few points slide, and the traction of each changes "
+        "{0:g} times as much as its pressure, so a response may hold for swings below 0.01 deg or "
+        "a slip of 1e-4 alone; latsch test compares it with steady states over larger ones",
+        friction);
+  }
+
   RollingResponseTest test_;
 };
 

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 #include "base/error.h"
+#include "experiment/rigs/fe_rolling/response_swings.h"
 
 namespace latsch::experiment {
 namespace {
@@ -22,6 +24,9 @@ using SlipResponses = std::vector<std::vector<SlipResponse>>;
 constexpr const char* kResponseForces[] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 /// Least slip of the state with which a wheel turns fast enough to have slips of its own.
 constexpr double kLeastSlip = -0.95;
+/// Swings over which slopes are compared with those of steady states: rad, 1, rad, 1/m.
+constexpr double kSwingOfAngle = 0.1 * std::numbers::pi / 180.0, kSwingOfSlip = 1e-3,
+                 kSwingOfCamber = 0.2 * std::numbers::pi / 180.0, kSwingOfTurn = 1e-3;
 
 std::complex<double> part_of_response(const SlipResponse& response, int k) {
   return k < 3 ? response.force[k] : response.moment[k - 3];
@@ -55,10 +60,28 @@ void check_sectors(const TireRig& rig, const RollingResponseTest& test) {
 
 const std::vector<ResponseSlip>& response_slips() {
   static const std::vector<ResponseSlip> all = {
-      {"alpha", "slip angle", "N/rad", "N m/rad", SlipInput::angle, "relaxation_side", 1},
-      {"kappa", "slip", "N", "N m", SlipInput::spin, "relaxation_slip", 0},
-      {"gamma", "camber", "N/rad", "N m/rad", SlipInput::camber},
-      {"phit", "turn slip", "N m", "N m^2", SlipInput::turn}};
+      {"alpha",
+       "slip angle",
+       "N/rad",
+       "N m/rad",
+       SlipInput::angle,
+       "relaxation_side",
+       1,
+       1,
+       kSwingOfAngle,
+       "deg"},
+      {"kappa", "slip", "N", "N m", SlipInput::spin, "relaxation_slip", 0, 0, kSwingOfSlip},
+      {"gamma",
+       "camber",
+       "N/rad",
+       "N m/rad",
+       SlipInput::camber,
+       nullptr,
+       0,
+       1,
+       kSwingOfCamber,
+       "deg"},
+      {"phit", "turn slip", "N m", "N m^2", SlipInput::turn, nullptr, 0, 5, kSwingOfTurn, "1/m"}};
   return all;
 }
 
@@ -101,7 +124,9 @@ Channels rolling_response_channels(const RollingResponseTest& test,
   return channels;
 }
 
-Result<Channels> rolling_response(TireRig& rig, const RollingResponseTest& test) {
+Result<Channels> rolling_response(TireRig& rig,
+                                  const RollingResponseTest& test,
+                                  std::vector<std::string>* remarks) {
   check_sectors(rig, test);
   const auto states = roll_states(rig, test.states);
   if (!states) return states.failure();
@@ -133,6 +158,10 @@ Result<Channels> rolling_response(TireRig& rig, const RollingResponseTest& test)
         of.back()[j].moment /= 1.0 + rolled.kappa;
       }
     }
+    if (remarks == nullptr) continue;
+    const auto at_rest = response->at(0.0, inputs, test.axle);
+    for (std::string& words : swings_in_words(rig, test, rolled, at_rest, s + 1))
+      remarks->push_back(std::move(words));
   }
   return rolling_response_channels(test, responses, *states);
 }

@@ -22,6 +22,11 @@ struct ResponseSlip {
   /// none is told.
   const char* relaxation = nullptr;
   int force = 0;
+  /// The main force, 0 to 5, Fx to Mz, and the swing to both sides over which its slope is compared
+  /// with that of steady states (response_swings.h), with the unit in which it is told.
+  int judged = 0;
+  double swing = 0.0;
+  const char* swing_unit = "1";
 };
 /// "alpha", "kappa", "gamma", "phit".
 const std::vector<ResponseSlip>& response_slips();
@@ -45,6 +50,10 @@ Channels rolling_response_channels(
 
 /// Rolls the tire through the states and computes the responses about each. A Failure names the
 /// state. Throws InputError if a frequency is higher than the sectors can show at a state's speed.
-Result<Channels> rolling_response(TireRig& rig, const RollingResponseTest& test);
+/// `remarks`: if not null, it receives sentences on slips that may swing only a little
+/// (response_swings.h), which takes two steady states for each slip.
+Result<Channels> rolling_response(TireRig& rig,
+                                  const RollingResponseTest& test,
+                                  std::vector<std::string>* remarks = nullptr);
 
 }  // namespace latsch::experiment

@@ -17,6 +17,12 @@ those that slide go on to slide. The wheel keeps its speed along the heading. In
 is left out, gyroscopic forces included, so frequencies have to be far below the lowest mode of the
 tire on the ground; at a frequency near 0 the responses are the slopes of the steady forces.
 
+So a response holds for swings in which hardly any point changes between sticking and sliding. With a
+large friction a few sliding points can rule the slope within a hundredth of a degree. `latsch test`
+compares the main force at 0 Hz with steady states at 0.1 deg of slip angle, a slip of 0.001, 0.2 deg
+of camber and a turn slip of 0.001 1/m to both sides, and says where they differ by more than 5 %,
+and over which swing they do not.
+
 Channels, all frequencies of one state and then those of the next: "state" (from 1), "frequency"
 (Hz), "path_frequency" (rad/m, of the road); for each slip of `inputs` and each of Fx, Fy, Fz, Mx,
 My, Mz in axes W (ISO) four channels, for example "re_Fy_by_alpha" and "im_Fy_by_alpha", real and

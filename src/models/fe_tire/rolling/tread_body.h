@@ -75,6 +75,17 @@ class TreadBody : public RollingBody {
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& q,
                            const RollingInput& input,
                            const GripTractions& tractions) const;
+  /// Derivative of the ground's forces on nodes by their displacements.
+  struct Part {
+    std::vector<int> rows;  // among rows()
+    Eigen::MatrixXd C;      // N/m, in the axes of the nodes' unknowns
+  };
+  /// Returns these derivatives, whose sum is that of the parts: one for all lines that depend on
+  /// the same nodes, with the nodes of points that touch. `tractions` has links; neither a load nor
+  /// a drive is asked for.
+  std::vector<Part> by_nodes(const Eigen::VectorXd& q,
+                             const RollingInput& input,
+                             const GripTractions& tractions) const;
   double force_scale() const override { return scale_; }
   void set_force_scale(double scale) { scale_ = scale; }
   /// Asks for a load, N, and a moment of the drive, N m. Each that is asked for adds an unknown.
@@ -118,6 +129,8 @@ class TreadBody : public RollingBody {
     Eigen::MatrixXd w;
   };
   double height_before(Eigen::Index k, const Eigen::Matrix3Xd& x) const;
+  static std::pair<int, int> acting(const RollingLines::Line& line, const RollingInput& input);
+  Section touched_section(std::size_t first, std::size_t last, const RollingInput& input) const;
   int rise_at() const { return static_cast<int>(rows_.size()); }
   int spin_at() const { return rise_at() + (load_ ? 1 : 0); }
   double drive(const RollingInput& input, const GripTractions& tractions, double rise) const;

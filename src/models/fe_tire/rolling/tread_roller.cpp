@@ -20,6 +20,18 @@ constexpr double kInside = 1e-1;
 constexpr double kUnsettled = 1e-4;
 constexpr int kShareLeft = 100;
 
+}  // namespace
+
+GripState listed(const GripState& all, const std::vector<int>& points) {
+  GripState part(static_cast<int>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    part.grip[k] = all.grip[points[k]];
+    part.direction.col(i) = all.direction.col(points[k]);
+  }
+  return part;
+}
+
 void put_back(const RollingContactState& found, const std::vector<int>& points, GripState& all) {
   std::ranges::fill(all.grip, Grip::none);
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -29,7 +41,6 @@ void put_back(const RollingContactState& found, const std::vector<int>& points, 
   }
 }
 
-/// Returns the contact of a tread that touches nothing.
 RollingContactState off_ground(const TreadBody& body) {
   RollingContactState contact;
   contact.q = Eigen::VectorXd::Zero(body.size());
@@ -38,7 +49,6 @@ RollingContactState off_ground(const TreadBody& body) {
   return contact;
 }
 
-/// Returns the instant of all points of the tread from positions and tractions of the listed ones.
 TreadPast::Instant instant_of(const TreadBody& body,
                               const Eigen::Matrix3Xd& x,
                               const Eigen::Matrix2Xd& t) {
@@ -51,16 +61,12 @@ TreadPast::Instant instant_of(const TreadBody& body,
   return now;
 }
 
-}  // namespace
-
-GripState listed(const GripState& all, const std::vector<int>& points) {
-  GripState part(static_cast<int>(points.size()));
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    part.grip[k] = all.grip[points[k]];
-    part.direction.col(i) = all.direction.col(points[k]);
-  }
-  return part;
+RollingContactOptions search_limits(double enough, int points) {
+  return {.tolerance = std::max(1e-10, kInside * enough),
+          .most_left = enough > kUnsettled ? points / kShareLeft : 0,
+          .most_passes = 50,
+          .most_iterations = 15,
+          .most_returns = 6};
 }
 
 GroundMotion motion_of(const RollingCase& of) {
@@ -117,12 +123,8 @@ Result<TreadRoller::Found> TreadRoller::solve(const RollingCase& of,
   const Eigen::VectorXd start = body.touching(Eigen::VectorXd::Zero(body.size()));
   const RollingGrip grip(body.lines(), of.friction, kAlongPenalty);
   const auto points = static_cast<int>(std::ssize(body.points()));
-  const RollingContactOptions limits = {.tolerance = std::max(1e-10, kInside * enough),
-                                        .most_left = enough > kUnsettled ? points / kShareLeft : 0,
-                                        .is_careful = is_careful_,
-                                        .most_passes = 50,
-                                        .most_iterations = 15,
-                                        .most_returns = 6};
+  RollingContactOptions limits = search_limits(enough, points);
+  limits.is_careful = is_careful_;
   auto contact = body.rows().empty()
                      ? Result<RollingContactState>(off_ground(body))
                      : fe_tire::roll(body, grip, start, listed(states, body.points()), limits);

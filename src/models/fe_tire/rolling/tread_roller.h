@@ -35,6 +35,17 @@ inline constexpr double kNearPatch = 1.5e-3;
 GroundMotion motion_of(const RollingCase& of);
 /// Returns the states of some points among those of all.
 GripState listed(const GripState& all, const std::vector<int>& points);
+/// Gives the listed points among all the states that were found; others have none.
+void put_back(const RollingContactState& found, const std::vector<int>& points, GripState& all);
+/// Returns the limits of the search for a contact of `points` points whose residual is `enough`,
+/// relative to the size of the ground's forces.
+RollingContactOptions search_limits(double enough, int points);
+/// Returns the contact of a tread that touches nothing.
+RollingContactState off_ground(const TreadBody& body);
+/// Returns the instant of all points of the tread from positions and tractions of the listed ones.
+TreadPast::Instant instant_of(const TreadBody& body,
+                              const Eigen::Matrix3Xd& x,
+                              const Eigen::Matrix2Xd& t);
 
 class TreadRoller {
  public:

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -88,15 +89,8 @@ class TreadBody::LineTangent {
     shared_.setZero();
     by_rise_.setZero(rows);
     by_spin_.setZero(rows);
-    // Points before and behind those that touch cause no force; the one before the first is where
-    // its step begins.
-    first_ = line.last;
-    int last = line.first;
-    for (int k = line.first; k < line.last; ++k) {
-      if (!(input_.p[k] > 0.0)) continue;
-      first_ = std::min(first_, std::max(k - 1, line.first));
-      last = k + 1;
-    }
+    const auto [first, last] = acting(line, input_);
+    first_ = first;
     count_ = std::max(0, last - first_);
     for (int k = last - 1; k >= first_; --k) step(k);
     if (body_.load_) by_rise_ += B_[2].rowwise().sum();
@@ -215,6 +209,76 @@ class TreadBody::LineTangent {
   Eigen::MatrixX2d G_;
   Eigen::Vector2d shared_ = Eigen::Vector2d::Zero();  // derivative of the next share by this z
 };
+
+/// Returns the points of a line that act, [first, last): points before and behind those that touch
+/// cause no force; the one before the first is where its step begins.
+std::pair<int, int> TreadBody::acting(const RollingLines::Line& line, const RollingInput& input) {
+  int first = line.last, last = line.first;
+  for (int k = line.first; k < line.last; ++k) {
+    if (!(input.p[k] > 0.0)) continue;
+    first = std::min(first, std::max(k - 1, line.first));
+    last = k + 1;
+  }
+  return {first, last};
+}
+
+/// Returns the nodes on which the acting points of lines `first` to `last` - 1 depend, which have
+/// the same columns. Weights are left out.
+TreadBody::Section TreadBody::touched_section(std::size_t first,
+                                              std::size_t last,
+                                              const RollingInput& input) const {
+  const Section& whole = sections_[first];
+  std::vector<char> is_touched(whole.columns.size() / 3, 0);
+  for (std::size_t s = first; s < last; ++s) {
+    const auto [begin, end] = acting(lines_.lines[s], input);
+    for (int k = begin; k < end; ++k)
+      for (std::size_t a = 0; a < is_touched.size(); ++a)
+        if (sections_[s].w(k - lines_.lines[s].first, static_cast<Eigen::Index>(a)) != 0.0)
+          is_touched[a] = 1;
+  }
+  Section touched;
+  for (std::size_t a = 0; a < is_touched.size(); ++a)
+    if (is_touched[a] != 0)
+      touched.columns.insert(touched.columns.end(),
+                             whole.columns.begin() + 3 * static_cast<std::ptrdiff_t>(a),
+                             whole.columns.begin() + 3 * static_cast<std::ptrdiff_t>(a) + 3);
+  return touched;
+}
+
+std::vector<TreadBody::Part> TreadBody::by_nodes(const Eigen::VectorXd& q,
+                                                 const RollingInput& input,
+                                                 const GripTractions& tractions) const {
+  assert(!load_ && !drive_);
+  const Eigen::Matrix3Xd x = positions(q);
+  LineTangent tangent(*this, input, tractions, x, 0.0, 1.0);
+  std::vector<Part> parts;
+  std::size_t last = 0;
+  for (std::size_t first = 0; first < sections_.size(); first = last) {
+    const std::vector<int>& columns = sections_[first].columns;
+    while (last < sections_.size() && sections_[last].columns == columns) ++last;
+    Section touched = touched_section(first, last, input);
+    if (touched.columns.empty()) continue;
+    std::vector<Eigen::Index> nodes;  // among those of the section
+    for (std::size_t at = 0, a = 0; a < touched.columns.size(); a += 3) {
+      while (columns[at] != touched.columns[a]) at += 3;
+      nodes.push_back(static_cast<Eigen::Index>(at / 3));
+    }
+    const auto size = std::ssize(touched.columns);
+    Part part{touched.columns, Eigen::MatrixXd::Zero(size, size)};
+    for (std::size_t s = first; s < last; ++s) {
+      touched.w = sections_[s].w(Eigen::all, nodes);
+      tangent.find(touched, lines_.lines[s]);
+      tangent.add_by_nodes(1.0, part.C);
+    }
+    for (Eigen::Index b = 0; b < size; b += 3)
+      for (Eigen::Index a = 0; a < size; a += 3)
+        part.C.block<3, 3>(a, b) = (turns_[part.rows[a] / 3].transpose() *
+                                    part.C.block<3, 3>(a, b) * turns_[part.rows[b] / 3])
+                                       .eval();
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
 
 Eigen::MatrixXd TreadBody::jacobian(const Eigen::VectorXd& q,
                                     const RollingInput& input,
