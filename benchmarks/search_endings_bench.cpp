@@ -181,11 +181,12 @@ void judge(const DisturbedProblem& on, Count& count, bool lists) {
     count.false_nothing += !verdict.empty();
   }
   if (!lists) return;
-  fmt::print("    {:36} {:2} S {:.1e} of {:.1e}, {:5.1f}, {} {}\n",
+  fmt::print("    {:36} {:2} S {:.1e} of {:.1e}, {:4.1f} of {:4.1f}, {} {}\n",
              problem.name,
              problem.n(),
              run.seen,
              start,
+             is_ended && solved != run.exact.end() ? count.after.back() : 0.0,
              run.trials() / units,
              is_ended ? run.ending.substr(0, 70) : "not ended",
              verdict);

@@ -205,6 +205,14 @@ struct SharesOfResponse {
   std::vector<ShareOfVariance> of;  // empty: the response does not vary
 };
 
+/// A minimum that a search for several ones has found.
+struct FoundMinimum {
+  double target = 0.0;
+  int times_found = 0;                  // points that belong to it
+  bool has_ended = true;                // false: its search was stopped early
+  std::vector<std::string> place = {};  // values with units, in the order of RunFacts::variables
+};
+
 struct RunFacts {
   std::string method;  // method in words, such as "GSS", "full factorial 5 x 5"
   std::string ended;   // reason why the search ended (Run::ending), such as "at a minimum: ..."
@@ -215,6 +223,10 @@ struct RunFacts {
   std::vector<std::pair<std::string, int>> failure_reasons;
   /// Part of cpu_time, s, that outside programs used.
   double program_time = 0.0;
+  std::vector<std::string> tests = {};  // the tests of `ended` with their numbers, in words
+  /// Minima of a search for several ones, lowest first, and the names of its variables.
+  std::vector<FoundMinimum> minima = {};
+  std::vector<std::string> variables = {};
 };
 
 /// Difference between the result on the used mesh and the converged result.

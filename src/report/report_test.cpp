@@ -136,7 +136,7 @@ StudyReport full_report() {
   surface.held = kHostile;
   surface.found = Eigen::Vector2d(2.0, 2.0);
   r.surfaces = {surface};
-  r.run = RunFacts{kHostile, kHostile, 4, 1, 2, 12.0, 23.0, {{kHostile, 1}}};
+  r.run = RunFacts{kHostile, kHostile, 4, 1, 2, 12.0, 23.0, {{kHostile, 1}}, 1.0, {kHostile}};
   r.discretization = {{kHostile, 0.01}};
   r.pictures = pictures();
   return r;

@@ -212,6 +212,24 @@ std::string experiment_table(const StudyReport& report) {
   return html;
 }
 
+std::string found_minima(const RunFacts& run) {
+  std::string html =
+      "<h3>Minima that the search found</h3><div class=\"scroll\"><table><thead><tr>"
+      "<th class=\"n\">Target</th><th class=\"n\">Points that belong to it</th>";
+  for (const std::string& name : run.variables) html += "<th class=\"n\">" + escape(name) + "</th>";
+  html += "</tr></thead><tbody>\n";
+  for (const FoundMinimum& one : run.minima) {
+    html +=
+        fmt::format("<tr>{}{}",
+                    number_cell(small_percent(one.target)),
+                    number_cell(fmt::format(
+                        "{}{}", one.times_found, one.has_ended ? "" : ", search stopped early")));
+    for (const std::string& value : one.place) html += number_cell(value);
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>";
+}
+
 std::string run_facts(const StudyReport& report) {
   if (!report.run) return "";
   const RunFacts& run = *report.run;
@@ -222,6 +240,7 @@ std::string run_facts(const StudyReport& report) {
   };
   if (!run.method.empty()) row("Method", run.method);
   if (!run.ended.empty()) row("Ended", run.ended);
+  for (const std::string& test : run.tests) row("Its test", test);
   row("Trials", fmt::format("{}, of which {} failed", run.trials, run.failures));
   row("Time in trials",
       fmt::format("{} with {} worker{}, {} CPU in all, {} CPU a trial",
@@ -233,7 +252,8 @@ std::string run_facts(const StudyReport& report) {
   if (run.program_time > 0.0) row("In outside programs", duration(run.program_time) + " CPU");
   for (const auto& [reason, count] : run.failure_reasons)
     row(fmt::format("Failed {} ×", count), reason);
-  return html + "</tbody></table></div>";
+  html += "</tbody></table></div>";
+  return run.minima.empty() ? html : html + found_minima(run);
 }
 
 std::string discretization_table(const StudyReport& report) {

@@ -102,7 +102,9 @@ TEST_F(Asked, StudyAndTrialsAreThoseOfTheJournal) {
   for (const Json& experiment : view["experiments"]) share += experiment["share"].get<double>();
   EXPECT_NEAR(share, 1.0, 1e-6);
   EXPECT_TRUE(wait_for([&] { return get("/api/study")["state"] == "ended"; }));
-  EXPECT_NE(get("/api/study")["optimizer"]["ending"], "");
+  const Json optimizer = get("/api/study")["optimizer"];
+  EXPECT_NE(optimizer["ending"], "");
+  EXPECT_TRUE(optimizer["tests"].is_array());
 
   const auto rated = correlation::rated_trials(study, journal);
   const Json convergence = get("/api/convergence");

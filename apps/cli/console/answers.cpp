@@ -52,6 +52,37 @@ Json answer_of(const DesignSpace& space, const DesignPoint& point) {
   return all;
 }
 
+Json answer_of(const std::vector<EndingClaim>& claims) {
+  const auto limit = [](const std::optional<double>& value) {
+    return value ? json_of(*value) : Json(nullptr);
+  };
+  Json all = Json::array();
+  for (const EndingClaim& claim : claims) {
+    Json numbers = Json::array();
+    for (const ClaimNumber& number : claim.numbers)
+      numbers.push_back({{"name", number.name},
+                         {"value", json_of(number.value)},
+                         {"unit", number.unit},
+                         {"at_most", limit(number.at_most)},
+                         {"at_least", limit(number.at_least)}});
+    all.push_back({{"statement", claim.statement},
+                   {"variables", claim.variables},
+                   {"test", claim.test},
+                   {"numbers", numbers}});
+  }
+  return all;
+}
+
+Json answer_of(const DesignSpace& space, const std::vector<FoundBasin>& basins) {
+  Json all = Json::array();
+  for (const FoundBasin& basin : basins)
+    all.push_back({{"target", json_of(basin.value)},
+                   {"times_found", basin.hits},
+                   {"searched_to_its_end", basin.has_ended},
+                   {"variables", answer_of(space, basin.minimum)}});
+  return all;
+}
+
 Json answer_of(const DesignSpace& space) {
   Json all = answer_of(space, space.initial());
   for (int i = 0; i < space.size(); ++i) {

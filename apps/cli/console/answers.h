@@ -15,6 +15,8 @@
 #include "correlation/study/study.h"
 #include "correlation/target/trial_ownership.h"
 #include "measurement/channels.h"
+#include "optimization/problem/ending_claim.h"
+#include "optimization/problem/found_basin.h"
 
 namespace latsch::cli {
 
@@ -47,6 +49,15 @@ Json answer_of(const correlation::Study& study,
 /// free number, "deviation" if it is not known.
 Json nuisance_of(const correlation::Study& study,
                  const std::vector<correlation::ExperimentBand>& bands);
+
+/// Returns the statements with which a search ended: [{"statement", "variables", "test",
+/// "numbers"}], where "numbers" is [{"name", "value", "unit", "at_most", "at_least"}]. A unit such
+/// as "of S" is that of a share, and null stands for a limit that the test does not have.
+Json answer_of(const std::vector<EndingClaim>& claims);
+
+/// Returns minima that a search for several ones has found: [{"target", "times_found",
+/// "searched_to_its_end", "variables"}], where "variables" is [{"name", "value", "unit"}].
+Json answer_of(const DesignSpace& space, const std::vector<FoundBasin>& basins);
 
 /// Returns measured values that no point of a design reaches: {"experiment", "values", "beyond",
 /// "between", "farthest", "deviations", "moved_by", "has_to_be", "noise_assumed"}.

@@ -59,6 +59,11 @@ file = "vibration.toml"
         self.assertIn(ending, report.read_text())
         answer, _ = json.JSONDecoder().raw_decode(self.latsch("resume", self.study, "--json"))
         self.assertEqual(answer["result"]["ending"], ending)
+        claims = answer["result"]["claims"]
+        self.assertTrue(ending.startswith(claims[0]["statement"]), claims)
+        for claim in claims:
+            for number in claim["numbers"]:
+                self.assertLessEqual({"name", "value", "unit", "at_most", "at_least"}, set(number))
         self.assertIn("<html", report.read_text()[:500])
         self.assert_says(self.latsch("report", self.study), str(report))
 

@@ -64,6 +64,8 @@ void print_result(const Study& study, const Run& run, const Journal& journal) {
       counted(run.steps.size(), "step"),
       best.outcome->value * 100.0);
   answer()["ending"] = run.ending;
+  answer()["claims"] = answer_of(run.claims);
+  if (!run.basins.empty()) answer()["minima"] = answer_of(study.space, run.basins);
   say("The search ended {}\n", run.ending);
   const double off = violation(*best.outcome);
   if (off > kFulfilled) {
@@ -371,8 +373,11 @@ int finish(const Study& study,
   if (!finished) offer_batch(study, stages.executor().workers());
   print_remarks(study, best, journal);
   const DesignPoint shown = finished ? *finished : best_of_journal(study, best, journal);
-  const auto depth = run.end == RunEnd::converged ? correlation::Depth::intervals
-                                                  : correlation::Depth::at_the_point;
+  const bool is_early = run.end != RunEnd::converged;
+  if (is_early && study.run.intervals)
+    say("The search stopped early, so values and intervals are those of its best trial as it "
+        "stands; they say nothing of a minimum\n");
+  const auto depth = is_early ? correlation::Depth::at_the_point : correlation::Depth::intervals;
   if (!print_values(study, shown, depth, workers, stages.executor(), journal)) return kStopped;
   workers.end();
   if (const auto found = correlation::best_trial(study, journal)) {

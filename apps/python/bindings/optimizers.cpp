@@ -50,6 +50,16 @@ class AskTell {
     const std::lock_guard lock(mutex_);
     return optimizer_->converged();
   }
+  std::vector<EndingClaim> claims() {
+    const py::gil_scoped_release others;
+    const std::lock_guard lock(mutex_);
+    return optimizer_->claims();
+  }
+  std::vector<FoundBasin> basins() {
+    const py::gil_scoped_release others;
+    const std::lock_guard lock(mutex_);
+    return optimizer_->basins();
+  }
   std::string ending() {
     const py::gil_scoped_release others;
     const std::lock_guard lock(mutex_);
@@ -229,6 +239,45 @@ Result<Score> outcome_of(const py::handle& told, int variables) {
                    py::repr(py::type::of(told)).cast<std::string>());
 }
 
+py::list list_of(const std::vector<EndingClaim>& claims) {
+  py::list all;
+  for (const EndingClaim& claim : claims) {
+    py::list numbers;
+    for (const ClaimNumber& number : claim.numbers) {
+      py::dict one;
+      one["name"] = number.name;
+      one["value"] = number.value;
+      one["unit"] = number.unit;
+      one["at_most"] = number.at_most;
+      one["at_least"] = number.at_least;
+      numbers.append(one);
+    }
+    py::dict one;
+    one["statement"] = claim.statement;
+    one["variables"] = claim.variables;
+    one["test"] = claim.test;
+    one["numbers"] = numbers;
+    all.append(one);
+  }
+  return all;
+}
+
+py::list list_of(const std::vector<FoundBasin>& basins, const DesignSpace& space) {
+  py::list all;
+  for (const FoundBasin& basin : basins) {
+    py::dict place;
+    for (int i = 0; i < space.size(); ++i)
+      place[py::str(space[i].name)] = basin.minimum.values[static_cast<std::size_t>(i)];
+    py::dict one;
+    one["place"] = place;
+    one["value"] = basin.value;
+    one["times_found"] = basin.hits;
+    one["searched_to_its_end"] = basin.has_ended;
+    all.append(one);
+  }
+  return all;
+}
+
 void bind_score(py::module_& module) {
   py::class_<Score>(module,
                     "Score",
@@ -370,6 +419,18 @@ void bind_optimizers(py::module_& module) {
                              &AskTell::ending,
                              "The reason for the convergence, as the end of a sentence; empty if "
                              "the method states none.")
+      .def_property_readonly(
+          "claims",
+          [](AskTell& of) { return list_of(of.claims()); },
+          "The statements of `ending`, each a dictionary of statement, variables (names; none: the "
+          "whole search), test and\nnumbers: a list of dictionaries of name, value, unit, at_most "
+          "and at_least, the limits that the test has or None.")
+      .def_property_readonly(
+          "minima",
+          [](AskTell& of) { return list_of(of.basins(), of.space()); },
+          "The minima that global_=\"basins\" has found by now, lowest first, each a dictionary of "
+          "place (value by name of the\nvariable, in the units of the points), value, times_found "
+          "(points that belong to it) and searched_to_its_end;\nempty for other searches.")
       .def_property_readonly("space", &AskTell::space)
       .def_property_readonly(
           "method", [](const AskTell& of) { return std::string(name(of.choice().method)); })

@@ -20,7 +20,7 @@ def optimizer(space, method="auto", *, residuals=False, jacobian=False, constrai
     points and number of basins in an earlier design of experiments.
 
     options: keys of [optimizer] in a study (`latsch help study`): initial_step, step_tolerance, outstanding, restarts, seed,
-    ...; lengths are shares of the ranges. global_="basins" with budget searches for several minima, and `ending` names
+    ...; lengths are shares of the ranges. global_="basins" with budget searches for several minima, and `minima` lists
     those found. Options of an ensemble: member={"wide": {"method": "genetic"}, "fine": {"method":
     "gss", "priority": 2}}, ends_with="all" or "first".
 

@@ -50,6 +50,12 @@ class AskTell(unittest.TestCase):
                 residuals=residuals(x), jacobian=jacobian(x) if with_jacobian else None))
             np.testing.assert_allclose(best, found, rtol=tolerance)
             self.assertTrue(optimizer.ending)
+            claim = optimizer.claims[0]
+            self.assertTrue(optimizer.ending.startswith(claim["statement"]))
+            self.assertEqual(set(claim), {"statement", "variables", "test", "numbers"})
+            for number in claim["numbers"]:
+                if number["at_most"] is not None:
+                    self.assertLessEqual(number["value"], number["at_most"], number["name"])
 
     def test_several_minima_are_searched_for_and_named(self):
         # Freudenstein and Roth: 0 at (5, 4) and 48.98 at (11.41, -0.897)
@@ -64,6 +70,14 @@ class AskTell(unittest.TestCase):
         np.testing.assert_allclose(best, [5, 4], atol=0.02)
         self.assertIn("2 basins found", optimizer.ending)
         self.assertRegex(optimizer.ending, r"target 4(8\.9|9)")
+        lowest, other = optimizer.minima
+        self.assertEqual(lowest["place"], {"x": best[0], "y": best[1]})
+        np.testing.assert_allclose(list(other["place"].values()), [11.41, -0.897], atol=0.05)
+        self.assertAlmostEqual(other["value"], 48.98, delta=0.1)
+        self.assertGreaterEqual(min(lowest["times_found"], other["times_found"]), 1)
+        numbers = {number["name"]: number["value"] for number in optimizer.claims[0]["numbers"]}
+        self.assertEqual(numbers["minima found"], 2)
+        self.assertEqual(latsch.optimizer(box, residuals=True).minima, [])
 
     def test_every_method_finds_the_minimum_of_a_bowl(self):
         target = np.array([0.7, 0.6, 0.4])

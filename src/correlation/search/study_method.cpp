@@ -20,6 +20,7 @@ ProblemTraits traits_of(const Study& study) {
       traits.values += static_cast<long>(experiment.values());
   }
   traits.noise_alone = noise_alone(study);
+  traits.square_of_data = 1.0;  // residuals are shares of the measured values' scales
   return traits;
 }
 

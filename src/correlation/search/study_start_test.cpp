@@ -45,7 +45,7 @@ points = 30
 };
 
 TEST_F(StudyStart, TheBestTrialOfTheJournalIsTheFirstStepAndItsNeighborsAreKnown) {
-  const Study blind = read(kDesign + "[run]\njournal = \"blind.latsch\"\n");
+  const Study blind = read(kSearch + kDesign + "[run]\njournal = \"blind.latsch\"\n");
   const auto from_values = fit_all(blind);
   const long alone = evaluated_;
   const Study study = read(kSearch + "start = \"journal\"\n" + kDesign);

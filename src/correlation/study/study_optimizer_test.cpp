@@ -75,7 +75,8 @@ TEST(StudyOptimizer, SaysWhichMethodAKeyBelongsTo) {
   EXPECT_THAT(optimizer_complaint("batch = 4\noutstanding = 3"),
               testing::HasSubstr("former name of batch"));
   EXPECT_THAT(optimizer_complaint("batch = 0"), testing::HasSubstr("batch"));
-  EXPECT_THAT(optimizer_complaint("batch = \"workers\""), testing::HasSubstr("batch"));
+  EXPECT_THAT(optimizer_complaint("batch = \"workers\""),
+              testing::HasSubstr("for 8 workers write batch = 8"));
   EXPECT_THAT(optimizer_complaint("method = \"nelder_mead\"\nbatch = 3"),
               testing::HasSubstr("batch"));
   EXPECT_THAT(optimizer_complaint("method = \"nelder_mead\"\noutstanding = 3"),

@@ -172,6 +172,22 @@ std::string stages_before(const Study& study, const std::vector<Fit>& fits) {
   return text;
 }
 
+void add_minima(const DesignSpace& space,
+                const std::vector<FoundBasin>& basins,
+                report::RunFacts& facts) {
+  constexpr int kDigits = 5;
+  if (basins.empty()) return;
+  for (int i = 0; i < space.size(); ++i) facts.variables.push_back(space[i].name);
+  for (const FoundBasin& basin : basins) {
+    report::FoundMinimum one{
+        .target = basin.value, .times_found = basin.hits, .has_ended = basin.has_ended};
+    for (int i = 0; i < space.size(); ++i)
+      one.place.push_back(format_quantity(
+          basin.minimum.values[static_cast<std::size_t>(i)], space[i].unit, kDigits));
+    facts.minima.push_back(std::move(one));
+  }
+}
+
 /// Adds the optimizer's trajectory as far as the journal contains it; nothing if it was never run.
 void add_convergence(const Study& study, const std::vector<Fit>& fits, StudyReport& page) {
   if (fits.empty()) return;
@@ -188,6 +204,8 @@ void add_convergence(const Study& study, const std::vector<Fit>& fits, StudyRepo
                                  run.steps.size(),
                                  stages_before(study, fits));
   page.run->ended = run.ending.empty() ? "not finished" : run.ending;
+  page.run->tests = tests_in_words(run.claims);
+  add_minima(study.space, run.basins, *page.run);
 }
 
 report::RunFacts run_facts(const Study& study, const Journal& journal) {

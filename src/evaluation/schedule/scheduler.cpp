@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "evaluation/schedule/scheduler.h"
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <utility>
 
@@ -69,8 +71,8 @@ class Search {
         return why.empty() ? "where its steps are as short as its tolerance" : why;
       }
       case RunEnd::max_steps:
-        return "before it had converged: max_steps is reached; with more steps it continues from "
-               "here";
+        return "before it had converged: max_steps is reached" + promised() + found() +
+               "; with more steps it continues from here";
       case RunEnd::aborted:
         return "with a trial that failed, as on_failure = \"abort\" requires";
       case RunEnd::stopped:
@@ -79,9 +81,40 @@ class Search {
     return {};
   }
 
+  /// Returns what the next step of a search that is stopped early promises; empty if that is not
+  /// known.
+  std::string promised() const {
+    const auto share = optimizer_.promise();
+    if (!share) return "";
+    return fmt::format(
+        ", and the next step promises to lower the value that it minimizes by {:.2g} %",
+        100.0 * *share);
+  }
+
+  /// Returns the minima that a search for several ones has found by now.
+  std::string found() const {
+    const std::string basins = optimizer_.basins_in_words();
+    return basins.empty() ? "" : "; so far " + basins;
+  }
+
+  /// Returns the claims of the end: those of the optimizer or, for a search that is stopped early,
+  /// why it was stopped and what its next step promises.
+  std::vector<EndingClaim> claims(RunEnd end) const {
+    if (end == RunEnd::converged) return optimizer_.claims();
+    if (end == RunEnd::stopped) return {};
+    EndingClaim early{.statement = "stopped early", .test = in_words(end)};
+    early.numbers.push_back(
+        {.name = "steps", .value = static_cast<double>(std::ssize(run_.steps))});
+    if (const auto share = optimizer_.promise())
+      early.numbers.push_back({.name = "promised fall", .value = *share, .unit = "of the value"});
+    return {early};
+  }
+
   Run ended(RunEnd end) {
     run_.end = end;
     run_.ending = in_words(end);
+    run_.claims = claims(end);
+    run_.basins = optimizer_.basins();
     return std::move(run_);
   }
 

@@ -35,6 +35,10 @@ struct Run {
   /// Reason why the search ended, in words that continue "the search ended "; empty if it was
   /// stopped on request.
   std::string ending = {};
+  /// The statements of `ending`, each with its test and the numbers of the test.
+  std::vector<EndingClaim> claims = {};
+  /// The minima that were found, lowest first; empty for methods that look for one alone.
+  std::vector<FoundBasin> basins = {};
   std::vector<Step> steps = {};
 
   /// Returns the step with the best score; nullptr if all failed.

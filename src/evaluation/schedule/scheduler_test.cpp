@@ -101,10 +101,17 @@ TEST(RunOptimizer, EndsAfterTheLargestNumberOfSteps) {
   EXPECT_EQ(run.end, RunEnd::max_steps);
   EXPECT_EQ(run.steps.size(), 7u);
   EXPECT_NE(run.ending.find("max_steps"), std::string::npos) << run.ending;
+  ASSERT_EQ(run.claims.size(), 1u);
+  EXPECT_EQ(run.claims[0].statement, "stopped early");
+  ASSERT_FALSE(run.claims[0].numbers.empty());
+  EXPECT_EQ(run.claims[0].numbers[0].value, 7.0);
 }
 
 TEST(RunOptimizer, SaysWhyItEnded) {
-  EXPECT_EQ(run_simulated({.workers = 2}, nullptr).ending.find("where no direction gains"), 0u);
+  const auto whole = run_simulated({.workers = 2}, nullptr);
+  EXPECT_EQ(whole.ending.find("where no direction gains"), 0u);
+  ASSERT_EQ(whole.claims.size(), 1u);
+  EXPECT_EQ(whole.claims[0].statement, whole.ending);
   InlineExecutor fails([](const DesignPoint&) { return Result<Channels>(Failure{"no"}); });
   Gss gss(scheduler_space());
   const auto run = run_optimizer(gss, scheduler_target, fails, nullptr);

@@ -93,6 +93,8 @@ ResidualKriging::ResidualKriging(const ResidualSamples& samples, double noise)
 
 double ResidualKriging::target_deviation() const { return std::sqrt(noise_ * of_target_); }
 
+double ResidualKriging::noise_norm() const { return std::sqrt(noise_ * amplitude_); }
+
 Eigen::VectorXd ResidualKriging::kernel(const Eigen::VectorXd& z) const {
   const Eigen::ArrayXd inner = (samples_.Z * z).array();
   return slope_prior_ * inner + 0.5 * inner.square();  // (1)

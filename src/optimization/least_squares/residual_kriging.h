@@ -86,6 +86,8 @@ class ResidualKriging {
 
   /// Standard deviation of |r|^2 at a point that is due to noise; 0 without noise.
   double target_deviation() const;
+  /// Norm that noise gives the residuals of a point, root of the sum of variances; 0 without noise.
+  double noise_norm() const;
   /// Returns |r_hat|^2 + v.
   double expected(const Eigen::VectorXd& z) const;
   /// Half the gradient of v, and the positive semidefinite part of half its Hessian.

@@ -18,11 +18,14 @@
 // earlier run) may be observed at any time.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "optimization/problem/design_point.h"
+#include "optimization/problem/ending_claim.h"
+#include "optimization/problem/found_basin.h"
 #include "optimization/problem/score.h"
 
 namespace latsch {
@@ -45,6 +48,19 @@ class Optimizer {
   /// Returns the reason why the search converged, in words that continue "the search ended: ". The
   /// text is empty before convergence and for methods that give no reason.
   virtual std::string ending() const { return {}; }
+
+  /// Returns what ending() says, each statement with the test that it passed and the numbers of
+  /// that test; empty before convergence.
+  virtual std::vector<EndingClaim> claims() const { return claims_in(ending()); }
+
+  /// Returns the share of its value by which the next step is expected to lower the target, for a
+  /// search that is stopped before its end; nullopt if the method predicts nothing.
+  virtual std::optional<double> promise() const { return std::nullopt; }
+
+  /// Returns the minima found so far, lowest first; empty for methods that look for one alone.
+  virtual std::vector<FoundBasin> basins() const { return {}; }
+  /// Returns basins() in words; empty if there are none.
+  virtual std::string basins_in_words() const { return {}; }
 };
 
 }  // namespace latsch

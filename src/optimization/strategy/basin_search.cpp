@@ -112,7 +112,7 @@ std::optional<DesignPoint> BasinSearch::awaited() const {
 bool BasinSearch::use_known_outcome() {
   if (is_spent()) {
     if (descent_ && descent_->best_score && !descent_->is_probe) end_descent(add_basin(*descent_));
-    end(fmt::format("because its budget of {} trials is spent", trials_));
+    end(fmt::format("because its budget of {} trials is spent", trials_), "out of budget");
     return true;
   }
   if (descent_) {
@@ -350,9 +350,10 @@ void BasinSearch::end_round() {
   if (expected_unseen() < kFewUnseen)
     end(fmt::format("because {:.2g} further basins are expected, judging by {}",
                     expected_unseen(),
-                    evidence()));
+                    evidence()),
+        "few further minima are expected");
   else if (rounds_ >= kMostRounds)
-    end("after its largest number of rounds");
+    end("after its largest number of rounds", "after its largest number of rounds");
   else
     spread_points();
 }
@@ -361,26 +362,46 @@ void BasinSearch::end_round() {
 std::string BasinSearch::evidence() const {
   int hits = 0;
   for (const FoundBasin& basin : basins_) hits += basin.hits;
-  const auto followed = std::count_if(points_.begin(), points_.end(), [](const Spread& point) {
-    return point.has_searched && point.basin >= 0;
-  });
   return fmt::format("{} points, {} of which {} followed to a minimum",
                      hits,
-                     followed,
-                     followed == 1 ? "was" : "were");
+                     followed(),
+                     followed() == 1 ? "was" : "were");
+}
+
+/// Returns how many points were followed to a minimum by a search of their own.
+int BasinSearch::followed() const {
+  return static_cast<int>(std::count_if(points_.begin(), points_.end(), [](const Spread& point) {
+    return point.has_searched && point.basin >= 0;
+  }));
+}
+
+/// Returns for each point the basin that it belongs to, apart from its better neighbors; -1: none.
+std::vector<int> BasinSearch::basins_of_points() const {
+  std::vector<int> all;
+  for (const Spread& point : points_) {
+    const bool is_open = point.score && point.basin < 0 && !point.has_searched;
+    all.push_back(is_open ? explaining_basin(point.u, *point.score, kErrorOfPoint) : point.basin);
+  }
+  return all;
+}
+
+/// Returns the basins with the points that belong to them, by themselves or by a better neighbor.
+std::vector<FoundBasin> BasinSearch::counted(const std::vector<int>& basin_of_point) const {
+  std::vector<FoundBasin> all = basins_;
+  for (FoundBasin& basin : all) basin.hits = 0;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    std::size_t at = k;
+    while (basin_of_point[at] < 0 && points_[at].linked_to >= 0)  // linked to a better one
+      at = static_cast<std::size_t>(points_[at].linked_to);
+    if (basin_of_point[at] >= 0) ++all[static_cast<std::size_t>(basin_of_point[at])].hits;
+  }
+  return all;
 }
 
 void BasinSearch::count_hits() {
-  for (FoundBasin& basin : basins_) basin.hits = 0;
-  for (Spread& point : points_)
-    if (point.score && point.basin < 0 && !point.has_searched)
-      point.basin = explaining_basin(point.u, *point.score, kErrorOfPoint);
-  for (const Spread& point : points_) {
-    const Spread* at = &point;
-    while (at->basin < 0 && at->linked_to >= 0)  // each one is linked to a better one
-      at = &points_[static_cast<std::size_t>(at->linked_to)];
-    if (at->basin >= 0) ++basins_[static_cast<std::size_t>(at->basin)].hits;
-  }
+  const std::vector<int> basin_of_point = basins_of_points();
+  for (std::size_t k = 0; k < points_.size(); ++k) points_[k].basin = basin_of_point[k];
+  basins_ = counted(basin_of_point);
 }
 
 double BasinSearch::expected_unseen() const {
@@ -391,15 +412,28 @@ double BasinSearch::expected_unseen() const {
 }
 
 std::vector<FoundBasin> BasinSearch::basins() const {
-  std::vector<FoundBasin> all = basins_;
+  std::vector<FoundBasin> all = counted(basins_of_points());
   std::stable_sort(all.begin(), all.end(), [](const FoundBasin& a, const FoundBasin& b) {
     return a.value < b.value;
   });
   return all;
 }
 
-void BasinSearch::end(const std::string& why) {
+std::string BasinSearch::basins_in_words() const { return in_words(basins(), space_); }
+
+/// Ends the method for a reason, in words that continue "the search ended".
+void BasinSearch::end(const std::string& why, const std::string& statement) {
   count_hits();
+  EndingClaim claim{.statement = statement, .test = why};
+  const auto count = [&](const char* name, double number) {
+    claim.numbers.push_back({.name = name, .value = number});
+  };
+  count("minima found", static_cast<double>(basins_.size()));
+  count("points followed to a minimum", followed());
+  count("searches left", static_cast<double>(waiting_.size()));
+  if (expected_unseen() < kInfinity) count("further minima expected", expected_unseen());
+  if (expected_unseen() < kFewUnseen) claim.numbers.back().at_most = kFewUnseen;
+  claims_ = {claim};
   ending_ = fmt::format("{}; {}", why, in_words(basins(), space_));
   if (!waiting_.empty())
     ending_ += fmt::format("; {} search{} of worse targets {} left",

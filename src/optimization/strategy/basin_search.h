@@ -37,9 +37,9 @@
 #include <vector>
 
 #include "optimization/problem/design_space.h"
+#include "optimization/problem/found_basin.h"
 #include "optimization/problem/optimizer.h"
 #include "optimization/strategy/explained_point.h"
-#include "optimization/strategy/found_basin.h"
 
 namespace latsch {
 
@@ -63,9 +63,10 @@ class BasinSearch : public Optimizer {
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override { return !ending_.empty(); }
   std::string ending() const override { return ending_; }
-
-  /// Returns the basins, lowest first.
-  std::vector<FoundBasin> basins() const;
+  std::vector<EndingClaim> claims() const override { return claims_; }
+  /// Returns the basins, lowest first, with the points that belong to them by now.
+  std::vector<FoundBasin> basins() const override;
+  std::string basins_in_words() const override;
   /// Returns how many basins are expected that no point has seen; infinite if too few points belong
   /// to one.
   double expected_unseen() const;
@@ -125,7 +126,10 @@ class BasinSearch : public Optimizer {
   int explaining_basin(const Eigen::VectorXd& u, const Score& score, double largest_error) const;
   std::optional<DesignPoint> awaited() const;
   bool is_spent() const { return trials_ >= options_.budget * (space_.size() + 1); }
-  void end(const std::string& why);
+  std::vector<int> basins_of_points() const;
+  std::vector<FoundBasin> counted(const std::vector<int>& basin_of_point) const;
+  int followed() const;
+  void end(const std::string& why, const std::string& statement);
 
   DesignSpace space_;
   BasinSearchOptions options_;
@@ -146,6 +150,7 @@ class BasinSearch : public Optimizer {
   int rounds_ = 0;
   bool has_resumed_ = false;  // in this round
   std::string ending_;
+  std::vector<EndingClaim> claims_;
 };
 
 }  // namespace latsch

@@ -16,7 +16,8 @@ namespace {
 using Model = std::function<Result<Score>(const DesignPoint&)>;
 
 std::unique_ptr<Optimizer> one_minimum(const DesignSpace& space) {
-  return std::make_unique<ResidualTrustRegion>(space, ResidualTrustRegionOptions{.restarts = 0});
+  return std::make_unique<ResidualTrustRegion>(
+      space, ResidualTrustRegionOptions{.restarts = 0, .tests_end = false});
 }
 
 /// A function with two minima: 0 at (5, 4) and 48.98 at (11.41, -0.897) [Moré, Garbow, Hillstrom
@@ -55,6 +56,29 @@ TEST(BasinSearch, FindsBothMinimaFromAStartInTheWorseBasin) {
   EXPECT_LT(basins[0].value, 1e-3);
   EXPECT_NEAR(basins[1].value, 48.98, 0.5);
   EXPECT_NE(method.ending().find("basins found"), std::string::npos) << method.ending();
+}
+
+TEST(BasinSearch, ClaimsItsCountsAndNamesMinimaBeforeItsEnd) {
+  BasinSearch method(plane(15.0, -2.0), {}, one_minimum);
+  std::size_t before = 0;
+  while (!method.converged()) {
+    const DesignPoint next = method.propose(1).front();
+    method.observe(next, freudenstein_roth(next));
+    if (!method.converged()) before = method.basins().size();
+    EXPECT_EQ(method.claims().empty(), !method.converged());
+  }
+  EXPECT_EQ(before, 2u);
+  int points = 0;
+  for (const FoundBasin& basin : method.basins()) points += basin.hits;
+  EXPECT_GE(points, 4);  // two minima and more than two points are needed to count
+  const EndingClaim claim = method.claims().front();
+  EXPECT_EQ(claim.statement, "few further minima are expected");
+  for (const ClaimNumber& number : claim.numbers) {
+    if (number.name == "minima found") {
+      EXPECT_EQ(number.value, 2.0);
+    }
+    EXPECT_LE(number.value, number.at_most.value_or(1e300)) << number.name;
+  }
 }
 
 // A linear model has one basin: all points belong to it, and few trials show this.

@@ -35,6 +35,10 @@ class Cascade : public Optimizer {
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
   std::string ending() const override { return optimizer_->ending(); }
+  std::vector<EndingClaim> claims() const override { return optimizer_->claims(); }
+  std::optional<double> promise() const override { return optimizer_->promise(); }
+  std::vector<FoundBasin> basins() const override { return optimizer_->basins(); }
+  std::string basins_in_words() const override { return optimizer_->basins_in_words(); }
 
   /// Returns the number of the present stage, counted from 1.
   int stage() const { return stage_; }

@@ -58,6 +58,12 @@ std::vector<DesignPoint> HeldVariables::propose(int count) const {
   return points;
 }
 
+std::vector<FoundBasin> HeldVariables::basins() const {
+  std::vector<FoundBasin> all = optimizer_->basins();
+  for (FoundBasin& basin : all) basin.minimum = in_the_whole(start_, free_, basin.minimum);
+  return all;
+}
+
 void HeldVariables::observe(const DesignPoint& point, const Result<Score>& outcome) {
   const DesignPoint part{picked(point.values, free_)};
   if (in_the_whole(start_, free_, part).bits() != point.bits()) return;

@@ -34,6 +34,11 @@ class HeldVariables : public Optimizer {
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override { return optimizer_->converged(); }
   std::string ending() const override { return optimizer_->ending(); }
+  std::vector<EndingClaim> claims() const override { return optimizer_->claims(); }
+  std::optional<double> promise() const override { return optimizer_->promise(); }
+  /// Returns minima in the whole space.
+  std::vector<FoundBasin> basins() const override;
+  std::string basins_in_words() const override { return optimizer_->basins_in_words(); }
 
  private:
   DesignPoint start_;  // start in the whole space

@@ -32,6 +32,12 @@ class HopelessStart : public Optimizer {
   std::string ending() const override {
     return reason_ ? "without a result: " + *reason_ : optimizer_->ending();
   }
+  std::vector<EndingClaim> claims() const override {
+    return reason_ ? claims_in(ending()) : optimizer_->claims();
+  }
+  std::optional<double> promise() const override { return optimizer_->promise(); }
+  std::vector<FoundBasin> basins() const override { return optimizer_->basins(); }
+  std::string basins_in_words() const override { return optimizer_->basins_in_words(); }
 
   /// Returns the message with which all points fail if the search is hopeless; nullopt otherwise.
   const std::optional<std::string>& reason() const { return reason_; }

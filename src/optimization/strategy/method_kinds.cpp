@@ -26,9 +26,22 @@ void read_lengths(const Node& node, double longest, double& initial, double& tol
   tolerance = node.quantity("step_tolerance", "1", Range{0.0, longest, true}, tolerance);
 }
 
+/// Reads `batch`. A text such as "workers" is refused: the steps of a search depend on this number,
+/// and they must not depend on the machine.
+int batch_of(const Node& node, int fallback) {
+  try {
+    return static_cast<int>(node.integer("batch", 1, kMostOutstanding, fallback));
+  } catch (const InputError&) {
+    node.reject("batch",
+                "is no integer from 1 to 1024. The steps of the search depend on it, so it is a "
+                "number of the study and never that of the workers of a machine; for 8 workers "
+                "write batch = 8, which gives the same bits on any number of workers");
+  }
+}
+
 /// Reads `batch`, or `outstanding`, which is its former name.
 void read_batch(const Node& node, int& outstanding) {
-  outstanding = static_cast<int>(node.integer("batch", 1, kMostOutstanding, outstanding));
+  outstanding = batch_of(node, outstanding);
   if (!node.has("outstanding")) return;
   const auto former = static_cast<int>(node.integer("outstanding", 1, kMostOutstanding));
   if (node.has("batch") && former != outstanding) {
@@ -61,7 +74,10 @@ void read_trust_region(const Node& node, OptimizerSettings& settings) {
   ResidualTrustRegionOptions& d = settings.residual_trust_region;
   read_lengths(node, 0.5, d.initial_radius, d.step_tolerance);
   read_batch(node, d.outstanding);
-  if (settings.by_basins) d.restarts = 0;  // a restart leaves a minimum for another
+  if (settings.by_basins) {
+    d.restarts = 0;  // a restart leaves a minimum for another
+    d.tests_end = false;
+  }
   d.restarts = static_cast<int>(node.integer("restarts", 0, kMostRestarts, d.restarts));
   d.seed = static_cast<std::uint64_t>(node.integer("seed", 0, kMostIndividuals, 1));
 }
@@ -108,6 +124,7 @@ std::unique_ptr<Optimizer> make_trust_region(const DesignSpace& space,
                                              const ProblemTraits& traits) {
   ResidualTrustRegionOptions options = settings.residual_trust_region;
   options.noise_alone = traits.noise_alone;
+  options.square_of_data = traits.square_of_data;
   return std::make_unique<ResidualTrustRegion>(space, options);
 }
 

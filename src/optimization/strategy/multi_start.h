@@ -30,6 +30,10 @@ class MultiStart : public Optimizer {
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
   std::string ending() const override { return optimizer_->ending(); }
+  std::vector<EndingClaim> claims() const override { return optimizer_->claims(); }
+  std::optional<double> promise() const override { return optimizer_->promise(); }
+  std::vector<FoundBasin> basins() const override { return optimizer_->basins(); }
+  std::string basins_in_words() const override { return optimizer_->basins_in_words(); }
 
   /// Returns the number of the present run, counted from 1.
   int run() const { return run_; }

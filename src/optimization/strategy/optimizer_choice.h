@@ -64,6 +64,8 @@ struct ProblemTraits {
   long values = 0;                         // number of measured values in a fit; 0: not known
   /// Expected sum of squares due to noise, if noise is stated.
   double noise_alone = 0.0;
+  /// Sum of squares of errors that are as large as the measured values; 0: not known.
+  double square_of_data = 0.0;
 };
 
 /// The chosen method, and the reason for the choice.

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "optimization/least_squares/open_variables.h"
+
 namespace latsch {
 namespace {
 
@@ -42,7 +44,6 @@ constexpr double kTelling = 0.5;
 // Another round follows only if the value falls below this share of that at the beginning of the
 // round.
 constexpr double kWorthARound = 1.0 - 1e-5;
-constexpr int kMostRounds = 8;  // largest number of rounds
 /// Largest change of the residuals over a move, as a multiple of their norm, from which slopes are
 /// computed. A move that changes them by more is too long.
 constexpr double kTooBlunt = 100.0;
@@ -52,12 +53,18 @@ constexpr double kTooBlunt = 100.0;
 /// would call steep simulations noisy.
 constexpr double kSteep = 0.01;
 constexpr int kMostSharpened = 4;  // largest number of axes shortened in a round
+/// Share of `f_least` below which no step looks for variables that are still open.
+constexpr double kFarBelow = 1e-4;
+/// Slope along an axis, as a share of the largest, below which the curvature of others may account
+/// for it, if nothing is left of the residuals.
+constexpr double kWeak = 0.01;
 // Largest number of steps of a round; further steps would gain too little.
 constexpr int kMostStepsOfARound = 20;
 
 }  // namespace
 
-FreshSlopes::FreshSlopes(TrustBox& box, const Options& options) : options_(options) {
+FreshSlopes::FreshSlopes(TrustBox& box, const Options& options)
+    : options_(options), change_(options.change) {
   begin_round(box, box.slopes());
 }
 
@@ -70,6 +77,7 @@ void FreshSlopes::begin_round(const TrustBox& box, const Eigen::MatrixXd& J) {
   is_blind_ = false;
   steps_ = 0;
   sharpened_ = 0;
+  mirrored_ = 0;
   checks_ = 0;
   is_unlike_model_ = false;
   reach_ = kSlopeReach;
@@ -90,7 +98,16 @@ std::optional<Wanted> FreshSlopes::next(TrustBox& box, const PendingPoints<Wante
     const ResidualKriging m = box.natural_model(frame_, noise);
     deviation_ = m.target_deviation();
     has_seen_noise_ |= noise > 0.0;
+    if (noise > 0.0) noise_ = {m.noise_norm(), slopes_of(m), frame_};
     const Wanted step = box.natural_step(m, frame_, reach_, wanted);
+    if (options_.asks_what_is_open && box.f() <= options_.f_least) {
+      const bool is_far_below = box.f() <= kFarBelow * options_.f_least;
+      if (leaves_nothing_open(m, box) || is_far_below) {
+        if (auto mirrored = mirror_weak_axis(m, box)) return mirrored;
+        end(m, step, noise, box);
+        return std::nullopt;
+      }
+    }
     const bool is_promising = step.length > 0.0;
     const bool crawls = steps_ >= kMostStepsOfARound;
     if (is_promising && misses_ < kMostMisses && !crawls) {
@@ -98,23 +115,68 @@ std::optional<Wanted> FreshSlopes::next(TrustBox& box, const PendingPoints<Wante
       return step;
     }
     if (sharpen(box)) continue;
-    const bool goes_farther = !pays_another_round(box) && noise > 0.0 && change_ < kFarther;
+    const bool goes_farther = !pays_another_round(box) && noise > 0.0 && change_ == 1.0;
     if (!pays_another_round(box) && !goes_farther) {
       if (!(is_blind_ || is_promising || noise > 0.0 || is_contradicted())) {
         if (auto point = check(m, box)) return point;
       }
-      ending_ = is_blind_ && box.f() <= options_.f_least ? Ending::explained
-                : is_blind_                              ? Ending::blind
-                : is_promising && has_failed_            ? Ending::edge
-                : noise > 0.0 || (is_doubtful() && has_seen_noise_)
-                    ? (is_wide(box) ? Ending::wide : Ending::noise)
-                : is_promising || is_doubtful() ? Ending::rough
-                                                : Ending::verified;
+      end(m, step, noise, box);
       return std::nullopt;
     }
     if (goes_farther) change_ = kFarther;
     begin_round(box, m.jacobian(Eigen::VectorXd::Zero(frame_.axes())) * frame_.inverse);
   }
+}
+
+/// True if vanishing residuals determine all variables.
+bool FreshSlopes::leaves_nothing_open(const ResidualKriging& m, const TrustBox& box) const {
+  return open_variables(box.space, box.c(), slopes_of(m), std::sqrt(box.f())).empty();
+}
+
+/// Returns a probe on the other side of an axis with little effect, so that its slope is not taken
+/// for curvature; nullopt if there is none left.
+std::optional<Wanted> FreshSlopes::mirror_weak_axis(const ResidualKriging& m, const TrustBox& box) {
+  const Eigen::MatrixXd J = m.jacobian(Eigen::VectorXd::Zero(frame_.axes()));
+  const Eigen::VectorXd slopes = J.colwise().norm().transpose().cwiseQuotient(
+      (box.widths().cwiseInverse().asDiagonal() * frame_.T).colwise().norm().transpose());
+  for (; mirrored_ < frame_.axes(); ++mirrored_) {
+    if (!(slopes[mirrored_] < kWeak * slopes.maxCoeff())) continue;
+    if (auto probe = box.probe_by(-frame_.T.col(mirrored_++), {})) return probe;
+  }
+  return std::nullopt;
+}
+
+/// Returns the slopes of the model at the center.
+PointSlopes FreshSlopes::slopes_of(const ResidualKriging& m) const {
+  const Eigen::VectorXd origin = Eigen::VectorXd::Zero(frame_.axes());
+  const Eigen::MatrixXd& to_axes = frame_.inverse;
+  return {m.jacobian(origin) * to_axes, to_axes.transpose() * m.variance_hessian(origin) * to_axes};
+}
+
+/// Concludes from the last model and its step how the search ended.
+void FreshSlopes::end(const ResidualKriging& m,
+                      const Wanted& step,
+                      double noise,
+                      const TrustBox& box) {
+  const bool is_promising = step.length > 0.0;
+  ending_ = is_blind_ && box.f() <= options_.f_least ? Ending::explained
+            : is_blind_                              ? Ending::blind
+            : is_promising && has_failed_            ? Ending::edge
+            : noise > 0.0 || (is_doubtful() && has_seen_noise_)
+                ? (is_wide(box) ? Ending::wide : Ending::noise)
+            : is_promising || is_doubtful() ? Ending::rough
+                                            : Ending::verified;
+  slopes_ = slopes_of(m);
+  const Eigen::VectorXd lengths = frame_.T.colwise().lpNorm<Eigen::Infinity>().transpose();
+  evidence_.promise = std::max(0.0, 1.0 - step.predicted / box.f());
+  evidence_.least_promise = TrustBox::kFlat;
+  evidence_.deviation = deviation_ / box.f();
+  evidence_.contradiction = contradiction_;
+  evidence_.most_contradiction = kContradiction;
+  evidence_.most_model_error = kChecked;
+  evidence_.shortest = lengths.minCoeff();
+  evidence_.longest = lengths.maxCoeff();
+  evidence_.failed_steps = has_failed_ ? misses_ : 0;
 }
 
 /// True if a step showed that slopes around the best point are wrong, and none showed later that
@@ -148,7 +210,9 @@ void FreshSlopes::judge_check(const TrustBox& box) {
   if (i < 0) return;
   const ResidualSample& found = box.memory[i];
   const double change = (found.r - check.r_center).norm();
-  is_unlike_model_ = (found.r - check.r_expected).norm() > kChecked * change;
+  const double error = (found.r - check.r_expected).norm();
+  evidence_.model_error = change > 0.0 ? error / change : 0.0;
+  is_unlike_model_ = error > kChecked * change;
 }
 
 /// True if residuals that scatter around their model need not be noisy: a move by a tiny share of
@@ -192,7 +256,8 @@ void FreshSlopes::observe_failed_probe(double change) {
 bool FreshSlopes::pays_another_round(const TrustBox& box) const {
   const bool has_gained = box.f() < kWorthARound * f_begin_ && box.f() > options_.f_least;
   const bool was_wrong = has_disappointed_ && !box.is_down_to(options_.noise_alone);
-  return (has_gained || was_wrong) && rounds_ < kMostRounds;
+  if (options_.asks_what_is_open && box.f() <= options_.f_least) return false;
+  return (has_gained || was_wrong) && rounds_ < options_.most_rounds;
 }
 
 void FreshSlopes::observe_failed_step() {

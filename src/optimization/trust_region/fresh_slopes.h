@@ -17,11 +17,17 @@
 // gains what was predicted, and compares the residuals of one or two trials between the axes with
 // the last model. If either shows that the slopes are wrong, the ending is Ending::noise or, if no
 // model was noisy, Ending::rough.
+//
+// If next to nothing is left of the residuals at the end of the whole search, the probes alone show
+// which variables the residuals determine (open_variables.h), and the verification ends if all are
+// determined. If one is open, steps follow as usual: they may find it.
 #pragma once
 
 #include <Eigen/Core>
 #include <optional>
 
+#include "optimization/least_squares/open_variables.h"
+#include "optimization/trust_region/noise_check.h"
 #include "optimization/trust_region/search_ending.h"
 #include "optimization/trust_region/trust_box.h"
 
@@ -34,6 +40,12 @@ class FreshSlopes {
     double noise_alone;  // see ResidualTrustRegionOptions
     double f_least;      // once the target is below this value, no further round follows
     double f_first;      // value of the target at the start of the search
+    /// True: below `f_least` the verification ends as soon as all variables are determined.
+    bool asks_what_is_open = false;
+    /// Change of the residuals over the moves of the first round, relative to their norm, and
+    /// largest number of rounds.
+    double change = 1.0;
+    int most_rounds = 8;
   };
 
   /// Begins a verification around the center of the box.
@@ -59,6 +71,12 @@ class FreshSlopes {
   bool is_sharp() const { return is_sharp_; }
   /// Valid once the verification has ended.
   Ending ending() const { return ending_; }
+  /// Returns what the tests found; valid once the verification has ended.
+  const EndingEvidence& evidence() const { return evidence_; }
+  /// Returns the noise that the last noisy model has found.
+  const ClaimedNoise& noise() const { return noise_; }
+  /// Returns the slopes at the center; valid once the verification has ended.
+  const PointSlopes& slopes() const { return slopes_; }
   /// Returns the standard deviation of the target that is due to noise.
   double deviation() const { return deviation_; }
 
@@ -69,6 +87,10 @@ class FreshSlopes {
   std::optional<Wanted> check(const ResidualKriging& m, TrustBox& box);
   void judge_check(const TrustBox& box);
   bool is_wide(const TrustBox& box) const;
+  std::optional<Wanted> mirror_weak_axis(const ResidualKriging& m, const TrustBox& box);
+  PointSlopes slopes_of(const ResidualKriging& m) const;
+  bool leaves_nothing_open(const ResidualKriging& m, const TrustBox& box) const;
+  void end(const ResidualKriging& m, const Wanted& step, double noise, const TrustBox& box);
   bool pays_another_round(const TrustBox& box) const;
   void shorten(int axis, double factor);
   bool sharpen(const TrustBox& box);
@@ -82,11 +104,11 @@ class FreshSlopes {
   NaturalFrame frame_;
   int axis_ = 0;  // index of the next axis to probe
   int rounds_ = 0;
-  /// Intended change of the residuals along an axis, relative to their norm.
-  double change_ = 1.0;
+  double change_;            // see Options
   double reach_ = 0.0;       // longest step, in coordinates of the axes
   int steps_ = 0;            // number of steps in this round
   int sharpened_ = 0;        // number of axes shortened in this round
+  int mirrored_ = 0;         // index of the next axis that may need a probe to its other side
   bool is_sharp_ = false;    // true if an axis was shortened, in any round
   bool is_blind_ = false;    // true if no slope along some axis of this round is known
   int misses_ = 0;           // number of successive steps that failed or disappointed
@@ -103,6 +125,9 @@ class FreshSlopes {
   double deviation_ = 0.0;
   double f_begin_ = 0.0;
   Ending ending_ = Ending::none;
+  EndingEvidence evidence_;
+  ClaimedNoise noise_;
+  PointSlopes slopes_;
 };
 
 }  // namespace latsch

@@ -87,6 +87,7 @@ void LostVariableTrials::start_trial(const DesignPoint& point,
   options.initial_radius =
       std::max(options.step_tolerance, std::sqrt(std::min(1.0, factor)) * options.initial_radius);
   trials_.emplace_back(run_.box().space.starting_at(point), options);
+  trials_.back().set_tests_end(false);
   trials_.back().observe(point, sample.u, sample);
   if (!trials_.back().box().has_center()) return trials_.pop_back();
   allotted_ = kAllotment * (run_.box().n() + 1) + options.outstanding - 1;
@@ -96,9 +97,11 @@ void LostVariableTrials::start_trial(const DesignPoint& point,
 void LostVariableTrials::choose() {
   const int restarts_left = run_.restarts_left();
   const double f_before = run_.best().f;
+  const bool run_tests_end = run_.tests_end();
   for (const TrustRegionRun& trial : trials_) {
     if (trial.best().f < run_.best().f) run_ = trial;
   }
+  run_.set_tests_end(run_tests_end);
   const bool was_in_vain = run_.best().f > kWorthIt * f_before;
   run_.go_on(restarts_left - (was_in_vain ? static_cast<int>(std::ssize(trials_)) : 0));
   trials_.clear();

@@ -18,7 +18,9 @@ namespace latsch {
 class LostVariableTrials {
  public:
   LostVariableTrials(const DesignSpace& space, const ResidualTrustRegionOptions& options)
-      : run_(space, options) {}
+      : run_(space, options) {
+    run_.set_tests_end(options.tests_end);
+  }
 
   /// Returns the main run, even while trials are in progress.
   const TrustRegionRun& run() const { return run_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optimization/trust_region/residual_trust_region.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -17,6 +18,8 @@ void check(const ResidualTrustRegionOptions& options) {
   check.lengths(options.initial_radius, options.step_tolerance, 0.5, "initial radius");
   check.require(options.explained >= 0.0, "explained", options.explained, "0 or more");
   check.require(options.noise_alone >= 0.0, "noise_alone", options.noise_alone, "0 or more");
+  check.require(
+      options.square_of_data >= 0.0, "square_of_data", options.square_of_data, "0 or more");
   check.require(options.restarts >= 0, "restarts", options.restarts, "0 or more");
   check.require(options.outstanding >= 1, "outstanding", options.outstanding, "1 or more");
 }
@@ -83,11 +86,30 @@ void ResidualTrustRegion::observe(const DesignPoint& point, const Result<Score>&
 
 std::string ResidualTrustRegion::ending() const {
   if (!converged()) return {};
-  std::string words = in_words(search_->run().ending());
-  if (search_->run().is_down_to_noise()) {
-    words += "; the remaining error is no larger than the stated noise explains";
+  return in_words(search_->run().ending(), search_->run().evidence());
+}
+
+std::vector<EndingClaim> ResidualTrustRegion::claims() const {
+  if (!converged()) return {};
+  return claims_of(search_->run().ending(), search_->run().evidence());
+}
+
+/// Plans ahead, as if outcomes were as predicted, until the first step. More points than the probes
+/// of a new center do not come before it.
+std::optional<double> ResidualTrustRegion::promise() const {
+  if (converged() || !search_->run().box().has_center()) return std::nullopt;
+  LostVariableTrials future = *search_;
+  const double f = future.run().best().f;
+  const int most = 2 * (future.run().box().n() + 1);
+  for (int k = 0; k < most && future.run().box().has_center() && !future.wanted().empty(); ++k) {
+    const Wanted& first = future.wanted().front();
+    if (first.kind == Wanted::Kind::step && first.f_center == f)
+      return std::max(0.0, 1.0 - first.predicted / f);
+    const DesignPoint point = first.point;
+    const ResidualSample expected = future.expected(point);
+    future.observe(point, expected.u, expected);
   }
-  return words;
+  return std::nullopt;
 }
 
 bool ResidualTrustRegion::converged() const { return search_->wanted().empty(); }

@@ -70,6 +70,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "optimization/problem/design_space.h"
@@ -94,12 +95,19 @@ struct ResidualTrustRegionOptions {
   /// this value a better point cannot be distinguished from noise, and no restart follows
   /// [Morozov's discrepancy principle]; above it restarts follow. 0: not known.
   double noise_alone = 0.0;
+  /// Sum of squares of errors as large as the data themselves. At its end the search says that
+  /// nothing is left only if the root mean square of the residuals is at most 1e-7 of the data's.
+  /// 0: not known; the first value then serves as the scale.
+  double square_of_data = 0.0;
   /// Number of points that the method proposes before it knows the outcome of the first of them. It
   /// is part of the method, so that the path does not depend on the number of workers. The value 1
   /// needs the fewest evaluations; a value a quarter above the number of workers needs the least
   /// time.
   int outstanding = 1;
   std::uint64_t seed = 1;  // seed of the random choices of restarts and additional points
+  /// True: trials at the end show what may be said of it (trust_region_run.h). Searches that serve
+  /// another method, which nobody asks for their endings, save them.
+  bool tests_end = true;
 };
 
 class LostVariableTrials;
@@ -117,6 +125,8 @@ class ResidualTrustRegion : public Optimizer {
   void observe(const DesignPoint& point, const Result<Score>& outcome) override;
   bool converged() const override;
   std::string ending() const override;
+  std::vector<EndingClaim> claims() const override;
+  std::optional<double> promise() const override;
 
  private:
   std::unique_ptr<LostVariableTrials> search_;

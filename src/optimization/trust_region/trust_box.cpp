@@ -30,8 +30,6 @@ constexpr double kBeside = 0.25;
 constexpr double kRoom = 0.5;
 // Length of a step, as a share of the radius, below which it is not worth an evaluation.
 constexpr double kShort = 0.01;
-// Predicted decrease of f, as a share of f, below which it counts as none.
-constexpr double kFlat = 1e-6;
 // Factor by which a step is shortened if no cutting plane keeps it out of a failed region.
 constexpr double kBackOff = 0.5;
 // Distance of a cutting plane from the center of a failure's ball, as a multiple of its radius, so

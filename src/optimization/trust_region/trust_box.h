@@ -44,6 +44,9 @@ struct Wanted {
 
 class TrustBox {
  public:
+  /// Predicted decrease of f, as a share of f, below which it counts as none.
+  static constexpr double kFlat = 1e-6;
+
   /// Starts around the initial values of the space.
   TrustBox(const DesignSpace& space, double radius, std::uint64_t seed);
 
@@ -54,6 +57,8 @@ class TrustBox {
   double noise = 0.0;  // variance of the noise, in units of the model
 
   int n() const { return space.size(); }
+  /// Returns the widths of the variables (variable_scale.h), as shares of their ranges.
+  const Eigen::VectorXd& widths() const { return scale_.widths(); }
   /// True if the equations leave only a single point.
   bool is_point() const { return region.E().rows() > 0 && along().cols() == 0; }
   const Eigen::VectorXd& c() const { return center_ >= 0 ? memory[center_].u : start_; }
@@ -74,6 +79,8 @@ class TrustBox {
   /// Adapts the length of the next probes of the first model to the change of the residuals,
   /// relative to their size, over one of them.
   void learn_from_first_probe(double change);
+  /// Moves the box to the best of all samples. Requires that there is one.
+  void return_to_best() { center_ = best_; }
   /// Moves the box to u, which is not evaluated yet, and starts again.
   void move_to(const Eigen::VectorXd& u);
   /// True if residuals jump: the sample is worse than the center and has more stand-ins for missing

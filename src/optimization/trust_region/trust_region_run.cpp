@@ -12,6 +12,9 @@ namespace {
 
 using Kind = Wanted::Kind;
 
+// Largest number of times that a run goes on from a better point that the tests of its end found.
+constexpr int kMostReturns = 3;
+
 }  // namespace
 
 TrustRegionRun::TrustRegionRun(const DesignSpace& space,
@@ -36,7 +39,16 @@ void TrustRegionRun::fill() {
 
 /// Returns the next point in addition to those already in wanted_; nullopt at the end.
 std::optional<Wanted> TrustRegionRun::next() {
-  if (state_ != State::searching) return std::nullopt;
+  if (state_ == State::searching) {
+    if (auto point = next_of_run()) return point;
+  }
+  if (state_ == State::settled || !tests_end_) return std::nullopt;
+  const bool is_waiting = state_ == State::searching && !wanted_.empty();
+  return is_waiting ? std::nullopt : next_at_end();
+}
+
+/// Returns the next point of the search, of its verification or of a restart.
+std::optional<Wanted> TrustRegionRun::next_of_run() {
   if (verification_) return next_to_verify();
   if (auto point = next_of_search()) return point;
   if (is_hopeless() || !box_.has_center()) return std::nullopt;
@@ -81,6 +93,7 @@ void TrustRegionRun::observe(const DesignPoint& point,
                              const Eigen::VectorXd& u,
                              const std::optional<ResidualSample>& sample) {
   const std::optional<Wanted> own = wanted_.take(point);
+  if (!own) returns_ = 0;
   // A failed point that this run did not propose contains no information about its steps.
   if (!own && !sample) {
     box_.memory.add_failure(u);
@@ -109,8 +122,13 @@ void TrustRegionRun::take(const Wanted& tried, ResidualSample sample) {
   if (tried.kind == Kind::probe && box_.has_center() && !box_.knows_slopes()) {
     box_.learn_from_first_probe(change_of(sample));
   }
+  if (state_ == State::ending) observe_at_end(tried, sample.r);
   const bool is_best = box_.take(std::move(sample));
   if (is_best) explored_ = 0;
+  if (is_best && state_ == State::ending && !verification_ && box_.f() < f_verified_ &&
+      returns_++ < kMostReturns) {
+    go_on_searching();
+  }
   if (tried.kind != Kind::step) return;
   if (verification_) return judge_verifying_step(gain, tried.f_center - tried.predicted);
   radius_.judge_step(box_, tried, gain, is_best, is_of_center);
@@ -121,6 +139,7 @@ void TrustRegionRun::take_failure(const Wanted& tried,
   box_.memory.add_failure(tried.u);
   radius_.observe_failure();
   if (tried.kind == Kind::start && !box_.has_center()) return start_again(tried.u);
+  if (state_ == State::ending && !verification_) return observe_at_end(tried, std::nullopt);
   if (!verification_) return radius_.shrink_after_failure(box_, tried);
   if (tried.kind == Kind::step) verification_->observe_failed_step();
   if (tried.kind == Kind::probe) verification_->observe_failed_probe(change_of(exploded));
@@ -190,46 +209,80 @@ std::optional<Wanted> TrustRegionRun::look_around() {
 bool TrustRegionRun::begin_verification() {
   if (box_.memory[box_.center()].J.size() > 0 || box_.f() >= f_verified_) return false;
   if (box_.f() < nothing_left()) {
-    ending_ = Ending::explained;
+    forget_ending(Ending::explained);
     return false;
   }
-  const double shortest = tuning_.verification.shortest * options_.step_tolerance;
-  verification_.emplace(box_,
-                        FreshSlopes::Options{.shortest = shortest,
-                                             .noise_alone = options_.noise_alone,
-                                             .f_least = nothing_left(),
-                                             .f_first = f_first_});
+  verification_.emplace(box_, verification_options());
   if (!verification_->has_axes()) {
-    ending_ = Ending::verified;
+    forget_ending(Ending::verified);
     verification_.reset();
   }
   return verification_.has_value();
+}
+
+FreshSlopes::Options TrustRegionRun::verification_options() const {
+  return {.shortest = tuning_.verification.shortest * options_.step_tolerance,
+          .noise_alone = options_.noise_alone,
+          .f_least = nothing_left(),
+          .f_first = f_first_};
 }
 
 /// Returns the next point of the verification, or a restart if no gain above noise is predicted.
 std::optional<Wanted> TrustRegionRun::next_to_verify() {
   if (auto point = verification_->next(box_, wanted_)) return point;
   if (!wanted_.empty()) return look_around();
+  take_ending();
+  return restart();
+}
+
+/// Ends the verification; takes over what it found if it ended at the best point.
+void TrustRegionRun::take_ending() {
   f_verified_ =
       std::max(box_.f() - verification_->deviation(), tuning_.verification.beyond_noise * box_.f());
-  if (box_.center() == box_.best()) ending_ = verification_->ending();
+  if (box_.center() == box_.best()) {
+    ending_ = verification_->ending();
+    evidence_ = verification_->evidence();
+    slopes_ = verification_->slopes();
+    slopes_at_ = box_.center();
+    noise_ = verification_->noise();
+  }
   verification_.reset();
-  return restart();
+}
+
+/// Sets an ending that no slopes verified.
+void TrustRegionRun::forget_ending(Ending ending) {
+  ending_ = ending;
+  if (slopes_at_ == box_.best()) return;
+  evidence_ = {};
+  slopes_at_ = -1;
 }
 
 /// Starts a new search in a box if a step of the verification improved the value by a large amount.
 void TrustRegionRun::judge_verifying_step(double gain, double promise) {
   verification_->observe_step(gain, radius_.is_bad(gain), promise);
   if (verification_->is_sharp() || !radius_.is_good(gain)) return;
+  if (state_ == State::ending && returns_ >= kMostReturns) return;
   if (box_.f() < tuning_.verification.worth_a_search * verification_->f_begin()) {
+    returns_ += state_ == State::ending;
     radius_.begin(box_, settled_radius());
     verification_.reset();
+    go_on_searching();
   }
+}
+
+/// Ends the tests of the end, if they have begun.
+void TrustRegionRun::go_on_searching() {
+  ending_trials_.reset();
+  noise_check_.reset();
+  is_shorter_ = false;
+  state_ = State::searching;
 }
 
 /// Returns the first point of the next search; nullopt if no search follows, or if the run settles
 /// before it.
 std::optional<Wanted> TrustRegionRun::restart() {
+  if (box_.has_center() && (ends_.empty() || ends_.back() != box_.center()))
+    ends_.push_back(box_.center());
   if (!restarts_.may_follow(box_, options_)) return std::nullopt;
   const bool is_explained = restarts_.is_explained(best().f, f_first_, options_);
   if (!is_explained && box_.center() == box_.best()) {

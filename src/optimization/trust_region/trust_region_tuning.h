@@ -76,6 +76,10 @@ struct SearchTuning {
   /// Share of the first value below which nothing is left to gain; the residuals are then a
   /// ten-thousandth of the first ones.
   double nothing_left = 1e-8;
+  /// Share of the data's sum of squares below which nothing is left to say the least: the residuals
+  /// are then a ten-millionth of the data. A larger one calls a fit exact that is not, a smaller
+  /// one asks for more digits than simulations have.
+  double nothing_left_of_data = 1e-14;
   /// Number of failures, in units of n + 1 for n variables, after which a run that never succeeded
   /// ends.
   int hopeless = 20;

@@ -266,6 +266,7 @@ ShelvedStudy::Changes ShelvedStudy::find_ending() {
     found.has_ended = stages.has_ended || stages.fits.empty();
     if (stages.has_ended) {
       found.words = stages.fits.back().run.ending;
+      found.tests = tests_in_words(stages.fits.back().run.claims);
       const Journal journal = Journal::read(whole->run.journal);
       found.spoiled = correlation::spoiled_experiments(stages, journal);
       if (const auto best = correlation::best_trial(stages.study, journal))
@@ -326,6 +327,7 @@ ShelvedStudy::Sight ShelvedStudy::sight() const {
               .holder = holder_,
               .changed = changed_,
               .ending = ending_ ? ending_->words : "",
+              .tests = ending_ ? ending_->tests : std::vector<std::string>{},
               .spoiled = ending_ ? ending_->spoiled : std::vector<std::string>{}};
   if (holder_) {
     sight.run_seconds = steady_clock()() - run_seen_at_;

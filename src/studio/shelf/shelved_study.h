@@ -68,6 +68,7 @@ class ShelvedStudy {
     long run_trials = 0;
     // reason why the search ended; empty: it has not ended, or this is not known
     std::string ending;
+    std::vector<std::string> tests;    // tests of the ending with their numbers, in words
     std::vector<std::string> spoiled;  // faults of the result, in sentences
   };
   template <class Look>
@@ -112,7 +113,7 @@ class ShelvedStudy {
     int edition = 0;
     bool has_ended = false;
     std::string words;
-    std::vector<std::string> spoiled;
+    std::vector<std::string> tests, spoiled;
   };
   std::optional<Ending> ending_;
 };

@@ -237,7 +237,8 @@ Json study_view(const ShelvedStudy& shelved, StudyRuns& runs) {
     view["optimizer"] = {{"method", in_words(method.method)},
                          {"reason", method.reason},
                          {"max_steps", study.max_steps},
-                         {"ending", sight.ending}};
+                         {"ending", sight.ending},
+                         {"tests", sight.tests}};
     view["has_design"] = study.doe.has_value();
     view["workers"] = study.run.workers;
     view["run"] = run_of(shelved, sight, last_run);

@@ -80,7 +80,7 @@ export interface Study {
   title: string;
   file: string;
   model: { file: string; kind: string };
-  optimizer: { method: string; reason: string; ending: string };
+  optimizer: { method: string; reason: string; ending: string; tests?: string[] }; // tests: those of the ending, with their numbers
   state: StudyState;
   error: string;
   has_design: boolean;

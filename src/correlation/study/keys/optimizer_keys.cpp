@@ -71,8 +71,9 @@ priority = 2
                "Points under way at a time: gss, gss_nlc, residual_trust_region. The search "
                "chooses "
                "them before it knows the outcome of the first, so its steps depend on this number "
-               "and never on the number of workers. 1 needs the fewest trials; the number of "
-               "workers needs the least time.",
+               "and never on the number of workers; \"workers\" is refused for that reason. 1 "
+               "needs the "
+               "fewest trials; the number of workers needs the least time.",
                "1; of gss and gss_nlc 2"},
               {"outstanding", "Former name of batch.", "that of batch"},
               {"max_steps",

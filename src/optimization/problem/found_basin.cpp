@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "optimization/strategy/found_basin.h"
+#include "optimization/problem/found_basin.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
