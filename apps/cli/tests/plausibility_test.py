@@ -175,6 +175,15 @@ class ModelsAlone(unittest.TestCase):
                                   ("export", tire, "--ccx", self.folder / "x.inp")):
                     self.assertIn(says, self.run_it(*arguments, code=WRONG_INPUT))
 
+    def test_angles_of_cords_that_do_not_fit_each_other_are_warnings(self):
+        tire = TREE / "studies" / "tires" / "passenger_205_55R16.toml"
+        self.assertNotIn("layer", self.run_it("check", tire).split("Numbers a study may vary")[0])
+        for pattern, new, says in (('angle = "90 deg"', 'angle = "0 deg"', "no layer that reaches the beads has cords across"),
+                                   ('angle = "-24 deg"', 'angle = "24 deg"', "they do not cross")):
+            self.assertIn(says, self.run_it("check", self.changed(tire, (pattern, new))))
+        both = self.changed(tire, ('angle = "24 deg"', 'angle = "66 deg"'), ('angle = "-24 deg"', 'angle = "-66 deg"'))
+        self.assertIn("angles above 45 deg", self.run_it("check", both))
+
     def test_a_cord_stiffer_in_compression_than_in_tension_is_a_warning(self):
         says = "a cord is at most as stiff as in tension, 1.1e+05 MPa"
         tire = self.changed(self.FE, ('compression_modulus = "55 GPa"', 'compression_modulus = "550 GPa"'))

@@ -7,7 +7,9 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/text.h"
 #include "base/toml/toml_text.h"
 #include "bindings/arrays.h"
 #include "bindings/bindings.h"
@@ -37,6 +39,15 @@ const SpecimenKind& kind_called(const std::string& name) {
 
 void warn_in_python(const std::string& sentence) {
   if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+/// Warns of a number that no tire and no car has: it is probably not in SI.
+void warn_of_unit(const std::string& path, const std::string& unit, double value) {
+  const auto* usual = experiment::usual_magnitude(path, unit);
+  if (usual && std::isfinite(value) && experiment::judged(*usual, value) != experiment::Seen::usual)
+    warn_in_python(path + " = " + format_number(value) + " is taken in " + unit + ", but " +
+                   experiment::usual_in_words(*usual) +
+                   "; a text such as \"2.4 bar\" states another unit");
 }
 
 /// Warns of what the terminal's `latsch test` warns of: unusual numbers and doubts about the file.
@@ -191,7 +202,10 @@ void bind_models(py::module_& module) {
           py::arg("path"))
       .def(
           "__setitem__",
-          [](Model& m, const std::string& path, double value) { m.numbers().set(path, value); },
+          [](Model& m, const std::string& path, double value) {
+            m.numbers().set(path, value);
+            warn_of_unit(path, m.numbers().unit(path), value);
+          },
           py::arg("path"),
           py::arg("value"))
       .def(

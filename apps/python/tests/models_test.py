@@ -69,6 +69,8 @@ class Models(unittest.TestCase):
         self.assertEqual(model[path], 1.23e7)
         with self.assertRaisesRegex(latsch.InputError, "bar"):
             model[path] = "2 bar"
+        with self.assertWarnsRegex(UserWarning, "is taken in N/m, but a joint's stiffness is usually"):
+            copy.copy()[path] = 12.3
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "changed.toml"
             file.write_text(model.text())

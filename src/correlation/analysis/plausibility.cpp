@@ -17,6 +17,7 @@
 #include "correlation/observable/curve.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
+#include "correlation/observable/values.h"
 #include "experiment/language/usual_numbers.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/csv_table.h"
@@ -215,6 +216,70 @@ void examine_modes(const StudyExperiment& experiment,
                      same == 1 ? "a row too many?"
                                : "a tire has a mode twice at most, expected each row once"),
          same > 1});
+  }
+}
+
+/// The usual magnitude of a channel that is compared as single values.
+struct UsualChannel {
+  std::string_view part;  // end of the channel's name
+  bool is_of_tire;        // false: of a wheel on a suspension's rig
+  UsualMagnitude usual;
+};
+
+const std::vector<UsualChannel>& usual_channels() {
+  const std::vector<const char*> frequencies{"Hz", "kHz"}, stiffnesses{"N/mm", "kN/mm", "N/m"};
+  const std::vector<const char*> compliances{"mm/kN", "mm/N", "m/N"};
+  static const std::vector<UsualChannel> all{
+      {"frequency", true, kUsualMode},
+      {"damping", true, {"", "", "the damping of a mode", "%", 0, 0.02, 40, 100, {"%", "1"}, true}},
+      {"vertical", true, kUsualStiffness},
+      {"lateral", true, {"", "", "a tire's stiffness", "N/mm", 1, 8, 3e3, 3e4, stiffnesses}},
+      {"longitudinal", true, {"", "", "a tire's stiffness", "N/mm", 1, 8, 5e3, 5e4, stiffnesses}},
+      {"torsional",
+       true,
+       {"",
+        "",
+        "a tire's torsional stiffness",
+        "N m/deg",
+        0.5,
+        5,
+        2e4,
+        1e6,
+        {"N m/deg", "N m/rad"}}},
+      {"dx_by_Fx",
+       false,
+       {"", "", "a compliance", "mm/kN", 0, 0, 60, 1e4, compliances, true, true}},
+      {"dy_by_Fy",
+       false,
+       {"", "", "a compliance", "mm/kN", 0, 0, 60, 1e4, compliances, true, true}},
+      {"camber_by_Fy", false, {"", "", "a compliance", "deg/kN", 0, 0, 20, 1e3, {}, true, true}},
+      {"toe_by_Fy", false, {"", "", "a compliance", "deg/kN", 0, 0, 20, 1e3, {}, true, true}}};
+  return all;
+}
+
+/// Reports the first unusual value of an experiment that compares single values.
+void examine_values(const StudyExperiment& experiment,
+                    const Values& values,
+                    const Document& file,
+                    std::vector<Finding>& found) {
+  const std::string& channel = values.measured().channel;
+  const std::string_view part = std::string_view(channel).substr(channel.find('/') + 1);
+  for (const UsualChannel& one : usual_channels()) {
+    if (part != one.part ||
+        !Unit::of(one.usual.unit).same_dimension(Unit::of(values.measured().unit)))
+      continue;
+    for (const double si : values.measured().values) {
+      const Seen seen = judged(one.usual, si);
+      if (seen == Seen::usual || !std::isfinite(si)) continue;
+      found.push_back({written_at(file, "experiment." + experiment.name + ".channel").place,
+                       fmt::format("experiment.{} has {:.5g} {}, but {}",
+                                   experiment.name,
+                                   in_unit(one.usual, si),
+                                   one.usual.unit,
+                                   usual_in_words(one.usual)),
+                       seen == Seen::impossible});
+      return;
+    }
   }
 }
 
@@ -478,6 +543,8 @@ std::vector<Finding> implausible(const Study& study) {
   for (const StudyExperiment& experiment : study.experiments) {
     if (const auto* modes = dynamic_cast<const ModeSet*>(experiment.observable.get()))
       examine_modes(experiment, modes->measured(), hangs_free(study, *modes), found);
+    if (const auto* values = dynamic_cast<const Values*>(experiment.observable.get()))
+      examine_values(experiment, *values, file, found);
     if (const auto* forces = dynamic_cast<const ForceCurve*>(experiment.observable.get());
         forces && size)
       examine_load_deflection(experiment, forces->measured(), *size, found);

@@ -114,6 +114,11 @@ std::vector<std::string> Values::remarks(const Comparison& comparison) const {
   std::vector<std::string> all = remarks_on_close(named, {}, comparison.compared);
   for (const ModePair& pair : comparison.pairing.pairs)
     all.push_back(remark_on_mixed(named[static_cast<std::size_t>(pair.measured)]));
+  for (const int i : comparison.pairing.missing)
+    all.push_back(fmt::format(
+        "The model has no mode {} among those that the test computes; it counts as an error of "
+        "100 %. A larger count in the test computes more.",
+        in_quotes(m_.modes[static_cast<std::size_t>(i)])));
   return all;
 }
 

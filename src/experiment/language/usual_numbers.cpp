@@ -235,6 +235,47 @@ void examine_cords(const Document& document, std::vector<Finding>& found) {
   }
 }
 
+/// Finds angles of cords that no tire has together: none of the layers that reach the beads runs
+/// across, all layers below the tread are on one side, or all are nearer to the axis.
+void examine_angles(const Document& document, std::vector<Finding>& found) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  constexpr double kReachesBead = 0.8;  // share of the half meridian
+  constexpr double kAcross = 45.0 * kDegree, kAround = 5.0 * kDegree;
+  int carcasses = 0, across = 0, belts = 0, left = 0, steep = 0;
+  std::optional<Place> carcass, belt;
+  for (const Node& layer : document.root().named_tables("layer")) {
+    const std::string at = "layer." + layer.name() + ".";
+    const auto angle = number_at(document, at + "angle");
+    if (!angle) continue;
+    const double size = std::abs(std::remainder(*angle, std::numbers::pi));
+    if (number_at(document, at + "to").value_or(1.0) > kReachesBead &&
+        number_at(document, at + "from").value_or(0.0) < 1.0 - kReachesBead) {
+      ++carcasses;
+      across += size >= kAcross;
+      if (!carcass) carcass = layer.place("angle");
+    } else if (size > kAround && !number_at(document, at + "from")) {
+      ++belts;
+      left += *angle > 0.0;
+      steep += size > kAcross;
+      if (!belt) belt = layer.place("angle");
+    }
+  }
+  const std::string counted =
+      "angles count from the circumference: 90 deg is a radial cord, 0 deg one around the tire";
+  if (carcasses > 0 && across == 0)
+    found.push_back(
+        {*carcass, "no layer that reaches the beads has cords across the tire; " + counted, false});
+  if (belts > 1 && (left == 0 || left == belts))
+    found.push_back({*belt,
+                     fmt::format("the {} layers below the tread have angles of one sign, so that "
+                                 "they do not cross: the belt steers the tire to one side",
+                                 belts),
+                     false});
+  if (belts > 1 && steep == belts)
+    found.push_back(
+        {*belt, "all layers below the tread have angles above 45 deg; " + counted, false});
+}
+
 /// Finds cords that are stiffer in compression than in tension, usually because a modulus has one
 /// zero too many. A cord buckles, so its modulus in compression is at most that in tension.
 void examine_compression(const Document& document, std::vector<Finding>& found) {
@@ -381,6 +422,7 @@ std::vector<Finding> unusual_numbers(const Document& document,
   }
   if (!below.empty()) return found;
   examine_cords(document, found);
+  examine_angles(document, found);
   examine_compression(document, found);
   examine_belt(document, found);
   return found;

@@ -75,7 +75,9 @@ Result<KinematicAxle::Wheels> KinematicAxle::move_to(double left, double right, 
   const auto own = own_.move_to(is_left ? left : right, rack);
   if (!own) return own.failure();
   const auto image = image_.move_to(is_left ? right : left, -rack);
-  if (!image) return image.failure();
+  if (!image)
+    return Failure{"the other wheel, as its mirror image, whose rack moves to the other side: " +
+                   image.failure().reason};
   if (is_left) return Wheels{*own, mirrored(*image)};
   return Wheels{mirrored(*image), *own};
 }
