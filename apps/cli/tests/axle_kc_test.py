@@ -46,6 +46,12 @@ class AxleKc(unittest.TestCase):
         self.assertAlmostEqual(single["camber_L"][0], opposed["camber_L"][0], delta=1e-6)
         self.assertAlmostEqual(single["camber_R"][0], 0.0, delta=1e-7)
 
+    def test_a_rear_axle_has_no_rack(self):
+        done = subprocess.run([LATSCH, "test", str(STUDIES / "kerb" / "baseline.toml"), '{kind = "axle_kc", axle = "rear", rack = "5 mm"}'],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("the rear axle of a car has no rack", done.stderr)
+
     def test_a_rack_steers_both(self):
         steer = run("kerb/baseline.toml", '{kind = "axle_kc", axle = "front", travel = "0 mm", rack = ["0 mm", "5 mm"]}')
         self.assertGreater(abs(steer["toe_L"][1]), 0.02)

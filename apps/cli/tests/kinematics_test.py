@@ -91,6 +91,11 @@ class Kinematics(unittest.TestCase):
             '[experiment.toe]\nkind = "values"\nchannel = "bump/toe"\nvalue = "0.01 rad"\n')
         self.assertIn("119.87 mm", self.latsch("check", self.folder / "study.toml"))
 
+    def test_a_table_in_axes_whose_x_points_rearward_is_doubted(self):
+        self.assertNotIn("axes of Adams", self.latsch("check", self.table_of_points()))
+        rearward = self.table_of_points(lambda rows: [[corner, name, str(-float(x)), y, z] for corner, name, x, y, z in rows])
+        self.assertIn("axes of Adams", self.latsch("check", rearward))
+
     def test_what_is_no_table_of_hardpoints_is_refused_in_words(self):
         def refused(spoil, *parts, code=WRONG_INPUT, **more):
             text = self.latsch("test", self.table_of_points(spoil, **more), TRAVEL, code=code)

@@ -422,7 +422,7 @@ Study read_study(const std::filesystem::path& file,
   if (document.root().has("kind"))
     document.root().reject("kind",
                            "is " + in_quotes(document.root().text("kind")) +
-                               ": that is a tire, a road or a test, expected a study, which has a "
+                               ": that is a model, a road or a test, expected a study, which has a "
                                "model, [variable.NAME] and [experiment.NAME]");
   if (measurements == Measurements::required) refuse_outdated_recordings(file, language);
   try {

@@ -12,6 +12,7 @@
 #include "experiment/language/capabilities.h"
 #include "experiment/language/specimen.h"
 #include "experiment/rigs/suspension/kc_compliance.h"
+#include "formats/car/car_file_doubts.h"
 #include "models/suspension/geometry_reader.h"
 #include "models/suspension/suspension_reader.h"
 #include "report/report.h"
@@ -88,6 +89,11 @@ class SuspensionKind : public SpecimenKind {
     const Document numbers = read(file);
     for (const std::string& doubt : doubts_about_hardpoints(numbers.root()))
       all.push_back(file.string() + ": " + doubt);
+    // The ledger of the file judges signs of hardpoints that the file itself states.
+    if (Document::read(file).root().has("hardpoints"))
+      for (const LedgerDoubt& doubt : formats::doubts_of_car_file(numbers.root()))
+        if (doubt.name.starts_with("hardpoint"))
+          all.push_back(file.string() + ": " + doubt.sentence);
     return all;
   }
   std::unique_ptr<Specimen> build(const Document& numbers,

@@ -199,6 +199,10 @@ std::unique_ptr<Test> read_axle_kc(const Node& root, const TestSource& source) {
     test.prescribed.push_back({one.name, one.unit, *histories.find(one.name)});
   }
   if (const std::vector<double>* rack = histories.find("rack")) test.rack = *rack;
+  const bool turns = std::ranges::any_of(test.rack, [](double x) { return x != 0.0; });
+  if (turns && !test.front)
+    root.reject("rack",
+                "is given, but the rear axle of a car has no rack; expected axle = \"front\"");
   test.prescribed.push_back({"rack", "m", test.rack});
   test.slopes = histories.slopes(root);
   return std::make_unique<AxleKc>(std::move(test), mode);

@@ -73,7 +73,9 @@ DoubleWishbone read_suspension(const Node& root) {
   const SuspensionCorner found = read_corner(root);
   if (found.statics) return *found.statics;
   if (!found.geometry.kingpin)
-    root.reject("type", "is \"five_link\": a car needs double wishbones with their bushings");
+    root.reject("type",
+                "is \"five_link\": a car, and an export of bushings, need double wishbones with "
+                "their bushings");
   root.reject("bushing", "is missing: loads need the stiffnesses of its joints");
 }
 

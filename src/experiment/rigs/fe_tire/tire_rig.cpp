@@ -368,7 +368,8 @@ Status points_on_tire(const fe_tire::Mesh& mesh, const Eigen::Matrix3Xd& points)
     if (distance <= kFar) continue;
     const Eigen::Vector3d mm = 1e3 * point;
     return Failure{
-        fmt::format("point {} of the mode shapes, ({:.4g}, {:.4g}, {:.4g}) mm, lies {:.4g} mm from "
+        fmt::format("point {} of those at which motion is recorded, ({:.4g}, {:.4g}, {:.4g}) mm, "
+                    "lies {:.4g} mm from "
                     "the wall of the tire, expected at most {:.0f} mm; x, y and z count from the "
                     "wheel's center, x forward, y along the spin axis, z up: is their unit, or "
                     "the order of the columns, another one?",
