@@ -101,8 +101,8 @@ double nominal_pressure(const TireTest& t) { return std::round(t.median("p") / 1
 /// Returns the recorded loaded radius. The stiffness depends on the pressure, so if the pressure
 /// varies, only samples near NOMPRES count; all count if those have no spread of loads.
 RecordedRadius recorded_radius(const TireTest& t) {
-  constexpr double kNear = 0.04;         // of the nominal pressure
-  constexpr double kLeastSpread = 0.15;  // of the largest load
+  constexpr double kNear = 0.04;         // share of the nominal pressure
+  constexpr double kLeastSpread = 0.15;  // share of the largest load
   constexpr std::size_t kFewest = 20;
   RecordedRadius all{t.of("Fz"), t.of("loaded_radius")};
   if (!t.has("p")) return all;

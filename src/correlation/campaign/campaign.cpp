@@ -336,10 +336,10 @@ void lay_out(const CampaignPlan& plan,
 }
 
 /// Returns the settings at both ends of which the first and the last test measure the same values
-/// with the same slopes: what the campaign states for them is arbitrary. Slopes that are kriged tell
-/// nothing of the kind.
+/// with the same slopes: what the campaign states for them is arbitrary. Slopes that are kriged
+/// tell nothing of the kind.
 std::vector<std::string> idle_settings(const CampaignPlan& plan, const Campaign& found) {
-  constexpr double kSame = 1e-9;  // of the length of values and slopes
+  constexpr double kSame = 1e-9;  // share of the length of values and slopes
   std::vector<std::string> idle;
   if (!plan.computes_slopes || found.tests.empty()) return idle;
   const auto same = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {

@@ -49,7 +49,7 @@ double height_of_wheel(const car::Axle& axle) { return axle.corner.wheel_center.
 /// Adds doubts about the place of the chassis' center of mass.
 void doubt_center(const car::CarParameters& car, std::vector<std::string>& doubts) {
   constexpr double kLowest = 0.4, kHighest = 6.0;  // heights over that of the wheel centers
-  constexpr double kLeastShare = 0.1;              // of the mass on one axle
+  constexpr double kLeastShare = 0.1;              // share of the mass on one axle
   const Eigen::Vector3d& center = car.chassis.body.center;
   const double wheel = 0.5 * (height_of_wheel(car.front) + height_of_wheel(car.rear));
   if (center.z() < kLowest * wheel || center.z() > kHighest * wheel)

@@ -95,8 +95,8 @@ TEST(Confidence, WhatABoundKeepsFromBeingReachedIsNoNoise) {
   EXPECT_NEAR(confidence(at).sigma, 0.01 * std::sqrt(40.0 / 38.0), 1e-12);
 }
 
-// Two variables whose effects are the same, such as two bushings in a row, are at their bounds. Both
-// together explain what one does, so the share is that of one of them.
+// Two variables whose effects are the same, such as two bushings in a row, are at their bounds.
+// Both together explain what one does, so the share is that of one of them.
 TEST(Confidence, TheShareBeyondBoundsCountsEqualEffectsOnce) {
   Linearization at{Eigen::Vector3d(0, 0, 0.4), Eigen::VectorXd::Zero(40), Eigen::MatrixXd(40, 3)};
   for (int j = 0; j < 40; ++j) {
