@@ -240,7 +240,8 @@ void examine_cords(const Document& document, std::vector<Finding>& found) {
 void examine_angles(const Document& document, std::vector<Finding>& found) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   constexpr double kReachesBead = 0.8;  // share of the half meridian
-  constexpr double kAcross = 45.0 * kDegree, kAround = 5.0 * kDegree;
+  constexpr double kSteep = 45.0 * kDegree, kAround = 5.0 * kDegree;
+  constexpr double kAcross = 20.0 * kDegree;  // plies of bias tires have some 30 to 40 degrees
   int carcasses = 0, across = 0, belts = 0, left = 0, steep = 0;
   std::optional<Place> carcass, belt;
   for (const Node& layer : document.root().named_tables("layer")) {
@@ -256,7 +257,7 @@ void examine_angles(const Document& document, std::vector<Finding>& found) {
     } else if (size > kAround && !number_at(document, at + "from")) {
       ++belts;
       left += *angle > 0.0;
-      steep += size > kAcross;
+      steep += size > kSteep;
       if (!belt) belt = layer.place("angle");
     }
   }
