@@ -26,6 +26,11 @@ class Magnitudes(Coarse):
     def test_the_study_itself_is_in_order(self):
         self.assertNotIn("warning", self.latsch("check", self.study))
 
+    def test_a_cleat_that_the_mesh_does_not_resolve_is_told(self):
+        stiffness = '{kind = "static_stiffness", deflections = ["8 mm"], cleat = {height = "10 mm", length = "%s"}}'
+        self.assertIn("rows of nodes of this tire's mesh are", self.latsch("test", self.folder / "tire.toml", stiffness % "20 mm"))
+        self.assertNotIn("rows of nodes", self.latsch("test", self.folder / "tire.toml", stiffness % "400 mm"))
+
     def test_bar_for_kilopascal(self):
         edit(self.study, ('pressure = "2.4 bar"', 'pressure = "240 bar"'))
         self.said(self.study, '"240 bar"', 'experiment.stiffness.pressure is "240 bar"', "0.3 to 16 bar", '"240 kPa" would be usual')

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,6 +61,12 @@ class FeTireSpecimen : public Specimen,
   Result<Channels> drive(const FeTireDrive& drive,
                          bool states_pressure,
                          const Asked& asked) override;
+  double rows_apart() const override {
+    const fe_tire::Mesh& mesh = own_.tire().mesh();
+    const double width =
+        mesh.theta.size() > 1 ? mesh.theta[1] : 2.0 * std::numbers::pi / mesh.sectors;
+    return width * mesh.outer_radius();
+  }
   Result<std::vector<StandingFootprint>> footprints(const FootprintTest& test) override;
   Result<Channels> print(const FootprintTest& test, const Asked& asked) override;
   Result<Channels> steady(const formats::CsvTable& states,

@@ -64,6 +64,8 @@ struct IsFeTire {
   virtual Result<Channels> drive(const FeTireDrive& drive,
                                  bool states_pressure,
                                  const Asked& asked) = 0;
+  /// Returns the distance of neighboring rows of nodes at the ground, m, along the circumference.
+  virtual double rows_apart() const = 0;
 };
 
 /// The specimen leaves a footprint on flat ground, whose pressures can be computed.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <numbers>
 
@@ -22,6 +23,21 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kWay = 1e-3;  // m or rad
+
+/// Returns a sentence on a cleat that is shorter than the mesh of a finite-element tire resolves;
+/// empty for a longer one.
+std::string unresolved_by_mesh(double rows_apart, const Cleat& cleat) {
+  constexpr double kRows = 3.0;  // rows of nodes on the cleat
+  const double along = cleat.length / std::max(std::abs(std::cos(cleat.angle)), 1e-9);
+  if (along >= kRows * rows_apart) return "";
+  return fmt::format(
+      "the cleat is {:.3g} mm long and the rows of nodes of this tire's mesh are {:.3g} mm apart "
+      "at "
+      "the ground: it may carry too much, as flat ground would; more sectors resolve it "
+      "(latsch mesh --convergence)",
+      1e3 * along,
+      1e3 * rows_apart);
+}
 
 class StaticStiffnessTest : public Test, public TellsLimits {
  public:
@@ -70,6 +86,10 @@ class StaticStiffnessTest : public Test, public TellsLimits {
   Result<Channels> run(Specimen& specimen) const override { return run_with_slopes(specimen, {}); }
   std::vector<std::string> limits(Specimen& specimen) const override {
     std::vector<std::string> all = limits_of(specimen, test_.cleat);
+    if (const auto* elements = specimen.find<IsFeTire>(); elements && test_.cleat)
+      if (std::string unresolved = unresolved_by_mesh(elements->rows_apart(), *test_.cleat);
+          !unresolved.empty())
+        all.push_back(std::move(unresolved));
     if (const auto* knows = specimen.find<KnowsLimits>())
       for (const Direction direction : test_.directions)
         if (std::string assumed = knows->assumed_stiffness(name_of(direction)); !assumed.empty())
