@@ -50,8 +50,8 @@ std::vector<std::string> for_slip_states(
 SlipStates slip_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
 
 /// Returns a sentence that names the states that a table lacks and the values assumed for them, and
-/// the columns without a unit and the units assumed for them; empty if nothing is assumed. Turn slip
-/// (phit) is not named, because a table without it is one of straight rolling.
+/// the columns without a unit and the units assumed for them; empty if nothing is assumed. Turn
+/// slip (phit) is not named, because a table without it is one of straight rolling.
 std::string assumed_states(const formats::CsvTable& table, const magic_formula::Parameters& tire);
 
 /// Returns the channels Fx Fy Fz Mx My Mz R_e R_l rho length width t Mzr mux muy omega Kxk Kya Cx
