@@ -31,6 +31,12 @@ class Magnitudes(Coarse):
         self.assertIn("rows of nodes of this tire's mesh are", self.latsch("test", self.folder / "tire.toml", stiffness % "20 mm"))
         self.assertNotIn("rows of nodes", self.latsch("test", self.folder / "tire.toml", stiffness % "400 mm"))
 
+    def test_a_patch_that_slides_within_the_travel_is_told(self):
+        ring = TREE / "studies" / "ring_tires" / "passenger_205_55R16.toml"
+        lateral = '{kind = "static_stiffness", load = "3 kN", directions = ["lateral"], travel = "%s"}'
+        self.assertIn("most of the patch slides", self.latsch("test", ring, lateral % "40 mm"))
+        self.assertNotIn("slides", self.latsch("test", ring, lateral % "1 mm"))
+
     def test_bar_for_kilopascal(self):
         edit(self.study, ('pressure = "2.4 bar"', 'pressure = "240 bar"'))
         self.said(self.study, '"240 bar"', 'experiment.stiffness.pressure is "240 bar"', "0.3 to 16 bar", '"240 kPa" would be usual')

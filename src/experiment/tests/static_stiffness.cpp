@@ -101,9 +101,15 @@ class StaticStiffnessTest : public Test, public TellsLimits {
   /// Returns sentences about what the tire's model does not describe on the cleat.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
-    const auto notes = Test::run_in_blocks(specimen, tell);
+    Channels found;
+    const auto notes = Test::run_in_blocks(specimen, [&](const Channels& block) {
+      found = block;
+      tell(block);
+    });
     if (!notes) return notes;
-    return limits(specimen);
+    std::vector<std::string> all = limits(specimen);
+    std::ranges::move(sliding_in(found), std::back_inserter(all));
+    return all;
   }
   /// True for a tire that stands; a rolling tire has no slopes.
   bool tells_slopes(const SpecimenKind& kind, const std::string&) const override {
@@ -131,6 +137,26 @@ class StaticStiffnessTest : public Test, public TellsLimits {
   }
 
  private:
+  /// Returns a sentence for each direction in which the patch slides as a whole, or nearly, within
+  /// the travel: the quotient of force and travel is then no stiffness of the tire.
+  std::vector<std::string> sliding_in(const Channels& found) const {
+    constexpr double kMuch = 0.7;  // share of the force at which the patch slides as a whole
+    std::vector<std::string> all;
+    for (const Direction direction : {Direction::longitudinal, Direction::lateral}) {
+      const Channel* stiffness = found.find(name_of(direction));
+      if (!stiffness || stiffness->values.empty() || !(test_.load > 0.0)) continue;
+      const double share = stiffness->values.front() * test_.travel / test_.load;
+      if (share < kMuch * test_.friction.value_or(1.0)) continue;
+      all.push_back(fmt::format(
+          "the {} force after {:.4g} mm of travel is {:.2g} times the load, so most of the patch "
+          "slides: the stiffness is force over travel and falls with it; a travel of 1 mm tells "
+          "that of the tire",
+          name_of(direction),
+          1e3 * test_.travel,
+          share));
+    }
+    return all;
+  }
   /// Throws InputError if the file of the tire determines no stiffness in a direction of the test.
   void refuse_without_stiffness(Specimen& specimen) const {
     const auto* knows = specimen.find<KnowsLimits>();

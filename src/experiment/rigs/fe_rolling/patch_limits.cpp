@@ -22,8 +22,9 @@ std::string words_on_sectors(const TireRig& rig, const RollingTest& test) {
   return fmt::format(
       "sectors at the ground are {:.0f} mm long, and the shortest patch is hardly longer than "
       "{:.0f} "
-      "mm: slip and side forces of so few points depend on the mesh, often by a factor; narrow the "
-      "sectors there (mesh.sector_zones, or mesh.sectors) until the forces stay",
+      "mm: slip and side forces of so few points depend on the mesh, often by a factor, and powers "
+      "need not balance (channel balance of a test rolling); narrow the sectors there "
+      "(mesh.sector_zones, or mesh.sectors) until they stay",
       1e3 * sector,
       1e3 * shortest);
 }

@@ -27,7 +27,8 @@ Rubbers and layers of the tire's file lose power by `loss_factor = 0.15` (from 0
 `prony = [[0.2, "1 ms"]]`, shares of the relaxed modulus and relaxation times; moduli are the
 relaxed ones. Rubber and cords relax in the equilibrium, so "Fx" of a free wheel contains their
 losses. "balance" is what the discretization misses: on sectors of 6 degrees some percent of the
-losses, up to a tenth under a patch as short as a sector. A tire that states neither has the
+losses, up to a tenth under a patch of two sectors, and most of them under a shorter one, of which a
+warning tells. A tire that states neither has the
 rolling resistance of friction alone.
 )md",
       .sentences = {},
