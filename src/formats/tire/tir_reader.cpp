@@ -17,6 +17,7 @@
 #include "formats/tire/tir_dialect.h"
 #include "formats/tire/tir_forces.h"
 #include "formats/tire/tir_keys.h"
+#include "formats/tire/tir_missing.h"
 #include "formats/tire/tir_modes.h"
 #include "formats/tire/tir_sizes.h"
 
@@ -100,24 +101,6 @@ std::string suggestion(const std::string& key) {
   return ", did you mean " + in_quotes(*best) + "?";
 }
 
-/// Returns the SI unit behind a number, with a blank before it; "" for a plain number.
-std::string unit_behind(ParameterUnit unit) {
-  switch (unit) {
-    case ParameterUnit::pressure:
-      return " Pa";
-    case ParameterUnit::velocity:
-      return " m/s";
-    case ParameterUnit::length:
-      return " m";
-    case ParameterUnit::force:
-      return " N";
-    case ParameterUnit::stiffness:
-      return " N/m";
-    default:
-      return "";
-  }
-}
-
 class TirReader {
  public:
   explicit TirReader(TirFile& tir)
@@ -156,8 +139,12 @@ class TirReader {
     });
     check_forces();
     report_units();
-    report_combined_slip();
-    report_missing();
+    report_missing(
+        tir_.parameters,
+        [&](std::string_view name) {
+          return found_.contains(std::string(name)) || (name == "NOMPRES" && tells_pressure_);
+        },
+        [&](const std::string& sentence) { note(0, sentence); });
   }
 
  private:
@@ -529,61 +516,6 @@ class TirReader {
       note(units->find("ANGLE")->line,
            "ANGLE is no radian: it counts for ALPMIN to CAMMAX and YAW_STIFFNESS; coefficients "
            "such as PHY1 and PKY1 are taken in radians");
-  }
-
-  /// Reports missing coefficients of combined slip (R...): without them a force is not reduced by
-  /// the other slip.
-  void report_combined_slip() {
-    const Parameters& p = tir_.parameters;
-    if (p.PDX1 == 0.0 || p.PDY1 == 0.0) return;
-    if (p.RBX1 == 0.0 && p.RBY1 == 0.0)
-      return note(0,
-                  "there is no combined slip: RBX1 and RBY1 are 0 or missing, so that braking and "
-                  "steering do not diminish each other's forces");
-    const auto is_whole = [&](const char* name, double value, const char* without) {
-      if (value == 0.0) note(0, std::string(name) + " is 0 or missing, so that " + without);
-      return value != 0.0;
-    };
-    const char* const fx = "steering does not diminish the longitudinal force";
-    const char* const fy = "braking does not diminish the side force";
-    if (is_whole("RBX1", p.RBX1, fx)) is_whole("RCX1", p.RCX1, fx);
-    if (is_whole("RBY1", p.RBY1, fy)) is_whole("RCY1", p.RCY1, fy);
-  }
-
-  /// Reports missing coefficients in one note for each quantity that needs them.
-  void report_missing() {
-    struct Group {
-      std::vector<std::string> names;
-      std::string without;  // the quantity that is missing without them; may be empty
-    };
-    std::vector<Group> groups = {{{"PCX1", "PDX1", "PKX1"}, "longitudinal force"},
-                                 {{"PCY1", "PDY1", "PKY1"}, "side force"},
-                                 {{"PKY2"}, ""},
-                                 {{"QBZ1", "QCZ1", "QDZ1"}, "aligning moment of the trail"},
-                                 {{"LONGVL"}, ""}};
-    if (tir_.parameters.version != Version::mf52) {
-      groups.push_back({{"Q_RA1"}, ""});
-      groups.push_back({{"Q_RB1"}, ""});
-      if (tir_.parameters.QSY1 != 0.0)
-        groups.push_back({{"QSY7"}, "rolling resistance that grows with the load"});
-      groups.push_back({{"LONGITUDINAL_STIFFNESS", "LATERAL_STIFFNESS"}, ""});
-      groups.push_back({{"NOMPRES"}, ""});
-    }
-    for (const Group& group : groups) {
-      std::vector<std::string> missing;
-      for (const std::string& name : group.names)
-        if (!found_.contains(name)) missing.push_back(name);
-      if (missing.empty()) continue;
-      const ParameterField* field = magic_formula::find_parameter(missing.front());
-      const bool is_told = missing.front() == "NOMPRES" && tells_pressure_;
-      if (is_told) continue;
-      note(0,
-           fmt::format("there is no {}; taken as {}{}{}",
-                       fmt::join(missing, ", "),
-                       format_number(tir_.parameters.*field->member),
-                       unit_behind(field->unit),
-                       group.without.empty() ? "" : ": the tire has no " + group.without));
-    }
   }
 
   TirFile& tir_;
