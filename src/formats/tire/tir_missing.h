@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a .tir lacks: coefficients without which a tire has no force, or slips do not act on each
-// other.
+// Reports what a .tir lacks: coefficients without which a tire has no force, or slips do not act on
+// each other.
 #pragma once
 
 #include <functional>
