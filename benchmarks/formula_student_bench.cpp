@@ -86,7 +86,8 @@ Errors errors_at(const Study& study, const DesignPoint& point) {
   if (!trial) throw std::runtime_error(trial.failure().reason);
   Errors errors;
   for (const StudyExperiment& experiment : study.experiments)
-    errors[experiment.name] = own_measure(experiment, compare(experiment, *trial));
+    errors[experiment.name] =
+        own_measure(experiment, compare(experiment, study.experiments, *trial));
   return errors;
 }
 

@@ -74,7 +74,7 @@ double relative_error(const Study& study, const std::string& name, const Channel
   for (const StudyExperiment& experiment : study.experiments) {
     if (experiment.name != name) continue;
     const auto& curve = dynamic_cast<const Curve&>(*experiment.observable).measured();
-    const Comparison comparison = compare(experiment, trial);
+    const Comparison comparison = compare(experiment, study.experiments, trial);
     double errors = 0.0, squares = 0.0;
     for (std::size_t i = 0; i < comparison.errors.size(); ++i) {
       errors += std::pow(comparison.errors[i] * curve.scale, 2);

@@ -385,7 +385,9 @@ Document derived_from_fe(const Document& ring) {
   const DesignPoint& best = fit.run.best()->point;
   const auto channels = correlation::simulate_all(study, best);
   for (const auto& experiment : study.experiments)
-    fmt::print("{}", experiment.observable->table(*channels, compare(experiment, *channels)));
+    fmt::print(
+        "{}",
+        experiment.observable->table(*channels, compare(experiment, study.experiments, *channels)));
   for (int i = 0; i < study.space.size(); ++i)
     fmt::print("  {:30} {:.5g}\n", study.space[i].name, best.values[static_cast<std::size_t>(i)]);
   Document known = correlation::at(study.model, study.space, best);

@@ -229,7 +229,8 @@ void multimodal_rows(Table& table, bool is_held_out, const Options& options, boo
                  outcome.found >= 0.95 * outcome.exist);
 }
 
-/// One basin: the price of knowing it, beside the shipped search to its end.
+/// Prints, for each problem with one basin, the trials of the search by basins relative to those of
+/// the shipped search to its end.
 void single_rows(Table& table, bool is_held_out, const Options& options, bool lists) {
   std::vector<double> ratios;
   for (const auto& problem : is_held_out ? identification_set::held_out_problems()

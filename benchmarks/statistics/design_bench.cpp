@@ -120,7 +120,7 @@ FarOff quadratics(int first, int count) {
   return off;
 }
 
-/// A curve of one setting and a quadratic as its rival.
+/// Returns a problem in which tests of one setting have to tell the curve `truth` from a quadratic.
 RivalProblem quadratic_rival(std::function<double(double)> truth) {
   RivalProblem problem;
   problem.truth = [truth](const Eigen::VectorXd& s) {

@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <mutex>
 #include <optional>
 #include <ostream>
@@ -274,6 +275,15 @@ void replace(const std::filesystem::path& file,
   flush_folder(target.parent_path());
 }
 
+/// True for a database of SQLite, by its first bytes.
+bool is_database(const std::filesystem::path& file) {
+  constexpr std::string_view kFirst = "SQLite format 3";
+  std::array<char, kFirst.size()> first{};
+  std::ifstream there(file, std::ios::binary);
+  there.read(first.data(), std::ssize(first));
+  return std::string_view(first.data(), first.size()) == kFirst;
+}
+
 void write_to_path(const std::filesystem::path& file, const Write& write) {
   struct stat there {};
   if (::stat(file.c_str(), &there) != 0) {
@@ -292,6 +302,11 @@ void write_to_path(const std::filesystem::path& file, const Write& write) {
     throw InputError({file.string(), 0},
                      "is read by this command, which would replace it by its output: expected "
                      "another name for the output");
+  if (S_ISREG(there.st_mode) && is_database(file))
+    throw InputError(
+        {file.string(), 0},
+        "is a database, such as a journal of trials, which no output replaces: expected "
+        "another name for the output");
   std::fflush(stdout);  // earlier output must precede the text of the file
   for (const int printed : {STDOUT_FILENO, STDERR_FILENO}) {
     if (is_open_as(printed, there)) return write_through(file, Descriptor(::dup(printed)), write);

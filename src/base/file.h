@@ -11,6 +11,7 @@
 //                             output
 //   a folder, a disk          is refused
 //   a file that was read      is refused, once protect_read_files() is called
+//   a database, as a journal  is refused: no output replaces it
 //
 // A regular file is written in place if it cannot be replaced: its folder may be write-protected,
 // or the file may be a mount point. Other names (hard links) of a replaced file keep the old text.

@@ -129,6 +129,16 @@ TEST_F(File, ADeviceIsWrittenToAndStays) {
   EXPECT_EQ(entries(), 3);
 }
 
+TEST_F(File, ADatabaseIsNoOutputWhateverItsName) {
+  const auto journal = folder_ / "study.html";
+  std::ofstream(journal, std::ios::binary) << "SQLite format 3" << '\0' << "trials";
+  EXPECT_THROW(write_text_file(journal, "new"), InputError);
+  EXPECT_NE(read_text_file(journal).find("trials"), std::string::npos);
+  std::ofstream(journal, std::ios::binary) << "SQLite";
+  write_text_file(journal, "new");
+  EXPECT_EQ(read_text_file(journal), "new");
+}
+
 TEST_F(File, ADiskIsRefused) {
   // The major number 42 is reserved for demonstration, so no driver has it.
   const auto disk = folder_ / "disk";

@@ -17,6 +17,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "base/unit_words/c_locale.h"
 #include "base/unit_words/unit_words.h"
 
 namespace latsch {
@@ -100,6 +101,7 @@ class Database {
   /// is returned.
   std::optional<Entry> find(std::string_view text) {
     const std::lock_guard lock(mutex_);
+    [[maybe_unused]] const CLocale decimal_points;
     if (const auto known = known_.find(text); known != known_.end()) return known->second;
     const UnitMeanings meanings = meanings_of(text);
     if (meanings.texts.empty()) return std::nullopt;
@@ -110,6 +112,7 @@ class Database {
 
   UnitMeanings meanings(std::string_view text) {
     const std::lock_guard lock(mutex_);
+    [[maybe_unused]] const CLocale decimal_points;
     return meanings_of(text);
   }
 
@@ -133,6 +136,7 @@ class Database {
   }
 
   Database() {
+    [[maybe_unused]] const CLocale decimal_points;
     ut_set_error_message_handler(ut_ignore);  // the default handler would write to standard error
     system_ = ut_read_xml(database_beside_the_program().c_str());
     if (!system_) system_ = ut_read_xml(nullptr);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <clocale>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -16,6 +17,21 @@ namespace {
 double si(const char* text) {
   const auto quantity = parse_quantity(text);
   return quantity ? quantity->si : std::nan("");
+}
+
+// UDUNITS-2 reads decimals by the locale, which a program that contains Latsch may have set.
+TEST(Units, DoNotDependOnTheLocale) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  bool has_comma = false;
+  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE.utf8", "nl_NL.UTF-8"})
+    has_comma =
+        has_comma || (std::setlocale(LC_ALL, name) && *std::localeconv()->decimal_point == ',');
+  // no other test reads these units first
+  const double torr = si("2 torr"), horse = si("2 hp");
+  std::setlocale(LC_ALL, before.c_str());
+  EXPECT_NEAR(torr, 2.0 * 101325.0 / 760.0, 1e-9);
+  EXPECT_NEAR(horse, 2.0 * 745.6999, 1e-3);
+  if (!has_comma) GTEST_SKIP() << "No locale with a decimal comma is installed.";
 }
 
 // The factors are exact by definition (BIPM, SI brochure; international inch and pound), so the

@@ -40,6 +40,7 @@ const KeySection& measurement_keys();
 const KeySection& experiment_keys();
 const KeySection& noise_keys();
 const KeySection& nuisance_keys();
+const KeySection& shared_nuisance_keys();
 const KeySection& constraint_keys();
 const KeySection& optimizer_keys();
 const KeySection& start_keys();
@@ -249,7 +250,8 @@ std::vector<const KeySection*> sections_of(const Language& language) {
                               measurement_keys,
                               experiment_keys,
                               noise_keys,
-                              nuisance_keys})
+                              nuisance_keys,
+                              shared_nuisance_keys})
     sections.push_back(&section());
   for (const ComparedKind* kind : compared_kinds()) experiment::add_section(kind->keys(), sections);
   for (const auto& section : {constraint_keys,

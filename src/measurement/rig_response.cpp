@@ -90,6 +90,8 @@ Result<numerics::RationalFilter> inverse_filter(const RigResponse& r,
     return Failure{"the inverse of a response with c = 0 grows without limit: give a low-pass"};
   }
   numerics::ContinuousFilter analog{resonance(r), denominator};
+  const double f = std::sqrt(std::abs(denominator.front() / denominator.back()));
+  const double exact_at = r.c != 0.0 && f < std::numbers::pi * rate ? f : r.f;
   if (low_pass) {
     if (*low_pass >= rate / 2.0) {
       return Failure{
@@ -98,12 +100,14 @@ Result<numerics::RationalFilter> inverse_filter(const RigResponse& r,
                       *low_pass,
                       rate)};
     }
-    const double g = kTwoPi * *low_pass;
+    // The bilinear transform compresses frequencies but `exact_at`. This corner becomes the stated
+    // one.
+    const double g =
+        exact_at / std::tan(0.5 * exact_at / rate) * std::tan(std::numbers::pi * *low_pass / rate);
     for (double& b : analog.b) b *= g * g;
     analog.a = product(analog.a, {g * g, std::numbers::sqrt2 * g, 1.0});
   }
-  const double f = std::sqrt(std::abs(denominator.front() / denominator.back()));
-  return stable_filter(analog, rate, r.c != 0.0 && f < std::numbers::pi * rate ? f : r.f);
+  return stable_filter(analog, rate, exact_at);
 }
 
 }  // namespace latsch

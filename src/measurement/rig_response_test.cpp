@@ -70,6 +70,14 @@ TEST(RigResponse, TheRegularizedInverseUndoesItUpToTheLowPass) {
     const auto edge = answer(*filter, kTwoPi * 400.0, 8000.0) * r.at(kTwoPi * 400.0);
     EXPECT_NEAR(std::abs(edge), std::sqrt(0.5), 0.05) << c;
   }
+  // Near half the rate, too, where the transform compresses frequencies by a third.
+  const RigResponse r = RigResponse::of(0.45, kTruth.f, 0.06, 0.55);
+  const auto with = inverse_filter(r, 1000.0, 300.0), without = inverse_filter(r, 1000.0, {});
+  ASSERT_TRUE(with.ok() && without.ok());
+  const double omega = kTwoPi * 300.0;
+  EXPECT_NEAR(std::abs(answer(*with, omega, 1000.0) / answer(*without, omega, 1000.0)),
+              std::sqrt(0.5),
+              1e-9);
   EXPECT_FALSE(inverse_filter(RigResponse::of(1.0, 500.0, 0.1, 0.0), 2000.0).ok());
   const auto unstable = inverse_filter(RigResponse::of(1.0, 500.0, 0.1, -0.5), 2000.0);
   ASSERT_FALSE(unstable.ok());

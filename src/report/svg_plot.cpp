@@ -220,6 +220,8 @@ std::vector<Axis::Tick> Axis::ticks(double spacing) const {
     ticks.clear();
   }
   const double step = round_step((upper_ - lower_) / count);
+  // An axis whose ends are as far apart as numbers reach, or not apart, has no round steps.
+  if (!(step > 0.0) || !std::isfinite(step)) return ticks;
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   for (double k = std::ceil(lower_ / step - 1e-9); k * step <= upper_ + 1e-9 * step; ++k) {
     ticks.push_back(

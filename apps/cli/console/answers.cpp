@@ -219,8 +219,10 @@ Json answer_of(const correlation::Study& study,
   return all;
 }
 
-Json answer_of(const StudyExperiment& experiment, const Channels& trial) {
-  const Comparison found = compare(experiment, trial);
+Json answer_of(const correlation::Study& study,
+               const StudyExperiment& experiment,
+               const Channels& trial) {
+  const Comparison found = compare(experiment, study.experiments, trial);
   Json all = {{"name", experiment.name},
               {"kind", experiment.observable->kind()},
               {"fitted", experiment.fitted},

@@ -82,6 +82,8 @@ void answer_counts(const correlation::TrialCounts& counts, bool targets_known = 
 
 /// Returns one experiment: measured and simulated values, their errors as shares, mean and largest
 /// error.
-Json answer_of(const correlation::StudyExperiment& experiment, const Channels& trial);
+Json answer_of(const correlation::Study& study,
+               const correlation::StudyExperiment& experiment,
+               const Channels& trial);
 
 }  // namespace latsch::cli

@@ -75,9 +75,10 @@ bool is_among(const std::string& word, const std::vector<std::string>& words) {
 
 /// Endings that tell a reader, or another program, the format of a file.
 const std::vector<std::string> kEndings{
-    ".csv", ".tdx",  ".tydex", ".tda", ".tdb",  ".mat", ".mf4", ".uff", ".unv", ".tdms", ".rsp",
-    ".ld",  ".tir",  ".toml",  ".inp", ".html", ".htm", ".vtu", ".vtk", ".fmu", ".rdf",  ".crg",
-    ".bus", ".xlsx", ".xls",   ".ods", ".json", ".xml", ".pdf", ".png", ".svg", ".zip",  ".md"};
+    ".csv",  ".tdx", ".tydex", ".tda", ".tdb",  ".mat",  ".mf4",   ".uff", ".unv",
+    ".tdms", ".rsp", ".ld",    ".tir", ".toml", ".inp",  ".html",  ".htm", ".vtu",
+    ".vtk",  ".fmu", ".rdf",   ".crg", ".bus",  ".xlsx", ".xls",   ".ods", ".json",
+    ".xml",  ".pdf", ".png",   ".svg", ".zip",  ".md",   ".latsch"};
 
 /// Returns the long names of the options, and the names of the positional arguments, that the user
 /// gave.

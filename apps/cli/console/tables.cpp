@@ -71,9 +71,11 @@ void print_point(const DesignSpace& space, const DesignPoint& point) {
   print_values(space, values);
 }
 
-void print_comparison(const StudyExperiment& experiment, const Channels& trial) {
+void print_comparison(const Study& study,
+                      const StudyExperiment& experiment,
+                      const Channels& trial) {
   const correlation::Observable& observable = *experiment.observable;
-  const Comparison comparison = compare(experiment, trial);
+  const Comparison comparison = compare(experiment, study.experiments, trial);
   const std::string whole = observable.whole();
   say("\n{}{}\n{}  {} |{}| {:.3f} %, largest {:.3f} %{}\n",
       experiment.name,

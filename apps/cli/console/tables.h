@@ -39,6 +39,8 @@ void print_point(const DesignSpace& space, const DesignPoint& point);
 
 /// Prints the measured and the simulated value and the error of every force or mode of the
 /// experiment, then the mean and the largest error.
-void print_comparison(const correlation::StudyExperiment& experiment, const Channels& channels);
+void print_comparison(const correlation::Study& study,
+                      const correlation::StudyExperiment& experiment,
+                      const Channels& channels);
 
 }  // namespace latsch::cli

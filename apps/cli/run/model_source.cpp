@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/run/model_source.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "base/file.h"
@@ -61,14 +63,22 @@ ModelSource model_source(const std::string& file,
 
 Document model_of(const correlation::Study& study) {
   DesignPoint point = study.space.initial();
+  bool is_fitted = false;
   if (std::filesystem::exists(study.run.journal)) {
     const Journal journal = Journal::read(study.run.journal, correlation::identity(study));
     const correlation::Study weighted = correlation::with_estimated_noise(study, journal);
     correlation::require_best(weighted, journal);
     const auto best = correlation::best_trial(weighted, journal);
     if (best) point = best->point;
-    say("{} at {}\n", study.title, best ? "its best point" : "its initial values");
+    is_fitted = best.has_value();
   }
+  if (is_fitted)
+    say("{} at its best point\n", study.title);
+  else
+    warn(
+        fmt::format("{} has no fitted trial, so its model has the initial values of the variables; "
+                    "latsch run fits them",
+                    study.title));
   return correlation::at(study.model, study.space, point);
 }
 

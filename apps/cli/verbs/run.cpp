@@ -79,7 +79,7 @@ void print_remarks(const Study& study, const DesignPoint& best, const Journal& j
   const Channels recording = correlation::recording_at(best, journal);
   for (const correlation::StudyExperiment& experiment : study.experiments) {
     if (!experiment.fitted) continue;
-    const auto comparison = correlation::comparison_of(experiment, recording);
+    const auto comparison = correlation::comparison_of(experiment, study.experiments, recording);
     if (!comparison) continue;
     for (const std::string& remark : experiment.observable->remarks(*comparison))
       say("{}: {}\n", experiment.name, remark);

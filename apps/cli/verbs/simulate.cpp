@@ -47,13 +47,13 @@ int simulate(const std::string& file,
     return kFailed;
   }
   for (const auto& experiment : study.experiments) {
-    const auto comparison = correlation::comparison_of(experiment, *channels);
+    const auto comparison = correlation::comparison_of(experiment, study.experiments, *channels);
     if (!comparison) {
       complain("experiment " + experiment.name + ": " + comparison.failure().reason);
       return kFailed;
     }
-    print_comparison(experiment, *channels);
-    answer()["experiments"].push_back(answer_of(experiment, *channels));
+    print_comparison(study, experiment, *channels);
+    answer()["experiments"].push_back(answer_of(study, experiment, *channels));
   }
   const double target = correlation::objective(study)(point, *channels)->value;
   answer()["target"] = target;

@@ -54,10 +54,14 @@ std::optional<Interval> interval_of(const Study& study,
 /// the noise.
 std::string interval_source(const Study& study, const Identifiability& what, int variable);
 
+/// True if the interval of a variable comes from its bounds alone: the data determine it so exactly
+/// that the interval is as narrow as the spacing of representable numbers between these bounds.
+bool is_set_by_bounds(const Identifiability& what, int variable);
+
 /// Returns warnings, one sentence each: values beyond the scale of their robust loss, residuals
 /// larger than their stated noise, noise that neighboring values share, a systematic misfit, bounds
-/// that keep the fit off, inaccurate derivatives, a search that ended early, refits that did not
-/// converge.
+/// that keep the fit off, constraints, values off the least squares, inaccurate derivatives, a
+/// search that ended early, refits that did not converge.
 std::vector<std::string> remarks(const Study& study, const Identifiability& what);
 
 /// Runs the missing trials. Returns nullopt if a stop was requested, a Failure if the model fails

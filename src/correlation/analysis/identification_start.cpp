@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "base/unit_words/c_locale.h"
 #include "correlation/analysis/identification_rounds.h"
 
 namespace latsch::correlation {
@@ -70,6 +71,7 @@ std::string text_of_point(const DesignPoint& point) {
 }
 
 std::optional<DesignPoint> point_of_text(const Study& study, const std::string& text) {
+  [[maybe_unused]] const CLocale decimal_points;
   std::istringstream words(text);
   DesignPoint point;
   for (std::string word; words >> word;) point.values.push_back(std::strtod(word.c_str(), nullptr));

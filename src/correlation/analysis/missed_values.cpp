@@ -71,7 +71,7 @@ void add_predicted_rows(const Study& study, const Identifiability& what, std::ve
     if (experiment.fitted || !is_told(experiment)) continue;
     std::vector<Eigen::VectorXd> d;
     for (const Channels& one : *channels) {
-      const Comparison comparison = compare(experiment, one);
+      const Comparison comparison = compare(experiment, study.experiments, one);
       d.push_back(to_vector(comparison.differences));
       for (const int missing : comparison.pairing.missing) d.back()[missing] = NAN;
     }

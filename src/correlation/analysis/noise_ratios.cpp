@@ -70,4 +70,48 @@ std::string large_noise_in_words(const Study& study, const std::vector<NoiseRati
       fmt::join(named, ", "));
 }
 
+std::string unlike_spreads_in_words(const Study& study, const Identification& identification) {
+  constexpr double kRare = 3.3;    // deviations of the logarithm of a ratio; chance: 1 in 1000
+  constexpr double kUnlike = 2.0;  // ratio of the spreads below which intervals differ little
+  constexpr double kFewest = 3.0;  // values that show a spread
+  const Confidence& c = identification.confidence();
+  const bool is_known =
+      std::any_of(study.experiments.begin(), study.experiments.end(), [](const auto& one) {
+        return one.noise || one.estimates_noise;
+      });
+  if (is_known || !std::isfinite(c.sigma) || c.with_loss > 0) return "";
+  const Eigen::VectorXd& r = identification.linearization().r;
+  const auto& used = identification.residuals_used();
+  const std::vector<ResidualRow> rows = residual_rows(study);
+  std::vector<NoiseRatio> all(study.experiments.size());
+  for (Eigen::Index k = 0; k < r.size(); ++k) {
+    const auto place = static_cast<std::size_t>(used[static_cast<std::size_t>(k)]);
+    if (rows[place].experiment < 0) continue;
+    const auto e = static_cast<std::size_t>(rows[place].experiment);
+    const double d = rows[place].unit * r[k];
+    all[e].name = study.experiments[e].name;
+    all[e].ratio += d * d;
+    all[e].values += 1.0;
+  }
+  std::erase_if(all, [](const NoiseRatio& one) { return one.values < kFewest; });
+  if (all.size() < 2) return "";
+  for (NoiseRatio& one : all) one.ratio = std::sqrt(one.ratio / one.values);
+  const auto [quiet, loud] = std::minmax_element(
+      all.begin(), all.end(), [](const auto& a, const auto& b) { return a.ratio < b.ratio; });
+  const double unlike = loud->ratio / quiet->ratio;
+  const double by_chance = std::sqrt(0.5 / quiet->values + 0.5 / loud->values);
+  if (!(unlike > kUnlike) || !(std::log(unlike) > kRare * by_chance)) return "";
+  return fmt::format(
+      "No experiment states its noise, so all share one spread, but {} scatters by {:.2g} % and {} "
+      "by "
+      "{:.2g} %: intervals of what {} determines are too wide, and of what {} determines too "
+      "narrow. State the noise of each experiment, or noise = \"estimated\".",
+      quiet->name,
+      100.0 * quiet->ratio,
+      loud->name,
+      100.0 * loud->ratio,
+      quiet->name,
+      loud->name);
+}
+
 }  // namespace latsch::correlation

@@ -29,4 +29,8 @@ std::string in_words(const std::vector<NoiseRatio>& ratios);
 /// chance does not explain it; empty if there is none.
 std::string large_noise_in_words(const Study& study, const std::vector<NoiseRatio>& ratios);
 
+/// Returns a sentence on experiments that share one spread, because none states its noise, although
+/// their residuals scatter differently beyond chance; empty if there are none.
+std::string unlike_spreads_in_words(const Study& study, const Identification& identification);
+
 }  // namespace latsch::correlation

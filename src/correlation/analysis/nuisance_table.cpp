@@ -80,8 +80,10 @@ class NuisanceTrials {
 };
 
 /// Returns a score whose residuals are the nuisance numbers of one experiment.
-std::optional<Score> numbers_of(const StudyExperiment& experiment, const Channels& channels) {
-  const auto comparison = comparison_of(experiment, channels);
+std::optional<Score> numbers_of(const Study& study,
+                                const StudyExperiment& experiment,
+                                const Channels& channels) {
+  const auto comparison = comparison_of(experiment, study.experiments, channels);
   if (!comparison) return std::nullopt;
   Score score;
   for (const SolvedNumber& number : comparison->nuisance) {
@@ -99,15 +101,15 @@ void add_rows(const Study& study,
   const Confidence& c = what.identification.confidence();
   const StudyExperiment& experiment = study.experiments[static_cast<std::size_t>(e)];
   const Channels* best = trials.at(what.best);
-  const auto comparison =
-      best ? comparison_of(experiment, *best) : Result<Comparison>(Failure{"not recorded"});
+  const auto comparison = best ? comparison_of(experiment, study.experiments, *best)
+                               : Result<Comparison>(Failure{"not recorded"});
   if (!comparison) return;
   const auto slopes = trials.slopes([&](const DesignPoint&, const Channels& channels) {
-    return numbers_of(experiment, channels);
+    return numbers_of(study, experiment, channels);
   });
   // Without a stated noise, c.sigma is the deviation of a difference over the root of its weight.
   const double unit = experiment.noise ? c.sigma * std::sqrt(experiment.objective.weight) : c.sigma;
-  for (std::size_t k = 0; k < comparison->nuisance.size(); ++k) {
+  for (const std::size_t k : counted_numbers(study.experiments, static_cast<std::size_t>(e))) {
     const SolvedNumber& solved = comparison->nuisance[k];
     NuisanceRow row{e, experiment.nuisance.numbers[k], solved.value, NAN};
     row.at_end = solved.at_end;
@@ -131,12 +133,57 @@ std::optional<Study> with_numbers_held(const Study& study, const Channels& cente
   Study held = study;
   for (StudyExperiment& experiment : held.experiments) {
     if (experiment.nuisance.empty()) continue;
-    const auto comparison = comparison_of(experiment, center);
+    const auto comparison = comparison_of(experiment, study.experiments, center);
     if (!comparison) return std::nullopt;
     for (const SolvedNumber& number : comparison->nuisance)
       experiment.nuisance.held.push_back(number.value);
   }
   return held;
+}
+
+/// Scalar products of the changes of the residuals by a free number and by a variable.
+struct Likeness {
+  std::string name;
+  double product = 0.0, number = 0.0, variable = 0.0;
+
+  bool is_parallel() const { return std::abs(product) > kParallel * std::sqrt(number * variable); }
+};
+
+/// Returns how alike the free numbers and a variable are, which changes the residuals by `moved`.
+/// A number that several recordings share is compared over all of them.
+std::vector<Likeness> likenesses(const Study& study,
+                                 const std::vector<Eigen::Index>& used,
+                                 const Eigen::VectorXd& moved,
+                                 const Channels& center) {
+  const auto known = residual_rows(study);
+  std::vector<Likeness> all;
+  for (std::size_t e = 0; e < study.experiments.size(); ++e) {
+    const StudyExperiment& experiment = study.experiments[e];
+    if (!experiment.fitted || experiment.nuisance.empty()) continue;
+    const auto comparison = comparison_of(experiment, study.experiments, center);
+    if (!comparison) continue;
+    for (std::size_t n = 0; n < comparison->nuisance.size(); ++n) {
+      const NuisanceNumber& number = experiment.nuisance.numbers[n];
+      const std::vector<double>& columns = comparison->nuisance[n].columns;
+      if (!number.is_free()) continue;
+      const std::string name =
+          "the " + number.name() + (number.is_shared() ? "" : " of " + experiment.name);
+      auto one = std::find_if(
+          all.begin(), all.end(), [&](const Likeness& known) { return known.name == name; });
+      if (one == all.end()) one = all.insert(all.end(), {name});
+      std::size_t value = 0;
+      for (std::size_t k = 0; k < used.size(); ++k) {
+        const ResidualRow& row = known[static_cast<std::size_t>(used[k])];
+        if (row.experiment != static_cast<int>(e) || value >= columns.size()) continue;
+        const double a = columns[value++] / row.unit;
+        const double b = moved[static_cast<Eigen::Index>(k)];
+        one->product += a * b;
+        one->number += a * a;
+        one->variable += b * b;
+      }
+    }
+  }
+  return all;
 }
 
 /// Names the free numbers that act like a variable.
@@ -145,34 +192,14 @@ void remark_on_alike(const Study& study,
                      const Eigen::MatrixXd& held_slopes,
                      const Channels& center,
                      NuisanceTable& table) {
-  const auto& used = what.identification.residuals_used();
-  const auto known = residual_rows(study);
   const Eigen::MatrixXd& J = what.identification.linearization().J;
   for (int i = 0; i < study.space.size(); ++i) {
     const Eigen::VectorXd moved = held_slopes.col(i);
     if (!(moved.norm() > 0.0) || J.col(i).norm() > kActsAlike * moved.norm()) continue;
     std::vector<std::string> names;
-    for (std::size_t e = 0; e < study.experiments.size(); ++e) {
-      const StudyExperiment& experiment = study.experiments[e];
-      if (!experiment.fitted || experiment.nuisance.empty()) continue;
-      const auto comparison = comparison_of(experiment, center);
-      if (!comparison) continue;
-      for (const SolvedNumber& number : comparison->nuisance) {
-        double product = 0.0, own = 0.0, other = 0.0;
-        std::size_t value = 0;
-        for (std::size_t k = 0; k < used.size(); ++k) {
-          const ResidualRow& row = known[static_cast<std::size_t>(used[k])];
-          if (row.experiment != static_cast<int>(e) || value >= number.columns.size()) continue;
-          const double a = number.columns[value++] / row.unit;
-          const double b = moved[static_cast<Eigen::Index>(k)];
-          product += a * b;
-          own += a * a;
-          other += b * b;
-        }
-        if (number.is_free() && std::abs(product) > kParallel * std::sqrt(own * other))
-          names.push_back("the " + name_of(number.kind) + " of " + experiment.name);
-      }
-    }
+    for (const Likeness& one :
+         likenesses(study, what.identification.residuals_used(), moved, center))
+      if (one.is_parallel()) names.push_back(one.name);
     if (names.empty()) names.emplace_back("the nuisance numbers together");
     const std::string last = names.back();
     names.back() = study.space[i].name;
@@ -216,8 +243,10 @@ void add_costs(const Study& study,
 }  // namespace
 
 std::string NuisanceRow::in_words() const {
-  const std::string name = name_of(number.kind);
-  if (!is_determined) return name + ": the recording does not determine it";
+  const std::string name = number.name();
+  if (!is_determined)
+    return name + (number.is_shared() ? ": the recordings do not determine it"
+                                      : ": the recording does not determine it");
   if (number.is_free() && deviation > kOpen * std::abs(value))
     return name + ": open, because the variables act like it";
   std::string text =

@@ -28,8 +28,8 @@ const StudyExperiment& find(const Study& study, const std::string& name) {
                        ", whose channels the journal would keep; it has " + list_of(fitted));
 }
 
-double part(const StudyExperiment& experiment, const Channels& channels) {
-  return compare(experiment, channels).value;
+double part(const Study& study, const StudyExperiment& experiment, const Channels& channels) {
+  return compare(experiment, study.experiments, channels).value;
 }
 
 std::vector<ParetoTrial> all_trials(const Study& study,
@@ -43,7 +43,8 @@ std::vector<ParetoTrial> all_trials(const Study& study,
     const Channels& channels = *trial.outcome.result;
     const auto score = target(trial.point, channels);
     if (!score || violation(*score) > kFulfilled) return;
-    trials.push_back({trial.point, part(a, channels), part(b, channels), score->value});
+    trials.push_back(
+        {trial.point, part(study, a, channels), part(study, b, channels), score->value});
   });
   return trials;
 }

@@ -66,7 +66,7 @@ void examine_variables(const Study& study, const Document& file, std::vector<Fin
                        true});
     }
     const UsualMagnitude* range =
-        variable.paths.empty() ? nullptr : usual_magnitude(variable.paths.front());
+        variable.paths.empty() ? nullptr : usual_magnitude(variable.paths.front(), variable.unit);
     if (!range) continue;
     for (const char* key : {"lower", "upper", "initial"}) {
       const std::string path = at + key;

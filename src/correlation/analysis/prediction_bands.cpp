@@ -94,7 +94,7 @@ class ComputedValues {
       const auto asked = experiment.observable->asks();
       const auto is_there = [&](const std::string& name) { return channels.find(name) != nullptr; };
       if (!std::all_of(asked.begin(), asked.end(), is_there)) continue;
-      auto comparison = comparison_of(experiment, channels);
+      auto comparison = comparison_of(experiment, study_.experiments, channels);
       if (!comparison) continue;
       Errors errors = errors_of(study_, experiment, point, std::move(*comparison));
       if (!found || errors.slopes.size() > 0) found = std::move(errors);

@@ -117,8 +117,8 @@ DoeConflict doe_conflict(const Study& study,
     Eigen::MatrixXd errors = Eigen::MatrixXd::Constant(
         all.points, static_cast<Eigen::Index>(experiment.values()), std::nan(""));
     for (Eigen::Index p = 0; p < at.rows(); ++p) {
-      const auto comparison =
-          comparison_of(experiment, found[known[static_cast<std::size_t>(p)]->bits()]);
+      const auto comparison = comparison_of(
+          experiment, study.experiments, found[known[static_cast<std::size_t>(p)]->bits()]);
       if (!comparison) continue;
       for (std::size_t k = 0; k < sigma.size(); ++k)
         errors(p, static_cast<Eigen::Index>(k)) = comparison->errors[k] / sigma[k];

@@ -46,7 +46,7 @@ DoeShares doe_shares(const Study& study, const StudyDesign& design, const Journa
     std::vector<double> values{score->value};
     for (const StudyExperiment& experiment : study.experiments) {
       if (!experiment.fitted) continue;
-      const auto comparison = comparison_of(experiment, *trial.outcome.result);
+      const auto comparison = comparison_of(experiment, study.experiments, *trial.outcome.result);
       if (!comparison) return;
       values.push_back(response(experiment, *comparison));
     }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/laboratory/measurement_noise.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/document_record.h"
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "correlation/laboratory/stated_difference.h"
 #include "correlation/laboratory/stated_share.h"
 
 namespace latsch::correlation {
@@ -36,6 +39,7 @@ void add_part(const Node& table,
   if (!std::isfinite(quantity->si) || !(quantity->si > 0.0)) {
     reject(", of which " + in_quotes(part) + " is not above 0");
   }
+  expect_difference(table, key, part, unit);
   const bool is_relative = quantity->unit.dimensionless();
   if (!is_relative && !(compared && quantity->unit.same_dimension(*compared))) {
     reject(", but what is compared is in " + unit);
@@ -115,6 +119,13 @@ RobustLoss read_loss(const Node& table, bool noise_is_stated) {
   }
   robust.scale = robust.loss == Loss::huber ? kHuberScale : kCauchyScale;
   if (!table.has("loss_scale")) return robust;
+  if (noise_is_stated && is_percentage(table, "loss_scale"))
+    table.reject(
+        "loss_scale",
+        fmt::format("is {}, but beside a stated noise it counts in its deviations; expected "
+                    "a plain number such as {:g}",
+                    in_quotes(table.text("loss_scale")),
+                    robust.scale));
   robust.scale = noise_is_stated ? table.quantity("loss_scale", "1", Range::positive())
                                  : read_share(table, "loss_scale", Range::positive());
   return robust;

@@ -18,6 +18,9 @@ Noise has two more effects. The fit does not start again once the target is no l
 alone makes it, so a stated noise that is too large ends the fit early. And intervals do not have
 to estimate the noise.
 
+The deviation of a temperature is a difference, stated in K: "2 degC" is a temperature, and a
+share would count from absolute zero. Both are refused.
+
 With d the error of a value as compared and sigma its stated deviation in units of
 d, a value enters fit and intervals as d / sigma. With a loss of scale c and z = (x / c)^2, x
 becomes  sign(x) c sqrt(rho(z)):

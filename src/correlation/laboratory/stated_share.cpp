@@ -54,4 +54,12 @@ double read_share(const Node& table, const std::string& key, Range range, const 
   return share;
 }
 
+bool is_percentage(const Node& table, const std::string& key) {
+  try {
+    return table.text(key).ends_with('%');
+  } catch (const InputError&) {
+    return false;  // a plain number
+  }
+}
+
 }  // namespace latsch::correlation

@@ -23,4 +23,7 @@ void expect_stated_share(const Node& table,
                          double share,
                          const std::string& unit = "1");
 
+/// True for a text such as "80 %".
+bool is_percentage(const Node& table, const std::string& key);
+
 }  // namespace latsch::correlation

@@ -9,6 +9,7 @@
 #include "base/document_record.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/laboratory/stated_difference.h"
 #include "correlation/observable/curve.h"
 
 namespace latsch::correlation {
@@ -20,13 +21,44 @@ constexpr double kLongest = 0.1;           // share of the record that a shift m
 const std::vector<NuisanceKind> kNuisanceKinds{
     NuisanceKind::offset, NuisanceKind::gain, NuisanceKind::delay, NuisanceKind::x_offset};
 
+/// Returns the text of a number; empty for a plain number.
+std::string text_of(const Node& table, const std::string& key) {
+  try {
+    return table.text(key);
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
 bool is_free_text(const Node& table, const std::string& key) {
   DocumentRecord::expects(table, key, R"("free")");
-  try {
-    return table.text(key) == "free";
-  } catch (const InputError&) {
-    return false;  // a plain number is no text
+  return text_of(table, key) == "free";
+}
+
+/// Returns the table [nuisance.NAME] that the number of a recording names; nullptr: it names none.
+const Node* shared_table(const Node& table,
+                         const std::string& key,
+                         const std::vector<Node>& shared) {
+  const std::string name = text_of(table, key);
+  const auto named = std::find_if(
+      shared.begin(), shared.end(), [&](const Node& one) { return one.name() == name; });
+  if (named == shared.end()) {
+    const bool is_name = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front()));
+    if (is_name && name != "free")
+      table.reject(key,
+                   fmt::format("is {}, which is neither a deviation, \"free\", nor a table "
+                               "[nuisance.{}] of a number that several recordings share",
+                               in_quotes(name),
+                               name));
+    return nullptr;
   }
+  if (!named->has(key))
+    table.reject(key,
+                 fmt::format("is shared as [nuisance.{0}] says, but [nuisance.{0}] has no {1}; "
+                             "expected {1} = \"free\" or a deviation there",
+                             name,
+                             key));
+  return &*named;
 }
 
 /// Throws if the experiment compares something that the number does not change in a known way.
@@ -102,6 +134,8 @@ std::string shown_unit_of(NuisanceKind kind, const Observable& observable) {
   return curve ? curve->measured().x_shown : "1";
 }
 
+/// Reads the prior of a number. `table` is that of the recording or, for a number that several
+/// recordings share, [nuisance.NAME].
 NuisanceNumber read_number(const Node& table,
                            NuisanceKind kind,
                            const Observable& observable,
@@ -123,7 +157,9 @@ NuisanceNumber read_number(const Node& table,
   if (is_free) return number;
   if (kind == NuisanceKind::gain)
     DocumentRecord::expects(table, key, R"(a share such as "3 %", above 0, at most 50 %)");
-  number.prior = table.quantity(key, unit_of(kind, observable), Range::positive());
+  number.prior = kind == NuisanceKind::gain
+                     ? table.quantity(key, unit_of(kind, observable), Range::positive())
+                     : read_difference(table, key, unit_of(kind, observable));
   if (kind == NuisanceKind::gain && number.prior > kLargestGain)
     table.reject(
         key,
@@ -162,9 +198,14 @@ std::string name_of(NuisanceKind kind) {
   return "x_offset";
 }
 
-int Nuisance::priors() const {
-  return static_cast<int>(std::count_if(
-      numbers.begin(), numbers.end(), [](const auto& one) { return !one.is_free(); }));
+std::string NuisanceNumber::name() const {
+  return name_of(kind) + (is_shared() ? " of [nuisance." + shared + "]" : "");
+}
+
+bool Nuisance::shares() const {
+  return held.empty() && std::any_of(numbers.begin(), numbers.end(), [](const auto& one) {
+           return one.is_shared();
+         });
 }
 
 int Nuisance::shift() const {
@@ -177,13 +218,14 @@ int Nuisance::shift() const {
 std::string Nuisance::in_words() const {
   std::string text;
   for (const NuisanceNumber& one : numbers) {
-    text += (text.empty() ? "" : ", ") + name_of(one.kind);
+    text += (text.empty() ? "" : ", ") + one.name();
     text += one.is_free() ? " free" : " 0 +- " + shown_text(one, one.prior, one.prior);
   }
   return text;
 }
 
 Nuisance read_nuisance(const Node& experiment,
+                       const std::vector<Node>& shared,
                        const Observable& observable,
                        const ObjectiveSettings& objective,
                        bool is_fitted,
@@ -191,9 +233,13 @@ Nuisance read_nuisance(const Node& experiment,
   const auto table = experiment.find_table("nuisance");
   if (!table) return {};
   Nuisance nuisance;
-  for (const NuisanceKind kind : kNuisanceKinds)
-    if (table->has(name_of(kind)))
-      nuisance.numbers.push_back(read_number(*table, kind, observable, objective, has_noise));
+  for (const NuisanceKind kind : kNuisanceKinds) {
+    if (!table->has(name_of(kind))) continue;
+    const Node* together = shared_table(*table, name_of(kind), shared);
+    nuisance.numbers.push_back(
+        read_number(together ? *together : *table, kind, observable, objective, has_noise));
+    if (together) nuisance.numbers.back().shared = together->name();
+  }
   const auto names = table->keys();
   if (nuisance.empty() && names.empty())
     experiment.reject("nuisance",
@@ -206,6 +252,34 @@ Nuisance read_nuisance(const Node& experiment,
                       "is given in an experiment that is only predicted, whose values must not "
                       "choose these numbers; expected use = \"fit\", or no nuisance");
   return solves_itself ? Nuisance{} : nuisance;
+}
+
+void expect_named(const std::vector<Node>& shared, const std::vector<const Nuisance*>& recordings) {
+  for (const Node& table : shared) {
+    bool is_empty = true;
+    for (const NuisanceKind kind : kNuisanceKinds) {
+      const std::string key = name_of(kind);
+      if (!table.has(key)) continue;
+      is_empty = false;
+      const NuisanceNumber number{.kind = kind, .shared = table.name()};
+      const bool is_named =
+          std::any_of(recordings.begin(), recordings.end(), [&](const Nuisance* one) {
+            return std::any_of(one->numbers.begin(), one->numbers.end(), [&](const auto& its) {
+              return its.is_one_with(number);
+            });
+          });
+      if (!is_named)
+        table.reject(key,
+                     fmt::format("is named by no recording; expected nuisance = {{{} = \"{}\"}} in "
+                                 "the experiments that share it",
+                                 key,
+                                 table.name()));
+    }
+    if (is_empty)
+      table.reject("gain",
+                   "is missing, expected offset, gain, delay or x_offset, each a deviation or "
+                   "\"free\"");
+  }
 }
 
 std::string shown_text(const NuisanceNumber& number, double value, double deviation) {

@@ -72,20 +72,10 @@ Eigen::MatrixXd NuisanceProjection::following(const Eigen::MatrixXd& J) const {
   return -solved(right);
 }
 
-Eigen::VectorXd NuisanceProjection::deviations() const {
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(numbers_);
-  const Eigen::Index rank = Q_.cols();
-  for (Eigen::Index c = 0; c < rank; ++c) {
-    // column c of R^-1: its squares add to the variances of all numbers
-    Eigen::VectorXd x = Eigen::VectorXd::Unit(rank, c);
-    for (Eigen::Index i = rank - 1; i >= 0; --i) {
-      for (Eigen::Index j = i + 1; j < rank; ++j) x[i] -= R_(i, j) * x[j];
-      x[i] /= R_(i, i);
-    }
-    for (Eigen::Index i = 0; i < rank; ++i)
-      all[number_[static_cast<std::size_t>(i)]] += x[i] * x[i];
-  }
-  return all.cwiseSqrt();
+Eigen::MatrixXd NuisanceProjection::covariance() const {
+  // R^-1, one row for each number; the covariance is its product with its own transpose
+  const Eigen::MatrixXd inverse = solved(Q_);
+  return inverse * inverse.transpose();
 }
 
 }  // namespace latsch::correlation

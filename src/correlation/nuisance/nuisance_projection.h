@@ -28,9 +28,11 @@ class NuisanceProjection {
   Eigen::VectorXd step(const Eigen::VectorXd& r, const Eigen::VectorXd& z) const;
   /// Returns dz/dp for the slopes J at constant z; k x n.
   Eigen::MatrixXd following(const Eigen::MatrixXd& J) const;
-  /// Returns the standard deviations of z at constant p for residuals of deviation 1; 0 for numbers
-  /// that are not determined.
-  Eigen::VectorXd deviations() const;
+  /// Returns the covariance of z at constant p for residuals of deviation 1; 0 for numbers that are
+  /// not determined.
+  Eigen::MatrixXd covariance() const;
+  /// Returns the standard deviations of z, the roots of the covariance's diagonal.
+  Eigen::VectorXd deviations() const { return covariance().diagonal().cwiseSqrt(); }
   /// True if the recording, or its prior, determines number k beside those before it.
   bool determines(Eigen::Index k) const { return place_[static_cast<std::size_t>(k)] >= 0; }
 

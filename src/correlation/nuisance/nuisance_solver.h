@@ -13,6 +13,9 @@
 // that is as small as the differences themselves. A robust loss is applied afterwards.
 #pragma once
 
+#include <Eigen/Core>
+#include <vector>
+
 #include "correlation/nuisance/nuisance_numbers.h"
 
 namespace latsch::correlation {
@@ -30,5 +33,29 @@ Result<Comparison> compare_with(const Nuisance& nuisance,
                                 const Observable& observable,
                                 const ObjectiveSettings& settings,
                                 const Channels& trial);
+
+/// Root of the weight of each of `count` differences in the sum of squares.
+Eigen::VectorXd root_weights(const NuisanceWeights& weights, std::size_t count);
+
+/// A comparison at given values of the numbers that the recording shares with others, and at the
+/// best values of its own numbers there. K: its shared numbers, in their order.
+struct ComparedAtShared {
+  Comparison comparison = {};
+  Eigen::MatrixXd by_shared = {};  // d difference / d shared number, own ones following; m x K
+  Eigen::MatrixXd numbers_by_shared = {};  // d number / d shared number, one row for each number
+  double sum = 0.0;  // weighted sum of squares, with the priors of the own numbers
+};
+
+/// Compares at these values of the shared numbers, SI, of which there are K. Fails as
+/// Observable::compare() does.
+Result<ComparedAtShared> compare_at_shared(const Nuisance& nuisance,
+                                           const NuisanceWeights& weights,
+                                           const Observable& observable,
+                                           const ObjectiveSettings& settings,
+                                           const Channels& trial,
+                                           const std::vector<double>& shared);
+
+/// Returns the channels without their slopes, for comparisons in which a number is only tried.
+Channels without_slopes(const Channels& trial);
 
 }  // namespace latsch::correlation

@@ -11,6 +11,7 @@
 
 #include "base/random.h"
 #include "base/scratch_folder_testing.h"
+#include "correlation/nuisance/oscillation_testing.h"
 #include "correlation/study/study.h"
 #include "correlation/target/residuals.h"
 #include "correlation/target/study_trials.h"
@@ -18,49 +19,6 @@
 
 namespace latsch::correlation {
 namespace {
-
-constexpr int kRecorded = 120;
-constexpr double kRecordedStep = 0.01;  // s
-constexpr double kRecordedNoise = 0.05;
-
-/// Decaying oscillation a exp(-k t) cos(9 t + 0.4), simulated from -0.4 to 1.6 s.
-Channels oscillation(double a, double k) {
-  Channel t{"out/t", "s", {}}, y{"out/y", "N", {}};
-  std::vector<double> by_k;
-  for (int i = 0; i <= 2000; ++i) {
-    const double at = -0.4 + 1e-3 * i, shape = std::exp(-k * at) * std::cos(9.0 * at + 0.4);
-    t.values.push_back(at);
-    y.values.push_back(a * shape);
-    y.slopes.push_back(shape);
-    by_k.push_back(-at * a * shape);
-  }
-  y.slopes.insert(y.slopes.end(), by_k.begin(), by_k.end());
-  t.slopes.assign(y.slopes.size(), 0.0);
-  Channels channels;
-  channels.add(t);
-  channels.add(y);
-  return channels;
-}
-
-/// Returns the simulated curve at t and its slopes by a, k and t.
-struct CurvePoint {
-  double y, by_a, by_k, by_t;
-};
-CurvePoint at(const Channels& channels, double t) {
-  const Channel& x = *channels.find("out/t");
-  const Channel& y = *channels.find("out/y");
-  const std::size_t n = x.values.size();
-  const auto right = std::upper_bound(x.values.begin(), x.values.end() - 1, t);
-  const auto r = static_cast<std::size_t>(right - x.values.begin()), l = r - 1;
-  const double share = (t - x.values[l]) / (x.values[r] - x.values[l]);
-  const auto between = [&](const std::vector<double>& v, std::size_t from) {
-    return v[from + l] + share * (v[from + r] - v[from + l]);
-  };
-  return {between(y.values, 0),
-          between(y.slopes, 0),
-          between(y.slopes, n),
-          (y.values[r] - y.values[l]) / (x.values[r] - x.values[l])};
-}
 
 class NuisanceNumbers : public testing::Test {
  protected:
@@ -73,7 +31,7 @@ class NuisanceNumbers : public testing::Test {
     out.precision(17);
     for (int i = 0; i < kRecorded; ++i) {
       const double t = kRecordedStep * i;
-      measured_.push_back((1.0 + gain) * at(truth, t - delay).y + offset +
+      measured_.push_back((1.0 + gain) * oscillation_at(truth, t - delay).y + offset +
                           kRecordedNoise * random.normal());
       out << t << ',' << measured_.back() << '\n';
     }
@@ -134,7 +92,7 @@ AllUnknowns all_unknowns(const std::vector<double>& measured,
   const Channels channels = oscillation(p[0], p[1]);
   AllUnknowns all{Eigen::VectorXd::Zero(kRecorded + 3), Eigen::MatrixXd::Zero(kRecorded + 3, 5)};
   for (int i = 0; i < kRecorded; ++i) {
-    const CurvePoint s = at(channels, kRecordedStep * i - p[4]);
+    const CurvePoint s = oscillation_at(channels, kRecordedStep * i - p[4]);
     all.r[i] = (measured[static_cast<std::size_t>(i)] - (1.0 + p[3]) * s.y - p[2]) / kRecordedNoise;
     all.J.row(i) << -(1.0 + p[3]) * s.by_a, -(1.0 + p[3]) * s.by_k, -1.0, -s.y,
         (1.0 + p[3]) * s.by_t;
@@ -185,7 +143,8 @@ TEST_F(NuisanceNumbers, AgreeWithAFitOfAllUnknownsTogether) {
     EXPECT_NEAR(point.values[0], p[0], 1e-6) << one.settings;
     EXPECT_NEAR(point.values[1], p[1], 1e-6);
     EXPECT_NEAR(score.value, all.r.squaredNorm(), 1e-6 * score.value);
-    const Comparison c = compare(s.experiments[0], oscillation(point.values[0], point.values[1]));
+    const Comparison c =
+        compare(s.experiments[0], s.experiments, oscillation(point.values[0], point.values[1]));
     ASSERT_EQ(c.nuisance.size(), 3U);
     for (std::size_t k = 0; k < 3; ++k)
       EXPECT_NEAR(c.nuisance[k].value, p[2 + static_cast<Eigen::Index>(k)], 1e-6);
@@ -227,11 +186,11 @@ TEST_F(NuisanceNumbers, AnOffsetGivesExactSlopesOfEveryDifference) {
   measure(0.1, 0.0, 0.0, 7);
   const Study s = study("nuisance = {offset = \"free\"}\n");
   const auto differences = [&](double k) {
-    return compare(s.experiments[0], oscillation(1.8, k)).differences;
+    return compare(s.experiments[0], s.experiments, oscillation(1.8, k)).differences;
   };
   constexpr double h = 1e-5;
   const auto more = differences(1.2 + h), less = differences(1.2 - h);
-  const Comparison c = compare(s.experiments[0], oscillation(1.8, 1.2));
+  const Comparison c = compare(s.experiments[0], s.experiments, oscillation(1.8, 1.2));
   for (std::size_t i = 0; i < more.size(); ++i)
     EXPECT_NEAR((more[i] - less[i]) / (2.0 * h), c.slopes[2 * i + 1], 1e-6);
 }
@@ -243,10 +202,11 @@ TEST_F(NuisanceNumbers, AreFoundAgainInARecordingWithoutNoise) {
   out.precision(17);
   const Channels truth = oscillation(2.0, 1.5);
   for (int i = 0; i < kRecorded; ++i)
-    out << kRecordedStep * i << ',' << 1.04 * at(truth, kRecordedStep * i - 0.0173).y - 0.3 << '\n';
+    out << kRecordedStep * i << ','
+        << 1.04 * oscillation_at(truth, kRecordedStep * i - 0.0173).y - 0.3 << '\n';
   out.close();
   const Study s = study("nuisance = {offset = \"free\", gain = \"free\", delay = \"free\"}\n");
-  const Comparison c = compare(s.experiments[0], truth);
+  const Comparison c = compare(s.experiments[0], s.experiments, truth);
   EXPECT_NEAR(c.nuisance[0].value, -0.3, 1e-9);
   EXPECT_NEAR(c.nuisance[1].value, 0.04, 1e-9);
   EXPECT_NEAR(c.nuisance[2].value, 0.0173, 1e-9);
@@ -261,6 +221,27 @@ TEST_F(NuisanceNumbers, EachLeavesOneDegreeOfFreedomLess) {
   EXPECT_EQ(traits.solved.size(), 2U);
   EXPECT_EQ(residual_rows(s).size(), kRecorded + 1U);
   EXPECT_EQ(prior_count(s), 1U);
+}
+
+// A mean that is removed is an offset that every trial solves.
+TEST_F(NuisanceNumbers, AMeanCostsADegreeOfFreedomAsAFreeOffsetDoes) {
+  measure(0.1, 0.0, 0.0, 11);
+  const Study about_mean = study("compare = \"about_mean\"\n");
+  const Study offset = study("nuisance = {offset = \"free\"}\n");
+  ASSERT_EQ(residual_traits(about_mean).solved.size(), 1U);
+  EXPECT_EQ(residual_traits(about_mean).solved, residual_traits(offset).solved);
+  EXPECT_EQ(solved_numbers(about_mean, 0), solved_numbers(offset, 0));
+}
+
+TEST_F(NuisanceNumbers, ADifferenceOfTemperaturesIsNoTemperature) {
+  std::ofstream(folder_ / "measured.csv") << "t [s],y [K]\n0,300\n1,310\n";
+  scale_.clear();
+  refused("noise = \"2 degC\"\n", "expected \"2 K\"", "y [K]");
+  refused("noise = \"3.6 degF\"\n", "expected \"2 K\"", "y [K]");
+  refused("noise = \"2 %\"\n", "absolute zero", "y [K]");
+  refused("scale = \"10 degC\"\n", "expected \"10 K\"", "y [K]");
+  refused("noise = \"1 K\"\nnuisance = {offset = \"3 degC\"}\n", "expected \"3 K\"", "y [K]");
+  EXPECT_DOUBLE_EQ(study("noise = \"2 K\"\n", "y [K]").experiments[0].noise->absolute, 2.0);
 }
 
 TEST_F(NuisanceNumbers, AreRefusedWhereTheyHaveNoMeaning) {

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "correlation/laboratory/measurement_twin.h"
+#include "correlation/laboratory/stated_difference.h"
 #include "correlation/observable/compared_kinds.h"
 #include "formats/tables/csv_table.h"
 #include "report/report.h"
@@ -276,7 +277,7 @@ std::shared_ptr<const ComplexResponse> read_complex_response(
   const std::vector<double>& imaginary = measurement.values("im_" + m.output, m.unit);
   if (real.empty()) table.reject("measurement", "has no row of numbers");
   for (std::size_t i = 0; i < real.size(); ++i) m.response.emplace_back(real[i], imaginary[i]);
-  if (table.has("scale")) m.scale = table.quantity("scale", m.unit, Range::positive());
+  if (table.has("scale")) m.scale = read_difference(table, "scale", m.unit);
   for (std::size_t i = 0; i < real.size(); ++i)
     if (m.scale == 0.0 && m.response[i] == 0.0)
       table.reject("scale",

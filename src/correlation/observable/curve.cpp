@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "correlation/laboratory/measurement_twin.h"
+#include "correlation/laboratory/stated_difference.h"
 #include "correlation/observable/compared_frame.h"
 #include "correlation/observable/compared_kinds.h"
 #include "formats/tables/csv_table.h"
@@ -63,6 +64,7 @@ void take_what_is_compared(const Node& table, CurveMeasurement& curve) {
   curve.y_compared_unit = levels ? "dB" : spectrum ? "(" + curve.y_unit + ")^2/Hz" : curve.y_unit;
   const double most = levels ? kLevelScale : largest(curve.y_compared);
   curve.scale = table.quantity("scale", spectrum ? "1" : curve.y_unit, Range::positive(), most);
+  if (table.has("scale") && !spectrum) curve.scale = read_difference(table, "scale", curve.y_unit);
   if (curve.scale == 0.0) table.reject("scale", "is missing: all measured values are 0");
 }
 

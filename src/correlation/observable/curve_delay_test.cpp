@@ -71,7 +71,7 @@ scale = "2 N"
     return channels;
   }
   Comparison compared(const Study& study, const Channels& channels) {
-    return compare(study.experiments[0], channels);
+    return compare(study.experiments[0], study.experiments, channels);
   }
   void refused(const std::string& settings,
                const std::string& part,

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/unit_reading.h"
 #include "correlation/laboratory/measurement_twin.h"
+#include "correlation/laboratory/stated_difference.h"
 #include "correlation/observable/channel_value.h"
 #include "correlation/observable/compared_frame.h"
 #include "correlation/observable/compared_kinds.h"
@@ -301,8 +302,7 @@ std::shared_ptr<const Values> read_values(const Node& table,
   if (measurement && table.has("modes")) take_named_modes(table, *measurement, m);
   if (table.has("modes")) m.modes = read_mode_names(table, m, names);
   for (const double value : m.values) m.scales.push_back(std::abs(value));
-  if (table.has("scale"))
-    m.scales.assign(m.values.size(), table.quantity("scale", m.unit, Range::positive()));
+  if (table.has("scale")) m.scales.assign(m.values.size(), read_difference(table, "scale", m.unit));
   for (const double scale : m.scales) {
     if (!(scale > 0.0)) table.reject("scale", "is missing: a measured value of 0 gives no scale");
   }

@@ -46,7 +46,7 @@ std::vector<PredictiveCheck> predictive_checks(const Study& study,
         static_cast<Eigen::Index>(k));
   int m = static_cast<int>(std::ssize(rows));
   for (const auto& [e, own] : of_experiment)
-    m -= solved_numbers(study.experiments[static_cast<std::size_t>(e)]);
+    m -= solved_numbers(study, static_cast<std::size_t>(e));
   const Eigen::RowVectorXd S = whitened.colwise().squaredNorm();
   std::vector<double> X;
   for (int k = 0; k < kNoiseSizes && !s; ++k)
@@ -54,8 +54,8 @@ std::vector<PredictiveCheck> predictive_checks(const Study& study,
   std::vector<PredictiveCheck> checks;
   for (const auto& [e, own] : of_experiment) {
     PredictiveCheck check{e};
-    check.values = static_cast<int>(std::ssize(own)) -
-                   solved_numbers(study.experiments[static_cast<std::size_t>(e)]);
+    check.values =
+        static_cast<int>(std::ssize(own)) - solved_numbers(study, static_cast<std::size_t>(e));
     const Eigen::MatrixXd part = whitened(own, Eigen::all);
     const Eigen::RowVectorXd T = part.colwise().squaredNorm();
     double rank = 0.0;

@@ -43,10 +43,11 @@ void add_stage_end(const Study& study,
   for (std::size_t e = 0; e < own.size(); ++e) {
     const StudyExperiment& experiment = part.experiments[e];
     if (!experiment.fitted || !(experiment.objective.weight > 0.0)) continue;
-    const auto comparison = comparison_of(experiment, recording);
+    const auto comparison = comparison_of(experiment, part.experiments, recording);
     if (!comparison) continue;
     const double error = own_measure(experiment, *comparison);
-    if (error < own[e].error) own[e] = {part.stage, error, rms_error(experiment, recording)};
+    if (error < own[e].error)
+      own[e] = {part.stage, error, rms_error(experiment, part.experiments, recording)};
   }
 }
 
@@ -73,7 +74,7 @@ std::vector<std::string> spoiled_experiments(const Study& study,
   for (std::size_t e = 0; e < std::min(own.size(), study.experiments.size()); ++e) {
     const StudyExperiment& experiment = study.experiments[e];
     if (!own[e].is_known()) continue;
-    const auto comparison = comparison_of(experiment, recording);
+    const auto comparison = comparison_of(experiment, study.experiments, recording);
     if (!comparison) continue;
     const double error = own_measure(experiment, *comparison);
     if (is_spoiled(experiment, own[e], error))

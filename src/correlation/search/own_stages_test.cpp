@@ -66,7 +66,8 @@ class OwnStages : public FittedStudy {
     const Journal journal = Journal::read(study.run.journal);
     const StagesRun stages = recorded_stages(study, journal);
     const auto best = best_trial(stages.study, journal);
-    const Comparison force = compare(study.experiments[0], *evaluator(study)(best->point));
+    const Comparison force =
+        compare(study.experiments[0], study.experiments, *evaluator(study)(best->point));
     return {stages.fits.back().own,
             own_measure(study.experiments[0], force),
             spoiled_experiments(stages, journal),

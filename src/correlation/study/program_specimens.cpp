@@ -57,7 +57,12 @@ class ProgramSpecimens : public Specimens {
   std::unique_ptr<experiment::Specimen> at(const Study& study,
                                            const DesignPoint& point,
                                            std::unique_ptr<experiment::Specimen>) const override {
-    return std::make_unique<ProgramSpecimen>(evaluator(simulator_, study.space), point);
+    // A worker of a run ends a trial at the limit of [run]. Where no worker watches, as in latsch
+    // simulate, the program has this limit and a little more, so that a worker comes first.
+    Simulator limited = simulator_;
+    if (limited.timeout == 0.0 && study.run.timeout > 0.0)
+      limited.timeout = 1.0 + 1.05 * study.run.timeout;
+    return std::make_unique<ProgramSpecimen>(evaluator(limited, study.space), point);
   }
   void check(const Study& study) const override {
     const std::string program = command(simulator_).front();

@@ -220,7 +220,8 @@ TEST_F(RollingStudy, ATwinIsWrittenButNotOverTheStatesOfATest) {
   EXPECT_NEAR(
       formats::CsvTable::read(folder_ / "standing.csv").numbers("force", "N")[1], 3800, 1e-6);
   const auto at_truth = simulate_all(read(), read().space.initial());
-  EXPECT_EQ(compare(read().experiments[0], *at_truth).largest_error, 0.0);
+  const Study written = read();
+  EXPECT_EQ(compare(written.experiments[0], written.experiments, *at_truth).largest_error, 0.0);
 
   std::string text = kRollingStudy;
   text.replace(text.find("\"measured.csv\""), 14, "\"states.csv\"");
@@ -240,7 +241,7 @@ TEST_F(RollingStudy, IsPressedOnTheGroundAsAnyTireIs) {
   const Study study = read();
   const auto channels = simulate_all(study, study.space.initial());
   ASSERT_TRUE(channels) << channels.failure().reason;
-  const Comparison comparison = compare(study.experiments.back(), *channels);
+  const Comparison comparison = compare(study.experiments.back(), study.experiments, *channels);
   EXPECT_EQ(comparison.errors.size(), 2u);
   EXPECT_NEAR(comparison.mean_error, 0.0, 1e-9);  // 190 N/mm, as measured
   EXPECT_EQ(tests_asked_for(study), (std::vector<std::string>{"steady", "press"}));

@@ -148,15 +148,15 @@ void take_absent(const Node& table,
   if (!alike.empty())
     table.reject(
         "from",
-        fmt::format("is {0}, whose column {1} looks like {2}, but is not called so, and {2} would "
-                    "be {3}. Put {5} into [{4}], or without = [\"{2}\"] beside "
-                    "from to leave it out",
-                    in_quotes(table.text("from")),
-                    in_quotes(alike.front()),
-                    condition.channel,
-                    condition.otherwise.empty() ? "left out" : "taken as " + condition.otherwise,
-                    table.text("from"),
-                    measurement.hint_for(condition.channel, alike.front(), condition.unit)));
+        fmt::format(
+            "is {0}, which has no column {2}, so that it would be {3}. Column {1} may be it: "
+            "if so, put {5} into [{4}]; if not, put without = [\"{2}\"] beside from",
+            in_quotes(table.text("from")),
+            in_quotes(alike.front()),
+            condition.channel,
+            condition.otherwise.empty() ? "left out" : "taken as " + condition.otherwise,
+            table.text("from"),
+            measurement.hint_for(condition.channel, alike.front(), condition.unit)));
   measurement.note_absent({condition.channel, condition.unit, by, condition.otherwise});
 }
 

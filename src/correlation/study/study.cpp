@@ -165,6 +165,9 @@ std::vector<StudyExperiment> read_experiments(const Node& root,
     root.reject("experiment", "fits nothing, expected an [experiment.NAME] of positive weight");
   }
   check_noise(root, experiments);
+  std::vector<const Nuisance*> recordings;
+  for (const StudyExperiment& experiment : experiments) recordings.push_back(&experiment.nuisance);
+  expect_named(context.shared_nuisance, recordings);
   return experiments;
 }
 
@@ -344,8 +347,12 @@ Study read(const Document& document,
   const auto folder = file.parent_path();
   const Laboratory laboratory = read_laboratory(root, folder);
   WhatVaries what = read_what_varies(root, file, language, laboratory);
-  const ExperimentContext context{
-      folder, measurements, language, laboratory, what.model.specimens->kind()};
+  const ExperimentContext context{folder,
+                                  measurements,
+                                  language,
+                                  laboratory,
+                                  what.model.specimens->kind(),
+                                  root.named_tables("nuisance")};
   Study study{file,
               root.text("title", file.stem().string()),
               what.model.file,

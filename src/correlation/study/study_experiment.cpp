@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "base/toml/toml_text.h"
 #include "base/units.h"
-#include "correlation/nuisance/nuisance_solver.h"
+#include "correlation/nuisance/shared_numbers.h"
 #include "correlation/observable/compared_kinds.h"
 #include "correlation/observable/force_curve.h"
 #include "correlation/observable/mode_set.h"
@@ -239,6 +239,21 @@ std::optional<MeasurementNoise> noise_of(const StudyExperiment& experiment) {
                    ". Experiments compare its channels as y = \"cleat/...\"");
 }
 
+NuisanceWeights weights_of(const StudyExperiment& experiment) {
+  return {stated_deviations(experiment), experiment.objective.weight};
+}
+
+/// Compares a trial with an experiment that shares no nuisance number.
+Result<Comparison> compared_alone(const StudyExperiment& experiment, const Channels& trial) {
+  if (experiment.nuisance.empty())
+    return experiment.observable->compare(trial, experiment.objective);
+  return compare_with(experiment.nuisance,
+                      weights_of(experiment),
+                      *experiment.observable,
+                      experiment.objective,
+                      trial);
+}
+
 /// Notes in the ledger of a measurement which channels an experiment compares.
 void note_uses(const Measurement& measured, const StudyExperiment& experiment) {
   const std::string by = "experiment " + experiment.name;
@@ -307,6 +322,7 @@ StudyExperiment read_experiment(const Node& table,
   }
   experiment.loss = read_loss(table, experiment.noise.has_value());
   experiment.nuisance = read_nuisance(table,
+                                      context.shared_nuisance,
                                       *experiment.observable,
                                       experiment.objective,
                                       experiment.fitted,
@@ -339,18 +355,74 @@ std::string conditions_of(const StudyExperiment& experiment, const std::vector<S
   return "";
 }
 
-Result<Comparison> comparison_of(const StudyExperiment& experiment, const Channels& trial) {
-  if (experiment.nuisance.empty())
-    return experiment.observable->compare(trial, experiment.objective);
-  return compare_with(experiment.nuisance,
-                      {stated_deviations(experiment), experiment.objective.weight},
-                      *experiment.observable,
-                      experiment.objective,
-                      trial);
+bool counts(const StudyExperiment& experiment) {
+  return experiment.fitted && experiment.objective.weight > 0.0;
 }
 
-Comparison compare(const StudyExperiment& experiment, const Channels& trial) {
-  const auto comparison = comparison_of(experiment, trial);
+std::vector<std::size_t> counted_numbers(const std::vector<StudyExperiment>& experiments,
+                                         std::size_t e) {
+  const auto& own = experiments[e].nuisance.numbers;
+  std::vector<std::size_t> counted;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const bool is_known =
+        std::any_of(experiments.begin(),
+                    experiments.begin() + static_cast<std::ptrdiff_t>(e),
+                    [&](const StudyExperiment& before) {
+                      const auto& its = before.nuisance.numbers;
+                      return counts(before) &&
+                             std::any_of(its.begin(), its.end(), [&](const NuisanceNumber& one) {
+                               return one.is_one_with(own[k]);
+                             });
+                    });
+    if (!is_known) counted.push_back(k);
+  }
+  return counted;
+}
+
+Result<std::vector<Comparison>> compare_all(const std::vector<StudyExperiment>& experiments,
+                                            const Channels& trial) {
+  std::vector<SharingRecording> sharing;
+  for (const StudyExperiment& one : experiments)
+    if (one.nuisance.shares())
+      sharing.push_back(
+          {one.nuisance, weights_of(one), *one.observable, one.objective, counts(one)});
+  std::vector<Comparison> together;
+  if (!sharing.empty()) {
+    auto found = compare_together(sharing, trial);
+    if (!found) return found.failure();
+    together = std::move(*found);
+  }
+  std::vector<Comparison> all;
+  auto next = together.begin();
+  for (const StudyExperiment& one : experiments) {
+    if (one.nuisance.shares()) {
+      all.push_back(std::move(*next++));
+      continue;
+    }
+    auto comparison = compared_alone(one, trial);
+    if (!comparison) return comparison.failure();  // a measurement may have grown since the trial
+    all.push_back(std::move(*comparison));
+  }
+  return all;
+}
+
+Result<Comparison> comparison_of(const StudyExperiment& experiment,
+                                 const std::vector<StudyExperiment>& experiments,
+                                 const Channels& trial) {
+  if (!experiment.nuisance.shares()) return compared_alone(experiment, trial);
+  std::vector<StudyExperiment> sharing{experiment};
+  for (const StudyExperiment& other : experiments)
+    if (other.name != experiment.name && other.nuisance.shares() && counts(other))
+      sharing.push_back(other);
+  auto all = compare_all(sharing, trial);
+  if (!all) return all.failure();
+  return std::move(all->front());
+}
+
+Comparison compare(const StudyExperiment& experiment,
+                   const std::vector<StudyExperiment>& experiments,
+                   const Channels& trial) {
+  const auto comparison = comparison_of(experiment, experiments, trial);
   if (comparison) return *comparison;
   throw InputError("experiment " + experiment.name + ": " + comparison.failure().reason);
 }

@@ -60,6 +60,7 @@ struct ExperimentContext {
   const experiment::Language& language;
   const Laboratory& laboratory;
   const experiment::SpecimenKind* kind = nullptr;  // kind of the model; nullptr: an outside program
+  std::vector<Node> shared_nuisance = {};          // tables [nuisance.NAME]
 };
 
 /// Reads one [experiment.NAME] and its measurement files. If the experiment states a test of its
@@ -79,11 +80,28 @@ std::vector<double> fitted_exponents(const std::vector<StudyExperiment>& experim
 /// test.
 std::string conditions_of(const StudyExperiment& experiment, const std::vector<StudyTest>& tests);
 
-/// Compares the channels of a trial with the measurement, at the best nuisance numbers of the
-/// recording. Fails if they leave nothing to compare.
-Result<Comparison> comparison_of(const StudyExperiment& experiment, const Channels& trial);
+/// True if the measured values of the experiment count in the fit: it is fitted and has a weight.
+bool counts(const StudyExperiment& experiment);
+
+/// Returns the positions of the nuisance numbers that are counted with experiment `e`: its own, and
+/// those that it shares with others, if no counting experiment before it shares them.
+std::vector<std::size_t> counted_numbers(const std::vector<StudyExperiment>& experiments,
+                                         std::size_t e);
+
+/// Compares the channels of a trial with each of the experiments, at the best nuisance numbers of
+/// the recordings. Fails if they leave an experiment nothing to compare.
+Result<std::vector<Comparison>> compare_all(const std::vector<StudyExperiment>& experiments,
+                                            const Channels& trial);
+
+/// Compares as compare_all() does with one experiment alone. Other counting ones of `experiments`
+/// may share nuisance numbers with it. Fails if the channels leave nothing to compare.
+Result<Comparison> comparison_of(const StudyExperiment& experiment,
+                                 const std::vector<StudyExperiment>& experiments,
+                                 const Channels& trial);
 
 /// Compares as comparison_of() does. Throws InputError if the channels leave nothing to compare.
-Comparison compare(const StudyExperiment& experiment, const Channels& trial);
+Comparison compare(const StudyExperiment& experiment,
+                   const std::vector<StudyExperiment>& experiments,
+                   const Channels& trial);
 
 }  // namespace latsch::correlation

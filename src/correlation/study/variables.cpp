@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "correlation/study/variables.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "correlation/laboratory/stated_difference.h"
 #include "correlation/laboratory/stated_share.h"
 
 namespace latsch::correlation {
@@ -36,15 +39,6 @@ bool is_share(const Node& table, const std::string& key) {
     return written && written->unit.dimensionless();
   } catch (const InputError&) {
     return table.has(key);  // a plain number
-  }
-}
-
-/// True for a text such as "80 %".
-bool is_percentage(const Node& table, const std::string& key) {
-  try {
-    return table.text(key).ends_with('%');
-  } catch (const InputError&) {
-    return false;  // a plain number
   }
 }
 
@@ -129,6 +123,8 @@ void read_prior(const Node& table, const std::string& unit, DesignVariable& vari
   }
   if (!is_plain && is_share(table, "prior_sigma")) {
     prior.sigma = read_share(table, "prior_sigma", Range::positive(), unit);
+    if (!prior.of_logarithm && is_percentage(table, "prior_sigma"))
+      expect_difference(table, "prior_sigma", table.text("prior_sigma"), unit);
     if (!prior.of_logarithm) {
       prior.sigma *= std::abs(prior.value);
       if (prior.sigma == 0.0) {
@@ -136,7 +132,7 @@ void read_prior(const Node& table, const std::string& unit, DesignVariable& vari
       }
     }
   } else {
-    prior.sigma = table.quantity("prior_sigma", unit, Range::positive());
+    prior.sigma = read_difference(table, "prior_sigma", unit);
     if (prior.of_logarithm) prior.sigma /= prior.value;
   }
   variable.prior = prior;

@@ -167,7 +167,7 @@ std::string error_line(const Study& study,
   std::string error;
   if (!recording) {
     error = "error not known, " + recording.failure().reason;
-  } else if (const auto found = comparison_of(experiment, *recording)) {
+  } else if (const auto found = comparison_of(experiment, study.experiments, *recording)) {
     const std::string& whole = experiment.observable->whole();
     error = fmt::format("{} error {:.4g} %{}",
                         measure_in_words(experiment),

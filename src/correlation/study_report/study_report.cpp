@@ -105,9 +105,9 @@ void add_experiments(const Study& study,
         has_band ? report::Band{bands[e].lower, bands[e].upper, inside_text(bands[e])}
                  : report::Band{};
     const std::string conditions = conditions_of(experiment, study.tests);
-    const Comparison comparison = compare(experiment, *found.channels);
+    const Comparison comparison = compare(experiment, study.experiments, *found.channels);
     std::optional<Comparison> at_start;
-    if (start) at_start = compare(experiment, *start);
+    if (start) at_start = compare(experiment, study.experiments, *start);
     const OwnStage own = e < own_stages.size() ? own_stages[e] : OwnStage{};
     page.experiments.push_back(experiment_row(experiment, conditions, comparison, at_start, own));
     if (page.experiments.back().is_spoiled)

@@ -8,17 +8,6 @@
 
 namespace latsch::correlation {
 
-Result<std::vector<Comparison>> compare_all(const std::vector<StudyExperiment>& experiments,
-                                            const Channels& channels) {
-  std::vector<Comparison> comparisons;
-  for (const StudyExperiment& experiment : experiments) {
-    auto comparison = comparison_of(experiment, channels);
-    if (!comparison) return comparison.failure();  // a measurement may have grown since the trial
-    comparisons.push_back(std::move(*comparison));
-  }
-  return comparisons;
-}
-
 double own_measure(const StudyExperiment& experiment, const Comparison& comparison) {
   return std::pow(comparison.value, 1.0 / experiment.objective.exponent);
 }
@@ -29,9 +18,13 @@ std::string measure_in_words(const StudyExperiment& experiment) {
   return k == 2.0 ? "RMS" : fmt::format("mean to the power {:g}", k);
 }
 
-std::vector<NuisancePrior> nuisance_priors(const Comparison& comparison) {
+std::vector<NuisancePrior> nuisance_priors(const std::vector<StudyExperiment>& experiments,
+                                           std::size_t e,
+                                           const Comparison& comparison) {
   std::vector<NuisancePrior> priors;
-  for (const SolvedNumber& number : comparison.nuisance) {
+  if (comparison.nuisance.empty()) return priors;
+  for (const std::size_t k : counted_numbers(experiments, e)) {
+    const SolvedNumber& number = comparison.nuisance[k];
     if (number.is_free()) continue;
     priors.push_back({number.value / number.prior, number.slopes});
     for (double& slope : priors.back().slopes) slope /= number.prior;

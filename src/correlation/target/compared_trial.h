@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// One trial compared with all experiments of a study and with the priors of its variables. The
-// target, its parts and the residuals are all computed from this comparison.
+// Measures of the comparisons that compare_all() makes of one trial, and residuals of the priors of
+// nuisance numbers and variables.
 #pragma once
 
 #include <vector>
 
-#include "base/result.h"
 #include "correlation/study/study.h"
-#include "measurement/channels.h"
 #include "optimization/problem/design_space.h"
 
 namespace latsch::correlation {
-
-/// Compares the channels of a trial with each of the experiments, without weights. Fails if they
-/// leave an experiment nothing to compare.
-Result<std::vector<Comparison>> compare_all(const std::vector<StudyExperiment>& experiments,
-                                            const Channels& channels);
 
 /// Returns the error of a comparison without weights in the measure of its experiment, which is the
 /// mean of |d|^k to the power 1/k, with the relative differences d; 1 = 100 %. Terminal, page,
@@ -31,8 +24,11 @@ struct NuisancePrior {
   std::vector<double> slopes = {};  // d residual / d variable; empty: not known
 };
 
-/// Returns one residual for each nuisance number with a prior, in their order.
-std::vector<NuisancePrior> nuisance_priors(const Comparison& comparison);
+/// Returns one residual for each nuisance number with a prior that is counted with experiment `e`,
+/// in their order.
+std::vector<NuisancePrior> nuisance_priors(const std::vector<StudyExperiment>& experiments,
+                                           std::size_t e,
+                                           const Comparison& comparison);
 
 /// Residual of the prior of one variable at a point.
 struct PriorResidual {

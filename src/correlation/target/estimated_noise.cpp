@@ -14,16 +14,16 @@ constexpr double kLeast = 1e-9;
 
 }  // namespace
 
-double rms_error(const StudyExperiment& experiment, const Channels& at) {
-  const auto comparison = comparison_of(experiment, at);
-  if (!comparison)
-    throw InputError("experiment " + experiment.name + ": " + comparison.failure().reason);
+double rms_error(const StudyExperiment& experiment,
+                 const std::vector<StudyExperiment>& experiments,
+                 const Channels& at) {
+  const Comparison comparison = compare(experiment, experiments, at);
   const auto unit = experiment.observable->deviations({.relative = 1.0}, experiment.objective);
-  const auto& missing = comparison->pairing.missing;
+  const auto& missing = comparison.pairing.missing;
   double squares = 0.0, count = 0.0;
   for (std::size_t k = 0; k < unit.size(); ++k) {
     if (std::find(missing.begin(), missing.end(), static_cast<int>(k)) != missing.end()) continue;
-    const double d = comparison->differences[k] / unit[k];
+    const double d = comparison.differences[k] / unit[k];
     squares += d * d;
     count += 1.0;
   }
@@ -55,7 +55,8 @@ void estimate_noise(Study& study, const Channels* at, const std::vector<double>&
     if (!at) continue;
     const bool has_own =
         experiment.noise_of_own_stage && e < own_stages.size() && std::isfinite(own_stages[e]);
-    const double rms = has_own ? own_stages[e] : rms_error(experiment, *at) / std::sqrt(left);
+    const double rms =
+        has_own ? own_stages[e] : rms_error(experiment, study.experiments, *at) / std::sqrt(left);
     experiment.noise = {.relative = std::max(kLeast, rms)};
   }
 }

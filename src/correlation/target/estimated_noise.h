@@ -37,7 +37,9 @@ bool has_noise_of_own_stages(const Study& study);
 
 /// Returns the root mean square of the differences of an experiment, 1 for an error of 100 %.
 /// Throws InputError if the recording leaves nothing to compare.
-double rms_error(const StudyExperiment& experiment, const Channels& at);
+double rms_error(const StudyExperiment& experiment,
+                 const std::vector<StudyExperiment>& experiments,
+                 const Channels& at);
 
 /// Sets the noise from the recording at a best point; nullptr: not known yet, so all experiments
 /// count alike. `own_stages` holds the least rms_error() of each experiment, infinite if no stage

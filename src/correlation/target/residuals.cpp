@@ -14,10 +14,6 @@
 namespace latsch::correlation {
 namespace {
 
-bool counts(const StudyExperiment& experiment) {
-  return experiment.fitted && experiment.objective.weight > 0.0;
-}
-
 std::vector<StudyExperiment> counting(const Study& study) {
   std::vector<StudyExperiment> experiments;
   std::copy_if(
@@ -58,6 +54,11 @@ Eigen::VectorXd measured_slopes(const Curve& curve) {
   return slopes;
 }
 
+/// True if the curve is compared about its mean, which every trial solves as an offset.
+bool takes_means(const Curve* curve) {
+  return curve && curve->measured().comparison.what == ComparedCurve::about_mean;
+}
+
 /// Returns the changes of an experiment's differences d by the nuisance numbers that every trial
 /// solves, one column each. A fit follows the measured values, so these stand for the simulated
 /// ones.
@@ -65,9 +66,11 @@ Eigen::MatrixXd solved_changes(const StudyExperiment& experiment) {
   if (!experiment.nuisance.held.empty()) return {};
   const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
   const bool curve_solves_delay = curve && curve->measured().fits_delay;
+  const bool removes_mean = takes_means(curve);
   const Eigen::VectorXd measured = to_vector(experiment.observable->measured_values());
   const auto& numbers = experiment.nuisance.numbers;
-  Eigen::MatrixXd changes(measured.size(), std::ssize(numbers) + (curve_solves_delay ? 1 : 0));
+  Eigen::MatrixXd changes(
+      measured.size(), std::ssize(numbers) + (curve_solves_delay ? 1 : 0) + (removes_mean ? 1 : 0));
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     switch (numbers[k].kind) {
@@ -83,8 +86,42 @@ Eigen::MatrixXd solved_changes(const StudyExperiment& experiment) {
         break;
     }
   }
-  if (curve_solves_delay) changes.rightCols(1) = measured_slopes(*curve);
+  if (curve_solves_delay) changes.col(std::ssize(numbers)) = measured_slopes(*curve);
+  if (removes_mean) changes.rightCols(1).setConstant(-1.0);
   return to_vector(experiment.observable->scales()).cwiseInverse().asDiagonal() * changes;
+}
+
+/// True for a spectral density whose noise is not stated.
+bool is_density(const StudyExperiment& experiment) {
+  const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
+  return curve && !experiment.noise && curve->measured().comparison.what == ComparedCurve::psd;
+}
+
+/// Returns the deviations of an experiment's differences relative to their root mean square. Those
+/// of a spectral density S without stated noise are as sqrt(S): white noise of density N that is
+/// added to a signal changes a line of the signal by some sqrt(2 S N). Neighboring lines count as
+/// independent.
+std::vector<double> shapes_of_deviations(const StudyExperiment& experiment) {
+  std::vector<double> shapes(experiment.values(), 1.0);
+  if (!is_density(experiment)) return shapes;
+  constexpr double kLeast = 1e-6;  // share of the largest line, for lines that are 0
+  const auto& curve = dynamic_cast<const Curve&>(*experiment.observable);
+  const std::vector<double>& density = curve.measured().y_compared;
+  const double largest = *std::max_element(density.begin(), density.end());
+  double sum = 0.0;
+  for (const double line : density) sum += std::max(line, kLeast * largest);
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    shapes[k] = std::sqrt(std::max(density[k], kLeast * largest) *
+                          static_cast<double>(density.size()) / sum);
+  return shapes;
+}
+
+/// Returns how many nuisance numbers with a prior are counted with experiment `e`.
+int priors_of(const std::vector<StudyExperiment>& experiments, std::size_t e) {
+  int count = 0;
+  for (const std::size_t k : counted_numbers(experiments, e))
+    if (!experiments[e].nuisance.numbers[k].is_free()) ++count;
+  return count;
 }
 
 /// Returns the changes of all residuals by each nuisance number that every trial solves.
@@ -92,21 +129,32 @@ std::vector<Eigen::VectorXd> solved_changes(const std::vector<StudyExperiment>& 
                                             double mean,
                                             std::size_t residuals) {
   std::vector<Eigen::VectorXd> all;
+  std::vector<std::pair<NuisanceNumber, std::size_t>> shared;  // with their places in `all`
   Eigen::Index row = 0, prior = 0;
   for (const StudyExperiment& experiment : experiments)
     prior += static_cast<Eigen::Index>(experiment.values());
-  for (const StudyExperiment& experiment : experiments) {
+  for (std::size_t e = 0; e < experiments.size(); ++e) {
+    const StudyExperiment& experiment = experiments[e];
     const std::vector<double> sigma = stated_deviations(experiment);
     Eigen::MatrixXd own = factor_of(experiment, mean) * solved_changes(experiment);
     if (!sigma.empty() && own.cols() > 0) own = to_vector(sigma).cwiseInverse().asDiagonal() * own;
     const auto& numbers = experiment.nuisance.numbers;
     for (Eigen::Index k = 0; k < own.cols(); ++k) {
+      const NuisanceNumber* number =
+          k < std::ssize(numbers) ? &numbers[static_cast<std::size_t>(k)] : nullptr;
+      const auto known = std::find_if(shared.begin(), shared.end(), [&](const auto& one) {
+        return number && one.first.is_one_with(*number);
+      });
+      if (known != shared.end()) {
+        all[known->second].segment(row, own.rows()) = own.col(k);
+        continue;
+      }
+      if (number && number->is_shared()) shared.emplace_back(*number, all.size());
       Eigen::VectorXd& changes = all.emplace_back(Eigen::VectorXd::Zero(residuals));
       changes.segment(row, own.rows()) = own.col(k);
-      if (k < std::ssize(numbers) && !numbers[static_cast<std::size_t>(k)].is_free())
-        changes[prior++] = 1.0 / numbers[static_cast<std::size_t>(k)].prior;
+      if (number && !number->is_free()) changes[prior++] = 1.0 / number->prior;
     }
-    if (own.cols() == 0) prior += experiment.nuisance.priors();
+    if (own.cols() == 0) prior += priors_of(experiments, e);
     row += static_cast<Eigen::Index>(experiment.values());
   }
   return all;
@@ -114,11 +162,12 @@ std::vector<Eigen::VectorXd> solved_changes(const std::vector<StudyExperiment>& 
 
 }  // namespace
 
-int solved_numbers(const StudyExperiment& experiment) {
+int solved_numbers(const Study& study, std::size_t e) {
+  const StudyExperiment& experiment = study.experiments[e];
   if (!experiment.nuisance.held.empty()) return 0;
   const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
-  return static_cast<int>(experiment.nuisance.numbers.size()) +
-         (curve && curve->measured().fits_delay ? 1 : 0);
+  return static_cast<int>(counted_numbers(study.experiments, e).size()) +
+         (curve && curve->measured().fits_delay ? 1 : 0) + (takes_means(curve) ? 1 : 0);
 }
 
 ResidualTraits residual_traits(const Study& study) {
@@ -127,17 +176,19 @@ ResidualTraits residual_traits(const Study& study) {
   ResidualTraits traits;
   for (size_t e = 0; e < experiments.size(); ++e) {
     const size_t count = experiments[e].values();
-    traits.deviations.insert(traits.deviations.end(), count, spread_of(experiments[e], mean));
+    for (const double shape : shapes_of_deviations(experiments[e]))
+      traits.deviations.push_back(shape * spread_of(experiments[e], mean));
     traits.curves.insert(traits.curves.end(),
                          count,
-                         experiments[e].observable->is_sweep() ? static_cast<int>(e) : -1);
+                         experiments[e].observable->is_sweep() && !is_density(experiments[e])
+                             ? static_cast<int>(e)
+                             : -1);
     RobustLoss loss = experiments[e].loss;
     loss.scale *= factor_of(experiments[e], mean);
     traits.losses.insert(traits.losses.end(), count, loss);
   }
   int nuisance_priors = 0;
-  for (const StudyExperiment& experiment : experiments)
-    nuisance_priors += experiment.nuisance.priors();
+  for (std::size_t e = 0; e < experiments.size(); ++e) nuisance_priors += priors_of(experiments, e);
   for (int k = 0; k < nuisance_priors; ++k) {
     traits.deviations.push_back(1.0);
     traits.curves.push_back(-1);
@@ -187,8 +238,8 @@ Objective residual_objective(const Study& study) {
       score.jacobian.insert(
           score.jacobian.end(), comparison.slopes.begin(), comparison.slopes.end());
     }
-    for (const Comparison& comparison : *comparisons) {
-      for (const NuisancePrior& prior : nuisance_priors(comparison)) {
+    for (std::size_t e = 0; e < experiments.size(); ++e) {
+      for (const NuisancePrior& prior : nuisance_priors(experiments, e, (*comparisons)[e])) {
         score.residuals.push_back(prior.residual);
         score.value += prior.residual * prior.residual;
         score.jacobian.insert(score.jacobian.end(), prior.slopes.begin(), prior.slopes.end());
@@ -230,12 +281,12 @@ std::vector<ResidualRow> residual_rows(const Study& study) {
   }
   for (size_t e = 0; e < study.experiments.size(); ++e) {
     if (!counts(study.experiments[e])) continue;
-    for (const NuisanceNumber& number : study.experiments[e].nuisance.numbers)
-      if (!number.is_free())
-        rows.push_back({-1,
-                        "prior of " + name_of(number.kind) + " of " + study.experiments[e].name,
-                        1.0,
-                        static_cast<int>(e)});
+    for (const std::size_t k : counted_numbers(study.experiments, e)) {
+      const NuisanceNumber& number = study.experiments[e].nuisance.numbers[k];
+      if (number.is_free()) continue;
+      const std::string of = number.is_shared() ? "" : " of " + study.experiments[e].name;
+      rows.push_back({-1, "prior of " + number.name() + of, 1.0, static_cast<int>(e)});
+    }
   }
   for (const DesignVariable& variable : study.space.variables()) {
     if (variable.prior) rows.push_back({-1, "prior of " + variable.name});
@@ -247,8 +298,9 @@ std::size_t prior_count(const Study& study) {
   const auto& variables = study.space.variables();
   auto count = static_cast<std::size_t>(std::count_if(
       variables.begin(), variables.end(), [](const auto& v) { return v.prior.has_value(); }));
-  for (const StudyExperiment& experiment : study.experiments)
-    if (counts(experiment)) count += static_cast<std::size_t>(experiment.nuisance.priors());
+  for (std::size_t e = 0; e < study.experiments.size(); ++e)
+    if (counts(study.experiments[e]))
+      count += static_cast<std::size_t>(priors_of(study.experiments, e));
   return count;
 }
 

@@ -31,8 +31,9 @@ namespace latsch::correlation {
 /// Returns 1 if the study states the noise of its experiments, nullopt if it has to be estimated.
 std::optional<double> residual_sigma(const Study& study);
 
-/// Returns how many nuisance numbers every trial solves for a recording; held ones do not count.
-int solved_numbers(const StudyExperiment& experiment);
+/// Returns how many nuisance numbers every trial solves and experiment `e` counts; held ones do not
+/// count.
+int solved_numbers(const Study& study, std::size_t e);
 
 /// Returns the distribution of the residuals.
 ResidualTraits residual_traits(const Study& study);
@@ -49,7 +50,7 @@ struct ResidualRow {
   int experiment = 0;    // index in the study; -1: a prior, of a variable or of a nuisance number
   std::string name;      // "10 mm", "radial n=2"
   double unit = 1.0;     // difference d that makes a residual of 1, without a robust loss
-  int nuisance_of = -1;  // for a prior of a nuisance number: index of its experiment
+  int nuisance_of = -1;  // for a prior of a nuisance number: index of the experiment that counts it
 
   /// Returns the experiment to which the row belongs; -1 for the prior of a variable.
   int owner() const { return experiment < 0 ? nuisance_of : experiment; }

@@ -113,7 +113,8 @@ Result<Channels> simulate_all(const Study& study, const DesignPoint& point) {
 namespace {
 
 /// Adds the priors of nuisance numbers, each as one more value.
-void add_nuisance_priors(const std::vector<Comparison>& comparisons,
+void add_nuisance_priors(const std::vector<StudyExperiment>& experiments,
+                         const std::vector<Comparison>& comparisons,
                          double common,
                          const std::vector<double>& weights,
                          double exponent,
@@ -121,7 +122,7 @@ void add_nuisance_priors(const std::vector<Comparison>& comparisons,
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (std::size_t e = 0; e < comparisons.size(); ++e) {
     if (!(weights[e] > 0.0)) continue;
-    for (const NuisancePrior& prior : nuisance_priors(comparisons[e])) {
+    for (const NuisancePrior& prior : nuisance_priors(experiments, e, comparisons[e])) {
       const double d = common * prior.residual;
       score.value += std::pow(std::abs(d), exponent) / total;
       score.residuals.push_back(d / std::sqrt(total));
@@ -191,7 +192,7 @@ Objective objective(const Study& study) {
         score.jacobian = weighted_slopes(*comparisons, weights);
         if (common) {
           const double exponent = fitted.front().objective.exponent;
-          add_nuisance_priors(*comparisons, *common, weights, exponent, score);
+          add_nuisance_priors(fitted, *comparisons, *common, weights, exponent, score);
           add_priors(space, point, *common, weights, exponent, score);
         }
         for (const Comparison& comparison : *comparisons) {

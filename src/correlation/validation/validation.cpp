@@ -114,7 +114,7 @@ Result<std::vector<double>> values_of(const Check& check,
     return std::vector<double>{*value};
   }
   const StudyExperiment& experiment = *check.experiment;
-  const auto comparison = comparison_of(experiment, recorded.channels);
+  const auto comparison = comparison_of(experiment, {experiment}, recorded.channels);
   if (!comparison) return comparison.failure();
   experiment.observable->draw({.name = check.name,
                                .conditions = conditions_of(experiment, tests),

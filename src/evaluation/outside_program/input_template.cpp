@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/unit_words/c_locale.h"
 #include "base/units.h"
 
 namespace latsch {
@@ -86,6 +87,7 @@ std::string written(const DesignVariable& variable, double value, const std::str
   const Unit unit = Unit::of(variable.unit);
   if (format.empty()) return unit.exact_number(value);
   std::array<char, 512> buffer{};
+  [[maybe_unused]] const CLocale decimal_points;
   std::snprintf(buffer.data(), buffer.size(), format.c_str(), unit.from_si(value));
   return buffer.data();
 }

@@ -39,6 +39,24 @@ const char* word_for(OutputReader::Kind kind) {
   return "";
 }
 
+/// Returns the first of several fields between blanks, tabs or semicolons that is written as
+/// "10,5"; empty if there is none.
+std::string decimal_comma(const std::string& line) {
+  static const std::regex kWithComma(R"([+-]?\d+,\d+(?:[eEdD][+-]?\d+)?)");
+  std::string found, field;
+  int fields = 0;
+  for (const char c : line + ' ') {
+    if (std::string_view(" \t;").find(c) == std::string_view::npos) {
+      field += c;
+    } else if (!field.empty()) {
+      ++fields;
+      if (found.empty() && std::regex_match(field, kWithComma)) found = field;
+      field.clear();
+    }
+  }
+  return fields > 1 ? found : "";
+}
+
 /// Reads one output file. The first error ends the reading.
 class Reading {
  public:
@@ -116,6 +134,11 @@ class Reading {
       if (value) row.push_back(*value);
     }
     if (row.size() == reader_.columns.size()) {
+      if (const std::string field = decimal_comma(line); !field.empty())
+        return wrong(fmt::format("has {}, where the comma may be a decimal point or separate two "
+                                 "numbers; expected decimal points, or one separator in the line",
+                                 in_quotes(field)),
+                     number);
       for (std::size_t i = 0; i < row.size(); ++i) {
         if (const Status done = add(i, row[i], number); !done) return done;
       }

@@ -82,6 +82,15 @@ TEST(OutputReader, ColumnsSkipTheirHeader) {
   expect_failure(reader, "nothing\n", "holds no value of t");
 }
 
+TEST(OutputReader, ColumnsRefuseDecimalCommas) {
+  const OutputReader reader{
+      .kind = Kind::columns, .quantities = {{"t", "s"}, {"f", "N"}}, .columns = {1, 2}};
+  for (const char* row : {"10,0 2500,5\n", "10,0;2500,5\n", "10,0\t2500,5\n", "1 2,5e3\n"})
+    expect_failure(reader, row, "where the comma may be a decimal point");
+  for (const char* row : {"10,2500\n", "10, 2500\n", "10.0,2500.5 7\n"})
+    EXPECT_TRUE(read(reader, row).ok()) << row;
+}
+
 TEST(OutputReader, TydexGivesChannelsAndConstantsByName) {
   const std::string file =
       "**HEADER\n**CONSTANTS\nINFLPRES                                bar       2.5\n"

@@ -189,7 +189,8 @@ std::string told(const std::string& argument, const fs::path& file) {
   std::error_code error;
   const auto size = fs::file_size(file, error);
   if (error) return "";
-  // A program too large to be read contains all it needs, so its date identifies it.
+  // A program above kLargestRead is identified by its size and date, because reading it would take
+  // too long.
   if (size > kLargestRead) {
     const auto time = fs::last_write_time(file, error).time_since_epoch().count();
     return fmt::format("{}: {} bytes, written {}\n", argument, size, time);

@@ -25,8 +25,8 @@ struct TrialLimits {
 /// Marks all failures so far to be repeated. Returns the number of failed points.
 long retry_failures(Journal& journal);
 
-/// Stores the limits that hold from now on, and marks trials that failed because of a lower limit
-/// to be repeated. Returns the number of the points of these trials.
+/// Stores the limits that hold from now on, and marks for repetition the trials that failed at a
+/// limit that was stricter than the new one. Returns the number of the points of these trials.
 long retry_what_limits_forbade(Journal& journal, const TrialLimits& limits);
 
 /// View of a journal that leaves out the failures that are to be repeated.

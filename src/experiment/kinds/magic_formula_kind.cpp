@@ -52,7 +52,7 @@ std::vector<std::string> turn_slip_in(const MagicFormula& tire,
   const std::vector<double> gamma = values_of(table, "gamma");
   if (std::ranges::all_of(gamma, [](double g) { return g == 0.0; })) return {};
   return {
-      "turn_slip = \"on\" has the camber's sign of the published equations, as MFeval: the camber "
+      "turn_slip = \"on\" has the camber's sign of the program MFeval: the camber "
       "force points to the other side than without turn slip; turn_slip = \"book\" keeps its side"};
 }
 

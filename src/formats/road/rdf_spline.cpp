@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "base/text.h"
 #include "formats/text/letter_case.h"
@@ -49,10 +50,12 @@ class SplineReading {
 
   void check_vertical() const {
     if (!global_ || !global_->has("ROAD_VERTICAL")) return;
-    double x = 0.0, y = 0.0, z = 1.0;
     const std::string text = global_->text("ROAD_VERTICAL");
-    std::sscanf(text.c_str(), "%lf%lf%lf", &x, &y, &z);
-    if (x == 0.0 && y == 0.0 && z > 0.0) return;
+    std::istringstream words(text);
+    std::vector<double> numbers;
+    for (std::string word; words >> word;)
+      numbers.push_back(parse_number(word).value_or(std::nan("")));
+    if (numbers.size() == 3 && numbers[0] == 0.0 && numbers[1] == 0.0 && numbers[2] > 0.0) return;
     throw InputError(global_->place(global_->find("ROAD_VERTICAL")->line),
                      "ROAD_VERTICAL is " + in_quotes(text) + ", expected '0 0 1'");
   }

@@ -128,11 +128,14 @@ Ledger ledger_of(const TirFile& tir) {
       row.factor =
           si_factor(field->unit, units) * (scale == tir.scales.end() ? 1.0 : scale->second);
     }
-    const bool unused = key.parameter.empty() || reason_unused(key.key, "").has_value();
+    const bool is_unit = key.section == "UNITS" && key.remark != kUnknownKey;
+    const bool unused =
+        !is_unit && (key.parameter.empty() || reason_unused(key.key, "").has_value());
     row.state = key.remark == kUnknownKey ? LedgerState::doubtful
                 : unused                  ? LedgerState::not_used
                                           : LedgerState::used;
-    if (row.state == LedgerState::used) Ledger::use(row, "Magic Formula");
+    if (row.state == LedgerState::used)
+      Ledger::use(row, is_unit ? "all numbers of the file" : "Magic Formula");
     if (key.parameter == "USE_MODE")
       row.meaning = key.section + "; asks for " + asked_by_use_mode(tir);
     ledger.rows.push_back(std::move(row));

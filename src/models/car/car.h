@@ -208,8 +208,8 @@ class Car {
     multibody::Vector6d beside = multibody::Vector6d::Zero();
   };
   using LineTires = std::array<LineTire, kCorners>;
-  /// Solves the static equilibrium with the longitudinal pull of `trim`. Adds the longitudinal
-  /// force that the guide still bears to this pull, N, and returns it in `held`.
+  /// Solves the static equilibrium with the longitudinal pull of `trim`. Adds to this pull the
+  /// longitudinal force, N, that the guide still carries, and returns that force in `held`.
   Result<multibody::Rest> stand(const LineTires& tires,
                                 double speed,
                                 const CarInputs& inputs,

@@ -149,14 +149,14 @@ Drawn draw(const RecordedTrial& recorded,
       found = &**all;
       initial = nullptr;
     }
-    const auto comparison = correlation::comparison_of(experiment, *found);
+    const auto comparison = correlation::comparison_of(experiment, study.experiments, *found);
     if (!comparison) {
       drawn.absent.emplace_back(experiment.name, comparison.failure().reason);
       continue;
     }
     std::optional<correlation::Comparison> at_start;
     if (initial) {
-      auto start = correlation::comparison_of(experiment, *initial);
+      auto start = correlation::comparison_of(experiment, study.experiments, *initial);
       if (start) at_start = std::move(*start);
       if (!start) initial = nullptr;
     }

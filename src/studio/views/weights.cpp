@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/unit_words/c_locale.h"
 
 namespace latsch::studio {
 
@@ -26,6 +27,7 @@ std::vector<double> weights_of(const std::string& text, const correlation::Parte
           part,
           fmt::join(names, ", ")));
     const std::string number = part.substr(colon + 1);
+    [[maybe_unused]] const CLocale decimal_points;
     char* end = nullptr;
     weights[static_cast<std::size_t>(found - names.begin())] = std::strtod(number.c_str(), &end);
     if (number.empty() || *end != '\0')

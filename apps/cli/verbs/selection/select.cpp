@@ -66,8 +66,8 @@ std::optional<std::vector<std::vector<double>>> predicted_errors(
       if (experiment.fitted) continue;
       errors.back().push_back(std::numeric_limits<double>::quiet_NaN());
       if (!channels) continue;
-      if (const auto comparison = correlation::comparison_of(experiment, channels->front());
-          comparison)
+      if (const auto comparison =
+              correlation::comparison_of(experiment, study.experiments, channels->front()))
         errors.back().back() = correlation::own_measure(experiment, *comparison);
     }
   }

@@ -36,17 +36,21 @@ stays within a tenth of the record. A free delay alone is solved as the section 
               {"nuisance", "Table of what belongs to the recording and not to the model.", "none"},
               {"nuisance.offset",
                "Standard deviation of a constant that the recording adds to the compared quantity, "
-               "or \"free\".",
+               "or \"free\", or the NAME of a [nuisance.NAME] that recordings share.",
                "none"},
               {"nuisance.gain",
-               "Standard deviation of the share by which the recording is too large, or \"free\".",
+               "Standard deviation of the share by which the recording is too large, or \"free\", "
+               "or "
+               "the NAME of a [nuisance.NAME] that recordings share.",
                "none"},
               {"nuisance.delay",
-               "Standard deviation of the time by which the recording is behind, or \"free\".",
+               "Standard deviation of the time by which the recording is behind, or \"free\", or "
+               "the "
+               "NAME of a [nuisance.NAME] that recordings share.",
                "none"},
               {"nuisance.x_offset",
                "Standard deviation of the amount by which the recorded x is too large, in the unit "
-               "of x, or \"free\".",
+               "of x, or \"free\", or the NAME of a [nuisance.NAME] that recordings share.",
                "none"},
           },
       .samples =

@@ -59,8 +59,9 @@ priority = 2
           {
               {"method",
                "Method of the search. \"auto\", which is also what a study without `[optimizer]` "
-               "gets, is residual_trust_region, or sqp where there are constraints on channels. "
-               "levenberg_marquardt is for trials that bring derivatives of their residuals."},
+               "gets, is sqp where there are constraints on channels, else levenberg_marquardt "
+               "where "
+               "trials bring the derivatives of their residuals, else residual_trust_region."},
               {"initial_step",
                "First step, as a share of the range of a variable.",
                "0.1; of levenberg_marquardt 0.5"},

@@ -18,7 +18,9 @@ killed from outside is repeated in any case; no point is started more than retri
       .sentences =
           {
               {"workers", "Number of processes."},
-              {"timeout", "Time limit of a trial; then its whole process group is killed.", "none"},
+              {"timeout",
+               "Time limit of a trial; then its whole process group is killed.",
+               "10 min"},
               {"memory", "Memory of a worker and of each program it starts.", "unlimited"},
               {"on_failure",
                "What a failed trial does. \"proceed\": a failed point is worse than any other. "

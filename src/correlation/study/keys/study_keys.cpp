@@ -28,6 +28,8 @@ experiments with their measurements, and the optimizer.
               {"linear_constraint",
                "Tables `[linear_constraint.NAME]`: constraints on the variables."},
               {"measurement", "Tables `[measurement.NAME]`: recordings of a laboratory."},
+              {"nuisance",
+               "Tables `[nuisance.NAME]`: numbers of the rig that several recordings share."},
               {"experiment", "Tables `[experiment.NAME]`: what is compared."},
               {"constraint", "Tables `[constraint.NAME]`: constraints on recorded values."},
               {"optimizer", "Way of the search.", "the method \"auto\""},
@@ -60,10 +62,13 @@ file = "force.csv"
 [test.press]
 kind = "load_deflection"
 deflections = {from = "measurement.pressed"}
+[nuisance.cell]
+gain = "free"
 [experiment.stiffness]
 kind = "load_deflection"
 test = "press"
 measurement = "pressed"
+nuisance = {gain = "cell"}
 [constraint.stiff_enough]
 channel = "press/force"
 lower = "1 kN"

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "base/unit_reading.h"
+#include "base/unit_words/c_locale.h"
 
 namespace latsch::correlation {
 
@@ -223,6 +224,7 @@ class LimitReader {
 
   /// Reads a number and the longest text after it that is a unit.
   Term quantity() {
+    [[maybe_unused]] const CLocale decimal_points;
     std::size_t used = 0;
     double number = 0.0;
     try {

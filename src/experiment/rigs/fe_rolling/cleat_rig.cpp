@@ -27,7 +27,7 @@ using fe_tire::RollingState;
 constexpr double kGuess = 0.05;
 /// Share of the deflection by which the effective radius of a first guess is below the free one.
 constexpr double kEffectiveShare = 1.0 / 3.0;
-/// Speed, m/s, at which a tire rolls as it stands.
+/// Speed, m/s, that is so low that a rolling tire is in the state of the standing one.
 constexpr double kCreeping = 1e-3;
 /// Steps before the cleat is in reach from which a simulation begins.
 constexpr long kAhead = 3;

@@ -12,8 +12,9 @@ const KeySection& modes_keys() {
 Vibration modes of a tire with its rim held, off the ground or standing on it; of a
 finite-element tire off the ground also while it spins, and with a rim that moves.
 
-Channels, one value for each mode: "frequency" (Hz), and "n", "type" and "phase" as
-numbers; "shape" at the points; "damping" (of critical) of a flexible ring, and of a finite-element
+Channels, one value for each mode: "frequency" (Hz), and as numbers "n", the waves around the
+tire, "type" (0 torsional, 1 lateral, 2 radial, 3 other) and "phase" (of a standing tire 1
+symmetric and 2 antisymmetric to the axle's plane, else 0); "shape" at the points; "damping" (of critical) of a flexible ring, and of a finite-element
 tire if the key `damping` is true;
 on the ground one value of "deflection", "loaded_radius" (m) and "force" (N) if the model
 computes them.

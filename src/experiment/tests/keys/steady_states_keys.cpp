@@ -36,7 +36,7 @@ memory, and must not be written to while it is read.
               {"angles", "Angles as they are, or \"tangent\": tan(alpha), sin(gamma) instead."},
               {"turn_slip",
                "\"on\" computes forces and moments of turning by phit. The sign of the camber is "
-               "then that of the published equations, which turns the camber force around; "
+               "then that of the program MFeval, which turns the camber force around; "
                "\"book\" has the sign that keeps it."},
               {"friction",
                "Friction of a finite-element tire with the ground; a Magic Formula has that of its "

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <regex>
 
+#include "base/text.h"
+
 namespace latsch::fe_tire {
 namespace {
 
@@ -40,8 +42,12 @@ std::string plain(const std::string& text) {
   return result;
 }
 
+/// Returns the number that the text is, with a decimal point; the expressions of this file match
+/// nothing else.
+double decimal(const std::string& text) { return parse_number(text).value_or(0.0); }
+
 double rim_of(const std::string& text) {
-  const double rim = std::stod(text);
+  const double rim = decimal(text);
   return rim >= kSmallestMetricRim ? rim * kMillimeter : rim * kInch;
 }
 
@@ -50,11 +56,11 @@ bool is_radial(const std::string& construction) { return construction.back() == 
 /// Reads a designation of width, aspect ratio and rim.
 SizeDesignation with_ratio(const std::smatch& m) {
   SizeDesignation size;
-  const double width = std::stod(m[1]);
-  size.metric = width >= 100.0 || std::stod(m[4]) < kLargestOfMotorcycles;
+  const double width = decimal(m[1]);
+  size.metric = width >= 100.0 || decimal(m[4]) < kLargestOfMotorcycles;
   size.width = width * (size.metric ? kMillimeter : kInch);
-  size.rim_diameter = size.metric ? rim_of(m[4]) : std::stod(m[4]) * kInch;
-  size.outer_diameter = size.rim_diameter + 2.0 * size.width * std::stod(m[2]) / 100.0;
+  size.rim_diameter = size.metric ? rim_of(m[4]) : decimal(m[4]) * kInch;
+  size.outer_diameter = size.rim_diameter + 2.0 * size.width * decimal(m[2]) / 100.0;
   size.radial = is_radial(m[3]);
   return size;
 }
@@ -62,10 +68,10 @@ SizeDesignation with_ratio(const std::smatch& m) {
 /// Reads a designation of width and rim.
 SizeDesignation without_ratio(const std::smatch& m) {
   SizeDesignation size;
-  const double width = std::stod(m[1]);
+  const double width = decimal(m[1]);
   size.metric = width >= 100.0;
   size.width = width * (size.metric ? kMillimeter : kInch);
-  size.rim_diameter = std::stod(m[3]) * kInch;
+  size.rim_diameter = decimal(m[3]) * kInch;
   const double height = size.metric ? kHeightOfSeries82 : kHeightOfInches;
   size.outer_diameter = size.rim_diameter + 2.0 * height * size.width;
   size.radial = is_radial(m[2]);
@@ -77,12 +83,12 @@ SizeDesignation without_ratio(const std::smatch& m) {
 /// Reads a designation of outer diameter, width and rim.
 SizeDesignation with_diameter(const std::smatch& m) {
   SizeDesignation size;
-  const double outer = std::stod(m[1]);
+  const double outer = decimal(m[1]);
   const double unit = outer >= kSmallestMillimeters ? kMillimeter : kInch;
   size.metric = false;
   size.outer_diameter = outer * unit;
-  size.width = std::stod(m[2]) * unit;
-  size.rim_diameter = std::stod(m[4]) * kInch;
+  size.width = decimal(m[2]) * unit;
+  size.rim_diameter = decimal(m[4]) * kInch;
   size.radial = is_radial(m[3]);
   size.least_width = 0.95;
   size.most_width = 1.33;

@@ -153,9 +153,9 @@ Failure SpinningTire::above(const StandingWave& wave, double speed) {
       kToKilometersPerHour * wave.speed * wave.radius,
       wave.n,
       wave.n <= wave.resolved ? std::string()
-                              : fmt::format(" (the sectors resolve waves up to n = {}: finer "
-                                            "sectors lower this speed, and rubber "
-                                            "that is stiffer at its frequency raises it)",
+                              : fmt::format(" (the sectors resolve waves up to n = {}; finer "
+                                            "sectors would give a lower speed, rubber that is "
+                                            "stiffer at the frequency of the wave a higher one)",
                                             wave.resolved))};
 }
 

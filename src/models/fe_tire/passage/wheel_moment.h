@@ -63,7 +63,8 @@ TransientForces on_hub(const RollingCase& of,
 /// Fails if the ground touches the tread farther than `reach`, m, from the axle. `touching`: half
 /// angle of the tread that may touch, rad.
 Status check_reach(const std::vector<RollingPatchPoint>& patch, double reach, double touching);
-/// Spin at the start over the least one: the tread's past is kept for so slow a wheel.
+/// Ratio of the spin at the start to the least permitted spin. The past of the tread is kept for as
+/// long as a wheel at this least spin needs it.
 inline constexpr double kSlowest = 4.0;
 /// Fails if the wheel spins too slowly, rad/s.
 Status check_spin(double spin, double first_spin);

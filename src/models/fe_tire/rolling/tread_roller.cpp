@@ -16,7 +16,8 @@ namespace {
 constexpr double kLocked = 1e-6;
 /// Residual of the contact, relative to the accepted one of an iteration.
 constexpr double kInside = 1e-1;
-/// Accepted residual above which a hundredth of the points may still change their states.
+/// If the accepted residual is above this value, a solution counts as found although up to a
+/// hundredth of the points still change between sticking and sliding.
 constexpr double kUnsettled = 1e-4;
 constexpr int kShareLeft = 100;
 

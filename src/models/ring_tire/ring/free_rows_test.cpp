@@ -162,7 +162,7 @@ TEST(FreeRows, OnAStickingTreadForceAndSpeedAreOfOrderTwo) {
 /// over a length of 50 mm.
 std::pair<std::vector<double>, std::vector<double>> over_a_cleat(double h, double from) {
   road::ProfileRoad::Settings settings;
-  settings.along = road::cleat_profile(0.010, 0.12, 0.05);
+  settings.along = road::Profile({{-0.06, 0.0}, {-0.01, 0.01}, {0.01, 0.01}, {0.06, 0.0}});
   settings.origin.x() = from;
   const road::ProfileRoad road(settings);
   RingParameters ring = passenger_ring();

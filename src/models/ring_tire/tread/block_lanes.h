@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight stations of a segment at once: from the belt's four nodes to the tips of a line's blocks
-// and back (10). `Blocks` defines the forces of the blocks.
+// Computes eight stations of a segment at once: takes the motion of the belt's four nodes to the
+// tips of a line's blocks, and the forces of the tips back to the nodes (10). `Blocks` defines the
+// forces of the blocks.
 #if defined(LATSCH_RING_BLOCK_LANES) == defined(LATSCH_KERNEL_TOGGLE)
 #ifdef LATSCH_RING_BLOCK_LANES
 #undef LATSCH_RING_BLOCK_LANES
