@@ -34,14 +34,14 @@ ROOMS = {
     "models/fe_tire": ["mesh", "element", "history", "description", "ring", "contact", "analysis", "motion", "grip",
                        "rolling", "passage", "slopes"],
     "models/ring_tire": ["description", "belt", "tread", "step", "ring"],
-    "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "strategy",
-                     "identifiability", "posterior", "selection"],
+    "optimization": ["problem", "region", "direct_search", "least_squares", "trust_region", "sqp", "design", "surrogate",
+                     "strategy", "identifiability", "posterior", "selection"],
     "formats": ["text", "recorders", "tables", "tire", "car", "road", "deck", "mesh"],
     "experiment": ["rigs", "language", "tests", "kinds"],
     "exchange": ["unit", "package"],
     "evaluation": ["trial", "executors", "journal", "schedule", "outside_program"],
     "correlation": ["laboratory", "observable", "nuisance", "study", "target", "doe", "analysis", "posterior", "selection", "campaign",
-                    "search",                    "study_report", "rig_data", "comparison", "validation"],
+                    "search", "study_report", "rig_data", "comparison", "validation"],
     "studio": ["http", "shelf", "views"],
 }
 

@@ -235,8 +235,14 @@ class Schemas:
         if expected:
             joined = "; or ".join(expected)
             text += (" " if text else "") + joined[0].upper() + joined[1:] + "."
-        default = entry.get("default_in_words") or " or ".join(entry.get("defaults", []))
+        default = entry.get("default_in_words") or " or ".join(entry.get("defaults", [])) or self.fallback_of(forms)
         return text + (f" Unless given: {default}." if default else "")
+
+    @staticmethod
+    def fallback_of(forms):
+        """Returns the value that applies if a key is not written; "" if there is none, or if it depends on other keys."""
+        fallbacks = {form.get("fallback", "") for form in forms}
+        return fallbacks.pop() if len(fallbacks) == 1 else ""
 
     def number(self, form, loose, entry, forms):
         """Returns the ways in which one number can be written."""

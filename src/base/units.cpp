@@ -60,6 +60,9 @@ constexpr KnownDimension kKnown[] = {
     {"kg/m^3", "a density", "1150 kg/m^3"},
     {"kg m^2", "a moment of inertia", "1 kg m^2"},
     {"N m/rad", "a torsional stiffness", "300 N m/deg"},
+    {"N m s/rad", "a torsional damping", "2 N m s/rad"},
+    {"N m^2", "a bending stiffness", "60 N m^2"},
+    {"N/rad", "a force per angle", "1500 N/deg"},
     {"m/N", "a compliance", "0.26 mm/kN"},
     {"rad/N", "an angle per force", "0.02 deg/kN"},
     {"rad/(N m)", "a torsional compliance", "3.4 deg/(kN m)"},
@@ -425,7 +428,7 @@ std::string unknown_unit(std::string_view unit) {
   static const std::vector<std::string> kUsual = {
       "mm",  "cm",  "m",    "km",     "in",     "mm^2", "m^2", "kg",  "g",   "t",    "s",
       "ms",  "min", "h",    "Hz",     "kHz",    "deg",  "rad", "rpm", "m/s", "km/h", "N",
-      "kN",  "lbf", "N m",  "Pa",     "kPa",    "MPa",  "GPa", "bar", "psi", "N/mm", "N/mm^2",
+      "daN", "kN",  "lbf", "N m",  "Pa",     "kPa",    "MPa",  "GPa", "bar", "psi", "N/mm", "N/mm^2",
       "N/m", "K",   "degC", "kg/m^3", "g/cm^3", "mbar", "%",   "1"};
   const std::string refusal = Database::instance().meanings(trimmed(unit)).refusal;
   if (!refusal.empty()) return "unit " + in_quotes(unit) + ", " + refusal;

@@ -40,10 +40,12 @@ bool known(const CLI::App& app, const std::string& word) {
 }
 
 /// Returns the message for arguments that the verb does not know, with the option that may have
-/// been meant; for other errors the parser's message.
+/// been meant; for other errors the parser's message. An unknown option comes before an argument
+/// that is missing, because `latsch run --hlep` asks for help and not for a study.
 std::string complaint(const CLI::App* verb, const CLI::ParseError& error) {
-  if (!verb || !dynamic_cast<const CLI::ExtrasError*>(&error)) return error.what();
-  std::vector<std::string> options;
+  const bool unknown = dynamic_cast<const CLI::ExtrasError*>(&error);
+  if (!verb || (!unknown && !dynamic_cast<const CLI::RequiredError*>(&error))) return error.what();
+  std::vector<std::string> options{"--help"};
   for (const CLI::Option* option : verb->get_options()) {
     for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
   }
@@ -51,6 +53,7 @@ std::string complaint(const CLI::App* verb, const CLI::ParseError& error) {
   for (const std::string& word : extras) {
     if (word.starts_with('-')) return "no option " + in_quotes(word) + did_you_mean(word, options);
   }
+  if (!unknown) return error.what();
   return "unexpected argument " + in_quotes(extras.empty() ? "" : extras.front());
 }
 

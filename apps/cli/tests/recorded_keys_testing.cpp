@@ -48,6 +48,7 @@ Json declaration(const DeclaredKey& key) {
   if (!key.units.empty()) json["units"] = key.units;
   if (!key.choices.empty()) json["choices"] = key.choices;
   if (!key.expected.empty()) json["expected"] = key.expected;
+  if (key.fallback) json["fallback"] = *key.fallback;
   if (std::isfinite(key.range.lower)) json["lower"] = key.range.lower;
   if (std::isfinite(key.range.upper)) json["upper"] = key.range.upper;
   json["lower_excluded"] = key.range.lower_excluded;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "base/error.h"
@@ -160,6 +161,11 @@ void say_sti(const std::string& file,
   }
   const fs::path dll = library_path("latsch_sti.dll");
   const bool has_windows = !folder.empty() && fs::exists(dll);
+  answer()["library"] = so.string();
+  if (has_windows) answer()["windows_library"] = dll.string();
+  answer()["function"] = "dtyre_";
+  answer()["tire_file"] = named.string();
+  answer()["tire"] = kind.describe(source.numbers);
   say("library   {}\n{}function  dtyre_ (Fortran: DTYRE; C: dtyre)\ntire file {}\ntire      {}\n",
       so.string(),
       has_windows ? "Windows   " + dll.string() + "\n" : "",

@@ -119,6 +119,18 @@ void judge_spectrum(const RigFile& rig, const ProcessedRun& run, std::vector<std
         run.record.rate));
 }
 
+/// Checks whether the real rim and the dummy have the same recording, so that their filter is 1.
+void judge_rims(const CaseRow& row, std::vector<std::string>& doubts) {
+  constexpr double kSame = 1e-6;  // difference over the signal: less than any noise of a recording
+  double square = 0.0;
+  for (const double force : row.real) square += force * force;
+  const double signal = std::sqrt(square / std::max<std::size_t>(1, row.real.size()));
+  if (row.dummy.time <= kSame * signal)
+    doubts.push_back("case " + row.name +
+                     ": the dummy and the real rim have the same force, so the filter is told "
+                     "nothing by it: do both runs name the same recording?");
+}
+
 }  // namespace
 
 std::vector<std::string> doubts_of(const RigFile& rig, const RigResults& results) {
@@ -132,6 +144,8 @@ std::vector<std::string> doubts_of(const RigFile& rig, const RigResults& results
     judge_spectrum(rig, run, doubts);
     for (const ProcessedPlateau& plateau : run.plateaus) judge_plateau(rig, run, plateau, doubts);
   }
+  if (results.compensation)
+    for (const CaseRow& row : results.compensation->cases) judge_rims(row, doubts);
   return doubts;
 }
 

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "correlation/rig_data/rig_doubts.h"
 #include "correlation/rig_data/rig_report.h"
 #include "correlation/rig_data/rig_tables.h"
 #include "formats/tables/recording.h"
@@ -189,6 +190,16 @@ TEST_F(RigData, TheFilterBringsTheDummyRimToTheRealOneWhereItWasNotFitted) {
     EXPECT_LT(row.filtered.psd, 0.3 * row.dummy.psd) << row.name;
     EXPECT_LT(row.filtered.level, row.dummy.level) << row.name;
   }
+}
+
+TEST_F(RigData, OneRecordingAsDummyAndAsRealRimIsDoubted) {
+  const std::string same = replaced(kRig, "real.csv", "dummy.csv");
+  const auto doubts = doubts_of(rig(same), results(same));
+  ASSERT_FALSE(doubts.empty());
+  EXPECT_NE(doubts.front().find("case slow: the dummy and the real rim have the same force"),
+            std::string::npos)
+      << doubts.front();
+  EXPECT_TRUE(doubts_of(rig(), results()).empty());
 }
 
 TEST_F(RigData, WithoutFittedCasesTheFilterIsTheInverseOfTheHammers) {

@@ -39,9 +39,10 @@ const char* word_for(OutputReader::Kind kind) {
   return "";
 }
 
-/// Returns the first of several fields between blanks, tabs or semicolons that is written as
-/// "10,5"; empty if there is none.
-std::string decimal_comma(const std::string& line) {
+/// Returns the first field between blanks, tabs or semicolons that is written as "10,5" and may be
+/// one number; empty if there is none. If it is the only field of the line, it may be one number
+/// unless `is_comma_between` says that commas separate the columns.
+std::string decimal_comma(const std::string& line, bool is_comma_between) {
   static const std::regex kWithComma(R"([+-]?\d+,\d+(?:[eEdD][+-]?\d+)?)");
   std::string found, field;
   int fields = 0;
@@ -54,7 +55,7 @@ std::string decimal_comma(const std::string& line) {
       field.clear();
     }
   }
-  return fields > 1 ? found : "";
+  return fields > 1 || !is_comma_between ? found : "";
 }
 
 /// Reads one output file. The first error ends the reading.
@@ -134,7 +135,9 @@ class Reading {
       if (value) row.push_back(*value);
     }
     if (row.size() == reader_.columns.size()) {
-      if (const std::string field = decimal_comma(line); !field.empty())
+      const bool wants_first_alone = reader_.columns.size() == 1 && reader_.columns.front() == 1;
+      if (const std::string field = decimal_comma(line, !wants_first_alone || has_header_);
+          !field.empty())
         return wrong(fmt::format("has {}, where the comma may be a decimal point or separate two "
                                  "numbers; expected decimal points, or one separator in the line",
                                  in_quotes(field)),
@@ -144,7 +147,10 @@ class Reading {
       }
       return {};
     }
-    if (values_.front().empty()) return {};  // a header
+    if (values_.front().empty()) {
+      has_header_ = has_header_ || line.find(',') != line.npos;
+      return {};
+    }
     return wrong(fmt::format("is {}, expected numbers in columns {}",
                              in_quotes(line),
                              fmt::join(reader_.columns, ", ")),
@@ -257,6 +263,7 @@ class Reading {
   const OutputReader& reader_;
   std::string text_;
   std::vector<std::vector<double>> values_;  // values in SI, for each quantity
+  bool has_header_ = false;                  // a line of names with commas was seen
   Status read_;                              // a Failure once an error has ended the reading
 };
 

@@ -89,6 +89,10 @@ TEST(OutputReader, ColumnsRefuseDecimalCommas) {
     expect_failure(reader, row, "where the comma may be a decimal point");
   for (const char* row : {"10,2500\n", "10, 2500\n", "10.0,2500.5 7\n"})
     EXPECT_TRUE(read(reader, row).ok()) << row;
+  // A line that is "10,5" alone is one number or two; a header with commas decides.
+  const OutputReader first{.kind = Kind::columns, .quantities = {{"u", "mm"}}, .columns = {1}};
+  expect_failure(first, "10,5\n11,5\n", "has \"10,5\", where the comma may be a decimal point");
+  EXPECT_TRUE(read(first, "u,F\n10,5\n11,5\n").ok());
 }
 
 TEST(OutputReader, TydexGivesChannelsAndConstantsByName) {
