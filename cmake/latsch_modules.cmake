@@ -90,6 +90,11 @@ function(latsch_optimize_little)
   endforeach()
 endfunction()
 
+# Compiles sixteen files at a time instead of eight where half of the time of a group is that of its includes.
+function(latsch_in_large_groups)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD_BATCH_SIZE 16)
+endfunction()
+
 # Compiles eight files at a time as one, so that their includes are read once. Names in their
 # anonymous namespaces must differ from file to file. A file with options of its own, such as one of
 # inner loops that run a million times, stays alone.

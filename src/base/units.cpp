@@ -426,10 +426,10 @@ DimensionWords words_for(const Unit& unit) {
 
 std::string unknown_unit(std::string_view unit) {
   static const std::vector<std::string> kUsual = {
-      "mm",  "cm",  "m",    "km",     "in",     "mm^2", "m^2", "kg",  "g",   "t",    "s",
-      "ms",  "min", "h",    "Hz",     "kHz",    "deg",  "rad", "rpm", "m/s", "km/h", "N",
-      "daN", "kN",  "lbf", "N m",  "Pa",     "kPa",    "MPa",  "GPa", "bar", "psi", "N/mm", "N/mm^2",
-      "N/m", "K",   "degC", "kg/m^3", "g/cm^3", "mbar", "%",   "1"};
+      "mm",     "cm",  "m",   "km",   "in",     "mm^2",   "m^2",  "kg",  "g",   "t",    "s",
+      "ms",     "min", "h",   "Hz",   "kHz",    "deg",    "rad",  "rpm", "m/s", "km/h", "N",
+      "daN",    "kN",  "lbf", "N m",  "Pa",     "kPa",    "MPa",  "GPa", "bar", "psi",  "N/mm",
+      "N/mm^2", "N/m", "K",   "degC", "kg/m^3", "g/cm^3", "mbar", "%",   "1"};
   const std::string refusal = Database::instance().meanings(trimmed(unit)).refusal;
   if (!refusal.empty()) return "unit " + in_quotes(unit) + ", " + refusal;
   return "unknown unit " + in_quotes(unit) + did_you_mean(unit, kUsual);

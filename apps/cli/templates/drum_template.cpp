@@ -48,7 +48,7 @@ constexpr double kShiftStep = 0.5e-3;  // s
 // correlation below which the program reports that record and simulation are dissimilar
 constexpr double kAlike = 0.5;
 
-const std::vector<RingNumber> kNumbers = {
+const std::vector<RingNumber> kNumbersOfPassage = {
     {"radial", "sidewall.radial.stiffness", "MN/m^2", 2.0},
     {"radial_damping", "sidewall.radial.damping", "N s/m^2", 5.0}};
 const std::vector<RingNumber> kAlong = {
@@ -604,7 +604,7 @@ DrumStudy drum_study(const DrumRecordings& recordings,
       "it.\n"
       "title = \"Flexible ring on the drum\"\nmodel = \"ring.toml\"\n\n{}{}\n{}\n{}\n{}\n[run]\n"
       "workers = 2\n",
-      ring_variables(kNumbers, known),
+      ring_variables(kNumbersOfPassage, known),
       find_column(columns, "Fx") ? ring_variables(kAlong, known) : "",
       tables.measurements,
       tables.tests,

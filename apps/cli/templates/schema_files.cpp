@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSchemaLine = "#:schema ";
-constexpr std::string_view kBefore = "latsch-", kEnding = ".json";
+constexpr std::string_view kPrefix = "latsch-", kEnding = ".json";
 constexpr std::size_t kLargestSchema = std::size_t{4} << 20;  // bytes
 
 /// Returns the folder of the schemas; nothing if the program was copied without them. That of an
@@ -37,15 +37,15 @@ std::vector<std::string> kinds_in(const fs::path& folder) {
   std::vector<std::string> kinds;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(kBefore) && name.ends_with(kEnding))
-      kinds.push_back(name.substr(kBefore.size(), name.size() - kBefore.size() - kEnding.size()));
+    if (name.starts_with(kPrefix) && name.ends_with(kEnding))
+      kinds.push_back(name.substr(kPrefix.size(), name.size() - kPrefix.size() - kEnding.size()));
   }
   std::sort(kinds.begin(), kinds.end());
   return kinds;
 }
 
 fs::path file_of(const fs::path& folder, const std::string& kind) {
-  return folder / fmt::format("{}{}{}", kBefore, kind, kEnding);
+  return folder / fmt::format("{}{}{}", kPrefix, kind, kEnding);
 }
 
 /// Returns a path as a URL: all bytes but letters, digits and a few marks are written as %20.

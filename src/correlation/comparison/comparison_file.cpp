@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "correlation/comparison/existing_file.h"
 #include "correlation/study/specimens.h"
 #include "experiment/language/kind_files.h"
 #include "measurement/band_level.h"
@@ -16,17 +17,10 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kForces = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 
-fs::path existing(const Node& table, const char* key, const fs::path& folder) {
-  const fs::path file = (folder / table.text(key)).lexically_normal();
-  if (!fs::exists(file))
-    table.reject(key, "is " + in_quotes(file.string()) + ", which does not exist");
-  return file;
-}
-
 ComparedTire read_tire(const Node& table,
                        const fs::path& folder,
                        const experiment::Language& language) {
-  const fs::path file = existing(table, "file", folder);
+  const fs::path file = existing_file(table, "file", folder);
   const auto* kind =
       &experiment::kind_for_file(table.choice("kind", language.kind_names()), file, language.kinds);
   ComparedTire tire{table.name(), {}, kind, file, kind->read(file), {}, {}};
@@ -57,7 +51,8 @@ std::shared_ptr<const Measurement> read_recording(const Node& table,
                                                   const fs::path& folder,
                                                   const Laboratory& laboratory) {
   if (auto stated = find(laboratory, table.text("measurement"))) return stated;
-  return std::make_shared<Measurement>(read_measurement(existing(table, "measurement", folder)));
+  return std::make_shared<Measurement>(
+      read_measurement(existing_file(table, "measurement", folder)));
 }
 
 ComparisonTest read_test(const Node& table,
@@ -66,7 +61,7 @@ ComparisonTest read_test(const Node& table,
                          const std::vector<const experiment::SpecimenKind*>& kinds,
                          const Laboratory& laboratory,
                          bool specimen) {
-  const fs::path file = existing(table, "file", folder);
+  const fs::path file = existing_file(table, "file", folder);
   const auto test = language.read_test(file);
   const auto* drum = test->settings_as<experiment::DrumTest>();
   if (!drum) table.reject("file", "is no drum test, expected kind = \"drum_cleat\" in it");

@@ -22,7 +22,7 @@ using report::significant;
 constexpr int kMeasuredColor = 1;
 
 /// Returns the color of a tire on the whole page. It differs from the color of the measurement.
-int color_of(std::size_t tire) { return tire == 0 ? 0 : static_cast<int>(tire) + 1; }
+int color_of_tire(std::size_t tire) { return tire == 0 ? 0 : static_cast<int>(tire) + 1; }
 
 std::string range(FrequencyBand band) {
   return band.upper > 0.0 ? fmt::format("{:.0f} to {:.0f} Hz", band.lower, band.upper) : "nowhere";
@@ -100,7 +100,7 @@ std::string level_figures(const ComparisonFile& file, const TireComparison& comp
     plot.y_title = "Level error [dB]";
     for (std::size_t i = 0; i < file.tires.size(); ++i)
       plot.lines.push_back(
-          {file.tires[i].title, centers, comparison.tires[i].level_error[c], color_of(i), {}});
+          {file.tires[i].title, centers, comparison.tires[i].level_error[c], color_of_tire(i), {}});
     plot.lines.push_back({fmt::format("{:g} dB", file.agreement),
                           {centers.front(), centers.back()},
                           {file.agreement, file.agreement},
@@ -124,8 +124,11 @@ report::LinePlot time_plot(const ComparisonFile& file,
   plot.y_title = fmt::format("{} [{}]", file.channels[channel], unit_of(file.channels[channel]));
   plot.lines.push_back({"measured", test.time, test.measured[channel].force, kMeasuredColor, {}});
   for (std::size_t i = 0; i < file.tires.size(); ++i)
-    plot.lines.push_back(
-        {file.tires[i].title, test.time, test.tires[i].channels[channel].force, color_of(i), {}});
+    plot.lines.push_back({file.tires[i].title,
+                          test.time,
+                          test.tires[i].channels[channel].force,
+                          color_of_tire(i),
+                          {}});
   return plot;
 }
 
@@ -163,7 +166,7 @@ report::LinePlot density_plot(const ComparisonFile& file,
                                       file.tires[i].title,
                                       test.tires[i].channels[channel].density,
                                       test.highest,
-                                      color_of(i)));
+                                      color_of_tire(i)));
   return plot;
 }
 

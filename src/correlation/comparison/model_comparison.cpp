@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <ctime>
 #include <exception>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
 
+#include "base/clock.h"
 #include "base/document_record.h"
 #include "base/random.h"
 #include "base/text.h"
@@ -21,19 +21,10 @@
 #include "correlation/laboratory/virtual_recording.h"
 #include "correlation/target/limits_by_name.h"
 #include "formats/tables/csv_table.h"
+#include "numerics/signals/mean.h"
 
 namespace latsch::correlation {
 namespace {
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double cpu_seconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 std::unique_ptr<experiment::Test> read_case(const Document& document,
                                             const std::filesystem::path& folder,
@@ -112,9 +103,9 @@ ModelRun run_model(const ModelComparisonFile& file,
                    const CaseComparison& compared) {
   const auto& reference = compared.reference;
   ModelRun run;
-  const double begin = cpu_seconds();
+  const double begin = thread_cpu_seconds();
   const Channels channels = run_of(model, model.numbers, test, one.name, &run.limits);
-  run.cpu = cpu_seconds() - begin;
+  run.cpu = thread_cpu_seconds() - begin;
   run.times = selected_samples(file, channels, "time", model.title);
   run.samples = samples_of(file, channels, model.title);
   run.densities = densities_of(file, channels, model.title);
@@ -128,7 +119,7 @@ ModelRun run_model(const ModelComparisonFile& file,
                                    one.name));
   for (const std::string& name : file.told)
     run.told.push_back(channels.find(name)
-                           ? mean(selected_samples(file, channels, name, model.title))
+                           ? numerics::mean(selected_samples(file, channels, name, model.title))
                            : std::nan(""));
   std::vector<MovedDensities> others;
   int beyond = 0, count = 0;
@@ -190,8 +181,8 @@ std::vector<std::string> limits_of_models(const ModelComparisonFile& file,
   return limits.before_names();
 }
 
-double ModelRun::mean_distance(std::size_t band) const { return mean(distance[band]); }
-double ModelRun::mean_decibels(std::size_t band) const { return mean(decibels[band]); }
+double ModelRun::mean_distance(std::size_t band) const { return numerics::mean(distance[band]); }
+double ModelRun::mean_decibels(std::size_t band) const { return numerics::mean(decibels[band]); }
 
 Channels record_reference(const ModelComparisonFile& file,
                           std::size_t index,

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "correlation/comparison/existing_file.h"
 #include "correlation/laboratory/stated_share.h"
 #include "experiment/language/kind_files.h"
 
@@ -15,20 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path existing(const Node& table, const char* key, const fs::path& folder) {
-  const fs::path file = (folder / table.text(key)).lexically_normal();
-  if (!fs::exists(file))
-    table.reject(key, "is " + in_quotes(file.string()) + ", which does not exist");
-  return file;
-}
-
 ComparedModel read_compared(const Node& table,
                             const fs::path& folder,
                             const experiment::Language& language) {
   ComparedModel model;
   model.name = table.name();
   model.title = table.text("title", table.name());
-  const fs::path file = existing(table, "file", folder);
+  const fs::path file = existing_file(table, "file", folder);
   model.kind =
       &experiment::kind_for_file(table.choice("kind", language.kind_names()), file, language.kinds);
   model.numbers = model.kind->read(file);
@@ -70,9 +64,9 @@ void read_reference(const Node& table,
 GridTest read_grid_test(const Node& table, const fs::path& folder) {
   GridTest test;
   test.name = table.name();
-  const fs::path of_models = existing(table, "file", folder);
+  const fs::path of_models = existing_file(table, "file", folder);
   const fs::path of_reference =
-      table.has("reference") ? existing(table, "reference", folder) : of_models;
+      table.has("reference") ? existing_file(table, "reference", folder) : of_models;
   test.model_test = Document::read(of_models);
   test.reference_test = Document::read(of_reference);
   test.folder = of_models.parent_path();
@@ -194,7 +188,7 @@ void read_fits(const Node& root,
   for (const Node& table : root.named_tables("fit")) {
     FitSource fit{table.name(), nullptr, {""}, table.place(), table.flag("bands", true)};
     fit.study =
-        std::make_shared<const Study>(read_study(existing(table, "study", folder), language));
+        std::make_shared<const Study>(read_study(existing_file(table, "study", folder), language));
     if (table.has("at")) fit.at = table.texts("at");
     if (fit.at.empty()) table.reject("at", "is empty, expected at least one path");
     file.fits.push_back(std::move(fit));
@@ -299,7 +293,7 @@ std::vector<std::pair<std::string, fs::path>> studies_of_fits(const fs::path& fi
   std::vector<std::pair<std::string, fs::path>> studies;
   if (!document.root().has("fit")) return studies;
   for (const Node& table : document.root().named_tables("fit"))
-    studies.emplace_back(table.name(), existing(table, "study", file.parent_path()));
+    studies.emplace_back(table.name(), existing_file(table, "study", file.parent_path()));
   return studies;
 }
 

@@ -25,7 +25,7 @@ using report::significant;
 constexpr int kReferenceColor = 1;
 
 /// Returns the color of a model on the whole page. It differs from the color of the reference.
-int color_of(std::size_t model) { return model == 0 ? 0 : static_cast<int>(model) + 1; }
+int color_of_model(std::size_t model) { return model == 0 ? 0 : static_cast<int>(model) + 1; }
 
 std::string in_words(const NamedBand& band) {
   return fmt::format("{}, {:g} to {:g} Hz", band.name, band.band.lower, band.band.upper);
@@ -271,7 +271,7 @@ report::LinePlot density_plot(const ModelComparisonFile& file,
     plot.lines.push_back(density_line(file,
                                       file.models[m].title,
                                       compared.models[m].densities[channel],
-                                      color_of(m),
+                                      color_of_model(m),
                                       scale,
                                       &compared.models[m],
                                       channel));
@@ -309,7 +309,7 @@ report::LinePlot time_plot(const ModelComparisonFile& file,
     plot.lines.push_back({file.models[m].title,
                           compared.models[m].times,
                           compared.models[m].samples[channel],
-                          color_of(m),
+                          color_of_model(m),
                           {}});
   return plot;
 }

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/clock.h"
 #include "base/random.h"
 #include "correlation/comparison/measured_drum.h"
 #include "correlation/target/limits_by_name.h"
@@ -18,6 +19,7 @@
 #include "experiment/rigs/slip/lift_watch.h"
 #include "formats/tables/csv_table.h"
 #include "measurement/band_level.h"
+#include "numerics/signals/mean.h"
 
 namespace latsch::correlation {
 namespace {
@@ -26,10 +28,6 @@ namespace {
 /// because minutes are timed well enough.
 constexpr int kTimings = 2;
 
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 double rms(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value * value;
@@ -37,7 +35,7 @@ double rms(const std::vector<double>& values) {
 }
 
 std::vector<double> about_mean(std::vector<double> values) {
-  const double middle = mean(values);
+  const double middle = numerics::mean(values);
   for (double& value : values) value -= middle;
   return values;
 }
@@ -167,12 +165,6 @@ void judge_band(const ComparisonFile& file,
                     file.band.lower));
 }
 
-double cpu_seconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// Returns the time, s, that a tire simulates in a test. A finite-element tire begins with its
 /// steady state, without a run-in, and one of its passages stands for all.
 double simulated_time(const ComparedTire& tire, const experiment::DrumTest& drum) {
@@ -190,9 +182,9 @@ TireRun compared_run(const ComparedTire& tire,
   double least = 0.0;
   const int timings = tire.kind->has(experiment::IsFeTire::kName) ? 1 : kTimings;
   for (int i = 0; i < timings; ++i) {
-    const double begin = cpu_seconds();
+    const double begin = thread_cpu_seconds();
     channels = run_of(tire, test, i == 0 ? &run.limits : nullptr);
-    const double spent = cpu_seconds() - begin;
+    const double spent = thread_cpu_seconds() - begin;
     least = i == 0 ? spent : std::min(least, spent);
   }
   run.cpu_over_time = least / simulated_time(tire, test.drum);
@@ -319,10 +311,10 @@ TireComparison compare_tires(const ComparisonFile& file,
     std::vector<std::vector<double>> forces;
     if (file.specimen) {
       std::vector<std::string> limits;
-      const double begin = cpu_seconds();
+      const double begin = thread_cpu_seconds();
       const Channels measured = measure(*file.specimen, test, t, &limits);
       compared.specimen_cpu_over_time =
-          (cpu_seconds() - begin) / simulated_time(file.specimen->tire, test.drum);
+          (thread_cpu_seconds() - begin) / simulated_time(file.specimen->tire, test.drum);
       all.specimen_cpu_over_time +=
           compared.specimen_cpu_over_time / static_cast<double>(file.tests.size());
       for (const std::string& limit : limits) of_specimen.add(limit, test.name);

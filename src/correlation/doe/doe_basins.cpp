@@ -18,7 +18,7 @@ using Targets = std::map<std::string, double>;  // target of each point, keyed b
 constexpr double kLeastShare = 0.9;  // least share of a design's points that must have a target
 constexpr int kMostSampledLevels = 41;
 // limit for points without a grid: the time to find neighbors grows with the square of their number
-constexpr int kMostScattered = 10'000;
+constexpr int kMostScatteredPoints = 10'000;
 
 Targets targets_of(const std::vector<RatedTrial>& trials) {
   Targets targets;
@@ -59,7 +59,7 @@ std::optional<DoeBasins> doe_basins(const Study& study,
                                     const std::vector<RatedTrial>& trials) {
   if (design.kind == DesignKind::morris) return std::nullopt;
   const bool grid = design.kind == DesignKind::full_factorial;
-  if (!grid && design.points > kMostScattered) return std::nullopt;
+  if (!grid && design.points > kMostScatteredPoints) return std::nullopt;
   const SamplingPlan plan = correlation::plan(design, study.space);
   const auto values = values_of(plan, targets_of(trials));
   if (!complete(values)) return std::nullopt;

@@ -18,7 +18,7 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr std::array<const char*, 6> kForces = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+constexpr std::array<const char*, 6> kForcesAndMoments = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 
 Vector6 turned(const Vector6& v, AxisFrame from, AxisFrame to, double gamma, double R_l) {
   const Wrench wrench = in_frame({v.head<3>(), v.tail<3>()}, from, to, gamma, R_l);
@@ -38,7 +38,7 @@ std::vector<std::string> what_takes(int row, AxisFrame from, AxisFrame to) {
   const Matrix6 T = matrix_of(from, to, gamma, R_l);
   std::vector<std::string> names;
   for (int j = 0; j < 6; ++j)
-    if (T(row, j) != 0.0) names.emplace_back(kForces[j]);
+    if (T(row, j) != 0.0) names.emplace_back(kForcesAndMoments[j]);
   if (T.row(row) != matrix_of(from, to, 0.5 * gamma, R_l).row(row)) names.emplace_back("gamma");
   if (T.row(row) != matrix_of(from, to, gamma, 2.0 * R_l).row(row))
     names.emplace_back("loaded_radius");
@@ -70,8 +70,8 @@ std::array<const Channel*, 6> forces_in(const LabRecord& record,
   std::array<const Channel*, 6> found{};
   for (const Channel& channel : record.channels)
     for (std::size_t k = 0; k < 6; ++k)
-      if (channel.name == kForces[k] + name_of(frame) ||
-          (channel.name == kForces[k] && stated == name_of(frame)))
+      if (channel.name == kForcesAndMoments[k] + name_of(frame) ||
+          (channel.name == kForcesAndMoments[k] && stated == name_of(frame)))
         found[k] = &channel;
   return found;
 }
@@ -96,12 +96,13 @@ void turn(LabRecord& record,
     const std::vector<std::string> taken = what_takes(row, from, to);
     std::vector<std::string> lacks = taken;
     std::erase_if(lacks, [&](const std::string& name) {
-      const auto force = std::find(kForces.begin(), kForces.end(), name);
-      return force != kForces.end() ? sources[force - kForces.begin()] != nullptr
-                                    : record.find(name) != nullptr;
+      const auto force = std::find(kForcesAndMoments.begin(), kForcesAndMoments.end(), name);
+      return force != kForcesAndMoments.end()
+                 ? sources[force - kForcesAndMoments.begin()] != nullptr
+                 : record.find(name) != nullptr;
     });
     if (!lacks.empty()) {
-      record.left_out[kForces[row]] =
+      record.left_out[kForcesAndMoments[row]] =
           fmt::format("cannot be turned from axes {} into {} without {}",
                       name_of(from),
                       name_of(to),
@@ -109,13 +110,16 @@ void turn(LabRecord& record,
       continue;
     }
     for (const std::string& name : taken)
-      if (const auto force = std::find(kForces.begin(), kForces.end(), name);
-          force == kForces.end() || sources[force - kForces.begin()] != source)
+      if (const auto force = std::find(kForcesAndMoments.begin(), kForcesAndMoments.end(), name);
+          force == kForcesAndMoments.end() || sources[force - kForcesAndMoments.begin()] != source)
         note_use(record,
-                 force == kForces.end() ? name : sources[force - kForces.begin()]->name,
+                 force == kForcesAndMoments.end()
+                     ? name
+                     : sources[force - kForcesAndMoments.begin()]->name,
                  "in_frame");
-    const bool is_plain = source->name == kForces[row];
-    Channel result{is_plain ? kForces[row] : kForces[row] + name_of(to), source->unit, {}};
+    const bool is_plain = source->name == kForcesAndMoments[row];
+    Channel result{
+        is_plain ? kForcesAndMoments[row] : kForcesAndMoments[row] + name_of(to), source->unit, {}};
     for (std::size_t i = 0; i < record.samples(); ++i) {
       Vector6 v = Vector6::Zero();  // unrecorded components have factor 0
       for (int j = 0; j < 6; ++j)
@@ -125,7 +129,7 @@ void turn(LabRecord& record,
     }
     record.written[result.name] = record.written[source->name];
     record.turned_from[result.name] = from;
-    done.emplace_back(kForces[row]);
+    done.emplace_back(kForcesAndMoments[row]);
     results.push_back(std::move(result));
   }
   std::erase_if(record.channels, [&](const Channel& channel) {
@@ -166,7 +170,7 @@ std::string turn_into_frame(LabRecord& record,
   if (std::any_of(left.begin(), left.end(), [](const Channel* channel) { return channel; }))
     return "";
   std::string reasons;
-  for (const char* force : kForces)
+  for (const char* force : kForcesAndMoments)
     if (const auto reason = record.left_out.find(force); reason != record.left_out.end())
       reasons += fmt::format("{}{} {}", reasons.empty() ? "" : "; ", force, reason->second);
   return reasons;

@@ -4,14 +4,11 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "correlation/observable/known_channels.h"
 #include "measurement/axes.h"
 
 namespace latsch::correlation {
 namespace {
-
-std::string column_of(const std::string& channel) {
-  return channel.substr(channel.find_last_of('/') + 1);
-}
 
 /// Returns the frame that the measurement states or, if it states none, the experiment.
 std::string measured_frame(const Node& table,
@@ -65,7 +62,7 @@ std::string measured_frame(const Node& table,
 }  // namespace
 
 std::vector<std::string> forces_beside(const std::string& channel) {
-  const std::size_t at = channel.size() - column_of(channel).size();
+  const std::size_t at = channel.size() - channel_part(channel).size();
   std::vector<std::string> forces;
   for (const char* force : {"Fx", "Fy", "Fz", "Mx", "My", "Mz"})
     forces.push_back(channel.substr(0, at) + force + channel.substr(at + 2));
@@ -82,7 +79,7 @@ const KnownChannel& channel_in_measured_frame(const Node& table,
                                               const std::string& stated,
                                               const std::vector<KnownChannel>& channels,
                                               const Measurement& measurement) {
-  const std::string column = column_of(named);
+  const std::string column = channel_part(named);
   const std::string frame = measured_frame(table, column, stated, measurement);
   const KnownChannel* channel = find(channels, named);
   if (!channel && !frame.empty()) channel = find(channels, named + frame);

@@ -16,16 +16,13 @@
 #include "correlation/laboratory/stated_difference.h"
 #include "correlation/observable/compared_frame.h"
 #include "correlation/observable/compared_kinds.h"
+#include "correlation/observable/known_channels.h"
 #include "formats/tables/csv_table.h"
 
 namespace latsch::correlation {
 namespace {
 
 std::string si_of(const std::string& unit) { return si_unit(Unit::of(unit).dimension()); }
-
-std::string last_part(const std::string& channel) {
-  return channel.substr(channel.find_last_of('/') + 1);
-}
 
 bool rises(const std::vector<double>& x) {
   return std::adjacent_find(x.begin(), x.end(), std::greater_equal<>()) == x.end();
@@ -157,14 +154,15 @@ std::shared_ptr<const Curve> read_curve(const Node& table,
   curve.y_shown = y.unit;
   curve.x_unit = si_of(curve.x_shown);
   curve.y_unit = si_of(curve.y_shown);
-  if (!curve.x.empty()) curve.x_measured = measurement.values(last_part(curve.x), curve.x_unit);
-  curve.y_measured = measurement.values(last_part(curve.y), curve.y_unit);
+  if (!curve.x.empty()) curve.x_measured = measurement.values(channel_part(curve.x), curve.x_unit);
+  curve.y_measured = measurement.values(channel_part(curve.y), curve.y_unit);
   if (curve.y_measured.empty()) table.reject("measurement", "has no row of numbers");
   curve.comparison = read_comparison(table, curve.x_measured, curve.y_measured, curve.x_unit);
   curve.fits_delay = read_delay(table, curve);
   if (curve.x.empty() && !curve.comparison.of_spectrum()) {
-    curve.natural = natural_abscissa(measurement, last_part(curve.y));
-    if (curve.natural) curve.y_shown = unit_of_file(measurement, last_part(curve.y), curve.y_shown);
+    curve.natural = natural_abscissa(measurement, channel_part(curve.y));
+    if (curve.natural)
+      curve.y_shown = unit_of_file(measurement, channel_part(curve.y), curve.y_shown);
   }
   take_what_is_compared(table, curve);
   return std::make_shared<Curve>(std::move(curve));
@@ -428,10 +426,10 @@ std::vector<std::filesystem::path> Curve::write(const Channels& trial,
                            " is compared as a path, whose points belong to no sample");
     const auto y = samples(trial, c_.y);
     if (!y) throw InputError(files.measurement->place(), y.failure().reason);
-    std::map<std::string, std::vector<double>> values{{last_part(c_.y), y->values}};
-    if (files.measurement->is_turned(last_part(c_.y)))
+    std::map<std::string, std::vector<double>> values{{channel_part(c_.y), y->values}};
+    if (files.measurement->is_turned(channel_part(c_.y)))
       for (const std::string& beside : forces_beside(c_.y))
-        if (const auto found = samples(trial, beside)) values[last_part(beside)] = found->values;
+        if (const auto found = samples(trial, beside)) values[channel_part(beside)] = found->values;
     return {write_twin(*files.measurement, values, files.comment)};
   }
   if (files.is_shared) {
@@ -444,7 +442,7 @@ std::vector<std::filesystem::path> Curve::write(const Channels& trial,
                        "is the measurement of experiments with different numbers of values: a twin "
                        "needs a file for each of them");
     }
-    if (!columns.find(last_part(name))) columns.add({last_part(name), unit, values});
+    if (!columns.find(channel_part(name))) columns.add({channel_part(name), unit, values});
   };
   if (!c_.x.empty()) take(c_.x, c_.x_unit);
   take(c_.y, c_.y_unit);

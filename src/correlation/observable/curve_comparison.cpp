@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "measurement/band_level.h"
+#include "numerics/signals/mean.h"
 #include "numerics/signals/sample_count.h"
 
 namespace latsch::correlation {
@@ -20,10 +21,6 @@ constexpr long kFewestSamples = 8;
 constexpr double kWeakest = 1e-30;
 
 const std::vector<std::string> kNames{"values", "about_mean", "psd", "band_levels", "path"};
-
-double mean(const std::vector<double>& y) {
-  return std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());
-}
 
 double rate_of(const Node& table, const std::vector<double>& x, const std::string& x_unit) {
   if (x.empty()) return table.quantity("rate", "Hz", Range::positive());
@@ -170,7 +167,7 @@ std::vector<double> compared_values(const CurveComparison& comparison,
   }
   values = y;
   if (comparison.what == ComparedCurve::about_mean) {
-    const double level = mean(y);
+    const double level = numerics::mean(y);
     for (double& value : values) value -= level;
   }
   return values;

@@ -11,6 +11,11 @@
 
 namespace latsch::correlation {
 
+/// Returns CHANNEL of "TEST/CHANNEL".
+inline std::string channel_part(const std::string& channel) {
+  return channel.substr(channel.find_last_of('/') + 1);
+}
+
 struct KnownChannel {
   std::string name;        // "response/z": OUTPUT/QUANTITY
   std::string unit;        // unit for display

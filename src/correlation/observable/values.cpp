@@ -15,6 +15,7 @@
 #include "correlation/observable/channel_value.h"
 #include "correlation/observable/compared_frame.h"
 #include "correlation/observable/compared_kinds.h"
+#include "correlation/observable/known_channels.h"
 #include "experiment/rigs/mode_record.h"
 #include "report/report.h"
 
@@ -23,10 +24,6 @@ namespace {
 
 /// Returns TEST of "TEST/CHANNEL".
 std::string test_part(const std::string& channel) { return channel.substr(0, channel.find('/')); }
-std::string channel_part(const std::string& channel) {
-  return channel.substr(channel.find_last_of('/') + 1);
-}
-
 ComparedValues compared_single_values(const Values::Measurement& m) {
   ComparedValues values{.kind = "values",
                         .compared = m.of.empty() ? m.channel : m.of + " " + m.channel,

@@ -15,7 +15,7 @@ namespace {
 constexpr long kMostWorkers = 1024;
 constexpr long kMostRetries = 100;
 // after this many halvings of an interval two numbers are adjacent in double precision
-constexpr long kMostHalvings = 52;
+constexpr long kMostHalvingsOfStep = 52;
 constexpr double kMostStraggler = 1e6;  // multiple of the median
 // largest number of points for each worker that are proposed in advance; all of them are computed
 // at every step
@@ -63,7 +63,7 @@ FailurePolicy read_policy(const Node& table) {
   if (what == "continuation") {
     policy.then = Then::continuation;
     policy.halvings =
-        static_cast<int>(table.integer("halvings", 1, kMostHalvings, policy.halvings));
+        static_cast<int>(table.integer("halvings", 1, kMostHalvingsOfStep, policy.halvings));
   }
   return policy;
 }

@@ -36,7 +36,7 @@ OutputReader::Quantity parse_quantity_name(const Node& table, const std::string&
   return quantity;
 }
 
-std::vector<int> read_columns(const Node& table) {
+std::vector<int> read_numbers_of_columns(const Node& table) {
   std::vector<int> columns;
   for (const double column : table.quantities("columns", "1", Range::between(1, kMostColumns))) {
     columns.push_back(static_cast<int>(column));
@@ -79,7 +79,7 @@ OutputReader read_reader(const Node& table) {
   const std::string kind = table.choice("reader", {"table", "columns", "keys", "pattern", "tydex"});
   if (kind == "columns") {
     reader.kind = OutputReader::Kind::columns;
-    reader.columns = read_columns(table);
+    reader.columns = read_numbers_of_columns(table);
     expect_as_many(table, "columns", reader.columns.size(), reader.quantities.size());
   } else if (kind == "keys") {
     reader.kind = OutputReader::Kind::keys;

@@ -12,16 +12,13 @@
 #include "correlation/nuisance/shared_numbers.h"
 #include "correlation/observable/compared_kinds.h"
 #include "correlation/observable/force_curve.h"
+#include "correlation/observable/known_channels.h"
 #include "correlation/observable/mode_set.h"
 #include "experiment/rigs/load_case.h"
 #include "formats/tables/measurement_file.h"
 
 namespace latsch::correlation {
 namespace {
-
-std::string last_part(const std::string& channel) {
-  return channel.substr(channel.find_last_of('/') + 1);
-}
 
 constexpr long kMostModes = 200;
 /// Largest exponent of the errors: with a larger one, errors of some percent give a target that is
@@ -217,7 +214,7 @@ std::shared_ptr<const Observable> read_modes(const Node& table,
 
 /// Returns the noise that the measurement states for the compared channel; none for a spectrum.
 std::optional<MeasurementNoise> noise_of(const StudyExperiment& experiment) {
-  const std::string channel = last_part(experiment.observable->asks().back());
+  const std::string channel = channel_part(experiment.observable->asks().back());
   const auto known = Unit::find(experiment.observable->unit());
   for (const std::string& name : {channel, std::string(channel == "force" ? "Fz" : channel)}) {
     const MeasurementNoise* noise = experiment.measurement->noise(name);
@@ -259,7 +256,7 @@ void note_uses(const Measurement& measured, const StudyExperiment& experiment) {
   const std::string by = "experiment " + experiment.name;
   constexpr std::string_view kBy = "_by_";
   for (const std::string& asked : experiment.observable->asks()) {
-    const std::string channel = last_part(asked);
+    const std::string channel = channel_part(asked);
     const std::size_t slope = channel.find(kBy);
     if (measured.has(channel) || slope == channel.npos) {
       measured.note_use(channel, by);

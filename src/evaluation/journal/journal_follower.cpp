@@ -18,7 +18,7 @@ using namespace journal_format;
 
 namespace {
 
-constexpr int kPatience = 2000;  // ms
+constexpr int kPatienceOfReader = 2000;  // ms
 
 /// Identity, size and time of last change of the file at a path.
 struct FileThere {
@@ -70,7 +70,7 @@ struct JournalFollower::Impl {
     opened = file_at(file);
     // Throws an InputError that describes any fault of the file.
     identity = Journal::read(file).identity();
-    database = open_for_reading(file, kPatience);
+    database = open_for_reading(file, kPatienceOfReader);
     format = database->execAndGet("PRAGMA user_version").getInt();
     decoder.emplace(format);
     state = hash_of(identity);

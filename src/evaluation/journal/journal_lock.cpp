@@ -24,6 +24,7 @@
 
 #include "base/error.h"
 #include "evaluation/journal/local_file_system.h"
+#include "evaluation/trial/host_name.h"
 
 namespace latsch {
 namespace {
@@ -34,12 +35,6 @@ std::string read_all(int fd) {
   std::string text(buffer.data(), count > 0 ? count : 0);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
-}
-
-std::string host_name() {
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
-  return host.data();
 }
 
 std::string holder_text() {

@@ -47,7 +47,7 @@ constexpr std::uint64_t kMostInflated = 1100;
 using Row = OutcomeBlock::Row;
 
 template <class T>
-void put(std::string& bytes, const T& number) {
+void append_bytes(std::string& bytes, const T& number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
@@ -215,10 +215,10 @@ void put_column(std::string& bytes,
                 const Column& column,
                 std::int64_t number,
                 const OutcomeBlock& block) {
-  put(bytes, static_cast<std::uint64_t>(x.size()));
+  append_bytes(bytes, static_cast<std::uint64_t>(x.size()));
   if (const std::uint8_t back = places_back(block, number, column, x)) {
-    put(bytes, kSame);
-    put(bytes, back);
+    append_bytes(bytes, kSame);
+    append_bytes(bytes, back);
     return;
   }
   auto coding = static_cast<std::uint8_t>(kDifferences);
@@ -243,10 +243,10 @@ void put_column(std::string& bytes,
       coding = kCombined;
     }
   }
-  put(bytes, coding);
+  append_bytes(bytes, coding);
   if (coding == kCombined) {
-    put(bytes, static_cast<std::uint8_t>(a.size()));
-    for (const double factor : a) put(bytes, factor);
+    append_bytes(bytes, static_cast<std::uint8_t>(a.size()));
+    for (const double factor : a) append_bytes(bytes, factor);
   }
   put_planes(bytes, best);
 }
@@ -311,7 +311,7 @@ void put_slopes(std::string& bytes,
                 const OutcomeBlock& block) {
   const std::size_t rows = channel.values.size();
   const std::size_t variables = channel.slopes.empty() ? 0 : channel.slopes.size() / rows;
-  put(bytes, static_cast<std::uint64_t>(variables));
+  append_bytes(bytes, static_cast<std::uint64_t>(variables));
   for (std::size_t v = 0; v < variables; ++v) {
     const Numbers column = Numbers(channel.slopes).subspan(v * rows, rows);
     put_column(bytes, column, {place, v}, number, block);
@@ -396,16 +396,19 @@ std::string OutcomePacker::pack(std::int64_t number, const Outcome& outcome) {
   const std::string whole = encode(outcome);
   std::string bytes;
   if (!outcome.result || values_of(*outcome.result) < kLeastValues) {
-    put(bytes, Kind::plain);
+    append_bytes(bytes, Kind::plain);
     return bytes + whole;
   }
   const bool is_single = values_of(*outcome.result) < kLeastToRefer;
   if (is_single || is_full(block_, number)) block_ = {};
-  put(bytes, is_single ? Kind::single : block_.rows.empty() ? Kind::alone : Kind::referring);
-  put(bytes, checksum(whole));
+  append_bytes(bytes,
+               is_single             ? Kind::single
+               : block_.rows.empty() ? Kind::alone
+                                     : Kind::referring);
+  append_bytes(bytes, checksum(whole));
   std::string body;
   const std::string head = encode(without_values(outcome));
-  put(body, static_cast<std::uint64_t>(head.size()));
+  append_bytes(body, static_cast<std::uint64_t>(head.size()));
   body += head;
   const auto& channels = outcome.result->all();
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -415,7 +418,7 @@ std::string OutcomePacker::pack(std::int64_t number, const Outcome& outcome) {
     for (std::size_t c = 0; c < channels.size(); ++c)
       put_slopes(body, channels[c], c, number, block_);
   }
-  put(bytes, static_cast<std::uint64_t>(body.size()));
+  append_bytes(bytes, static_cast<std::uint64_t>(body.size()));
   bytes += deflated(body);
   if (!is_single) remember(block_, number, *outcome.result);
   return bytes;

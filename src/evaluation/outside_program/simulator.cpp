@@ -20,6 +20,7 @@
 #include "evaluation/outside_program/named_files.h"
 #include "evaluation/outside_program/outside_program.h"
 #include "evaluation/trial/encoding.h"
+#include "evaluation/trial/host_name.h"
 
 namespace latsch {
 namespace {
@@ -27,12 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPrinted = "printed.txt";
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  ::gethostname(name.data(), name.size() - 1);
-  return name.data();
-}
 
 /// Removes folders with names "...-HOST-PROCESS" that belong to processes of this machine that have
 /// ended. A killed trial cannot remove its own folder, and its files may have filled the disk.

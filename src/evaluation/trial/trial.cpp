@@ -3,23 +3,18 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <time.h>
 
 #include <chrono>
 #include <cmath>
 #include <exception>
 #include <new>
 
+#include "base/clock.h"
+
 namespace latsch {
 namespace {
 
 /// Returns the CPU time of this thread alone, because other threads may evaluate other points.
-double cpu_seconds() {
-  timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 /// Returns the CPU time of the programs that this process has waited for, including the programs
 /// that these have waited for.
 double program_seconds() {
@@ -49,10 +44,10 @@ Result<Channels> run(const Evaluator& evaluator, const DesignPoint& point) {
 Outcome evaluate(const Evaluator& evaluator, const DesignPoint& point) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const double cpu_start = cpu_seconds(), program_start = program_seconds();
+  const double cpu_start = thread_cpu_seconds(), program_start = program_seconds();
   Outcome outcome{.result = run(evaluator, point)};
   outcome.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
-  outcome.cpu_time = cpu_seconds() - cpu_start;
+  outcome.cpu_time = thread_cpu_seconds() - cpu_start;
   outcome.program_time = program_seconds() - program_start;
   return outcome;
 }

@@ -26,7 +26,7 @@ namespace {
 using magic_formula::Conventions;
 using magic_formula::MagicFormula;
 
-constexpr int kBlock = 8192;  // states
+constexpr int kStatesAtOnce = 8192;  // states
 
 /// Returns a sentence if a test requests turn slip but the tire has none; else an empty text.
 std::string no_turn_slip_in(const MagicFormula& tire, const Conventions& asked) {
@@ -112,7 +112,7 @@ class MagicFormulaSpecimen : public RollingSpecimen,
     const MagicFormula tire(parameters_, conditions.conventions);
     std::vector<magic_formula::SteadyState> results;
     StatesBeyond beyond;
-    const auto unused = for_slip_states(table, parameters_, kBlock, [&](auto& states) {
+    const auto unused = for_slip_states(table, parameters_, kStatesAtOnce, [&](auto& states) {
       results.resize(states.size());
       tire.evaluate(states, results);
       beyond.add(states, parameters_);
@@ -136,7 +136,7 @@ class MagicFormulaSpecimen : public RollingSpecimen,
     const Conventions& conventions = conditions.conventions;
     StatesBeyond beyond;
     for_slip_states(
-        table, parameters_, kBlock, [&](auto& states) { beyond.add(states, parameters_); });
+        table, parameters_, kStatesAtOnce, [&](auto& states) { beyond.add(states, parameters_); });
     std::vector<std::string> sentences = beyond.sentences(parameters_, conventions.limits);
     for (std::string& one :
          turn_slip_in(MagicFormula(parameters_, conventions), table, conventions))

@@ -23,7 +23,7 @@ const Units kModuli{"MPa", "GPa", "kPa", "Pa"};
 const Units kTimes{"s", "min", "h", "ms"};
 const Units kLengths{"mm", "cm", "m", "in"};
 const Units kShortTimes{"ms", "s", "us"};
-const Units kForces{"N", "kN", "lbf"};
+const Units kUnitsOfForce{"N", "kN", "lbf"};
 const Units kDensities{"kg/m^3", "g/cm^3"};
 const Units kMasses{"kg", "g", "lb"};
 const Units kAreas{"mm^2", "cm^2", "m^2"};
@@ -35,9 +35,9 @@ const std::vector<UsualMagnitude>& of_tests() {
       {"run", "timeout", "the time allowed to a trial", "s", 1e-12, 0.1, 1e6, 1e15, kTimes},
       {"simulator", "timeout", "the time allowed to a run", "s", 1e-12, 0.01, 1e6, 1e15, kTimes},
       {"", "pressure", "an inflation pressure", "bar", 0.02, 0.3, 16, 40, kPressures},
-      {"experiment", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, kForces},
-      {"test", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, kForces},
-      {"test", "loads", "a wheel load", "N", 5, 100, 6e4, 1e6, kForces},
+      {"experiment", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, kUnitsOfForce},
+      {"test", "load", "a wheel load", "N", 5, 100, 6e4, 1e6, kUnitsOfForce},
+      {"test", "loads", "a wheel load", "N", 5, 100, 6e4, 1e6, kUnitsOfForce},
       {"test", "speed", "a speed", "km/h", 0, 0.1, 350, 1500, {"km/h", "m/s"}, true},
       {"test", "drum_diameter", "a drum's diameter", "m", 0.1, 0.5, 6, 50, {"m", "mm", "in"}},
   };

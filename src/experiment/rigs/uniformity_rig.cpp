@@ -21,10 +21,10 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr double kRunIn = 1.5;             // turns before the first that may be averaged
-constexpr double kFollow = 20e-3;          // s, time constant with which the axle follows the load
-constexpr double kLeastDeflection = 1e-3;  // m
-constexpr int kAngles = 720;               // positions in a turn at which its peaks are searched
+constexpr double kRunIn = 1.5;          // turns before the first that may be averaged
+constexpr double kAxleFollows = 20e-3;  // s, time constant with which the axle follows the load
+constexpr double kLeastPressed = 1e-3;  // m
+constexpr int kAngles = 720;            // positions in a turn at which its peaks are searched
 
 std::unique_ptr<road::Road> road_of(const UniformityTest& test, double way) {
   if (test.diameter > 0.0)
@@ -47,7 +47,7 @@ class Machine {
  public:
   Machine(Tire& tire, const UniformityTest& test, double way, double height)
       : tire_(tire), test_(test), road_(road_of(test, way)) {
-    deflection_ = std::max(tire.free_radius() - height, kLeastDeflection);
+    deflection_ = std::max(tire.free_radius() - height, kLeastPressed);
     motion_.center.z() = height;
     motion_.spin_rate = way * test.speed / (tire.free_radius() - deflection_ / 3.0);
   }
@@ -61,7 +61,7 @@ class Machine {
                    .rate = motion_.spin_rate,
                    .acceleration = hub->moment.y() / test_.wheel_inertia};
     if (!follow) return {};
-    const double load = test_.load, c = kFollow * load / deflection_;
+    const double load = test_.load, c = kAxleFollows * load / deflection_;
     wheel_.height = {.place = motion_.center.z(),
                      .rate = (hub->force.z() - load) / c,
                      .push = [c, load](double, double rate) -> Push {

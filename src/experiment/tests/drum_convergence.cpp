@@ -10,7 +10,7 @@
 namespace latsch::experiment {
 namespace {
 
-constexpr std::array kForces = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+constexpr std::array kComparedForces = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
 constexpr const char* kSegments = "belt.nodes";
 
 Result<Channels> run_on_drum(const SpecimenKind& kind,
@@ -51,7 +51,7 @@ Result<std::vector<ChannelConvergence>> drum_convergence(const SpecimenKind& kin
   const auto halved = run_on_drum(kind, numbers, half);
   if (!halved) return Failure{"with half the step, " + halved.failure().reason};
   std::vector<ChannelConvergence> all;
-  for (const char* name : kForces)
+  for (const char* name : kComparedForces)
     all.push_back({.name = name,
                    .unit = given->find(name)->unit,
                    .about_mean = rms_about_mean((*given)[name]),

@@ -17,8 +17,8 @@ namespace {
 /// for the deviation from constant depth, as a share of half the host's size. A larger value
 /// accepts more skewed layers.
 constexpr double kOffSide = 0.02;
-constexpr double kXi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, kEta[8] = {-1, -1, 1, 1, -1, -1, 1, 1},
-                 kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
+constexpr double kXiOfNodes[8] = {-1, 1, 1, -1, -1, 1, 1, -1},
+                 kEta[8] = {-1, -1, 1, 1, -1, -1, 1, 1}, kZeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::optional<Eigen::Vector3d> local_coordinates(const Hex& X, const Eigen::Vect
     Eigen::Vector3d value = -x;
     Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
     for (int a = 0; a < 8; ++a) {
-      const Eigen::Vector3d sign(kXi[a], kEta[a], kZeta[a]);
+      const Eigen::Vector3d sign(kXiOfNodes[a], kEta[a], kZeta[a]);
       const Eigen::Vector3d one = Eigen::Vector3d::Ones() + sign.cwiseProduct(at);
       value += 0.125 * one.prod() * X.col(a);
       const Eigen::Vector3d gradient(

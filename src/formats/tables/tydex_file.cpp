@@ -22,7 +22,7 @@ namespace {
 
 // largest size of a file, bytes; more than an hour of ten channels at 1 kHz
 constexpr std::size_t kLargestTydex = 512u << 20;
-constexpr std::size_t kMostChannels = 1000;
+constexpr std::size_t kMostTydexChannels = 1000;
 constexpr std::size_t kNameEnd = 10, kCommentEnd = 40, kUnitEnd = 50, kField = 10;
 constexpr double kNotAvailable = std::numeric_limits<double>::quiet_NaN();
 
@@ -304,8 +304,8 @@ class Reading {
       fail(line_, "is " + in_quotes(line) + ", expected the name of a channel in columns 1 to 10");
     }
     if (!names_.insert(entry.name).second) fail(line_, "channel " + entry.name + " comes twice");
-    if (raw_.size() == kMostChannels)
-      fail(line_, fmt::format("more than {} channels", kMostChannels));
+    if (raw_.size() == kMostTydexChannels)
+      fail(line_, fmt::format("more than {} channels", kMostTydexChannels));
     const std::string fault = fault_of_own(entry.name, about.unit);
     if (!fault.empty()) leave_out(entry, fault);
     units_.push_back(fault.empty() ? unit_of(entry.name, about.unit, true) : Unit::of("1"));

@@ -11,7 +11,7 @@
 namespace latsch::formats {
 namespace {
 
-constexpr const char* kDescribes = "describes the file";
+constexpr const char* kDescribesTheFile = "describes the file";
 constexpr const char* kSteps = "belongs to the time steps of another program";
 constexpr const char* kRoadSearch = "belongs to another program's search for the road";
 constexpr const char* kDeflection =
@@ -28,17 +28,17 @@ struct Unused {
 
 const std::map<std::string, Unused, std::less<>>& unused_keys() {
   static const std::map<std::string, Unused, std::less<>> keys = {
-      {"FILE_TYPE", {kDescribes, false}},
-      {"FILE_VERSION", {kDescribes, false}},
-      {"FILE_FORMAT", {kDescribes, false}},
-      {"FUNCTION_NAME", {kDescribes, false}},
-      {"USER_SUB_ID", {kDescribes, false}},
-      {"N_TIRE_STATES", {kDescribes, false}},
-      {"TYPE", {kDescribes, false}},
-      {"MANUFACTURER", {kDescribes, false}},
-      {"NOM_SECTION_WIDTH", {kDescribes, false}},
-      {"ASPECT_RATIO", {kDescribes, false}},
-      {"RIM_WIDTH", {kDescribes, false}},
+      {"FILE_TYPE", {kDescribesTheFile, false}},
+      {"FILE_VERSION", {kDescribesTheFile, false}},
+      {"FILE_FORMAT", {kDescribesTheFile, false}},
+      {"FUNCTION_NAME", {kDescribesTheFile, false}},
+      {"USER_SUB_ID", {kDescribesTheFile, false}},
+      {"N_TIRE_STATES", {kDescribesTheFile, false}},
+      {"TYPE", {kDescribesTheFile, false}},
+      {"MANUFACTURER", {kDescribesTheFile, false}},
+      {"NOM_SECTION_WIDTH", {kDescribesTheFile, false}},
+      {"ASPECT_RATIO", {kDescribesTheFile, false}},
+      {"RIM_WIDTH", {kDescribesTheFile, false}},
       {"MESSAGES", {"belongs to another program's messages", false}},
       {"HMAX_LOCAL", {kSteps, false}},
       {"TIME_SWITCH_INTEG", {kSteps, false}},

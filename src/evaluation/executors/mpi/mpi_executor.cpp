@@ -26,7 +26,7 @@ constexpr auto kPause = std::chrono::microseconds(500);  // pause between two ch
 // Time that a rank waits for its own worker, s.
 constexpr double kLocalPatience = 0.01;
 
-std::chrono::duration<double> seconds(double s) { return std::chrono::duration<double>(s); }
+std::chrono::duration<double> in_seconds(double s) { return std::chrono::duration<double>(s); }
 
 }  // namespace
 
@@ -76,7 +76,7 @@ bool MpiJob::agrees(std::uint64_t value) {
 
 void MpiJob::beat() {
   std::unique_lock lock(mutex_);
-  while (!end_.wait_for(lock, seconds(patience_.heartbeat), [&] { return ending_; })) {
+  while (!end_.wait_for(lock, in_seconds(patience_.heartbeat), [&] { return ending_; })) {
     for (int rank = 1; rank < size(); ++rank) say(rank, kAlive, {});
   }
 }
@@ -106,7 +106,7 @@ namespace {
 /// other ranks have.
 void leave(MpiJob& job) {
   job.send(0, kEnded, {});
-  const auto until = std::chrono::steady_clock::now() + seconds(job.patience().master_silence);
+  const auto until = std::chrono::steady_clock::now() + in_seconds(job.patience().master_silence);
   while (std::chrono::steady_clock::now() < until) {
     while (const auto message = job.poll()) {
       if (message->tag != kLeave) continue;

@@ -21,10 +21,10 @@ using magic_formula::SteadyState;
 using report::LinePlot;
 using report::PlotLine;
 
-constexpr int kPoints = 121;
-constexpr double kDegree = 0.017453292519943295;
-constexpr double kMostAlpha = 15.0 * kDegree, kMostKappa = 0.3;
-constexpr double kBar = 1e5;
+constexpr int kPointsOfCurve = 121;
+constexpr double kRadiansOfDegree = 0.017453292519943295;
+constexpr double kMostAlpha = 15.0 * kRadiansOfDegree, kMostKappa = 0.3;
+constexpr double kPascalsOfBar = 1e5;
 // force or moment over the nominal load (m for moments) below which it counts as zero
 constexpr double kNothing = 1e-6;
 
@@ -35,7 +35,7 @@ struct Varied {
 };
 
 /// Returns point i of an even grid from -1 to 1.
-double swept(int i) { return 2.0 * i / (kPoints - 1) - 1.0; }
+double swept(int i) { return 2.0 * i / (kPointsOfCurve - 1) - 1.0; }
 
 PlotLine line(const Varied& condition, int color) { return {condition.name, {}, {}, color, {}}; }
 
@@ -49,9 +49,9 @@ LinePlot over_alpha(const MagicFormula& tire,
   for (const Varied& condition : conditions) {
     plot.lines.push_back(line(condition, color++));
     State state = condition.state;
-    for (int i = 0; i < kPoints; ++i) {
+    for (int i = 0; i < kPointsOfCurve; ++i) {
       state.alpha = kMostAlpha * swept(i);
-      plot.lines.back().x.push_back(state.alpha / kDegree);
+      plot.lines.back().x.push_back(state.alpha / kRadiansOfDegree);
       plot.lines.back().y.push_back(tire.evaluate(state).*answer);
     }
   }
@@ -66,7 +66,7 @@ LinePlot over_kappa(const MagicFormula& tire,
   for (const Varied& condition : conditions) {
     plot.lines.push_back(line(condition, color++));
     State state = condition.state;
-    for (int i = 0; i < kPoints; ++i) {
+    for (int i = 0; i < kPointsOfCurve; ++i) {
       state.kappa = kMostKappa * swept(i);
       plot.lines.back().x.push_back(state.kappa);
       plot.lines.back().y.push_back(tire.evaluate(state).Fx);
@@ -80,9 +80,9 @@ LinePlot combined(const MagicFormula& tire, const State& nominal) {
   int color = 0;
   for (const double alpha : {0.0, 2.0, 4.0, 8.0}) {
     State state = nominal;
-    state.alpha = alpha * kDegree;
+    state.alpha = alpha * kRadiansOfDegree;
     plot.lines.push_back(line({fmt::format("{} deg", alpha), state}, color++));
-    for (int i = 0; i < kPoints; ++i) {
+    for (int i = 0; i < kPointsOfCurve; ++i) {
       state.kappa = kMostKappa * swept(i);
       const SteadyState both = tire.evaluate(state);
       plot.lines.back().x.push_back(both.Fx);
@@ -207,15 +207,15 @@ std::vector<LinePlot> slip_plots(const MagicFormula& tire, const SlipKnowledge* 
   if (!(p.FNOMIN > 0.0)) return {};
   const State nominal{p.FNOMIN, 0.0, 0.0, 0.0, 0.0, p.LONGVL, p.INFLPRES};
   const std::vector<double> at_loads{0.5 * p.FNOMIN, p.FNOMIN, 1.5 * p.FNOMIN},
-      at_cambers{-4.0 * kDegree, 0.0, 4.0 * kDegree},
+      at_cambers{-4.0 * kRadiansOfDegree, 0.0, 4.0 * kRadiansOfDegree},
       at_pressures{0.8 * nominal.p, nominal.p, 1.2 * nominal.p};
   const auto loads =
       varied(nominal, at_loads, &State::Fz, [](double Fz) { return fmt::format("{:.0f} N", Fz); });
   const auto cambers = varied(nominal, at_cambers, &State::gamma, [](double gamma) {
-    return report::fixed(gamma / kDegree, 0) + " deg";
+    return report::fixed(gamma / kRadiansOfDegree, 0) + " deg";
   });
   const auto pressures = varied(nominal, at_pressures, &State::p, [](double at) {
-    return fmt::format("{:.2f} bar", at / kBar);
+    return fmt::format("{:.2f} bar", at / kPascalsOfBar);
   });
   std::vector<JudgedPlot> all;
   const auto add = [&](LinePlot plot,
@@ -226,7 +226,7 @@ std::vector<LinePlot> slip_plots(const MagicFormula& tire, const SlipKnowledge* 
                        double usual) {
     all.push_back({std::move(plot),
                    is_alpha ? "alpha" : "kappa",
-                   is_alpha ? kDegree : 1.0,
+                   is_alpha ? kRadiansOfDegree : 1.0,
                    force,
                    condition,
                    values,

@@ -19,7 +19,7 @@ using multibody::Vector6d;
 
 // stiffnesses, N/m and N m/rad, that hold the chassis fixed
 constexpr double kHeld = 1e10, kHeldTurn = 1e9;
-constexpr double kPad = 1e9, kBar = 1e9;  // N/m
+constexpr double kPad = 1e9, kStrutStiffness = 1e9;  // N/m
 constexpr std::array<const char*, 6> kTwistNames = {
     "dx", "dy", "dz", "about_x", "about_y", "about_z"};
 constexpr auto kSides = AxleKcTest::kSides;
@@ -65,7 +65,7 @@ multibody::Mechanism on_the_rig(const car::CarMechanism& car, const AxleKcTest& 
   for (int side = 0; side < 2; ++side) {
     const car::CornerParts& corner = parts.corners[static_cast<std::size_t>(left + side)];
     if (test.springs_locked && corner.unit >= 0)
-      struts[static_cast<std::size_t>(corner.unit)].stiffness = kBar;
+      struts[static_cast<std::size_t>(corner.unit)].stiffness = kStrutStiffness;
     if (!test.travel) continue;
     if (corner.unit >= 0) {
       const auto unit = static_cast<std::size_t>(corner.unit);

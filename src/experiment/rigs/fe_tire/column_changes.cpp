@@ -47,13 +47,14 @@ Eigen::ArrayXd change(const Quantities& from, const Quantities& to) {
 }
 
 // ratio of the total error, of second order, to the change by halving the elements
-constexpr double kLeft = 4.0 / 3.0;
+constexpr double kLeftOfError = 4.0 / 3.0;
 
 /// Extrapolates from meshes refined 2 and 3 times, assuming second order. A mode that one of these
 /// meshes lacks has no change there.
 Eigen::ArrayXd limit(const Eigen::ArrayXd& twice, const Eigen::ArrayXd& thrice) {
   constexpr double kBeyond = (1.0 / 9.0) / (1.0 / 4.0 - 1.0 / 9.0);
-  return (twice == 0.0 || thrice == 0.0).select(kLeft * twice, thrice + kBeyond * (thrice - twice));
+  return (twice == 0.0 || thrice == 0.0)
+      .select(kLeftOfError * twice, thrice + kBeyond * (thrice - twice));
 }
 
 // number of modes that are computed in addition on finer meshes, because the order of neighboring
@@ -115,12 +116,12 @@ Result<std::vector<Judged>> judge(const std::vector<TireDescription>& meshes,
     one.tire = meshes[m];
     one.unknowns = build_mesh(one.tire).free_dofs();
     one.values = of_mesh[4];
-    one.all = limit(change(one.values, of_mesh[1]), change(one.values, of_mesh[0])) / kLeft;
+    one.all = limit(change(one.values, of_mesh[1]), change(one.values, of_mesh[0])) / kLeftOfError;
     one.along = change(one.values, of_mesh[2]);
     one.around = change(one.values, of_mesh[3]);
     Eigen::Index worst = 0;
     one.error =
-        kLeft *
+        kLeftOfError *
         together(one.all, one.along, one.around, loaded_part(one.tire.section)).maxCoeff(&worst);
     one.worst = std::next(one.values.begin(), worst)->first;
     judged.push_back(std::move(one));

@@ -10,7 +10,7 @@ namespace latsch::experiment {
 namespace {
 
 constexpr const char* kKey = "speed";
-constexpr double kFastest = 400.0;       // m/s, faster than any wheel rolls
+constexpr double kFastestRoad = 400.0;   // m/s, faster than any wheel rolls
 constexpr double kFastestSpin = 2000.0;  // rad/s
 
 }  // namespace
@@ -30,10 +30,11 @@ SpinSpeed read_spin_speed(const Node& test) {
   }
   if (speed.value == 0.0)
     test.reject(kKey, "is 0, expected the speed of a tire that spins, or no speed");
-  if (std::abs(speed.value) > (speed.is_of_road ? kFastest : kFastestSpin))
-    test.reject(kKey,
-                "is " + speed_in_words(speed) + ", expected at most " +
-                    speed_in_words({speed.is_of_road ? kFastest : kFastestSpin, speed.is_of_road}));
+  if (std::abs(speed.value) > (speed.is_of_road ? kFastestRoad : kFastestSpin))
+    test.reject(
+        kKey,
+        "is " + speed_in_words(speed) + ", expected at most " +
+            speed_in_words({speed.is_of_road ? kFastestRoad : kFastestSpin, speed.is_of_road}));
   return speed;
 }
 

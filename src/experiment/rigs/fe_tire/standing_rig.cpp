@@ -18,7 +18,7 @@ using fe_tire::FeTire;
 using fe_tire::GroundPose;
 using fe_tire::TireState;
 
-constexpr double kTypicalStiffness = 2.0e5;  // N/m, for a first guess of the deflection
+constexpr double kUsualTireStiffness = 2.0e5;  // N/m, for a first guess of the deflection
 // number of steps in which the ground is displaced: several, because the contact patch slides
 // meanwhile
 constexpr int kSteps = 4;
@@ -204,7 +204,7 @@ Status move_all(StandingRun& run) {
   StandingPose pose{.camber = test.camber};
   if (moves_sideways(test) || test.camber != 0.0) pose.poses = FeTire::Poses::any;
   const auto loaded = load_to_force(
-      run.tire, run.inflated, test.load, test.load / kTypicalStiffness, run.ground, pose);
+      run.tire, run.inflated, test.load, test.load / kUsualTireStiffness, run.ground, pose);
   if (!loaded) return loaded.failure();
   for (const Direction direction : test.directions) {
     const double travel = direction == Direction::torsional ? test.twist : test.travel;

@@ -81,9 +81,9 @@ double other_travel(const KinematicsTest& test, double travel) {
 }
 
 /// Moves the axle through the states of a test.
-class AxleOnRig {
+class MovedAxle {
  public:
-  AxleOnRig(const suspension::CornerGeometry& corner, const KinematicsTest& test)
+  MovedAxle(const suspension::CornerGeometry& corner, const KinematicsTest& test)
       : test_(test),
         is_left_(corner.linkage.wheel.side == Side::left),
         axle_(corner, test.at),
@@ -177,7 +177,7 @@ std::vector<KinematicChannel> kinematic_channels(const KinematicsTest& test) {
 }
 
 Result<Channels> run(const suspension::CornerGeometry& corner, const KinematicsTest& test) {
-  AxleOnRig axle(corner, test);
+  MovedAxle axle(corner, test);
   const auto recorded = kinematic_channels(test);
   std::vector<std::vector<double>> values(recorded.size());
   for (auto& column : values) column.reserve(test.travel.size());

@@ -19,7 +19,7 @@ using report::Scene;
 
 constexpr int kMostAround = 40;  // most points on the outline of a tire
 // assumed width of a tire over its radius if its file states no width
-constexpr double kWidthOfRadius = 0.6;
+constexpr double kWheelWidthOfRadius = 0.6;
 constexpr double kPost = 0.36;  // m, side of a post's plate
 // m, length of road shown behind the rear axle and before the front one
 constexpr double kBefore = 1.2;
@@ -157,7 +157,7 @@ void CarFilm::add_rings(const car::Car&, const car::CarState& state) {
     ring.radius = tire.free_radius();
     ring.points = belt.cols() == 0 ? kMostAround : static_cast<int>(thinned(belt).cols());
     const auto print = tire.footprint();
-    ring.width = print && print->width > 0.0 ? print->width : kWidthOfRadius * ring.radius;
+    ring.width = print && print->width > 0.0 ? print->width : kWheelWidthOfRadius * ring.radius;
     begin_part(mesh_, std::string("tire ") + car::kCornerNames[i]);
     const auto count = static_cast<std::uint32_t>(2 * ring.points);
     for (std::uint32_t k = 0; k < count; k += 2) {

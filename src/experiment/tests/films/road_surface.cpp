@@ -10,13 +10,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kAlong = 0.02, kAcross = 0.04;  // m
-constexpr int kMostLines = 4000;                 // most samples in either direction
+constexpr double kSpacingAlong = 0.02, kSpacingAcross = 0.04;  // m
+constexpr int kMostSamplesAcross = 4000;                       // most samples in either direction
 constexpr std::size_t kMostPoints = 12000;
 
 VectorXd evenly(double from, double to, double spacing) {
   const auto count = std::clamp<Eigen::Index>(
-      static_cast<Eigen::Index>(std::ceil((to - from) / spacing)) + 1, 2, kMostLines);
+      static_cast<Eigen::Index>(std::ceil((to - from) / spacing)) + 1, 2, kMostSamplesAcross);
   return VectorXd::LinSpaced(count, from, to);
 }
 
@@ -57,7 +57,8 @@ std::vector<Eigen::Index> needed(const MatrixXd& heights, const VectorXd& at, do
 }  // namespace
 
 report::Scene::Mesh road_surface(const road::Road& road, const RoadArea& area, double tolerance) {
-  const VectorXd x = evenly(area.x0, area.x1, kAlong), y = evenly(area.y0, area.y1, kAcross);
+  const VectorXd x = evenly(area.x0, area.x1, kSpacingAlong),
+                 y = evenly(area.y0, area.y1, kSpacingAcross);
   MatrixXd heights(y.size(), x.size());  // [lines x columns]
   for (Eigen::Index i = 0; i < x.size(); ++i)
     for (Eigen::Index j = 0; j < y.size(); ++j) heights(j, i) = road.height(x[i], y[j], 0.0);

@@ -11,7 +11,7 @@ namespace latsch::experiment {
 namespace {
 
 constexpr double kWide = 1080.0;  // pixels; width of a history
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesOfRadian = 180.0 / std::numbers::pi;
 
 /// Sensors that share a plot: one for each corner, or that of the body.
 struct PostFrame {
@@ -91,7 +91,7 @@ const std::vector<PostFrame>& over_frequency_frames() {
       {"Phase of the push-rods",
        "phase_pushrod",
        "[deg]",
-       kDegrees,
+       kDegreesOfRadian,
        "Positive: the force leads the posts."},
       {"Hubs by posts", "tf_hub", "|H1| [1/s²]", 1.0, "Acceleration by the posts.", true},
       {"Body by posts",

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::array<int, 2> kLeft = {car::kFL, car::kRL};
+constexpr std::array<int, 2> kLeftWheels = {car::kFL, car::kRL};
 // Sketch of the chassis relative to the axles, m at rest: a wedge with a cockpit.
 const std::vector<Vector2d> kBody = {{0.45, 0.06}, {0.45, 0.20}, {-0.45, 0.42}, {-0.60, 0.62}};
 const std::vector<Vector2d> kTail = {{0.25, 0.72}, {-0.30, 0.60}, {-0.40, 0.12}};
@@ -96,7 +96,7 @@ void KerbFilm::see(const car::Car& car, const car::CarState& state, double time)
     frame.chassis.push_back(
         side_of(car.point(state, parts.chassis_rear, {rear.x() + p.x(), 0.0, p.y()})));
   for (std::size_t w = 0; w < 2; ++w) {
-    const auto& wheel = state.wheels[static_cast<std::size_t>(kLeft[w])];
+    const auto& wheel = state.wheels[static_cast<std::size_t>(kLeftWheels[w])];
     frame.centers[w] = side_of(wheel.motion.center);
     const Eigen::Matrix3Xd outline = wheel.tire->outline();
     for (Eigen::Index k = 0; k < outline.cols(); ++k)
