@@ -218,10 +218,10 @@ class Schemas:
             ways = [way for way in ways if "enum" not in way]
             ways.append({"enum": list(dict.fromkeys(word for way in enums for word in way["enum"]))})
         schema = ways[0] if len(ways) == 1 else {"anyOf": ways} if ways else {}
-        words = self.words(forms, entry, loose or len(units) > 1)
+        words = self.words(table.owner, forms, entry, loose or len(units) > 1)
         return {"description": words, **schema} if words else schema
 
-    def words(self, forms, entry, loose):
+    def words(self, owner, forms, entry, loose):
         expected = []
         for form in forms:
             silent = ("presence", "text", "choice") + (("table", "tables") if entry else ())
@@ -235,14 +235,27 @@ class Schemas:
         if expected:
             joined = "; or ".join(expected)
             text += (" " if text else "") + joined[0].upper() + joined[1:] + "."
-        default = entry.get("default_in_words") or " or ".join(entry.get("defaults", [])) or self.fallback_of(forms)
+        default = entry.get("default_in_words") or " or ".join(entry.get("defaults", []))
+        if not default and owner in self.said:
+            default = self.fallback_of(forms)
         return text + (f" Unless given: {default}." if default else "")
 
     @staticmethod
     def fallback_of(forms):
-        """Returns the value that applies if a key is not written; "" if there is none, or if it depends on other keys."""
+        """Returns the value that applies if a key is not written; "" if there is none, if it depends on other keys, or if
+        it stands for none: an empty text, or a number outside of the key's range."""
         fallbacks = {form.get("fallback", "") for form in forms}
-        return fallbacks.pop() if len(fallbacks) == 1 else ""
+        if len(fallbacks) != 1:
+            return ""
+        fallback = fallbacks.pop()
+        number = fallback.strip('"').split(" ")[0]
+        try:
+            value = float(number)
+        except ValueError:
+            return "" if fallback == '""' else fallback
+        form = forms[0]
+        below = value < form.get("lower", value) or (form["lower_excluded"] and value == form.get("lower"))
+        return "" if below or value > form.get("upper", value) else fallback
 
     def number(self, form, loose, entry, forms):
         """Returns the ways in which one number can be written."""

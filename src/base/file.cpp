@@ -318,6 +318,14 @@ void write_to_path(const std::filesystem::path& file, const Write& write) {
 
 }  // namespace
 
+void expect_file(const std::filesystem::path& file) {
+  struct stat there {};
+  if (::stat(file.c_str(), &there) != 0) fail(file, "cannot be opened", errno);
+  if (S_ISDIR(there.st_mode))
+    throw InputError({file.string(), 0}, "is a folder, expected a file in it");
+  expect_no_pipe(file);
+}
+
 void expect_no_pipe(const std::filesystem::path& file) {
   std::error_code ignored;
   const auto status = std::filesystem::status(file, ignored);

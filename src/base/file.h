@@ -31,6 +31,10 @@ namespace latsch {
 /// would never end. Every function that reads a file of the user calls this.
 void expect_no_pipe(const std::filesystem::path& file);
 
+/// Throws InputError naming the path and the reason: nothing is there, or a folder, a pipe or a
+/// socket. For commands that ask more of a file, such as its ending, before they read it.
+void expect_file(const std::filesystem::path& file);
+
 /// Throws InputError naming the path and the reason: the file is missing, is a folder or a pipe,
 /// may not be read, or is larger than the limit.
 std::string read_text_file(const std::filesystem::path& file, std::size_t limit = 64u << 20);

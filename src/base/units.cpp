@@ -63,6 +63,8 @@ constexpr KnownDimension kKnown[] = {
     {"N m s/rad", "a torsional damping", "2 N m s/rad"},
     {"N m^2", "a bending stiffness", "60 N m^2"},
     {"N/rad", "a force per angle", "1500 N/deg"},
+    {"N s/rad", "a force per angular velocity", "2 N s/rad"},
+    {"rad/m", "an angle per length", "0.1 deg/mm"},
     {"m/N", "a compliance", "0.26 mm/kN"},
     {"rad/N", "an angle per force", "0.02 deg/kN"},
     {"rad/(N m)", "a torsional compliance", "3.4 deg/(kN m)"},

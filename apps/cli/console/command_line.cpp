@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -102,7 +103,13 @@ Option& Option::required() {
 }
 
 Option& Option::between(int least, int most) {
-  option_->check(CLI::Range(least, most));
+  option_->check([=](const std::string& text) {
+    const auto number = parse_number(text);
+    if (number && *number >= least && *number <= most && *number == std::floor(*number))
+      return std::string();
+    return "is " + in_quotes(text) + ", expected a whole number from " + std::to_string(least) +
+           " to " + std::to_string(most);
+  });
   return *this;
 }
 

@@ -82,6 +82,16 @@ class Console(Coarse):
         (self.folder / "stiffness.csv").write_text("deflection [mm], force [N]\n104.5, 1\n")
         self.assertIn("message", self.answer("simulate", self.study, code=FAILED))
 
+    def test_an_unknown_option_is_named_before_a_missing_argument(self):
+        wrong = self.answer("run", "--hlep", code=WRONG_INPUT)
+        self.assertIn('no option "--hlep", did you mean "--help"?', wrong["message"])
+        wrong = self.answer("run", self.study, "--workers", "abc", code=WRONG_INPUT)
+        self.assertIn('is "abc", expected a whole number from 1 to 1024', wrong["message"])
+
+    def test_show_says_that_nothing_is_there(self):
+        for name, why in (("nothing", "cannot be opened"), (".", "is a folder")):
+            self.assertIn(why, self.answer("show", name, code=WRONG_INPUT)["message"])
+
     def test_quiet_says_nothing_and_data_are_data(self):
         self.assertEqual(self.outputs("check", self.study, "--quiet"), ("", ""))
         self.assertEqual(self.outputs("doe", self.study, "--levels", "2", "--quiet"), ("", ""))

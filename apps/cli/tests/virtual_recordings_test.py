@@ -118,6 +118,12 @@ class VirtualRecordings(unittest.TestCase):
         self.assertIn("has changed since it was recorded", self.latsch("check", "study.toml", code=WRONG_INPUT))
         self.assertIn("Recording measurement.pressed", self.latsch("run", "study.toml"))
 
+    def test_a_channel_that_no_test_records_is_refused_before_anything_runs(self):
+        edit(self.folder / "comparison.toml", ('channels = .*', 'channels = ["Fzz"]'))
+        said = self.latsch("check", "comparison.toml", code=WRONG_INPUT)
+        self.assertIn('has "Fzz", which test drum does not record, did you mean "Fz"?', said)
+        self.assertNotIn("Recording", self.latsch("run", "comparison.toml", code=WRONG_INPUT))
+
     def test_one_command_records_fits_and_compares(self):
         self.assertIn("it has not been recorded", self.latsch("compare", "comparison.toml", code=WRONG_INPUT))
         done = subprocess.run([LATSCH, "run", "comparison.toml", "--json"], cwd=self.folder, capture_output=True, text=True)

@@ -73,10 +73,10 @@ void say_files(const std::string& name, std::vector<Ledger> recordings) {
 }
 
 /// Returns the errors of a tire in every test, and over the tests that were held out.
-nlohmann::ordered_json answer_of(const ComparisonFile& file,
-                                 const TireComparison& comparison,
-                                 std::size_t tire,
-                                 const std::vector<std::string>& limits) {
+nlohmann::ordered_json answer_of_tire(const ComparisonFile& file,
+                                      const TireComparison& comparison,
+                                      std::size_t tire,
+                                      const std::vector<std::string>& limits) {
   const correlation::TireSummary& sum = comparison.tires[tire];
   nlohmann::ordered_json all = {{"name", file.tires[tire].name},
                                 {"channels", file.channels},
@@ -137,7 +137,7 @@ void compare(const std::string& name,
   for (std::size_t t = 0; t < file.tires.size(); ++t) {
     const auto limits = limits_of_tire(file, comparison, t);
     for (const std::string& limit : limits) warn(file.tires[t].title + ": " + limit, {name, 0});
-    answer()["tires"].push_back(answer_of(file, comparison, t, limits));
+    answer()["tires"].push_back(answer_of_tire(file, comparison, t, limits));
   }
   if (file.specimen) answer()["specimen"] = {{"cpu_over_time", comparison.specimen_cpu_over_time}};
   answer()["verdicts"] = verdicts(file, comparison);

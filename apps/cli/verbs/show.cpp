@@ -118,7 +118,7 @@ int show(const std::string& file,
          const std::string& axes,
          const std::string& measurement,
          const experiment::Language& language) {
-  expect_no_pipe(file);
+  expect_file(file);
   if (!axes.empty() && !is_recording(file))
     throw InputError({file, 0},
                      "is no recording, so --axes has no effect; expected the command without it");

@@ -227,6 +227,27 @@ void read_pictures(const Node& root, ModelComparisonFile& file) {
   file.pictures = {model, place(cases, table->choice("case", cases))};
 }
 
+/// Throws InputError if a test records no channel of a compared name, which a run would find only
+/// after its simulations. A test that takes conditions from the reference is not known before it.
+void expect_channels(const Node& root,
+                     const experiment::Language& language,
+                     const ModelComparisonFile& file) {
+  for (const GridTest& grid : file.tests) {
+    std::vector<std::string> names;
+    try {
+      const auto test = language.read_test(grid.model_test.root(), {grid.folder, nullptr});
+      for (const experiment::ChannelInfo& channel : test->channels()) names.push_back(channel.name);
+    } catch (const InputError&) {
+      continue;
+    }
+    for (const std::string& channel : file.channels)
+      if (std::ranges::count(names, channel) == 0)
+        root.reject("channels",
+                    "has " + in_quotes(channel) + ", which test " + grid.name + " does not record" +
+                        did_you_mean(channel, names));
+  }
+}
+
 ModelComparisonFile read_tables_of_models(const Node& root,
                                           const fs::path& path,
                                           const experiment::Language& language) {
@@ -266,6 +287,7 @@ ModelComparisonFile read_tables_of_models(const Node& root,
   read_uncertainty(root, file);
   read_pictures(root, file);
   root.close();
+  expect_channels(root, language, file);
   return file;
 }
 

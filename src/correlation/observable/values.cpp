@@ -24,6 +24,7 @@ namespace {
 
 /// Returns TEST of "TEST/CHANNEL".
 std::string test_part(const std::string& channel) { return channel.substr(0, channel.find('/')); }
+
 ComparedValues compared_single_values(const Values::Measurement& m) {
   ComparedValues values{.kind = "values",
                         .compared = m.of.empty() ? m.channel : m.of + " " + m.channel,

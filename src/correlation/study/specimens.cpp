@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using experiment::Language;
 using experiment::SpecimenKind;
 
-fs::path existing_file(const Node& table, const char* key, const fs::path& folder) {
+fs::path file_beside_study(const Node& table, const char* key, const fs::path& folder) {
   const fs::path file = (folder / table.text(key)).lexically_normal();
   if (!fs::exists(file))
     table.reject(key,
@@ -91,7 +91,7 @@ StudyModel read_model(const Node& study, const fs::path& folder, const Language&
   const bool is_stated = has_table(study, "model");
   if (is_stated) {
     const Node table = study.table("model");
-    model.file = existing_file(table, "file", folder);
+    model.file = file_beside_study(table, "file", folder);
     kind = &experiment::kind_for_file(
         table.choice("kind", language.kind_names()), model.file, language.kinds);
   } else {
@@ -100,7 +100,7 @@ StudyModel read_model(const Node& study, const fs::path& folder, const Language&
                    "is measured data of a ring in the form of older versions; they are a study "
                    "now: latsch "
                    "new FOLDER --ring-data writes one to put them into");
-    model.file = existing_file(study, "model", folder);
+    model.file = file_beside_study(study, "model", folder);
     kind = &language.kind_of_file(model.file);
   }
   model.numbers = kind->read(model.file);
@@ -256,7 +256,7 @@ StudyTest read_study_test(const Node& table,
     return test;
   };
   if (is_inline) return read_keys(table, folder);
-  const fs::path file = existing_file(table, "file", folder);
+  const fs::path file = file_beside_study(table, "file", folder);
   StudyTest test = read_keys(Document::read(file).root(), file.parent_path());
   test.files.insert(test.files.begin(), file);
   return test;

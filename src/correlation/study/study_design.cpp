@@ -55,10 +55,12 @@ std::vector<int> read_levels(const Node& doe, const DesignSpace& space) {
 void reject_keys_of_another(const Node& doe, const std::vector<const char*>& keys) {
   for (const char* key : keys) {
     if (!doe.has(key)) continue;
-    doe.reject(
-        key,
-        "does not belong to this design; design = \"full_factorial\" has levels, "
-        "the others have points and seed, and \"latin_hypercube\" and \"sobol\" may have effects");
+    doe.reject(key,
+               std::string("does not belong to this design") +
+                   (doe.has("design") ? "" : ", a full factorial because no design is stated") +
+                   "; design = \"full_factorial\" has levels, "
+                   "the others have points and seed, and \"latin_hypercube\" and \"sobol\" may "
+                   "have effects");
   }
 }
 
