@@ -227,12 +227,14 @@ void read_pictures(const Node& root, ModelComparisonFile& file) {
   file.pictures = {model, place(cases, table->choice("case", cases))};
 }
 
-/// Throws InputError if a test records no channel of a compared name, which a run would find only
-/// after its simulations. A test that takes conditions from the reference is not known before it.
+/// Throws InputError if a test records no channel of a compared name. A test that takes conditions
+/// from the reference is not known before the reference is.
 void expect_channels(const Node& root,
-                     const experiment::Language& language,
-                     const ModelComparisonFile& file) {
-  for (const GridTest& grid : file.tests) {
+                     const fs::path& folder,
+                     const experiment::Language& language) {
+  const std::vector<std::string> compared = root.texts("channels");
+  for (const Node& table : root.named_tables("test")) {
+    const GridTest grid = read_grid_test(table, folder);
     std::vector<std::string> names;
     try {
       const auto test = language.read_test(grid.model_test.root(), {grid.folder, nullptr});
@@ -240,7 +242,7 @@ void expect_channels(const Node& root,
     } catch (const InputError&) {
       continue;
     }
-    for (const std::string& channel : file.channels)
+    for (const std::string& channel : compared)
       if (std::ranges::count(names, channel) == 0)
         root.reject("channels",
                     "has " + in_quotes(channel) + ", which test " + grid.name + " does not record" +
@@ -260,6 +262,7 @@ ModelComparisonFile read_tables_of_models(const Node& root,
   if (std::set<std::string>(file.channels.begin(), file.channels.end()).size() !=
       file.channels.size())
     root.reject("channels", "has a channel twice, expected each once");
+  expect_channels(root, folder, language);
   if (root.has("told")) file.told = root.texts("told");
   if (std::set<std::string>(file.told.begin(), file.told.end()).size() != file.told.size())
     root.reject("told", "has a channel twice, expected each once");
@@ -287,7 +290,6 @@ ModelComparisonFile read_tables_of_models(const Node& root,
   read_uncertainty(root, file);
   read_pictures(root, file);
   root.close();
-  expect_channels(root, language, file);
   return file;
 }
 
@@ -308,6 +310,12 @@ bool is_model_comparison(const fs::path& file) {
   if (file.extension() != ".toml") return false;
   const auto keys = Document::read(file).root().keys();
   return std::find(keys.begin(), keys.end(), "reference") != keys.end();
+}
+
+void expect_compared_channels(const fs::path& file, const experiment::Language& language) {
+  const Document document = Document::read(file);
+  if (document.root().has("channels"))
+    expect_channels(document.root(), file.parent_path(), language);
 }
 
 std::vector<std::pair<std::string, fs::path>> studies_of_fits(const fs::path& file) {

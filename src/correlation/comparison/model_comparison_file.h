@@ -154,6 +154,10 @@ struct ModelComparisonFile {
 bool compares_models(const std::filesystem::path& file);
 /// True if the file is a comparison of models and no study: it contains a table [reference].
 bool is_model_comparison(const std::filesystem::path& file);
+/// Throws InputError if a test of the comparison does not record a compared channel. A run calls
+/// this before its fits, which take long and which read_model_comparison() needs.
+void expect_compared_channels(const std::filesystem::path& file,
+                              const experiment::Language& language);
 /// Returns the studies of the tables [fit.NAME] by their names, in the order of the file, without
 /// reading them. Throws InputError for one that does not exist.
 std::vector<std::pair<std::string, std::filesystem::path>> studies_of_fits(

@@ -18,6 +18,7 @@ int run_comparison(const std::string& name,
                    const std::function<int(const std::string& study)>& fit) {
   constexpr int kThreads = 2;
   Json runs = Json::array();
+  correlation::expect_compared_channels(name, language);
   for (const auto& [fit_name, study] : correlation::studies_of_fits(name)) {
     say("== Fit {}: {}\n", fit_name, study.string());
     const int exit_code = fit(study.string());
