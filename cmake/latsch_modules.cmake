@@ -12,7 +12,7 @@ include(GoogleTest)
 set(LATSCH_TESTS AUTO CACHE STRING "Build the tests: ON, OFF, or AUTO, which builds them if GoogleTest is installed")
 option(LATSCH_SANITIZE "Address and undefined-behavior sanitizers" OFF)
 option(LATSCH_WERROR "Warnings of the compiler are errors: for our own builds, not for other compilers" OFF)
-option(LATSCH_UNITY "Compile small files eight at a time; OFF finds files that lack an include of their own" ON)
+option(LATSCH_UNITY "Compile small files in groups; OFF finds files that lack an include of their own" ON)
 
 find_program(LATSCH_CCACHE ccache)
 if(LATSCH_CCACHE)

@@ -119,6 +119,14 @@ class Simulators(Outside):
             self.assert_says(self.latsch("run", study, code=FAILED), "no trial succeeded, of ", said, "latsch simulate")
             self.assertFalse((study.parent / "study.scratch").exists())
 
+    def test_simulate_keeps_to_the_limits_of_run(self):
+        for text, limit, said in (("import time; time.sleep(1000)", 'timeout = "0.5 s"', "took more than the 0.5 s"),
+                                  ("bytearray(3_000_000_000)", 'timeout = "60 s"\nmemory = "1 GB"', "MemoryError")):
+            study = self.study("quarter_car")
+            (study.parent / "quarter_car.py").write_text(text)
+            edit(study, ("timeout = .*", limit))
+            self.assert_says(self.latsch("simulate", study, code=FAILED), said)
+
     def test_a_program_that_is_not_installed_is_named_before_the_run(self):
         study = self.study("quarter_car")
         for program, said in (("pithon3", 'starts "pithon3", which is no program in PATH'),

@@ -2,6 +2,9 @@
 // Implements `latsch simulate`: runs one trial and prints the results of every experiment beside
 // its measurement.
 
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -22,6 +25,16 @@ namespace {
 
 using correlation::Study;
 
+/// Limits the address space of this process and of the programs that it starts, as that of a
+/// worker is limited.
+void limit_memory(double bytes) {
+  if (!(bytes > 0.0)) return;
+  rlimit limit{};
+  ::getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = std::min(static_cast<rlim_t>(bytes), limit.rlim_max);
+  ::setrlimit(RLIMIT_AS, &limit);
+}
+
 int simulate(const std::string& file,
              const experiment::Language& language,
              const std::vector<std::string>& assignments) {
@@ -41,6 +54,7 @@ int simulate(const std::string& file,
 
   warn_of_implausible(study);
   for (const std::string& limit : correlation::limits_of_tests(study)) warn(limit);
+  limit_memory(study.run.memory);
   const auto channels = correlation::simulate_all(study, point);
   if (!channels) {
     complain(channels.failure().reason);

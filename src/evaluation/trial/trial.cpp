@@ -14,7 +14,6 @@
 namespace latsch {
 namespace {
 
-/// Returns the CPU time of this thread alone, because other threads may evaluate other points.
 /// Returns the CPU time of the programs that this process has waited for, including the programs
 /// that these have waited for.
 double program_seconds() {
@@ -44,6 +43,7 @@ Result<Channels> run(const Evaluator& evaluator, const DesignPoint& point) {
 Outcome evaluate(const Evaluator& evaluator, const DesignPoint& point) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
+  // Other threads may evaluate other points.
   const double cpu_start = thread_cpu_seconds(), program_start = program_seconds();
   Outcome outcome{.result = run(evaluator, point)};
   outcome.wall_time = std::chrono::duration<double>(Clock::now() - start).count();
