@@ -243,7 +243,7 @@ class SampleNote {
   void add(const Channels& block) {
     if (block.empty()) return;
     done_ += std::ssize(block.all().front().values);
-    // A test that is long and whose samples come all at the end has nothing to show.
+    // A test whose samples all come at the end has no progress to show, even if it takes long.
     const bool is_short = clock_() - start_ < kPatience || (total_ > 0 && done_ >= total_);
     if (!is_shown_ || (is_short && !has_shown_)) return;
     has_shown_ = true;

@@ -18,7 +18,8 @@ class DrumCleatTest : public Test, public TellsLimits {
   std::optional<Reach> reach(const std::string& channel) const override;
   Result<Channels> run(Specimen& specimen) const override;
   std::vector<std::string> limits(Specimen& specimen) const override;
-  /// Returns sentences about what the tire's model does not describe on the cleat.
+  /// The returned sentences state what the tire's model does not describe on the cleat and, for a
+  /// finite-element tire, remarks on its passage.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override;
   std::optional<Result<std::vector<ChannelConvergence>>> convergence(

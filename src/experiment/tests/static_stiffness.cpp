@@ -98,7 +98,7 @@ class StaticStiffnessTest : public Test, public TellsLimits {
                       std::back_inserter(all));
     return all;
   }
-  /// Returns sentences about what the tire's model does not describe on the cleat.
+  /// The returned sentences state the limits of the specimen and how much the tire slides.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     Channels found;

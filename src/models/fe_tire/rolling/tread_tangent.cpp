@@ -182,8 +182,8 @@ class TreadBody::LineTangent {
     return body_.axis_.cross(body_.place(k, input_) - hub);
   }
 
-  /// Adds the derivatives of the drive's moment by the position of a point, of which `by_position`
-  /// are those of its own force.
+  /// Adds the derivatives of the drive's moment with respect to the position of a point.
+  /// `by_position` contains the derivatives of the point's force with respect to this position.
   void add_drive(int k, const Eigen::Matrix3d& by_position, const Eigen::Vector3d& arm) {
     const double height = body_.hub_.z();
     Eigen::RowVector3d by = arm.transpose() * by_position / height;
