@@ -153,7 +153,7 @@ void append(const Channels& block, Channels& all) {
 }
 
 /// Returns the channels with the states that the test was given in a table, such as its slip
-/// angles, before them: a TYDEX file has nothing else that tells to which state a force belongs.
+/// angles, before them: a TYDEX file has nothing else that shows to which state a force belongs.
 Channels with_states(const experiment::Test& test, const Channels& channels) {
   struct State {
     const char *name, *unit;

@@ -26,7 +26,7 @@ class DrumCleatTest : public Test, public TellsLimits {
       const SpecimenKind& kind, const Document& numbers) const override;
 
  private:
-  /// Returns the limits that a run does not tell by itself; it tells ranges that it left.
+  /// Returns the limits that a run does not report by itself. A run reports ranges that it left.
   std::vector<std::string> limits_of_model(Specimen& specimen) const;
   RigSettings rig_settings() const override { return &test_; }
 

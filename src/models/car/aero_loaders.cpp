@@ -83,7 +83,7 @@ class LoadedCar {
   }
 
   /// Computes the equilibrium at the end of a step of the downforces. The step is halved while no
-  /// equilibrium is found. `refused` tells in words why there was none at the end of the whole
+  /// equilibrium is found. `refused` states in words why there was none at the end of the whole
   /// step; it is empty if there was one.
   Status settle_after(Vector3d step, LoaderSolution& found, std::string& refused) {
     Status settled = settle(found.downforce, found.state);

@@ -17,7 +17,7 @@
 
 namespace latsch::fe_tire {
 
-/// The whole ring with its tread, and the state and the tangent at hand.
+/// The whole ring with its tread, its present state, and its present tangent.
 struct RollingTransient::Impl {
   FeTire& tire;
   const RingElements& elements;

@@ -23,8 +23,8 @@ namespace {
 /// factorized in double precision.
 constexpr double kRefined = 1e-11;
 constexpr int kMostRefinements = 6;
-/// Largest rise, m, and change of the spin of one step: a tire that slides as a whole tells no
-/// slope.
+/// Largest rise, m, and change of the spin of one step: a tire that slides as a whole has no
+/// useful slope.
 constexpr double kMostRise = 2e-3, kMostTurn = 0.02;
 
 /// Solves J x = R by a factorization in single precision, which is several times as fast, and
