@@ -96,7 +96,7 @@ int run(const Options& options) {
   table.note("states found", fmt::format("{:.2f} %", 100.0 * ends.found / count));
   for (const auto& [reason, times] : ends.reasons)
     table.note(fmt::format("in words: {} ...", reason), fmt::format("{}", times));
-  table.row("states with a force that is no number",
+  table.row("states with a force that is not a number",
             fmt::format("{}", ends.lawless),
             "0",
             ends.lawless == 0);

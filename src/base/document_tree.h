@@ -22,7 +22,7 @@ struct DocumentNumber {
   double si = 0.0;
 };
 
-/// One value of the file. A table {unit = "mm", values = [...]} is a list with that unit.
+/// One value of the file. A table {unit = "mm", values = [...]} is a list with this unit.
 struct DocumentValue {
   enum class Kind { table, list, text, number, flag, date };
 

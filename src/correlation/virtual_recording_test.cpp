@@ -67,7 +67,7 @@ TEST_F(VirtualRecordingTest, IsOutOfDateOnceTheModelOrTheTestHasChanged) {
   ASSERT_TRUE(record(only()));
   EXPECT_EQ(why(), "");
   write("spring.toml", std::string("# a comment\n") + kTrueSpring);
-  EXPECT_EQ(why(), "") << "a comment is no number";
+  EXPECT_EQ(why(), "") << "a comment is not a number";
   write("spring.toml", "kind = \"spring\"\nstiffness = \"21 N/mm\"\ndamping = \"300 N s/m\"\n");
   EXPECT_EQ(why(), "the model or the test has changed since it was recorded");
   write("spring.toml", kTrueSpring);

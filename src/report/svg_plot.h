@@ -100,7 +100,7 @@ void draw_frame(Svg& svg,
                 std::string_view y_title,
                 FrameOptions options = {});
 
-/// Draws an entry of the legend: a sample of the line or dot with that class, and `words` after it.
+/// Draws an entry of the legend: a sample of the line or dot with this class, and `words` after it.
 /// Returns the x at which the next entry begins.
 double draw_legend(
     Svg& svg, Point at, std::string_view sample_class, bool dot, std::string_view words);

@@ -93,7 +93,7 @@ std::vector<Edit> edits_in(const Json& body) {
       throw InputError("an edit has no table, expected a list of names");
     Edit edit{{}, text_in(one, "key"), {}};
     for (const Json& name : one["table"]) {
-      if (!name.is_string()) throw InputError("a table's name is no text");
+      if (!name.is_string()) throw InputError("a table's name is not a text");
       edit.table.push_back(name.get<std::string>());
     }
     const Json value = one.value("value", Json(nullptr));
@@ -152,7 +152,7 @@ class Studio::Impl {
     } catch (const InputError& error) {
       return error_response(400, error.what(), "");
     } catch (const Json::parse_error& error) {
-      return error_response(400, std::string("the request is no JSON: ") + error.what(), "");
+      return error_response(400, std::string("the request is not valid JSON: ") + error.what(), "");
     } catch (const Json::exception& error) {
       return error_response(400, std::string("the request cannot be read: ") + error.what(), "");
     } catch (const JournalError& error) {
@@ -207,7 +207,7 @@ class Studio::Impl {
 
   Json change(const Request& request) {
     const Json body = Json::parse(request.body);
-    if (!body.is_object()) throw InputError("the request is no JSON object");
+    if (!body.is_object()) throw InputError("the request is not a JSON object");
     const auto shelved = study(text_in(body, "study"));
     if (request.path == "/api/check")
       return json_of(check_study_text(shelved->file(), text_in(body, "text"), language_));
@@ -238,7 +238,7 @@ class Studio::Impl {
     if (now.ok || !check_study_text(shelved.file(), before, language_).ok) return;
     for (const Message& message : now.messages)
       if (message.is_wrong) throw InputError("is not changed: " + message.text);
-    throw InputError("is not changed: the check refuses it");
+    throw InputError("is not changed: latsch check reports errors in the new text");
   }
 
   Json save(const ShelvedStudy& shelved, const Json& body, const std::string& text) {

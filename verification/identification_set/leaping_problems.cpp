@@ -82,7 +82,7 @@ Vector stops_with_preload(const Vector& x) {
   return values;
 }
 
-/// Three frequencies that are told apart by which of two masses moves more.
+/// Three frequencies that are distinguished by which of two masses moves more.
 Vector three_labels(const Vector& x) {
   const double a = x[0] + x[2], b = x[1] + x[2], coupling = x[2];
   const double mean = 0.5 * (a + b), half = 0.5 * (a - b);

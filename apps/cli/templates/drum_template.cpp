@@ -178,7 +178,7 @@ std::vector<Column> columns_of(const formats::Recording& recording,
     if (found && found->unit != "1" && column.unit != "1" && column.unit_of_table.empty() &&
         !Unit::of(found->unit).same_dimension(Unit::of(column.unit)))
       throw InputError({file.string(), 0},
-                       fmt::format("has {}, in SI in {}, which is no unit of the {} of a drum; "
+                       fmt::format("has {}, in SI in {}, which is not a unit of the {} of a drum; "
                                    "expected a column in {} or a unit like it{}",
                                    in_quotes(column.written),
                                    found->unit,

@@ -32,9 +32,8 @@ std::string placed_tire(std::string_view text, const std::vector<double>& column
     error = unread;
   }
   throw InputError(
-      "expected the columns of elements as a line of [mesh] that begins with "
-      "meridional or columns, and one that begins with sectors; write by hand, in place of "
-      "meridional and spacing:\n" +
+      "expected [mesh] to have a line that begins with meridional or columns, and one that begins "
+      "with sectors; write these lines by hand in place of meridional, spacing and sectors:\n" +
       line + fmt::format("\nsectors = {}", sectors) +
       (error ? std::string("\n(") + error->what() + ")" : ""));
 }

@@ -292,7 +292,7 @@ class Refused(Cars):
 
     def test_files_that_are_missing(self):
         text = self.complaint(('front_suspension = "front_rigid.toml"', 'front_suspension = "fornt.toml"'))
-        self.assertIn("baseline.toml:5: front_suspension is no file", text)
+        self.assertIn("baseline.toml:5: front_suspension is not a file", text)
 
     def test_a_tire_that_does_not_roll(self):
         self.assertIn("front_tire is of kind \"suspension\", which does not roll",

@@ -25,7 +25,7 @@ class Console(Coarse):
         """Runs the program and returns the JSON object that its standard output must be in any case; NaN and Infinity
         are not allowed."""
         def refuse(word):
-            raise ValueError(f"{word} is no JSON")
+            raise ValueError(f"{word} is not JSON")
 
         text, _ = self.outputs(*arguments, "--json", code=code)
         found = json.loads(text, parse_constant=refuse)

@@ -215,7 +215,7 @@ class Drum(unittest.TestCase):
             (raw + ["--teeth", "120"], "--drum-diameter"),
             (["raw.csv", "--cleat", "10 mm"], "such as \"10 mm x 20 mm\""),
             (raw + ["--column", "Fz = LOAD"], "has no column \"LOAD\""),
-            (raw + ["--column", "speed = Fz"], "no unit of the speed of a drum"),
+            (raw + ["--column", "speed = Fz"], "not a unit of the speed of a drum"),
         ]:
             refused = self.new("refused", *arguments)
             self.assertEqual(refused.returncode, WRONG_INPUT, (arguments, refused.stdout))

@@ -105,7 +105,7 @@ class Kinematics(unittest.TestCase):
         at = lambda i, j, new: lambda rows: rows[:i] + [rows[i][:j] + [new] + rows[i][j + 1:]] + rows[i + 1:]
         refused(at(3, 2, "abc"), "points.csv:6", "abc")
         refused(at(3, 1, "lca_raer"), "points.csv:6", "lca_raer", "lca_rear")
-        refused(at(3, 1, "lca rear"), "points.csv:6", "no name of a point")
+        refused(at(3, 1, "lca rear"), "points.csv:6", "not a name of a point")
         refused(at(3, 1, "uca_rear"), "points.csv:6", "comes twice, before in line 4")
         refused(lambda rows: [row for row in rows if row[1] != "wheel_center"], "points.csv", "wheel_center is missing")
         refused(at(4, 2, "1510800"), "points.csv", "ubj is more than 50 m from the origin")

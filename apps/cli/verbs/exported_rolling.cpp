@@ -182,7 +182,7 @@ void write_rolling_vtu(const std::string& model,
                      "rolling, rolling_footprint or rolling_chain");
   if (fs::exists(file) && !fs::is_regular_file(file))
     throw InputError("--rolling writes the patch beside " + file.string() +
-                     ", which is no regular file; expected the name of a file");
+                     ", which is not a regular file; expected the name of a file");
   const auto specimen = source.kind->build(source.numbers);
   auto* tire = specimen->find<experiment::IsFeTire>();
   if (!tire)

@@ -28,7 +28,7 @@ void serve(const AskedToServe& asked, const experiment::Language& language) {
   if (!std::filesystem::exists(asked.folder))
     throw InputError({asked.folder, 0}, "does not exist: expected a folder of studies, or a study");
   if (!std::filesystem::is_directory(asked.folder) && !is_study(asked.folder))
-    throw InputError({asked.folder, 0}, "is no study: expected a folder of studies, or a study");
+    throw InputError({asked.folder, 0}, "is not a study: expected a folder of studies, or a study");
   catch_interrupts();
   const ServedStudies served({asked.folder, asked.listen, asked.port}, language);
   if (asked.listen != "127.0.0.1" && asked.listen != "::1")

@@ -153,7 +153,7 @@ void append(const Channels& block, Channels& all) {
 }
 
 /// Returns the channels with the states that the test was given in a table, such as its slip
-/// angles, before them: a TYDEX file has nothing else that tells to which state a force belongs.
+/// angles, before them: a TYDEX file has nothing else that shows to which state a force belongs.
 Channels with_states(const experiment::Test& test, const Channels& channels) {
   struct State {
     const char *name, *unit;
@@ -243,7 +243,7 @@ class SampleNote {
   void add(const Channels& block) {
     if (block.empty()) return;
     done_ += std::ssize(block.all().front().values);
-    // A test that is long and whose samples come all at the end has nothing to show.
+    // A test whose samples all come at the end has no progress to show, even if it takes long.
     const bool is_short = clock_() - start_ < kPatience || (total_ > 0 && done_ >= total_);
     if (!is_shown_ || (is_short && !has_shown_)) return;
     has_shown_ = true;

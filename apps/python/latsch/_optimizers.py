@@ -6,7 +6,7 @@ from latsch import _latsch, _toml
 
 
 def _lines(options):
-    """Returns the options as keys of a study. global_ is the key global, which is no name of an argument in Python."""
+    """Returns the options as keys of a study. global_ is the key global, which is not a name of an argument in Python."""
     return _toml.lines({name[:-1] if name.endswith("_") and keyword.iskeyword(name[:-1]) else name: value
                         for name, value in options.items()})
 

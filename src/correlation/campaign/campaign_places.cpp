@@ -49,7 +49,8 @@ const TestValues* CampaignPlaces::known(const Eigen::VectorXd& place) const {
   const std::vector<double> key(place.begin(), place.end());
   auto found = computed_.find(key);
   if (found == computed_.end()) {
-    // Places of a search are seldom asked for again, and with many draws their slopes are large.
+    // A search seldom returns to a place, and with many draws the slopes of a place need much
+    // memory. Therefore all places are dropped if there are this many.
     constexpr std::size_t kMostKept = 4000;
     if (computed_.size() >= kMostKept) computed_.clear();
     auto values = slopes_.at(campaign_.values_at(key));

@@ -254,7 +254,8 @@ TEST_F(CampaignOfStudy, SettingsThatTouchNoVariableAreRefused) {
   EXPECT_NE(found.failure().reason.find("no setting changes"), std::string::npos);
 }
 
-// A small slip angle tells of stiffness alone, so the grip, which has no prior here, is named.
+// Forces at a small slip angle determine only the stiffness, so the grip, which has no prior here,
+// is named.
 TEST_F(CampaignOfStudy, ADirectionThatNoSettingTouchesIsNamed) {
   Study study = with_design(
       "[design]\ntest = \"steady\"\nnoise = \"50 N\"\nsettings = {alpha = [\"0 deg\", \"0.1 "

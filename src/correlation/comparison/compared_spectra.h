@@ -29,7 +29,7 @@ struct LineNoise {
 Channels low_passed(const ModelComparisonFile& file, const Channels& recording);
 
 /// Returns the selected samples of a channel. `whose` names the recording in the InputError that
-/// tells that the channel is missing.
+/// states that the channel is missing.
 std::vector<double> selected_samples(const ModelComparisonFile& file,
                                      const Channels& channels,
                                      const std::string& name,

@@ -10,7 +10,8 @@
 namespace latsch::correlation {
 namespace {
 
-/// Returns z such that a normal number lies within ±z with that probability, by bisection.
+/// Returns z such that a standard normal number lies within ±z with the probability `level`, by
+/// bisection.
 double normal_bound(double level) {
   double low = 0.0, high = 10.0;
   for (int i = 0; i < 60; ++i) {

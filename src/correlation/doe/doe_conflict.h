@@ -42,7 +42,7 @@ struct UnreachedValues {
 struct DoeConflict {
   std::vector<UnreachedValues> rows = {};  // one for each fitted experiment
   int points = 0;                          // points of the design that succeeded
-  std::string refusal = {};                // why nothing is told; empty if it is
+  std::string refusal = {};                // why there is no statement; else empty
 };
 
 /// Returns the values that no point of the design reaches, from the trials of the journal.

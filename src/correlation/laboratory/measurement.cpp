@@ -42,7 +42,7 @@ std::vector<std::string> windows_of(const Node& table, const std::string& key) {
   try {
     return table.texts(key);
   } catch (const InputError&) {
-    table.reject(key, "is no window such as \"900 N .. 1200 N\", nor a list of them");
+    table.reject(key, "is not a window such as \"900 N .. 1200 N\", nor a list of them");
   }
 }
 

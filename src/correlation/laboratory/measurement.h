@@ -139,7 +139,8 @@ class Measurement {
   std::string advice_for(const std::string& channel,
                          const std::string& unit,
                          const MayBe& column) const;
-  /// Returns a message that a channel has no unit or one of another dimension, with the remedy.
+  /// Returns a message that a channel has no unit, or a unit of another dimension than the wanted
+  /// one, and the remedy.
   std::string other_dimension(const std::string& found,
                               const std::string& wanted,
                               const std::string& unit) const;

@@ -353,8 +353,8 @@ std::string inclined_sweep(const std::string& names, double sign = 1.0) {
 constexpr const char* kInclined = "FZ [N],SA [deg],IA [deg],FY [N]";
 
 // The record and its mirror image agree: the file is in sae axes with positive loads, or its
-// inclination has the other sign. Both are offered with what tells them apart, whether or not the
-// study states iso; each of them, said, removes the contradiction.
+// inclination has the other sign. Both are offered with the difference between them, whether or not
+// the study states iso; if either is stated, there is no contradiction.
 TEST_F(MeasurementDoubts, ARecordAndItsMirrorImageAreBothOffered) {
   for (const std::string stated : {"axes = \"iso\"", ""}) {
     SCOPED_TRACE(stated);

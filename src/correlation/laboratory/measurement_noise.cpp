@@ -35,7 +35,7 @@ void add_part(const Node& table,
   };
   const auto compared = Unit::find(unit);
   const auto quantity = compared ? parse_quantity(part, *compared) : parse_quantity(part);
-  if (!quantity) reject(", of which " + in_quotes(part) + " is no number with a unit");
+  if (!quantity) reject(", of which " + in_quotes(part) + " is not a number with a unit");
   if (!std::isfinite(quantity->si) || !(quantity->si > 0.0)) {
     reject(", of which " + in_quotes(part) + " is not above 0");
   }

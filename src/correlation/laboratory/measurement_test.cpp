@@ -243,7 +243,7 @@ TEST_F(LabMeasurement, RefusesWhatItDoesNotUnderstand) {
   expect_complaint("[measurement.run.select]\nFz = \"1 .. 2 mm\"\n", {"expected a window in N"});
   expect_complaint("[measurement.run.select]\nFz = \"a lot\"\n", {"expected a window such as"});
   expect_complaint("[measurement.run.select]\nFz = \"3 .. 2 N\"\n", {"lower end first"});
-  expect_complaint("[measurement.run.select]\nFz = 5\n", {"select.Fz is no window such as"});
+  expect_complaint("[measurement.run.select]\nFz = 5\n", {"select.Fz is not a window such as"});
   expect_complaint("sweep = {alpha = \"up\"}\n", {"\"rising\" or \"falling\""});
   expect_complaint("axes = \"SAE\"\n", {"did you mean \"sae\"?"});
   expect_complaint("low_pass = \"5 Hz\"\n", {"has to be below 5 Hz"});

@@ -24,8 +24,8 @@ std::vector<std::string> statements_for_side(const Measurement& measurement,
 /// Returns the names of iso and of the other conventions, in quotes, in which the signs of a table
 /// without stated axes agree alike although the used channels differ. `side` is that of the model's
 /// wheel, +1 for left, 0 if it has none. The list is empty if iso is the only one, if the signs
-/// contradict iso, and for a table that is none of a K&C rig. All users of the measurement have to
-/// be read before.
+/// contradict iso, and for a table that does not come from a K&C rig. All users of the
+/// measurement have to be read before.
 std::vector<std::string> axes_alike(const Measurement& measurement, int side);
 
 }  // namespace latsch::correlation

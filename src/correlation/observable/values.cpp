@@ -256,8 +256,9 @@ std::vector<double> measured_values(const Node& table,
   const auto& [of, unit, slopes] = *known.regression;
   const Eigen::VectorXd w = slopes.weights(measurement.values(slopes.by, slopes.unit));
   if (w.size() == 0)
-    table.reject("measurement",
-                 "does not vary in " + slopes.by + " within the window: there is no slope by it");
+    table.reject(
+        "measurement",
+        "does not vary in " + slopes.by + " within the window, so no slope can be computed");
   const std::vector<double>& y = measurement.values(of, unit);
   return {w.dot(Eigen::Map<const Eigen::VectorXd>(y.data(), w.size()))};
 }

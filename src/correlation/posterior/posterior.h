@@ -36,7 +36,7 @@ namespace latsch::correlation {
 struct Posterior {
   DesignPoint center;     // the fit around which the density is sampled
   std::vector<int> axes;  // indices of the variables that were sampled
-  PosteriorMethod method = PosteriorMethod::surrogate;  // tells whose density the samples have
+  PosteriorMethod method = PosteriorMethod::surrogate;  // states whose density the samples have
   PosteriorSamples samples;                             // one row of u for each of the axes
   std::vector<PosteriorShape> shapes;                   // one for each of the axes
   std::vector<Interval> linear;  // linear 95 % intervals of the axes, in the unit cube

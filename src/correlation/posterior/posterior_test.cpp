@@ -247,7 +247,7 @@ TEST(Posterior, RefusesWhatIsNoDensity) {
             std::string::npos);
 }
 
-// Two values determine two variables exactly: nothing tells their noise.
+// Two values determine two variables exactly, so their noise is not known.
 TEST(Posterior, RefusesToGuessANoiseThatNothingTells) {
   const ScratchFolder folder;
   Study study = serial_springs();

@@ -8,7 +8,7 @@
 // with the nuisance numbers of the recording applied. The band is the 2.5, 50 and 97.5 % points of
 // y at each measured value by itself.
 //
-// Limits: experiments that are only predicted have no residuals, so they have linear bands alone.
+// Limits: experiments that are only predicted have no residuals, so they have only linear bands.
 #pragma once
 
 #include <Eigen/Core>

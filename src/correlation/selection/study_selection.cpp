@@ -160,7 +160,7 @@ bool moves(const Study& study, int variable) {
   return study.free.empty() || std::binary_search(study.free.begin(), study.free.end(), variable);
 }
 
-/// Returns the settings without candidates that the last stage of the study holds.
+/// Returns the settings without the candidates that do not vary in the last stage of the study.
 SelectionSettings moving_part(const Study& study) {
   SelectionSettings settings = study.selection.value_or(selection_of_all(study.space));
   for (SelectionUnit& unit : settings.units)

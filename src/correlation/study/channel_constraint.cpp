@@ -75,7 +75,8 @@ ChannelConstraint read_channel_constraint(const Node& table,
   const double size =
       std::max(std::abs(constraint.lower.value_or(0.0)), std::abs(constraint.upper.value_or(0.0)));
   if (!table.has("scale") && !(size > 0.0)) {
-    table.reject("scale", "is missing: a bound of 0 gives no scale");
+    table.reject("scale",
+                 "is missing: if all bounds are 0, they give no scale; expected a positive value");
   }
   constraint.scale = table.quantity("scale", constraint.unit, Range::positive(), size);
   return constraint;

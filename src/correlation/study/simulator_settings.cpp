@@ -52,7 +52,7 @@ void read_pattern(const Node& table, OutputReader& reader) {
   try {
     groups = std::regex(reader.pattern).mark_count();
   } catch (const std::regex_error& error) {
-    table.reject("pattern", std::string("is no regular expression: ") + error.what());
+    table.reject("pattern", std::string("is not a regular expression: ") + error.what());
   }
   if (groups != reader.quantities.size()) {
     table.reject("pattern",

@@ -139,7 +139,8 @@ TEST_F(SimulatorStudy, WhatMakesNoSenseIsRefusedInWords) {
   refused("[variable.k]", "[variable.k2]", "names no variable of the study, did you mean \"k2\"");
   refused("\"out/z\"", "\"out/w\"", "there are \"out/t\" or \"out/z\"");
   refused("t [s]", "t [parsnip]", "expected a name and a unit");
-  refused("reader = \"table\"", "reader = \"pattern\"\npattern = '(\\S+'", "no regular expression");
+  refused(
+      "reader = \"table\"", "reader = \"pattern\"\npattern = '(\\S+'", "not a regular expression");
   refused("reader = \"table\"", "reader = \"pattern\"\npattern = '(.)'", "1 groups");
   refused(
       "reader = \"table\"", "reader = \"columns\"\ncolumns = [1]", "are 1, expected one for each");

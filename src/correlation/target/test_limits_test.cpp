@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests the limits that a study tells before it runs: those of a tire's file hold in every trial,
+// Tests the limits that a study states before it runs: those of a tire's file hold in every trial,
 // unless the study varies one of them.
 #include "correlation/target/test_limits.h"
 

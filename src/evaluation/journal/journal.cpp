@@ -377,7 +377,7 @@ struct Journal::Impl {
     });
   }
 
-  /// Rewrites the journal with that identity, in the present format.
+  /// Rewrites the journal in the present format with the identity `as`.
   void rewrite(const StudyIdentity& as, const std::filesystem::path& backup) {
     std::vector<Row> rows;
     RowDecoder decoder(format);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that a script reads from its own folder: modules it imports, tables it opens. They are
-// found by their names in its text, because the outside program itself tells nobody what it opens.
+// found by their names in its text, because the outside program itself does not report which files
+// it opens.
 #pragma once
 
 #include <filesystem>

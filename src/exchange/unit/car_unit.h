@@ -19,7 +19,7 @@
 // (models/road/road.h, beyond).
 //
 // The map of air forces is constant beyond its heights of the car's floor (models/car/aero_map.h).
-// The first step beyond them is told at once, the share of such steps at the end.
+// The first step beyond them is reported at once, the share of such steps at the end.
 //
 // The guide replaces a driver and holds the car on a line (models/car/car.h); without stiffness it
 // has no effect once the car has started.

@@ -283,7 +283,7 @@ class CarKind : public SpecimenKind {
                                           const std::string& part) {
     const std::filesystem::path named = car.parent_path() / written.root().text(part);
     if (!std::filesystem::is_regular_file(named))
-      written.root().reject(part, "is no file: there is no " + named.string());
+      written.root().reject(part, "is not a file: there is no " + named.string());
     return named;
   }
 };

@@ -159,7 +159,7 @@ Result<Channels> FeTireSpecimen::steady_with_slopes(const formats::CsvTable& sta
   const auto roll = [&](TireRig& rig, fe_tire::TireSlopes* slopes) {
     return roll_table(rig, states, conditions, slopes);
   };
-  return drive(roll, false, asked);  // states of rows with a pressure are told by the rows
+  return drive(roll, false, asked);  // rows with a pressure state it themselves
 }
 
 Result<std::vector<std::string>> FeTireSpecimen::steady_in_blocks(

@@ -18,7 +18,7 @@ std::optional<std::string> reason_against_ending(const SpecimenKind& kind,
                                                  const std::filesystem::path& file,
                                                  const std::vector<const SpecimenKind*>& kinds);
 
-/// Returns the kind with that name. Throws InputError if the file has the ending of another kind.
+/// Returns the kind with this name. Throws InputError if the file has the ending of another kind.
 const SpecimenKind& kind_for_file(const std::string& name,
                                   const std::filesystem::path& file,
                                   const std::vector<const SpecimenKind*>& kinds);

@@ -89,7 +89,7 @@ TEST(KnownLimits, EveryRollingTestTellsTheRangesThatTheTireLeaves) {
       told_by("magic_formula", kSweep + ", camber = \"5 deg\"", {"CAMMAX = 0.05"}).says("CAMMAX"));
 }
 
-/// Returns the limits that a test tells before it runs on the tire with changed lines of its file.
+/// Returns the limits that a test states before it runs on the tire with changed lines of its file.
 std::string told_ahead(const std::string& kind_name,
                        const std::string& keys,
                        const std::vector<std::string>& lines) {
@@ -103,7 +103,7 @@ std::string told_ahead(const std::string& kind_name,
   return all;
 }
 
-// A study then tells them before its first trial and in every check, not at its best trial alone.
+// A study then states them before its first trial and in every check, not only at its best trial.
 TEST(KnownLimits, RangesThatATestLeavesByItsOwnConditionsAreToldBeforeItRuns) {
   for (const auto& [kind, keys] :
        {std::pair{"magic_formula", kRolling}, {"magic_formula", kSweep}, {"rigid_ring", kDrum}}) {

@@ -18,14 +18,15 @@ class DrumCleatTest : public Test, public TellsLimits {
   std::optional<Reach> reach(const std::string& channel) const override;
   Result<Channels> run(Specimen& specimen) const override;
   std::vector<std::string> limits(Specimen& specimen) const override;
-  /// Returns sentences about what the tire's model does not describe on the cleat.
+  /// The returned sentences state what the tire's model does not describe on the cleat and, for a
+  /// finite-element tire, remarks on its passage.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override;
   std::optional<Result<std::vector<ChannelConvergence>>> convergence(
       const SpecimenKind& kind, const Document& numbers) const override;
 
  private:
-  /// Returns the limits that a run does not tell by itself; it tells ranges that it left.
+  /// Returns the limits that a run does not report by itself. A run reports ranges that it left.
   std::vector<std::string> limits_of_model(Specimen& specimen) const;
   RigSettings rig_settings() const override { return &test_; }
 

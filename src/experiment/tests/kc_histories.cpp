@@ -68,7 +68,7 @@ Histories::Histories(const Node& root,
               "has {} values, expected one or {} as the others have", values.size(), states_));
     if (values.size() == 1) values.assign(states_, values[0]);
     if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); }))
-      root.reject(recorded && !root.has(name) ? "loads" : name, "has values that are no numbers");
+      root.reject(recorded && !root.has(name) ? "loads" : name, "has values that are not numbers");
   }
 }
 
@@ -90,14 +90,14 @@ std::optional<SlopesBy> Histories::slopes(const Node& root) const {
   if (root.has("window")) {
     const auto window = root.quantities("window", slopes.unit);
     if (window.size() != 2 || !(window[0] < window[1]))
-      root.reject("window", "is no window, expected two values that rise");
+      root.reject("window", "is not a window, expected two values that rise");
     slopes.from = window[0];
     slopes.to = window[1];
   }
   if (slopes.weights(values_.at(by)).size() == 0)
     root.reject("slopes_by",
                 "is " + by + ", which does not vary" +
-                    (root.has("window") ? " in the window" : "") + ": there is no slope by it");
+                    (root.has("window") ? " in the window" : "") + ", so no slope can be computed");
   return slopes;
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 /// Highest frequency, Hz; a mesh mostly allows less.
 constexpr double kHighestOfSlips = 200.0;
-/// Friction above which the swing of a response is told to be small.
+/// Friction above which a message states that the swing of a response is small.
 constexpr double kMuchFriction = 1.5;
 
 class FeRollingResponseTest : public RollsFeTire {
@@ -115,15 +115,16 @@ class FeRollingResponseTest : public RollsFeTire {
     if (friction <= kMuchFriction) return "";
     return fmt::format(
         "rolling_response: with friction {0:g} few points slide, and the traction of each changes "
-        "{0:g} times as much as its pressure, so a response may hold for swings below 0.01 deg or "
-        "a slip of 1e-4 alone; latsch test compares it with steady states over larger ones",
+        "{0:g} times as much as its pressure, so a response may hold only for swings below 0.01 "
+        "deg or a slip of 1e-4; latsch test compares it with steady states over larger swings",
         friction);
   }
 
   RollingResponseTest test_;
 };
 
-/// Reads the slips that change. Throws InputError for a name that is none, and for one twice.
+/// Reads the slips that change. Throws InputError for an unknown name and for a name that is stated
+/// twice.
 std::vector<ResponseSlip> read_slips(const Node& root) {
   std::vector<std::string> names = {"alpha", "kappa"};
   if (root.has("inputs")) names = root.texts("inputs");

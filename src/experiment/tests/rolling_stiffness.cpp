@@ -106,7 +106,7 @@ class RollingStiffness : public Test, public TellsLimits {
   }
 
  private:
-  /// Returns the limits that a run does not tell by itself; it tells ranges that it left.
+  /// Returns the limits that a run does not report by itself. A run reports ranges that it left.
   std::vector<std::string> limits_of_model(Specimen& specimen) const {
     if (auto* tire = specimen.find<IsFeTire>()) return assumed_by(*tire);
     return limits_of_camber(specimen, wants("camber") ? test_.camber : 0.0, /*rolls=*/true);

@@ -124,7 +124,7 @@ class SlipSweepTest : public Test, public TellsLimits {
   }
 
  private:
-  /// Returns the limits that a run does not tell by itself; it tells ranges that it left.
+  /// Returns the limits that a run does not report by itself. A run reports ranges that it left.
   std::vector<std::string> limits_of_model(Specimen& specimen) const {
     std::vector<std::string> limits = limits_of_camber(specimen, sweep_.camber, /*rolls=*/true);
     for (std::string& assumed : specimen.find<Rolls>()->assumed_in_time())

@@ -98,7 +98,7 @@ class StaticStiffnessTest : public Test, public TellsLimits {
                       std::back_inserter(all));
     return all;
   }
-  /// Returns sentences about what the tire's model does not describe on the cleat.
+  /// The returned sentences state the limits of the specimen and how much the tire slides.
   Result<std::vector<std::string>> run_in_blocks(
       Specimen& specimen, const std::function<void(const Channels&)>& tell) const override {
     Channels found;
@@ -149,8 +149,8 @@ class StaticStiffnessTest : public Test, public TellsLimits {
       if (share < kMuch * test_.friction.value_or(1.0)) continue;
       all.push_back(fmt::format(
           "the {} force after {:.4g} mm of travel is {:.2g} times the load, so most of the patch "
-          "slides: the stiffness is force over travel and falls with it; a travel of 1 mm tells "
-          "that of the tire",
+          "slides: the stiffness is force over travel and falls with it; a travel of 1 mm gives "
+          "the stiffness of the tire",
           name_of(direction),
           1e3 * test_.travel,
           share));

@@ -71,7 +71,7 @@ std::vector<Hardpoint> read_hardpoints(const std::filesystem::path& file,
     if (!chosen[i]) continue;
     if (!is_name(names[i]))
       throw InputError(table.place(row),
-                       in_quotes(names[i]) + " is no name of a point, expected one such as ubj");
+                       in_quotes(names[i]) + " is not a name of a point, expected one such as ubj");
     const int line = table.place(row).line;
     if (const auto [before, is_new] = lines.emplace(names[i], line); !is_new)
       throw InputError(table.place(row),

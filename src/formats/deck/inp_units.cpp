@@ -39,13 +39,14 @@ InpUnits parse_units(std::string_view text, const Place& place) {
     if (count == 3) break;
     const auto unit = find_unit(name, Unit::of(kSi[count]));
     if (!unit || !unit->same_dimension(Unit::of(kSi[count])))
-      throw InputError(place,
-                       fmt::format("{} is no unit of {}, expected units of length, force and mass "
-                                   "such as \"** units: mm, N, tonne\"",
-                                   in_quotes(name),
-                                   count == 0   ? "length"
-                                   : count == 1 ? "force"
-                                                : "mass"));
+      throw InputError(
+          place,
+          fmt::format("{} is not a unit of {}, expected units of length, force and mass "
+                      "such as \"** units: mm, N, tonne\"",
+                      in_quotes(name),
+                      count == 0   ? "length"
+                      : count == 1 ? "force"
+                                   : "mass"));
     *members[count] = unit->to_si(1.0L);
   }
   if (count != 3)

@@ -53,7 +53,7 @@ void doubt_abscissa(const RecordedGroup& group, RecordedFile& file) {
     file.doubts.push_back(fmt::format("{} of group {} {} at sample {}",
                                       in_quotes(abscissa.name),
                                       in_quotes(group.name),
-                                      is_gap ? "is no number" : "falls back",
+                                      is_gap ? "is not a number" : "falls back",
                                       i + 1));
     return;
   }

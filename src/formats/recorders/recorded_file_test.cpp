@@ -165,7 +165,7 @@ TEST_F(WrittenRecordings, SayWhatIsLeftOut) {
   const RecordedFile doubted = parse_uff(strange, "strange");
   ASSERT_EQ(doubted.doubts.size(), 1u);
   EXPECT_THAT(doubted.doubts[0], HasSubstr("says \"deg\""));
-  EXPECT_THAT(doubted.doubts[0], HasSubstr("no unit of its kind of quantity"));
+  EXPECT_THAT(doubted.doubts[0], HasSubstr("not a unit of its kind of quantity"));
   const RecordedFile functions = parse_uff(bytes("functions.uff"), "functions");
   ASSERT_EQ(functions.left_out.size(), 1u);
   EXPECT_EQ(functions.left_out.begin()->second, "is of type 9, expected 1, 2, 3, 4, 6 or 12");
@@ -191,7 +191,7 @@ TEST_F(WrittenRecordings, SayThatTheyWereStillBeingWrittenOrAreCut) {
   ASSERT_EQ(open.doubts.size(), 2u);
   EXPECT_THAT(open.doubts[0], HasSubstr("was not closed"));
   EXPECT_EQ(open.doubts[1],
-            "the last 9 bytes of the segment at byte 0 are no whole record and are not read");
+            "the last 9 bytes of the segment at byte 0 are not a whole record and are not read");
   // A segment of one channel that is closed, and has fewer values than it states.
   const RecordedFile part = parse_tdms(bytes("part.tdms"), "part");
   ASSERT_EQ(part.doubts.size(), 2u);

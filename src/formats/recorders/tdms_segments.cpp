@@ -145,7 +145,7 @@ void TdmsSegments::walk() {
   for (std::size_t at = 0; at < bytes_.size();) {
     if (at > 0 && bytes_.size() - at < kLeadIn) {
       doubt(
-          fmt::format("the file is cut off: its last {} bytes are no whole segment and are not "
+          fmt::format("the file is cut off: its last {} bytes are not a whole segment and are not "
                       "read",
                       bytes_.size() - at));
       return;
@@ -343,11 +343,11 @@ void TdmsSegments::take_data(const Segment& segment) {
   const bool is_interleaved = segment.contents & kInterleaved;
   const std::size_t rest = is_interleaved ? take_rows(segment) : take_chunks(segment);
   if (rest > 0)
-    doubt(
-        fmt::format("the last {} bytes of the segment at byte {} are no whole {} and are not read",
-                    rest,
-                    segment.at,
-                    is_interleaved ? "record" : "chunk of its channels"));
+    doubt(fmt::format(
+        "the last {} bytes of the segment at byte {} are not a whole {} and are not read",
+        rest,
+        segment.at,
+        is_interleaved ? "record" : "chunk of its channels"));
 }
 
 /// Takes values that stand sample by sample; returns the number of bytes behind the last whole one.

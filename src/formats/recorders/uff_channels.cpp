@@ -100,7 +100,7 @@ UffChannels::AxisUnit UffChannels::unit_of(const UffAxis& axis,
     if (!unit) return {axis.unit};
     if (!unit->same_dimension(Unit::of(known->si_unit))) {
       if (!Unit::of(known->si_unit).dimensionless())
-        doubt_label(axis, function, "which is no unit of its kind of quantity");
+        doubt_label(axis, function, "which is not a unit of its kind of quantity");
       return {axis.unit};
     }
     const double in_si = unit->to_si(1.0L) * factor;

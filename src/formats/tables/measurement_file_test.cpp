@@ -21,7 +21,7 @@ class MeasurementFile : public testing::Test {
   }
   ~MeasurementFile() override { std::filesystem::remove_all(folder_); }
 
-  /// Returns the error message for a file with that text, without the folder's name.
+  /// Returns the error message for a file with this text, without the folder's name.
   std::string complaint(const std::string& name,
                         const std::string& text,
                         const std::function<void(const std::filesystem::path&)>& read) {

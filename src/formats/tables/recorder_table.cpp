@@ -79,7 +79,7 @@ std::vector<double> time_of(const RecordedGroup& group, const std::string& file)
                        fmt::format("cannot be resampled: {} of group {} {} at sample {}",
                                    in_quotes(channel.name),
                                    in_quotes(group.name),
-                                   std::isnan(time[i]) ? "is no number" : "does not rise",
+                                   std::isnan(time[i]) ? "is not a number" : "does not rise",
                                    i + 1));
   }
   return time;

@@ -76,7 +76,7 @@ void expect_content_of_ending(const std::filesystem::path& file, std::string_vie
       {file.string(), 0},
       endings.empty()
           ? fmt::format(
-                "is {} by its first bytes, which is not read: {}", mark->words, mark->advice)
+                "is {} by its first bytes; such a file is not read: {}", mark->words, mark->advice)
           : fmt::format("is {} by its first bytes, but {}: expected {}; change its name",
                         mark->words,
                         name,

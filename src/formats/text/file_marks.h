@@ -13,7 +13,7 @@ namespace latsch::formats {
 struct FileMark {
   std::string words;                 // "an MDF 4 file"
   std::vector<std::string> endings;  // extensions of such files, ".mf4"; empty: none is read
-  std::string advice;                // tells what to do with a file that is not read
+  std::string advice;                // states what to do with a file that is not read
 };
 
 /// Returns the kind of a file by its first bytes; nullptr for any other. 512 bytes are enough.

@@ -73,7 +73,7 @@ class TeimOrbitReader {
   std::size_t comment_of(std::string_view line) const {
     bool quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
-      if (line[i] == '\0') reject("a zero byte: this is no text file");
+      if (line[i] == '\0') reject("a zero byte: this is not a text file");
       if (line[i] == '\'') quoted = !quoted;
       if (!quoted && (line[i] == '$' || line[i] == '!')) return i;
     }

@@ -140,7 +140,7 @@ TEST(TeimOrbit, ComplaintsNameFileLineAndWhatWasExpected) {
                 .find("t.tir:2: LENGTH = \"furlong\" is refused: unknown unit"),
             std::string::npos);
   EXPECT_EQ(orbit_complaint(std::string("[A]\nB\0 = 2\n", 11)),
-            "t.tir:2: a zero byte: this is no text file");
+            "t.tir:2: a zero byte: this is not a text file");
 }
 
 TEST(TeimOrbit, SpoiledFilesEndInAFileOrAComplaint) {

@@ -233,7 +233,7 @@ class TirReader {
                                    field->section));
     if (section.name() == "UNITS" && !is_unit)
       note(entry.line,
-           fmt::format("[UNITS] {} is no unit that is known here; it has no effect", entry.key));
+           fmt::format("[UNITS] {} is not a unit that is known here; it has no effect", entry.key));
     tir_.keys.push_back(
         {section.name(), entry.key, entry.line, "", is_unit ? "" : "describes the file"});
   }

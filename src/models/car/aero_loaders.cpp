@@ -83,7 +83,7 @@ class LoadedCar {
   }
 
   /// Computes the equilibrium at the end of a step of the downforces. The step is halved while no
-  /// equilibrium is found. `refused` tells in words why there was none at the end of the whole
+  /// equilibrium is found. `refused` states in words why there was none at the end of the whole
   /// step; it is empty if there was one.
   Status settle_after(Vector3d step, LoaderSolution& found, std::string& refused) {
     Status settled = settle(found.downforce, found.state);
@@ -134,8 +134,8 @@ bool are_independent(const Matrix<double, 4, 3>& slopes) {
   return squares.determinant() > kIndependent * std::pow(squares.trace() / 3.0, 3);
 }
 
-/// Tells what the last step left. The forces that no loaders can produce are no fault of the search
-/// and are told apart.
+/// Returns a failure that states how much the forces would still change after the last step. The
+/// forces that no loaders can produce are not an error of the search and are stated separately.
 Failure not_found(const LoaderSolution& found,
                   const Vector3d& step,
                   double enough,
@@ -143,7 +143,8 @@ Failure not_found(const LoaderSolution& found,
   std::string words = fmt::format(
       "no loaders' forces were found for these push-rods: after {} steps they would still change "
       "by "
-      "{:.3g} N, {:.3g} N at most is asked ({:.3g} N of the push-rods' forces no loaders produce)",
+      "{:.3g} N, expected at most {:.3g} N (no loaders can produce {:.3g} N of the push-rods' "
+      "forces)",
       kMostSteps,
       step.norm(),
       enough,

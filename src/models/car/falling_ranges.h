@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells the slip of a rolling tire that still relaxes from forces that vary with the rotation of
-// the wheel. The tire rolls in rounds of equal length L. The range r_k of round k is the largest
-// difference of a force over the second half of that round.
+// Distinguishes the slip of a rolling tire that still relaxes from forces that vary with the
+// rotation of the wheel. The tire rolls in rounds of equal length L. The range r_k of round k is
+// the largest difference of a force over the second half of that round.
 //   slip of relaxation length s:   r_k ~ exp(-k L / s),    falls from round to round
 //   segments and blocks of a belt:   r_k goes up and down about a constant. The steps of the rounds
 //   sample the passing segments at changing phases, so the sampled force beats.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests that relaxing slip is told from forces that vary with the rotation of a wheel, on sampled
-// forces in closed form and on a car.
+// Tests that relaxing slip is distinguished from forces that vary with the rotation of a wheel, on
+// sampled forces in closed form and on a car.
 #include "models/car/falling_ranges.h"
 
 #include <gtest/gtest.h>

@@ -41,7 +41,7 @@ Result<Rest> Equilibrium::follow(const RestSettings& standing,
   assemble(before, standing, 0.0);
   held_ = -assembly_.forces();
   if (!held_.allFinite())
-    return Failure{"no equilibrium: the start has forces that are no numbers"};
+    return Failure{"no equilibrium: the start has forces that are not numbers"};
   std::string reason = at_once.reason;
   double more = 0.5;
   for (int halvings = 1; share_ < 1.0;) {

@@ -14,7 +14,7 @@ std::string ForceCharacteristic::fault(const std::vector<Point>& points) {
     return fmt::format("has {} points, two at least are needed", points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isfinite(points[i].first) || !std::isfinite(points[i].second))
-      return fmt::format("has a point, number {}, that is no number", i + 1);
+      return fmt::format("has a point, number {}, that is not a number", i + 1);
     if (i > 0 && !(points[i].first > points[i - 1].first))
       return fmt::format("does not rise in x: point {} has {:.6g} behind {:.6g}",
                          i + 1,

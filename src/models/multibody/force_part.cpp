@@ -76,7 +76,7 @@ double stored_energy(const ForcePart& part, double d, const PartMemory& memory) 
 std::string fault_of(const ForcePart& part) {
   if (const auto* play = std::get_if<Play>(&part))
     if (!positive(play->stiffness) || !(play->gap >= 0.0) || !std::isfinite(play->gap))
-      return "play needs a gap not below zero and a stiffness above it";
+      return "play needs a gap that is not negative and a stiffness above zero";
   if (const auto* maxwell = std::get_if<Maxwell>(&part))
     if (!positive(maxwell->stiffness) || !positive(maxwell->time))
       return "a Maxwell part needs a stiffness and a time above zero";

@@ -38,7 +38,7 @@ TEST(ForceCharacteristic, WhatIsNoneIsNamed) {
   EXPECT_NE(ForceCharacteristic::fault({{0.0, 1.0}}).find("1 points"), std::string::npos);
   EXPECT_NE(ForceCharacteristic::fault({{0.0, 1.0}, {0.0, 2.0}}).find("point 2"),
             std::string::npos);
-  EXPECT_NE(ForceCharacteristic::fault({{0.0, 1.0}, {NAN, 2.0}}).find("no number"),
+  EXPECT_NE(ForceCharacteristic::fault({{0.0, 1.0}, {NAN, 2.0}}).find("not a number"),
             std::string::npos);
 }
 

@@ -26,14 +26,14 @@ std::string fault_of_bushing(const std::string& name, const BushingParameters& b
   if (!not_negative(bushing.stiffness) ||
       (!(bushing.stiffness.maxCoeff() > 0.0) && bushing.parts.empty()))
     return fmt::format(
-        "the bushing {} has no stiffness: numbers of N/m not below zero, one of them above, are "
-        "needed",
+        "the bushing {} has no stiffness: it needs stiffnesses (N/m) that are not negative, and at "
+        "least one above zero",
         name);
   if (!not_negative(bushing.rotational))
-    return fmt::format("the bushing {} has a rotational stiffness below zero or that is no number",
+    return fmt::format("the bushing {} has a rotational stiffness that is negative or not a number",
                        name);
   if (!not_negative(bushing.damping) || !not_negative(bushing.rotational_damping))
-    return fmt::format("the bushing {} has a damping below zero or that is no number", name);
+    return fmt::format("the bushing {} has a damping that is negative or not a number", name);
   for (const auto& part : bushing.parts)
     if (const std::string fault = fault_of(part.law); !fault.empty())
       return fmt::format("the bushing {}: {}", name, fault);
@@ -84,10 +84,10 @@ std::string fault_of_strut(const Strut& strut, int bodies, int drivers) {
   }
   for (const double number : {strut.stiffness, strut.damping, strut.inertance})
     if (!(number >= 0.0) || !std::isfinite(number))
-      return fmt::format("{} has a stiffness, damping or inertance below zero or that is no number",
-                         strut.name);
+      return fmt::format(
+          "{} has a stiffness, damping or inertance that is negative or not a number", strut.name);
   if (!std::isfinite(strut.preload))
-    return fmt::format("the preload of {} is no number", strut.name);
+    return fmt::format("the preload of {} is not a number", strut.name);
   for (const ForcePart& part : strut.parts)
     if (const std::string fault = fault_of(part); !fault.empty())
       return fmt::format("{}: {}", strut.name, fault);

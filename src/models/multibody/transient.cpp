@@ -100,7 +100,7 @@ Result<MechanismState> Transient::start(const Rest& rest,
     state.accelerations -= correction_;
   }
   state.algorithmic = state.accelerations;
-  if (!state.accelerations.allFinite()) return Failure{"the start has forces that are no numbers"};
+  if (!state.accelerations.allFinite()) return Failure{"the start has forces that are not numbers"};
   return state;
 }
 

@@ -39,7 +39,8 @@ double residual(StiffnessBesideBelt one, double belt_compliance, RingConstants& 
 
 /// Fails if a tire of these stiffnesses has no state of rest.
 Status stands(const magic_formula::Parameters& p, const RingConstants& c) {
-  // The belt's displacement and the load are found by iteration, which converges below this share.
+  // The belt's displacement and the load are found by iteration. It converges if the tire's
+  // steepest stiffness is below this share of the belt's stiffness.
   constexpr double kMostShare = 0.5;
   const double steepest = magic_formula::greatest_stiffness(p);
   if (steepest < kMostShare * c.k_bx) return {};

@@ -89,7 +89,8 @@ Travel read_speed(const Node& table) {
   }
   std::vector<Travel::Point> points;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (i > 0 && times[i] <= times[i - 1]) table.reject("times", "do not rise, expected them to");
+    if (i > 0 && times[i] <= times[i - 1])
+      table.reject("times", "do not ascend; expected each time to be later than the one before");
     points.push_back({times[i], speeds[i]});
   }
   return Travel(std::move(points));

@@ -97,7 +97,7 @@ double criterion_of(const DesignProblem& problem, const OfDraws& M) {
   return problem.W ? mean : std::exp(-mean);
 }
 
-/// Tells how much one more test lowers the criterion: the mean of ln det M for D, else of tr(W
+/// Computes how much one more test lowers the criterion: the mean of ln det M for D, else of tr(W
 /// M^-1), by the lemmas of a change of few rows.
 class OneMoreTest {
  public:

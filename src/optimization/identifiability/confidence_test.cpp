@@ -39,7 +39,9 @@ TEST(Confidence, AStraightLineHasItsTextbookIntervals) {
   EXPECT_NEAR(std::pow(c.singular_values.prod(), 2), 50.0, 1e-10);
 }
 
-// In a linear model the distance d leads to the textbook's solution, wherever the search stopped.
+// In a linear model, u + d is the least-squares solution, wherever the search stopped. The interval
+// about the stopped point u therefore extends farther to each side, by |d|, than that of the
+// solution.
 TEST(Confidence, WhatTheSearchLeftOfTheWayWidensTheInterval) {
   const Linearization least = line(Eigen::VectorXd{{0.31, 0.39, 0.52, 0.58, 0.70}});
   const Eigen::Vector2d left(0.3, -0.2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells whether chains have forgotten their start and how many independent draws they are worth
+// Estimates whether chains have forgotten their start and how many independent draws they are worth
 // [Vehtari, Gelman, Simpson, Carpenter, Bürkner, Bayesian Anal. 16 (2021) 667; numbers of equations
 // and sections are theirs].
 //

@@ -16,7 +16,7 @@
 // The ratios of the terms say how large a residual's higher derivatives are beside its curvature.
 // Residuals are polynomials of the fourth degree; once there are more samples than coefficients,
 // the polynomial is the one nearest to them. If J is exact, residual and slope at the fit are
-// known, and the first term of (1) is left out. The variance v is relative: it tells where the
+// known, and the first term of (1) is left out. The variance v is relative: it shows where the
 // surrogate knows least, not by how much it errs. How much it errs is measured by trials that it
 // has not seen (surrogate_runs.h).
 //

@@ -12,7 +12,7 @@
 //   2. The check: ten plain draws more, of the final surrogate, which does not learn from them.
 //      With e = errors of the log density less their mean,
 //        deviation(e) <= 0.3                the surrogate stands for the model
-//        0.3 < deviation(e) <= 1            doubtful: the deviation is told
+//        0.3 < deviation(e) <= 1            doubtful: the deviation is reported
 //        deviation(e) > 1, or any |e| > 3   refused: the samples are not the model's
 //
 // A trial that fails has density 0, and nothing is interpolated over it: the density is 0 at every

@@ -4,7 +4,7 @@
 //
 //   1. All candidates are fitted, with a weak prior of a range for each (selection_rows.h). The
 //      noise that neighbors share is estimated there.
-//   2. Rounds. The fit's own covariance tells how much -2 log L rises if a set is dropped
+//   2. Rounds. The fit's own covariance predicts how much -2 log L rises if a set is dropped
 //      (drop_set.h): the largest set whose rise stays below 2 a coefficient is dropped. If none
 //      does, the set that should lower BIC most is dropped, or the single unit with the least rise.
 //      All others are refitted. If a set costs more than twice as much as expected, because

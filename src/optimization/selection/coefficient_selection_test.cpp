@@ -168,7 +168,7 @@ TEST(CoefficientSelection, AGroupIsKeptOrDroppedAsOne) {
   EXPECT_EQ(selection.path()[selection.best()].units, std::vector<int>{0});
 }
 
-// Two columns that are the same but for a hundredth: no value tells which of the two is true.
+// Two columns that differ by only a hundredth: no value shows which of the two is the true one.
 TEST(CoefficientSelection, OfTwoCandidatesThatActAlikeOneIsKeptAndTheOtherNamesIt) {
   Eigen::MatrixXd X = orthogonal_columns(100, 3);
   X.col(1) = X.col(0) + 0.01 * X.col(2);

@@ -245,8 +245,8 @@ void BasinSearch::begin_descent(std::size_t i) {
   tell_worse(*descent_->optimizer, from);
 }
 
-/// Tells a search the known trials nearest to its start that are worse. From a better one it would
-/// go on there.
+/// Passes to a search the known trials nearest to its start that are worse than the start. If it
+/// knew a better one, it would continue from there.
 void BasinSearch::tell_worse(Optimizer& optimizer, const Spread& from) const {
   const double S = square(*from.score);
   std::vector<std::pair<double, std::size_t>> order;
@@ -259,7 +259,7 @@ void BasinSearch::tell_worse(Optimizer& optimizer, const Spread& from) const {
     optimizer.observe(known_points_[k], outcomes_.at(known_points_[k].bits()));
 }
 
-/// Tells the search one outcome, and ends it or lets it go on.
+/// Passes one outcome to the search, and ends it or lets it go on.
 void BasinSearch::descend() {
   Descent& descent = *descent_;
   const DesignPoint point = descent.optimizer->propose(1).front();

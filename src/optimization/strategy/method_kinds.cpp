@@ -32,10 +32,11 @@ int batch_of(const Node& node, int fallback) {
   try {
     return static_cast<int>(node.integer("batch", 1, kMostOutstanding, fallback));
   } catch (const InputError&) {
-    node.reject("batch",
-                "is no integer from 1 to 1024. The steps of the search depend on it, so it is a "
-                "number of the study and never that of the workers of a machine; for 8 workers "
-                "write batch = 8, which gives the same bits on any number of workers");
+    node.reject(
+        "batch",
+        "is not an integer from 1 to 1024. The steps of the search depend on it, so it is a "
+        "number of the study and never that of the workers of a machine; for 8 workers "
+        "write batch = 8, which gives the same bits on any number of workers");
   }
 }
 

@@ -20,7 +20,8 @@ constexpr double kTermsOfPoints = 0.5;         // taken terms, as a share of the
 constexpr double kNorms[] = {0.5, 0.75, 1.0};  // q
 constexpr int kParts = 5;
 constexpr int kPatience = 3;  // degrees in a row that do not improve the error, then none follows
-/// Share of a column's length that has to be new beside the terms taken.
+/// Smallest share of a column's squared length that must be orthogonal to the terms already taken.
+/// A larger value excludes more columns that are nearly dependent on these terms.
 constexpr double kNew = 1e-8;
 constexpr double kNothingLeft = 1e-13;  // share of the length of the values
 constexpr std::uint64_t kSeedOfParts = 1;

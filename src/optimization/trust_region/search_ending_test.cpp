@@ -63,14 +63,14 @@ std::string ending_of_search(const DesignSpace& space, const RippledResiduals& r
   return end_of_search(space, residuals).words;
 }
 
-/// Returns the claim with that statement; nullptr if there is none.
+/// Returns the claim with this statement; nullptr if there is none.
 const EndingClaim* claim_of(const SearchedEnding& end, const std::string& statement) {
   for (const EndingClaim& claim : end.claims)
     if (claim.statement == statement) return &claim;
   return nullptr;
 }
 
-/// Returns the number of that name in a claim; NaN if there is none.
+/// Returns the number with this name in a claim; NaN if there is none.
 double number_of(const EndingClaim& claim, const std::string& name) {
   for (const ClaimNumber& number : claim.numbers)
     if (number.name == name) return number.value;

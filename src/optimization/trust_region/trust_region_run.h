@@ -47,7 +47,7 @@ class TrustRegionRun {
   EndingEvidence evidence() const;
   int restarts_left() const { return options_.restarts - restarts_.count(); }
   void go_on(int restarts_left);
-  /// Says whether this run tests its end. Trial runs, whose ends nobody is told, do not.
+  /// Says whether this run tests its end. Trial runs, whose ends are not reported, do not.
   void set_tests_end(bool tests_end) { tests_end_ = tests_end; }
   bool tests_end() const { return tests_end_; }
   /// Sets the number of points proposed at a time from now on.

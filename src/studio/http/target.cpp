@@ -47,7 +47,8 @@ void check_path(std::string_view path) {
 
 Target parse_target(std::string_view target) {
   if (!target.starts_with('/'))
-    throw InputError("the target " + in_quotes(target) + " is no path, expected one such as \"/\"");
+    throw InputError("the target " + in_quotes(target) +
+                     " is not a path, expected one such as \"/\"");
   const std::size_t mark = std::min(target.find('?'), target.size());
   Target result{decoded(target.substr(0, mark), false), {}};
   check_path(result.path);

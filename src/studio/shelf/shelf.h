@@ -34,7 +34,7 @@ class Shelf {
   const std::filesystem::path& folder() const { return folder_; }
   /// Returns the studies in the order of their ids.
   std::vector<std::shared_ptr<ShelvedStudy>> studies() const;
-  /// Returns the study with that id; nullptr if there is none.
+  /// Returns the study with this id; nullptr if there is none.
   std::shared_ptr<ShelvedStudy> find(const std::string& id) const;
   /// Returns the study like find(). From now on the study is checked often for a while; if it was
   /// never read, it is read now.

@@ -62,7 +62,7 @@ std::string toml_of(const EditedValue& value) {
 void expect_bare(const std::string& name) {
   const auto is_bare = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), is_bare))
-    throw InputError("\"" + name + "\" is no name: expected letters, digits, _ and - only");
+    throw InputError("\"" + name + "\" is not a name: expected letters, digits, _ and - only");
 }
 
 /// Returns the beginning of the line that contains the position, and that of the next line.
@@ -124,7 +124,7 @@ std::string edited(const std::string& text, const std::string& file_name, const 
   }
   const std::string whole = fmt::format("{}", fmt::join(edit.table, "."));
   if (table >= 0 && tree.value(table).kind != Kind::table)
-    throw InputError(whole + " is no table in " + file_name + ": edit the text");
+    throw InputError(whole + " is not a table in " + file_name + ": edit the text");
   const int place = table < 0 ? -1 : tree.child(table, edit.key);
   const bool goes = std::holds_alternative<std::monostate>(edit.value);
   if (place >= 0) {

@@ -115,7 +115,7 @@ class Shares(Data):
 
     def test_a_number_without_a_unit_is_no_noise_of_a_force(self):
         self.assert_says(self.checked("noise = 20\n"), "study.toml:15", "2000 %", '"20 N"', '"20 %"')
-        self.assert_says(self.checked('noise = "20"\n'), "no number with a unit", '"20 N + 2 %"')
+        self.assert_says(self.checked('noise = "20"\n'), "not a number with a unit", '"20 N + 2 %"')
         self.assert_says(self.checked('noise = "1000 %"\n'), "more than the measured value itself")
         self.checked('noise = "20 N"\n', code=DONE)
         self.checked("noise = 0.02\n", code=DONE)

@@ -170,7 +170,7 @@ class Design(unittest.TestCase):
         said = self.latsch("design", self.study, code=WRONG_INPUT)  # not fitted, no prior
         self.assertIn("latsch run", said)
         self.assertIn('did you mean "alpha"?', self.refusal("alpha = ", "alhpa = "))
-        self.assertIn("is no number of the test steady", self.refusal("alpha = ", "camber = "))
+        self.assertIn("is not a number of the test steady", self.refusal("alpha = ", "camber = "))
         self.assertIn("compares N with rad", self.refusal(r"Fz \* abs\(alpha\) <= 15 kN deg", "Fz <= 15 deg"))
         self.assertIn("against is missing", self.refusal("count = 6", 'criterion = "T"'))
         self.assertIn("of is missing", self.refusal("count = 6", 'criterion = "I"'))

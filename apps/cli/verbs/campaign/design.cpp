@@ -107,7 +107,7 @@ std::optional<Result<DesignBegin>> begin_design(const Study& study,
   return answer;
 }
 
-/// Reads the study of the rival, with what its journal tells about its variables.
+/// Reads the study of the rival, and the values that its journal gives for its variables.
 DesignBegin begin_rival(const Study& study, const experiment::Language& language) {
   const std::filesystem::path& file = study.campaign->against;
   const Study rival = correlation::read_study(file, language);

@@ -215,7 +215,7 @@ void print_bands(const Study& study, const std::vector<correlation::ComparedBand
   }
   const auto is_predicted = [](const auto& one) { return !one.fitted; };
   if (std::any_of(study.experiments.begin(), study.experiments.end(), is_predicted))
-    say("  Experiments that are only predicted have linear bands alone.\n");
+    say("  Experiments that are only predicted have only linear bands.\n");
 }
 
 void print_checks(const Study& study, const Posterior& posterior) {

@@ -109,7 +109,7 @@ std::vector<CampaignSetting> read_settings(const Node& table, const CampaignSett
     const auto path = movable.find(name);
     if (!path)
       settings.reject(name,
-                      fmt::format("is no number of the test {}{}; it has {}",
+                      fmt::format("is not a number of the test {}{}; it has {}",
                                   campaign.test,
                                   did_you_mean(name, movable.names()),
                                   list_of(movable.names())));

@@ -129,7 +129,7 @@ class LimitReader {
     while (digits < text_.size() && std::isdigit(static_cast<unsigned char>(text_[digits])))
       ++digits;
     if (digits == at_ || digits - at_ > 1)
-      throw WrongLimit{"has an exponent that is no whole number from -9 to 9"};
+      throw WrongLimit{"has an exponent that is not a whole number from -9 to 9"};
     const int exponent = (text_[at_] - '0') * (is_negative ? -1 : 1);
     at_ = digits;
     const auto a = base.value;
@@ -169,7 +169,7 @@ class LimitReader {
     if (is_next('(')) return function(word);
     const auto number = numbers_(word);
     if (!number)
-      throw WrongLimit{"has " + in_quotes(word) + ", which is no number of the test" +
+      throw WrongLimit{"has " + in_quotes(word) + ", which is not a number of the test" +
                        did_you_mean(word, names_) + "; there are " + list_of(names_)};
     if (number->setting < 0) {
       const double value = number->value;
@@ -230,7 +230,7 @@ class LimitReader {
     try {
       number = std::stod(text_.substr(at_), &used);
     } catch (const std::exception&) {
-      throw WrongLimit{"has " + in_quotes(text_.substr(at_)) + ", which is no number"};
+      throw WrongLimit{"has " + in_quotes(text_.substr(at_)) + ", which is not a number"};
     }
     const bool is_zero = number == 0.0;
     at_ += used;

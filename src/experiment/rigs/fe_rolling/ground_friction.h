@@ -36,8 +36,8 @@ std::function<fe_tire::RollingFriction(double speed)> friction_by_speed(
 /// Says which friction a tire has in a test that states none, and where it is limited at the test's
 /// pressure, Pa, and highest speed, m/s.
 std::string friction_in_words(const TireRig& rig, double pressure, double speed);
-/// Says what a tire that stands does with the friction of its file; empty if that is none or a mere
-/// coefficient.
+/// Says which friction a standing tire has although its file states another one for rolling; empty
+/// if the file states no friction, or one that depends on neither pressure nor sliding speed.
 std::string friction_at_rest_in_words(const TireRig& rig, double of_test);
 
 }  // namespace latsch::experiment

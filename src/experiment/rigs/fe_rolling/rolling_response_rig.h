@@ -18,8 +18,8 @@ struct ResponseSlip {
   const char* of_slip;                   // in words: "slip angle"
   const char *force_unit, *moment_unit;  // SI, of a force and of a moment by the slip
   fe_tire::SlipInput input;
-  /// Channel of the relaxation length, and the force by which it is told: 0 to 2, Fx to Fz; null:
-  /// none is told.
+  /// Channel of the relaxation length, null if none is computed, and the force from which it is
+  /// computed: 0 to 2, Fx to Fz.
   const char* relaxation = nullptr;
   int force = 0;
   /// The main force, 0 to 5, Fx to Mz, and the swing to both sides over which its slope is compared

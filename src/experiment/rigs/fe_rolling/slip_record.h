@@ -10,7 +10,7 @@
 //
 // The record begins with the steady state of its first sample and so does every stretch behind a
 // gap (slip_lag.h). Between samples all quantities change evenly. Steps have one length, a part of
-// the usual distance of samples; forces between two of them are told at samples that lie between.
+// the usual distance of samples; forces between two of them are recorded at samples in between.
 //
 // Steps do not follow vibrations of the belt but damp them, by 0.3 a step. Forces are those of the
 // ground, in W.

@@ -39,8 +39,8 @@ struct DiscretizationRow {
   double order = 0.0;          // observed order, 0 if the values show none
   /// Uncertainty of `converged`: a quarter of its distance from the finest mesh, or, if no order is
   /// observed, three times the largest change between the last meshes, because further changes may
-  /// be larger (safety factors 1.25 and 3 of [Roache 1994, J. Fluids Eng. 116]). For a pressed tire
-  /// as loaded_limits.h says.
+  /// be larger (safety factors 1.25 and 3 of [Roache 1994, J. Fluids Eng. 116]). For a pressed
+  /// tire, loaded_limits.h states how the uncertainty is computed.
   double uncertainty = 0.0;
   /// False for a mode that not every mesh has; it has no converged value.
   bool paired = true;

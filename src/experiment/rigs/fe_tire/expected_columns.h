@@ -28,8 +28,8 @@ Way way(const Judged& mesh,
 /// Returns the least number of sectors of a ring beyond its zones on both sides of the contact.
 int fewest_sectors(const fe_tire::Section& section);
 
-/// Returns the number of sectors with the least expected error among those that a ring may have
-/// near its present number.
+/// Returns the number of sectors with the least expected error among the permitted numbers near the
+/// present one.
 int best_sectors(const Judged& mesh,
                  const ColumnChanges& changes,
                  const std::vector<double>& fixed,

@@ -103,7 +103,7 @@ Result<std::vector<fe_tire::ChainPlace>> found_places(const TireRig& rig,
 }  // namespace
 
 Result<Channels> chains(TireRig& rig, const RollingTest& test, const ChainPlaces& places) {
-  // A place that does not exist is told before states are found.
+  // A place that does not exist is reported before any state is computed.
   if (const auto found = found_places(rig, places); !found) return found.failure();
   const auto states = roll_states(rig, test);
   if (!states) return states.failure();

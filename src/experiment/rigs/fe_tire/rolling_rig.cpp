@@ -32,7 +32,7 @@ constexpr double kEffective = 1.0 / 3.0;
 /// speed, relative.
 constexpr double kSlipScale = 0.03, kCamberScale = 0.1, kRelative = 0.3, kTurnScale = 0.05;
 
-/// Share at which distances from the state found last count: its tangent is still at hand.
+/// Share at which distances from the state found last count: its tangent is still kept.
 constexpr double kFromLast = 0.5;
 
 double distance(const RollingCase& a, const RollingCase& b) {

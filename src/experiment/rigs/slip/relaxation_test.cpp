@@ -57,8 +57,7 @@ bool lags(const std::vector<std::string>& notes) {
   });
 }
 
-// With default settings the sweep moves the tire farther than ten radii, which was once the only
-// condition.
+// With default settings the sweep moves the tire farther than ten radii, and yet the tire lags.
 TEST(Relaxation, ASweepThatLagsIsSaidAtTheDefaults) {
   const std::string sweep = "kind = \"slip_sweep\"\nload = \"4 kN\"\nspeed = \"60 km/h\"\n";
   EXPECT_TRUE(lags(notes_of(sweep + "kappa = [-0.3, 0.3]\n")));

@@ -143,7 +143,7 @@ TEST(RollingStiffness, CamberForceOnADrumAndOnASlopeDoesNotDependOnTheStep) {
   for (const road::Road* road :
        {static_cast<const road::Road*>(&drum), static_cast<const road::Road*>(&slope)}) {
     const double fine = camber_force(*road, 2.5e-4), coarse = camber_force(*road, 1e-3);
-    // The camber force is 8 N at 1 deg (460 N/rad); the error of the coarse step was once as large.
+    // The camber force is 8 N at 1 deg (460 N/rad), so an error of 1 N is an eighth of it.
     EXPECT_NEAR(coarse, fine, 1.0);
   }
 }

@@ -240,7 +240,8 @@ OtherColumn other_column(const formats::CsvTable& table,
           state != nullptr};
 }
 
-/// Returns the row of a column, which is read as this state, or as none.
+/// Returns the ledger's row of a column. `state` is the member of State as which the column is
+/// read; null if the column is not used.
 LedgerRow row_of_column(const formats::CsvTable& table,
                         const std::string& column,
                         const StateColumn* state,

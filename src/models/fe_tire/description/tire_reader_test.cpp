@@ -293,7 +293,7 @@ std::string edited(const std::string& from, const std::string& to) {
   return text;
 }
 
-/// Returns the file of tire B with that line of [mesh] replaced which begins with `key`.
+/// Returns the file of tire B in which the line of [mesh] that begins with `key` is replaced.
 std::string with_line(const std::string& key, const std::string& line) {
   std::string text = edited(key, key);
   const auto at = text.find(key);

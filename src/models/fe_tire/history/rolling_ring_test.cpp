@@ -60,7 +60,8 @@ TurningRing solve_ring(
     const double before = line.steps()[(k + m - 1) % m], after = line.steps()[k];
     length[line.order()[k]] = 0.5 * kR * (before + after);
   }
-  // The tension p b R acts on the slope; it does not relax. Masses do not see a standing force.
+  // The tension p b R acts on the slope; it does not relax. Masses have no effect, because the
+  // deflection by a force that does not move is constant in time at every place.
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(unknowns, unknowns);
   Eigen::VectorXd w_0(unknowns), slope(unknowns);  // w and w' below the force at theta = 0
   for (int n = first, c = 0; n <= last; ++n, c += 2) {

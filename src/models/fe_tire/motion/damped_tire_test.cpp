@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Damped modes of tire B with few columns. Independent of the sums over points: modes of tires
-// whose moduli are other ones, and a halved ring beside a whole one.
+// Damped modes of tire B with few columns. The references do not depend on the tested sums over
+// points: modes of tires with other moduli, and a halved ring compared with a whole ring.
 #include "models/fe_tire/motion/damped_tire.h"
 
 #include <gtest/gtest.h>

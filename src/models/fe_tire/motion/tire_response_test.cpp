@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Responses of tire B with few columns. Independent of shapes and ports: differences of equilibria,
-// and tires whose moduli are other ones.
+// Responses of tire B with few columns. The references do not depend on shapes and ports:
+// differences of equilibria, and tires with other moduli.
 #include "models/fe_tire/motion/tire_response.h"
 
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@
 
 namespace latsch::fe_tire {
 
-/// The whole ring with its tread, and the state and the tangent at hand.
+/// The whole ring with its tread, its present state, and its present tangent.
 struct RollingTransient::Impl {
   FeTire& tire;
   const RingElements& elements;
@@ -32,7 +32,8 @@ struct RollingTransient::Impl {
   RollingTransientSettings settings;
   double touching;  // rad
   TransientState now;
-  /// The tangent whose factorization is at hand, and the step it is for, s; none: there is none.
+  /// The tangent whose factorization is kept, null if there is none, and the time step, s, for
+  /// which the tangent was built.
   std::shared_ptr<const numerics::SymmetricMatrix> factored;
   double factored_step = 0.0;
 

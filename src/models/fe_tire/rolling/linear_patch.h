@@ -73,7 +73,8 @@ class LinearPatch {
   /// Returns the motion of points relative to the ground by a unit of a slip, if the tire does not
   /// answer.
   PointMotion motion_by(SlipInput slip) const;
-  /// Returns the motion of points by a wheel center that moves along `d` (m).
+  /// Returns the motion of the points if the wheel center moves by `d` (m) and the tire does not
+  /// deform.
   PointMotion motion_along(const Eigen::Vector3d& d) const;
   /// Returns how a unit of a slip changes the residual on the body's rows besides the contact, N.
   /// Inertia of the change is not in it.

@@ -51,7 +51,7 @@ class RollingHistory {
 
  protected:
   static constexpr int kPairs = 4, kCordPairs = 2;  // streamlines of an element and of a layer
-  /// A stress D E of a linear solid that relaxes.
+  /// The relaxing stress D E of a linear solid at the strain E.
   struct LinearPart {
     int series;
     Matrix6 D;

@@ -25,7 +25,9 @@ constexpr double kSlow = 0.2, kDiverging = 4.0;
 /// that the tangent's age does not explain.
 constexpr double kSlowWithHistory = 0.9;
 constexpr int kMostWithHistory = 80;
-/// Residual of a first step, relative to the load, that the tangent at hand leads to the end.
+/// Residual, relative to the load, with which the residual of the first iteration is compared in
+/// place of the residual before. With a larger value the kept tangent is still used after larger
+/// changes of the case.
 constexpr double kNearby = 0.1;
 /// Most halvings of a step that inverts elements.
 constexpr int kMostHalvings = 4;

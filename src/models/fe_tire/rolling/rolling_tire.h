@@ -81,7 +81,7 @@ class RollingTire {
   Result<std::vector<RollingRates>> rates(const RollingState& of,
                                           const std::vector<RollingCause>& causes);
 
-  /// Forgets the factorization at hand: the next state then does not depend on those before `from`.
+  /// Discards the kept factorization: the next state then does not depend on those before `from`.
   void forget();
 
  private:

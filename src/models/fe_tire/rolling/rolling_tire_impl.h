@@ -13,7 +13,7 @@
 
 namespace latsch::fe_tire {
 
-/// The whole ring with its tread, and the tangent at hand.
+/// The whole ring with its tread, and its present tangent.
 struct RollingTire::Impl {
   FeTire& tire;
   const RingElements& elements;

@@ -23,8 +23,8 @@ namespace {
 /// factorized in double precision.
 constexpr double kRefined = 1e-11;
 constexpr int kMostRefinements = 6;
-/// Largest rise, m, and change of the spin of one step: a tire that slides as a whole tells no
-/// slope.
+/// Largest rise, m, and change of the spin of one step: a tire that slides as a whole has no
+/// useful slope.
 constexpr double kMostRise = 2e-3, kMostTurn = 0.02;
 
 /// Solves J x = R by a factorization in single precision, which is several times as fast, and
@@ -182,8 +182,8 @@ class TreadBody::LineTangent {
     return body_.axis_.cross(body_.place(k, input_) - hub);
   }
 
-  /// Adds the derivatives of the drive's moment by the position of a point, of which `by_position`
-  /// are those of its own force.
+  /// Adds the derivatives of the drive's moment with respect to the position of a point.
+  /// `by_position` contains the derivatives of the point's force with respect to this position.
   void add_drive(int k, const Eigen::Matrix3d& by_position, const Eigen::Vector3d& arm) {
     const double height = body_.hub_.z();
     Eigen::RowVector3d by = arm.transpose() * by_position / height;

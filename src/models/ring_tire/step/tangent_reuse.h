@@ -16,8 +16,9 @@ class TangentReuse {
   /// Drops the tangent.
   void forget() { *this = {}; }
 
-  /// True if the tangent can be used at the beginning of a step with that
-  /// d(acceleration)/d(position), 1/s^2.
+  /// Returns true if the kept tangent can be used at the beginning of a step. `acceleration` is the
+  /// step's d(acceleration)/d(position), 1/s^2. It must be called once for each step, because it
+  /// counts the tangent's age.
   bool serves(double acceleration) {
     ++age_;
     if (wait_ > 0) {
