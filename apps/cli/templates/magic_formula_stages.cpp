@@ -119,6 +119,11 @@ std::vector<std::string> Freed::in_words() const {
 
 Freed stages_of(const TireTest& t) {
   Freed freed;
+  if (t.cornering && t.driving && !t.combined)
+    freed.left_out.push_back({fmt::format("because fewer than {} samples have slip and slip angle "
+                                          "at once",
+                                          kFewestCombined),
+                              {"RBX1", "RBX2", "RCX1", "RBY1", "RBY2", "RCY1", "RHY1"}});
   const magic_formula::ConditionLevels of_cornering = t.levels_of(false),
                                        of_driving = t.levels_of(true);
   for (Stage& stage : every_stage_of(t)) {

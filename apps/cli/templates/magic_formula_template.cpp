@@ -531,6 +531,9 @@ MagicFormulaStudy magic_formula_study(const TireTestFiles& given, const fs::path
   MagicFormulaStudy written;
   written.words = measured.words();
   const auto start = start_of(t, measured, test.unloaded_radius, written.words);
+  written.words.emplace_back(
+      "assumed: TYRESIDE = 'LEFT'; if the recorded tire was that of the right side, write 'RIGHT' "
+      "into tire.tir: a car mirrors a tire by it");
   written.tire = tire_text(t, start, fitted.files, test);
   const Freed freed = stages_of(t);
   const std::vector<Stage>& stages = freed.stages;

@@ -33,10 +33,19 @@ std::pair<double, double> line_through(const std::vector<double>& x, const std::
 TireTest::TireTest(const correlation::Measurement& measured) : measured_(measured) {
   cornering = has("Fy") && spread("alpha") > kLeastSweep;
   driving = has("Fx") && spread("kappa") > 2.0 * kFreeRolling;
-  combined = cornering && driving;
+  combined = cornering && driving && has_combined_slips();
   if (cornering) side_lag = recorded_lag(measured, "Fy", "alpha", kSmallAngle);
   if (driving) drive_lag = recorded_lag(measured, "Fx", "kappa", kSmallSlip);
   lags = (side_lag && side_lag->is_seen()) || (drive_lag && drive_lag->is_seen());
+}
+
+bool TireTest::has_combined_slips() const {
+  const std::vector<double>&alpha = of("alpha"), &kappa = of("kappa");
+  if (alpha.size() != kappa.size()) return false;
+  long both = 0;
+  for (std::size_t i = 0; i < alpha.size(); ++i)
+    both += std::abs(alpha[i]) > kSmallAngle && std::abs(kappa[i]) > kFreeRolling ? 1 : 0;
+  return both >= kFewestCombined;
 }
 
 magic_formula::ConditionLevels TireTest::levels_of(bool of_driving) const {

@@ -24,6 +24,9 @@ inline constexpr double kSmallAngle = 1.5 * kDegree, kSmallSlip = 0.02;
 /// Least range of the slip angle, rad, that counts as a sweep.
 inline constexpr double kLeastSweep = 1.0 * kDegree;
 
+/// Fewest samples with both slips that determine how one slip takes force from the other.
+inline constexpr long kFewestCombined = 10;
+
 /// Returns the value below which the share `share` of the finite values lies; 0 if there is none.
 double quantile(std::vector<double> values, double share);
 
@@ -39,6 +42,7 @@ class TireTest {
   /// lags of Fy and Fx behind the slip; none: not determined
   std::optional<RecordedLag> side_lag, drive_lag;
   bool lags = false;
+  /// `combined`: samples have both slips at once, so that combined coefficients are determined
   bool cornering, driving, combined;
 
   /// Returns the levels of load, camber, pressure and speed among the samples that a stage fits:
@@ -62,6 +66,7 @@ class TireTest {
   double steepness(const std::string& force, const std::string& slip, double most) const;
 
  private:
+  bool has_combined_slips() const;
   std::vector<double> shares(const std::string& force) const;
 
   const correlation::Measurement& measured_;

@@ -80,6 +80,9 @@ PKY2 = 1.5
         tire.write_text(self.TIRE)
         states.write_text("kappa\n0\n")
         self.assert_says(self.latsch("test", tire, self.steady(states), code=WRONG_INPUT), "states.csv:1", "Fz")
+        states.with_suffix(".tdx").write_text("**HEADER\n**END\n")
+        self.assert_says(self.latsch("test", tire, self.steady(states.with_suffix(".tdx")), code=WRONG_INPUT),
+                         'names "states.tdx", which ends as a recording, expected a table (.csv)')
 
 
 class Simulators(Outside):
@@ -120,7 +123,7 @@ class Simulators(Outside):
             self.assertFalse((study.parent / "study.scratch").exists())
 
     def test_simulate_keeps_to_the_limits_of_run(self):
-        for text, limit, said in (("import time; time.sleep(1000)", 'timeout = "0.5 s"', "took more than the 0.5 s"),
+        for text, limit, said in (("import time; time.sleep(1000)", 'timeout = "0.5 s"', "s allowed to it and was killed"),
                                   ("bytearray(3_000_000_000)", 'timeout = "60 s"\nmemory = "1 GB"', "MemoryError")):
             study = self.study("quarter_car")
             (study.parent / "quarter_car.py").write_text(text)

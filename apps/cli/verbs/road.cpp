@@ -59,6 +59,15 @@ bool is_there(const formats::RoadFile& file, double x, double y) {
   return !file.crg || file.crg->elevation(file.crg->locate(x, y));
 }
 
+/// True if the ground moves at one of the points.
+bool moves(const road::Road& road, const std::vector<double>& x, const std::vector<double>& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const road::GroundPoint ground = road.at(x[i], y[i], 0.0);
+    if (!ground.velocity.isZero() || !ground.turning.isZero()) return true;
+  }
+  return false;
+}
+
 /// Returns the road at each point, one row each: height, normal, friction; u and v if the road has
 /// them. If the file says that there is no road at a point, its values are gaps.
 Channels ask(const formats::RoadFile& file,
@@ -147,6 +156,10 @@ int road(const RoadOptions& options) {
     time = points.si_numbers("time", "s");
   } else if (!options.time.empty()) {
     time.assign(x.size(), parse_option("--time", options.time, "s", Range{}));
+  } else if (moves(*file.road, x, y)) {
+    warn(
+        "this road moves, and the points have no column time: their time is taken as 0, expected "
+        "a column time or --time");
   }
   Beyond beyond;
   const Channels answers = ask(file, x, y, time, beyond);

@@ -64,6 +64,7 @@ ChannelConstraint read_channel_range(const Node& table, const std::vector<KnownC
   range.name = table.name();
   range.channel = table.text("channel");
   const std::string unit = constrained_unit(table, range.channel, known);
+  range.is_of_stated = table.has("of");
   range.of = table.choice("of", names_of_values(), "largest");
   read_bounds(table, unit, range);
   return range;
@@ -90,6 +91,15 @@ Result<double> value_of(const ChannelConstraint& constraint, const Channels& cha
                                constraint.channel),
                    Cause::bad_output};
   }
+  if (channel->values.size() > 1 && constraint.lower && !constraint.is_of_stated)
+    return Failure{fmt::format("constraint \"{}\": {} has {} values, and a lower bound on the "
+                               "largest, which holds unless the key `of` says otherwise, may leave "
+                               "others below it: expected of = \"smallest\" or {}",
+                               constraint.name,
+                               constraint.channel,
+                               channel->values.size(),
+                               list_of({"largest", "mean", "first", "last"})),
+                   Cause::bad_output};
   const double y = value_of(constraint.of, channel->values);
   if (!std::isfinite(y)) {
     return Failure{

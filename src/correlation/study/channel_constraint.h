@@ -24,6 +24,7 @@ struct ChannelConstraint {
   std::string name;
   std::string channel;
   std::string of = "largest";
+  bool is_of_stated = true;  // false: a lower bound on a channel of several values is refused
   std::optional<double> lower, upper;  // SI; lower == upper for an equation
   double scale = 1.0;
   std::string unit = "1";  // unit in which the value is shown to the user
@@ -39,8 +40,8 @@ ChannelConstraint read_channel_constraint(const Node& table,
 /// Reads bounds on one value of a channel, without a scale.
 ChannelConstraint read_channel_range(const Node& table, const std::vector<KnownChannel>& known);
 
-/// Returns the number that is constrained. Fails if the trial has no such channel or if the channel
-/// is empty.
+/// Returns the number that is constrained. Fails if the trial has no such channel, if the channel
+/// is empty, or if it has several values and `of` is not stated beside a lower bound.
 Result<double> value_of(const ChannelConstraint& constraint, const Channels& channels);
 
 /// Adds the value c or h of the constraint to the score. Returns a Failure if the trial has no such

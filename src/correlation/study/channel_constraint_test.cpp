@@ -36,7 +36,8 @@ Channels forces(std::vector<double> values) {
 TEST(ChannelConstraint, CountsInSharesOfItsScale) {
   Score score;
   const auto within = channel_constraint_of(
-      "channel = \"stiffness/force\"\nlower = \"4 kN\"\nupper = \"5 kN\"\nscale = \"1 kN\"");
+      "channel = \"stiffness/force\"\nof = \"largest\"\nlower = \"4 kN\"\nupper = \"5 kN\"\n"
+      "scale = \"1 kN\"");
   EXPECT_TRUE(apply(within, forces({1000, 5500}), score).ok());
   EXPECT_EQ(score.constraints, (std::vector<double>{-1.5, 0.5}));
   EXPECT_EQ(in_words(within), "4 kN <= largest stiffness/force <= 5 kN");
@@ -47,6 +48,19 @@ TEST(ChannelConstraint, CountsInSharesOfItsScale) {
   EXPECT_TRUE(apply(equal, modes, score).ok());
   ASSERT_EQ(score.equations.size(), 1u);
   EXPECT_DOUBLE_EQ(score.equations[0], 0.1);
+}
+
+// A lower bound on the largest value leaves the others free, which nobody means who does not say
+// which value is bounded.
+TEST(ChannelConstraint, ALowerBoundOnSeveralValuesNeedsTheirChoice) {
+  Score score;
+  const auto open = channel_constraint_of("channel = \"stiffness/force\"\nlower = \"4 kN\"");
+  const auto refused = apply(open, forces({1000, 5500}), score);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.failure().reason.find("has 2 values"), std::string::npos);
+  EXPECT_TRUE(apply(open, forces({5500}), score).ok());
+  const auto upper = channel_constraint_of("channel = \"stiffness/force\"\nupper = \"4 kN\"");
+  EXPECT_TRUE(apply(upper, forces({1000, 5500}), score).ok());
 }
 
 TEST(ChannelConstraint, TakesTheValueItNames) {

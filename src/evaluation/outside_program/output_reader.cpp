@@ -15,6 +15,7 @@
 #include "base/units.h"
 #include "formats/tables/csv_table.h"
 #include "formats/tables/tydex_file.h"
+#include "formats/text/fortran_number.h"
 
 namespace latsch {
 namespace {
@@ -37,6 +38,12 @@ const char* word_for(OutputReader::Kind kind) {
       return "tydex";
   }
   return "";
+}
+
+/// Returns the number that a text is, with an exponent behind E or, as Fortran prints it, D.
+std::optional<double> number_of(std::string_view text) {
+  const auto number = parse_number(text);
+  return number ? number : formats::parse_fortran_number(text);
 }
 
 /// Returns the first field between blanks, tabs or semicolons that is written as "10,5" and may be
@@ -130,8 +137,7 @@ class Reading {
     if (cells.empty() || cells.front().starts_with('#')) return {};
     std::vector<double> row;
     for (const int column : reader_.columns) {
-      const auto value =
-          column <= std::ssize(cells) ? parse_number(cells[column - 1]) : std::nullopt;
+      const auto value = column <= std::ssize(cells) ? number_of(cells[column - 1]) : std::nullopt;
       if (value) row.push_back(*value);
     }
     if (row.size() == reader_.columns.size()) {
@@ -164,7 +170,7 @@ class Reading {
     const std::string_view value = trimmed(std::string_view(line).substr(middle + 1));
     for (std::size_t i = 0; i < reader_.keys.size(); ++i) {
       if (key != reader_.keys[i]) continue;
-      const auto parsed = parse_number(value);
+      const auto parsed = number_of(value);
       if (!parsed) {
         return wrong(
             fmt::format("has {} for {}, expected a number", in_quotes(value), reader_.keys[i]),
@@ -188,7 +194,7 @@ class Reading {
         return {};
       }
       for (std::size_t i = 0; i < values_.size(); ++i) {
-        const auto value = parse_number(groups[i + 1].str());
+        const auto value = number_of(groups[i + 1].str());
         if (!value) {
           return wrong(fmt::format("has {} for {}, expected a number",
                                    in_quotes(groups[i + 1].str()),

@@ -165,6 +165,25 @@ class CarSpecimen : public Specimen, public Drives, public HasAxles, public Know
   car::RollingCar car_;  // adds its tires to the members above, so it is the last one
 };
 
+/// Returns a sentence if tires of the car are flexible rings whose belts have no weight, as on a
+/// rig that is tared: the car then stands with less than its weight.
+std::string weightless_belts_in_words(const Document& car) {
+  double mass = 0.0;
+  for (std::size_t axle = 0; axle < 2; ++axle)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto tire = car.root().find_table(tire_key(axle, side));
+      const auto belt = tire ? tire->find_table("belt") : std::nullopt;
+      if (!belt || !belt->has("mass")) continue;
+      if (belt->quantity("gravity", "m/s^2", Range::not_negative(), 0.0) == 0.0)
+        mass += belt->quantity("mass", "kg", Range::positive());
+    }
+  if (!(mass > 0.0)) return "";
+  return fmt::format(
+      "belt.gravity of its tires is 0, so the car stands without the weight of their belts, "
+      "{:.3g} kg in all; belt.gravity = \"9.81 m/s^2\" adds it",
+      mass);
+}
+
 class CarKind : public SpecimenKind {
  public:
   std::string name() const override { return "car"; }
@@ -221,9 +240,11 @@ class CarKind : public SpecimenKind {
       if (!told.insert(part.file).second) continue;
       for (std::string& note : part.kind->notes(part.file)) notes.push_back(std::move(note));
     }
-    const Document written = Document::read(file);
-    for (const std::string& doubt : doubts_about_car(written, read(file)))
+    const Document written = Document::read(file), whole = read(file);
+    for (const std::string& doubt : doubts_about_car(written, whole))
       notes.push_back(file.string() + ": " + doubt);
+    if (std::string note = weightless_belts_in_words(whole); !note.empty())
+      notes.push_back(file.string() + ": " + note);
     for (const char* axle : kAxles) {
       const std::string suspension = std::string(axle) + "_suspension";
       if (!has_part(written, suspension)) continue;

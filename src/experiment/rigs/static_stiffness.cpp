@@ -112,6 +112,37 @@ Result<double> stiffness(Tire& tire, const StiffnessTest& test) {
   return (before - reaction(motion, *hub, test.direction)) / test.travel;
 }
 
+namespace {
+
+/// Fails if the steps of the tire do not resolve a travel as small as that of the test: then force
+/// over travel differs from that of a larger travel, over which the patch does not slide either.
+Status check_resolution(Tire& tire, const StiffnessTest& test, double found) {
+  constexpr double kResolved = 2e-4;    // m, rad; 1 N at a tenth of the stiffness of a car tire
+  constexpr double kDifference = 0.02;  // by far more than a tire's nonlinearity over this travel
+  if (test.direction == Direction::vertical || test.travel >= kResolved) return {};
+  StiffnessTest larger = test;
+  larger.travel = kResolved;
+  const auto expected = stiffness(tire, larger);
+  if (!expected) return expected.failure();
+  if (std::abs(found - *expected) <= kDifference * std::abs(*expected)) return {};
+  const bool turns = test.direction == Direction::torsional;
+  return Failure{fmt::format(
+      "a {} of {:.3g} {} is less than the steps of this tire resolve: the {} stiffness is {:.4g} "
+      "{} over it and {:.4g} over {:g} {}; a larger {} is expected",
+      turns ? "twist" : "travel",
+      (turns ? 1.0 : 1e3) * test.travel,
+      turns ? "rad" : "mm",
+      name_of(test.direction),
+      found,
+      unit_of(test.direction),
+      *expected,
+      (turns ? 1.0 : 1e3) * kResolved,
+      turns ? "rad" : "mm",
+      turns ? "twist" : "travel")};
+}
+
+}  // namespace
+
 Channels standing_channels(const StandingTest& test,
                            const std::vector<double>& forces,
                            const std::vector<double>& stiffnesses) {
@@ -143,6 +174,8 @@ Result<Channels> stand(Tire& tire, const StandingTest& test) {
     one.travel = direction == Direction::torsional ? test.twist : test.travel;
     const auto found = stiffness(tire, one);
     if (!found) return found.failure();
+    if (const Status resolved = check_resolution(tire, one, *found); !resolved)
+      return resolved.failure();
     stiffnesses.push_back(*found);
   }
   return standing_channels(test, forces, stiffnesses);

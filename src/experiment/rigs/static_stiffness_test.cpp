@@ -39,6 +39,20 @@ TEST(StaticStiffness, IsThatOfSidewallAndTreadInSeries) {
   EXPECT_GT(in(Direction::torsional), 500.0);
 }
 
+// The steps of a flexible ring end at a residual of 0.1 N at a node, which a travel of 10 um does
+// not exceed: the belt would not move, and the tread's blocks alone would be measured.
+TEST(StaticStiffness, ATravelThatTheStepsDoNotResolveFails) {
+  ring_tire::RingTire tire = example_tire();
+  StandingTest test{.load = 4000.0, .directions = {Direction::lateral}, .travel = 1e-5};
+  const auto found = stand(tire, test);
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.failure().reason.find("less than the steps of this tire resolve"),
+            std::string::npos)
+      << found.failure().reason;
+  test.travel = 2e-4;
+  EXPECT_TRUE(stand(tire, test));
+}
+
 double load_on(ring_tire::RingTire& tire, double deflection, const std::optional<Cleat>& cleat) {
   const auto load = load_at(tire, deflection, cleat);
   EXPECT_TRUE(load) << load.failure().reason;

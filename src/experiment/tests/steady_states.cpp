@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "base/file.h"
 #include "base/mapped_file.h"
@@ -25,6 +26,7 @@
 #include "experiment/rigs/hub_frame.h"
 #include "experiment/rigs/slip/slip_states.h"
 #include "experiment/tests/test_kinds.h"
+#include "formats/tables/lab_table.h"
 
 namespace latsch::experiment {
 namespace {
@@ -175,6 +177,20 @@ Channels stated_states(const Node& table) {
   return states;
 }
 
+/// Throws InputError if the file is a recording of another format than a table, such as TYDEX.
+void expect_table(const Node& root, const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::vector<std::string> recordings = formats::lab_endings();
+  if (ending == ".csv" || ending == ".txt" || ending == ".dat" ||
+      std::ranges::count(recordings, ending) == 0)
+    return;
+  root.reject("states",
+              "names " + in_quotes(file.filename().string()) +
+                  ", which ends as a recording, expected a table (.csv); a study takes states of a "
+                  "recording by states = {from = \"measurement.NAME\"}");
+}
+
 std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& source) {
   const auto measured = find_measured(root, "states");
   const SteadyConditions conditions = read_conditions(root);
@@ -187,6 +203,7 @@ std::unique_ptr<Test> read_steady_states(const Node& root, const TestSource& sou
         false);
   if (!measured) {
     const auto file = source.file(root, "states");
+    expect_table(root, file);
     return std::make_unique<SteadyStatesTest>(table_of(file), file.string(), conditions, false);
   }
   const std::string from = measured->text("from");

@@ -105,8 +105,8 @@ class Options(unittest.TestCase):
         self.assertIn("http://", served.stdout.readline())
         served.terminate()
         served.wait(timeout=30)
-        self.refused("no study", "serve", TIR, "--no-browser")
-        self.refused("no study", "serve", "/dev/null", "--no-browser")
+        self.refused("not a study", "serve", TIR, "--no-browser")
+        self.refused("not a study", "serve", "/dev/null", "--no-browser")
 
     def test_serve_says_that_a_folder_holds_no_study(self):
         empty = self.folder / "empty"

@@ -20,7 +20,9 @@ message lists the recorded ones.
               {"channel",
                "Channel TEST/CHANNEL, or EXPERIMENT/CHANNEL of an experiment's own test; of a "
                "simulator OUTPUT/QUANTITY."},
-              {"of", "Value of the channel that the constraint is on."},
+              {"of",
+               "Value of the channel that the constraint is on; to be stated for a lower bound on "
+               "several values."},
               {"lower", "Lower bound.", "none"},
               {"upper", "Upper bound.", "none"},
               {"equal", "Value, instead of both bounds."},

@@ -18,9 +18,10 @@ holds the wheel at its initial height.
 
 All motion counts from the place of the car's file. Without travel there are no pads: the springs
 have no preload there, and Fz is what is added to the wheel's load at rest, so that of a recording
-has to be without it. With travel the springs carry the car's weight, the force of a pad at no
-travel is the wheel's load at rest, and a pad also pulls: a negative force means that a wheel would
-lift.
+has to be without it. With travel the springs carry the car's weight. The test leaves out the
+weight of wheels and uprights, so the force of a pad at no travel is the wheel's load at rest less
+that weight; the force of a recording has it. A pad also pulls: where its force and that weight
+are negative together, the wheel would lift.
 
 The channels are the stated quantities, rack, and for both wheels dx, dy, dz, camber, toe, caster
 (dx_L .. caster_R; signs as in test kc), the springs' extension and the pads' force.

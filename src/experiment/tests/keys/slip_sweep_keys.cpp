@@ -32,7 +32,10 @@ that of the road on the tire.
               {"alpha",
                "Slip angles from and to which the wheel is steered; the test states `alpha` or "
                "`kappa`."},
-              {"kappa", "Slips from and to which the wheel is braked or driven."},
+              {"kappa",
+               "Slips from and to which the wheel is braked or driven, counted from the wheel that "
+               "rolls freely: horizontal shifts of a Magic Formula (PHX1, PHX2) have no effect, "
+               "while steady_states counts from the effective rolling radius."},
               {"run_in",
                "Time of free rolling before the sweep, at least: the wheel rolls on until its "
                "force is "
