@@ -118,7 +118,7 @@ namespace {
 /// over travel differs from that of a larger travel, over which the patch does not slide either.
 Status check_resolution(Tire& tire, const StiffnessTest& test, double found) {
   constexpr double kResolved = 2e-4;    // m, rad; 1 N at a tenth of the stiffness of a car tire
-  constexpr double kDifference = 0.02;  // by far more than a tire's nonlinearity over this travel
+  constexpr double kDifference = 0.02;  // above a tire's nonlinearity over this travel
   if (test.direction == Direction::vertical || test.travel >= kResolved) return {};
   StiffnessTest larger = test;
   larger.travel = kResolved;
